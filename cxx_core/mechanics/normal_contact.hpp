@@ -1,0 +1,55 @@
+/// The frictionless normal contact problem on a grid, and what a solver answers.
+///
+/// Find pressures p >= 0 with, for each element,
+///   g = h + u - approach >= 0,  p g = 0,  u = A p  (half-space, see influence_coefficients.hpp),
+/// and either the prescribed normal load, sum p a b = Q, or the prescribed approach
+/// (Johnson, Contact Mechanics, 1985; the paper's equations 9.1 to 9.6).
+/// Units mm, N, MPa. Pressures are positive in compression, distances positive when apart.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "remesh/grid.hpp"
+
+namespace wrc {
+
+struct NormalProblem {
+  Grid grid;
+  /// Undeformed distance h per element centre, mm; may be negative. Finite.
+  std::span<const double> undeformed_distance;
+  double combined_modulus = 0.0; ///< E*, MPa (mechanics/material.hpp)
+  /// Exactly one of these two is set.
+  std::optional<double> normal_load; ///< Q in N, >= 0
+  std::optional<double> approach;    ///< mm
+  double tolerance = 1e-6;           ///< relative, > 0
+  int maximum_iterations = 5000;
+};
+
+enum class StopReason { tolerance_met, iteration_limit, stagnation };
+std::string_view name_of(StopReason reason);
+
+/// Recomputed from the final pressures in double precision, after the iteration has ended.
+struct Residuals {
+  double load_balance = 0.0;    ///< |sum p a b - Q| / Q; 0 for a prescribed approach
+  double least_gap = 0.0;       ///< min g over elements without pressure / largest u; < 0: overlap
+  double complementarity = 0.0; ///< max |g| over elements with pressure / largest u
+};
+
+struct NormalSolution {
+  std::vector<double> pressure;     ///< per element, MPa
+  std::vector<double> displacement; ///< u per element, both bodies together, mm
+  double approach = 0.0;            ///< mm
+  double normal_force = 0.0;        ///< sum p a b, N
+  int iterations = 0;
+  StopReason stop_reason = StopReason::tolerance_met;
+  Residuals residuals;
+};
+
+/// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
+/// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.
+NormalSolution solve_with_polonsky_keer(const NormalProblem& problem);
+
+} // namespace wrc
