@@ -7,6 +7,7 @@
 /// Units mm, N, MPa. Pressures are positive in compression, distances positive when apart.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -47,6 +48,20 @@ struct NormalSolution {
   StopReason stop_reason = StopReason::tolerance_met;
   Residuals residuals;
 };
+
+/// Largest number of elements a problem may have.
+inline constexpr std::size_t maximum_element_count = std::size_t{1} << 26;
+
+/// Throws Error(invalid_argument) for a problem outside its permitted ranges; names the argument.
+void check_problem(const NormalProblem& problem);
+
+/// How well these pressures and this approach solve the problem, from a convolution of its own.
+/// Any solver's answer can be judged with it. When nothing is displaced (no pressure at all), gaps
+/// are taken relative to the distance between the approach and the least undeformed distance. A
+/// least gap of 0 is reported when every element bears pressure.
+/// Throws Error(invalid_argument) like check_problem, and for a pressure span of another size.
+Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
+                            double approach);
 
 /// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
 /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.

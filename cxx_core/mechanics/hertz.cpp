@@ -1,0 +1,142 @@
+#include "mechanics/hertz.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "error.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// K, D = (K - E)/e^2 and C = K - D for e^2 = 1 - k^2.
+struct EllipticIntegrals {
+  double k;
+  double c;
+  double d;
+};
+
+/// By the arithmetic-geometric mean in terms of k (Abramowitz & Stegun, 1964, 17.6): taken from e,
+/// as the standard library does, slender ellipses lose digits in 1 - k^2 and round ones in K - E.
+EllipticIntegrals elliptic_integrals(double k) {
+  double arithmetic = 1.0;
+  double geometric = k;
+  // sum of 2^(n-1) c_n^2 / e^2 over n >= 1, with c_1^2 / e^2 = (1 - k)/(4 (1 + k)).
+  double difference_square = 0.25 * (1.0 - k) / (1.0 + k);
+  double weight = 1.0;
+  double sum = 0.0;
+  while (true) {
+    const double mean = 0.5 * (arithmetic + geometric);
+    geometric = std::sqrt(arithmetic * geometric);
+    arithmetic = mean;
+    const double term = weight * difference_square;
+    sum += term;
+    if (term <= std::numeric_limits<double>::epsilon() * 1e-2) {
+      break;
+    }
+    // c_(n+1) = c_n^2/(4 a_(n+1))
+    const double next_mean = 0.5 * (arithmetic + geometric);
+    difference_square *= difference_square * (1.0 - k * k) / (16.0 * next_mean * next_mean);
+    weight *= 2.0;
+  }
+  const double complete = 0.5 * std::numbers::pi / arithmetic;
+  return {complete, complete * (0.5 - sum), complete * (0.5 + sum)};
+}
+
+void check_positive(const std::string& argument, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    throw_invalid_argument(argument, value, "must be finite and greater than 0");
+  }
+}
+
+/// What does not depend on the load.
+struct Shape {
+  bool longer_is_longitudinal;
+  double smaller_curvature;
+  double ratio;
+  EllipticIntegrals integrals;
+};
+
+Shape shape_of(double longitudinal_curvature, double lateral_curvature, double combined_modulus) {
+  check_positive("longitudinal_curvature", longitudinal_curvature);
+  check_positive("lateral_curvature", lateral_curvature);
+  check_positive("combined_modulus", combined_modulus);
+  const auto [smaller, greater] = std::minmax(longitudinal_curvature, lateral_curvature);
+  const double ratio = hertz_axis_ratio(greater / smaller);
+  return {longitudinal_curvature <= lateral_curvature, smaller, ratio, elliptic_integrals(ratio)};
+}
+
+HertzContact contact_of(const Shape& shape, double longer, double load, double modulus) {
+  const double shorter = shape.ratio * longer;
+  HertzContact contact;
+  contact.semi_axis_longitudinal = shape.longer_is_longitudinal ? longer : shorter;
+  contact.semi_axis_lateral = shape.longer_is_longitudinal ? shorter : longer;
+  contact.normal_force = load;
+  if (load > 0.0) {
+    contact.peak_pressure = 1.5 * load / (std::numbers::pi * longer * shorter);
+    contact.approach = contact.peak_pressure * shorter * shape.integrals.k / modulus;
+  }
+  return contact;
+}
+
+} // namespace
+
+double hertz_axis_ratio(double curvature_ratio) {
+  if (!(curvature_ratio >= 1.0) || !std::isfinite(curvature_ratio)) {
+    throw_invalid_argument("curvature_ratio", curvature_ratio, "must be finite and at least 1");
+  }
+  // k^2 = C(k)/(D(k) ratio). The right side's root changes by at most a quarter of a relative
+  // change of k, so the plain iteration gains more than a decimal digit every two steps.
+  double ratio = std::pow(curvature_ratio, -2.0 / 3.0);
+  for (int step = 0; step < 100; ++step) {
+    const EllipticIntegrals integrals = elliptic_integrals(ratio);
+    const double next = std::min(1.0, std::sqrt(integrals.c / integrals.d / curvature_ratio));
+    const double change = std::abs(next - ratio);
+    ratio = next;
+    if (change <= 0.5 * std::numeric_limits<double>::epsilon() * ratio) {
+      break;
+    }
+  }
+  return ratio;
+}
+
+HertzContact solve_hertz(double longitudinal_curvature, double lateral_curvature,
+                         double combined_modulus, double normal_load) {
+  const Shape shape = shape_of(longitudinal_curvature, lateral_curvature, combined_modulus);
+  if (!(normal_load >= 0.0) || !std::isfinite(normal_load)) {
+    throw_invalid_argument("normal_load", normal_load, "must be finite and at least 0");
+  }
+  const double longer = std::cbrt(3.0 * normal_load * shape.integrals.d /
+                                  (std::numbers::pi * combined_modulus * shape.smaller_curvature));
+  return contact_of(shape, longer, normal_load, combined_modulus);
+}
+
+HertzContact solve_hertz_for_approach(double longitudinal_curvature, double lateral_curvature,
+                                      double combined_modulus, double approach) {
+  const Shape shape = shape_of(longitudinal_curvature, lateral_curvature, combined_modulus);
+  if (!std::isfinite(approach)) {
+    throw_invalid_argument("approach", approach, "must be finite");
+  }
+  // Load and peak pressure eliminated: approach = c a^2 K/(2 D).
+  const double longer = std::sqrt(2.0 * std::max(0.0, approach) * shape.integrals.d /
+                                  (shape.smaller_curvature * shape.integrals.k));
+  const double load = std::numbers::pi * combined_modulus * shape.smaller_curvature * longer *
+                      longer * longer / (3.0 * shape.integrals.d);
+  HertzContact contact = contact_of(shape, longer, load, combined_modulus);
+  contact.approach = approach;
+  return contact;
+}
+
+double hertz_pressure(const HertzContact& contact, double longitudinal, double lateral) {
+  if (contact.normal_force <= 0.0) {
+    return 0.0;
+  }
+  const double x = longitudinal / contact.semi_axis_longitudinal;
+  const double y = lateral / contact.semi_axis_lateral;
+  return contact.peak_pressure * std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+}
+
+} // namespace wrc

@@ -1,0 +1,94 @@
+#include "mechanics/influence_coefficients.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace wrc {
+
+namespace {
+
+/// Integral of 1/distance along the segment from `first` to `last` (first < last) as seen from a
+/// point `offset` > 0 beside the axis origin: asinh(last/offset) - asinh(first/offset).
+/// A segment on one side of the origin is rewritten as log1p of a sum of positive terms, since the
+/// difference of two nearly equal logarithms would lose the digits that matter.
+double segment_potential(double offset, double first, double last) {
+  if (last <= 0.0) {
+    return segment_potential(offset, -last, -first);
+  }
+  if (first < 0.0) {
+    return std::asinh(last / offset) + std::asinh(-first / offset);
+  }
+  const double first_distance = std::hypot(offset, first);
+  const double last_distance = std::hypot(offset, last);
+  const double growth = (last - first) * (1.0 + (first + last) / (first_distance + last_distance));
+  return std::log1p(growth / (first + first_distance));
+}
+
+/// One edge's share: its signed offset times the potential of the edge.
+double edge_term(double offset, double first, double last) {
+  return offset == 0.0 ? 0.0 : offset * segment_potential(std::abs(offset), first, last);
+}
+
+double near_field(double x, double y, double half_x, double half_y) {
+  return (edge_term(x + half_x, y - half_y, y + half_y) -
+          edge_term(x - half_x, y - half_y, y + half_y)) +
+         (edge_term(y + half_y, x - half_x, x + half_x) -
+          edge_term(y - half_y, x - half_x, x + half_x));
+}
+
+/// Means of r^n P_n(cos) over the rectangle for n = 2, 4, 6, with all lengths in units of the
+/// distance. `cx`, `cy`: squared direction cosines; `mij`: mean of xi^i eta^j over the rectangle.
+double far_field(double x, double y, double step_x, double step_y) {
+  const double inverse_square = 1.0 / (x * x + y * y);
+  const double cx = x * x * inverse_square;
+  const double cy = y * y * inverse_square;
+  const double side_x = step_x * step_x * inverse_square;
+  const double side_y = step_y * step_y * inverse_square;
+  const double m20 = side_x / 12.0;
+  const double m02 = side_y / 12.0;
+  const double m40 = side_x * side_x / 80.0;
+  const double m04 = side_y * side_y / 80.0;
+  const double m22 = m20 * m02;
+  const double m60 = side_x * side_x * side_x / 448.0;
+  const double m06 = side_y * side_y * side_y / 448.0;
+  const double m42 = m40 * m02;
+  const double m24 = m20 * m04;
+
+  // s is the projection on the direction to the point, r the distance from the element's centre.
+  const double second = 0.5 * (3.0 * (cx * m20 + cy * m02) - (m20 + m02));
+  const double s4 = cx * cx * m40 + 6.0 * cx * cy * m22 + cy * cy * m04;
+  const double s2r2 = cx * m40 + m22 + cy * m04;
+  const double r4 = m40 + 2.0 * m22 + m04;
+  const double fourth = (35.0 * s4 - 30.0 * s2r2 + 3.0 * r4) / 8.0;
+  const double s6 =
+      cx * cx * cx * m60 + 15.0 * cx * cy * (cx * m42 + cy * m24) + cy * cy * cy * m06;
+  const double s4r2 = cx * cx * m60 + (cx * cx + 6.0 * cx * cy) * m42 +
+                      (cy * cy + 6.0 * cx * cy) * m24 + cy * cy * m06;
+  const double s2r4 = cx * m60 + (2.0 * cx + cy) * m42 + (cx + 2.0 * cy) * m24 + cy * m06;
+  const double r6 = m60 + 3.0 * m42 + 3.0 * m24 + m06;
+  const double sixth = (231.0 * s6 - 315.0 * s4r2 + 105.0 * s2r4 - 5.0 * r6) / 16.0;
+  return step_x * step_y * std::sqrt(inverse_square) * (1.0 + (second + (fourth + sixth)));
+}
+
+} // namespace
+
+double influence_integral(double longitudinal_distance, double lateral_distance,
+                          double longitudinal_step, double lateral_step) {
+  const double x = std::abs(longitudinal_distance);
+  const double y = std::abs(lateral_distance);
+  const double far = far_field_distance * std::fmax(longitudinal_step, lateral_step);
+  if (x * x + y * y >= far * far) {
+    return far_field(x, y, longitudinal_step, lateral_step);
+  }
+  return near_field(x, y, 0.5 * longitudinal_step, 0.5 * lateral_step);
+}
+
+double influence_coefficient(double longitudinal_distance, double lateral_distance,
+                             double longitudinal_step, double lateral_step,
+                             double combined_modulus) {
+  return influence_integral(longitudinal_distance, lateral_distance, longitudinal_step,
+                            lateral_step) /
+         (std::numbers::pi * combined_modulus);
+}
+
+} // namespace wrc

@@ -1,0 +1,131 @@
+#include "mechanics/normal_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "error.hpp"
+#include "mechanics/displacement_operator.hpp"
+
+namespace wrc {
+
+namespace {
+
+void check_positive(const std::string& argument, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    throw_invalid_argument(argument, value, "must be finite and greater than 0");
+  }
+}
+
+void check_grid(const Grid& grid) {
+  if (grid.lateral_count < 1 || grid.lateral_count > maximum_element_count) {
+    throw_invalid_argument("grid.lateral_count", static_cast<double>(grid.lateral_count),
+                           "must lie in 1 to 2^26");
+  }
+  // The quotient keeps the product from overflowing.
+  if (grid.longitudinal_count < 1 ||
+      grid.longitudinal_count > maximum_element_count / grid.lateral_count) {
+    throw_invalid_argument("grid.longitudinal_count", static_cast<double>(grid.longitudinal_count),
+                           "must be at least 1, with at most 2^26 elements in all");
+  }
+  check_positive("grid.lateral_step", grid.lateral_step);
+  check_positive("grid.longitudinal_step", grid.longitudinal_step);
+}
+
+void check_size(const std::string& argument, std::size_t size, std::size_t expected) {
+  if (size != expected) {
+    throw_invalid_argument(argument + ".size", static_cast<double>(size),
+                           "must be the grid's " + std::to_string(expected) + " elements");
+  }
+}
+
+} // namespace
+
+std::string_view name_of(StopReason reason) {
+  switch (reason) {
+  case StopReason::tolerance_met:
+    return "tolerance_met";
+  case StopReason::iteration_limit:
+    return "iteration_limit";
+  case StopReason::stagnation:
+    return "stagnation";
+  }
+  throw Error(ErrorCode::internal, "stop reason without a name");
+}
+
+void check_problem(const NormalProblem& problem) {
+  check_grid(problem.grid);
+  check_size("undeformed_distance", problem.undeformed_distance.size(),
+             problem.grid.element_count());
+  for (std::size_t index = 0; index < problem.undeformed_distance.size(); ++index) {
+    if (!std::isfinite(problem.undeformed_distance[index])) {
+      throw_invalid_argument("undeformed_distance[" + std::to_string(index) + "]",
+                             problem.undeformed_distance[index], "must be finite");
+    }
+  }
+  check_positive("combined_modulus", problem.combined_modulus);
+  if (problem.normal_load.has_value() == problem.approach.has_value()) {
+    throw_invalid_argument("normal_load and approach",
+                           problem.normal_load.has_value() ? "both set" : "none set",
+                           "exactly one of the two must be set");
+  }
+  if (problem.normal_load &&
+      (!(*problem.normal_load >= 0.0) || !std::isfinite(*problem.normal_load))) {
+    throw_invalid_argument("normal_load", *problem.normal_load, "must be finite and at least 0");
+  }
+  if (problem.approach && !std::isfinite(*problem.approach)) {
+    throw_invalid_argument("approach", *problem.approach, "must be finite");
+  }
+  if (!(problem.tolerance > 0.0 && problem.tolerance <= 0.1)) {
+    throw_invalid_argument("tolerance", problem.tolerance,
+                           "must be greater than 0 and at most 0.1");
+  }
+  if (problem.maximum_iterations < 1) {
+    throw_invalid_argument("maximum_iterations", static_cast<double>(problem.maximum_iterations),
+                           "must be at least 1");
+  }
+}
+
+Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
+                            double approach) {
+  check_problem(problem);
+  check_size("pressure", pressure.size(), problem.grid.element_count());
+  const std::span<const double> distance = problem.undeformed_distance;
+  std::vector<double> displacement(pressure.size());
+  DisplacementOperator(problem.grid, problem.combined_modulus).apply(pressure, displacement);
+
+  double pressure_sum = 0.0;
+  double largest_displacement = 0.0;
+  double largest_contact_gap = 0.0;
+  double least_outside_gap = std::numeric_limits<double>::infinity();
+  for (std::size_t index = 0; index < pressure.size(); ++index) {
+    // Distance and approach first: they are close to each other where it matters.
+    const double gap = (distance[index] - approach) + displacement[index];
+    if (pressure[index] > 0.0) {
+      largest_contact_gap = std::max(largest_contact_gap, std::abs(gap));
+    } else {
+      least_outside_gap = std::min(least_outside_gap, gap);
+    }
+    pressure_sum += pressure[index];
+    largest_displacement = std::max(largest_displacement, displacement[index]);
+  }
+
+  double scale = largest_displacement;
+  if (scale == 0.0) {
+    const double least_distance = *std::min_element(distance.begin(), distance.end());
+    scale = std::abs(approach - least_distance);
+  }
+  const auto relative = [scale](double gap) { return gap == 0.0 ? 0.0 : gap / scale; };
+  Residuals residuals;
+  residuals.complementarity = relative(largest_contact_gap);
+  residuals.least_gap = std::isfinite(least_outside_gap) ? relative(least_outside_gap) : 0.0;
+  if (problem.normal_load) {
+    const double imbalance =
+        std::abs(pressure_sum * problem.grid.element_area() - *problem.normal_load);
+    residuals.load_balance = imbalance == 0.0 ? 0.0 : imbalance / *problem.normal_load;
+  }
+  return residuals;
+}
+
+} // namespace wrc

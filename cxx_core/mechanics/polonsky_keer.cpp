@@ -1,0 +1,374 @@
+/// Conjugate gradients with an active set on the full grid: the paper's method, the baseline.
+///
+/// Polonsky & Keer, Wear 231 (1999) 206-219, section 3, with the convolution of
+/// displacement_operator.hpp. Each iteration takes two convolutions as the original does: one for
+/// the gap, one for the direction. Departures from the original, all named:
+///  - it stops when the update sum|p - p_old|/sum p AND the complementarity error of the same
+///    pressures (largest |g| in contact, largest overlap outside, relative to the largest u) are at
+///    or below the tolerance, since the update alone understates the error by two orders;
+///  - it stops as stagnated when no better pressures came up for `stagnation_window` iterations,
+///    and hands back the best it saw;
+///  - a direction along which the energy does not fall is replaced by the steepest descent;
+///  - when contact is even or empty but overlap remains, a Jacobi-like step opens new contact;
+///  - a prescribed approach: no mean removal, no scaling to the load.
+/// Inside, lengths are counted in longitudinal steps, the modulus is 1 and pressures are of the
+/// order of 1, so that the units and the size of a problem do not matter.
+
+#include "mechanics/normal_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/displacement_operator.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// Longer than any plateau seen on noise and on two contacts; a floor costs this many iterations.
+constexpr int stagnation_window = 300;
+
+/// Share of elements below the distance from which the first pressures are drawn.
+constexpr double start_quantile = 0.2;
+
+/// The problem without dimensions: distances from the least one, modulus 1, longitudinal step 1.
+struct ScaledProblem {
+  Grid grid;
+  std::vector<double> distance;
+  bool load_prescribed;
+  double pressure_sum = 0.0;   ///< sought when the load is prescribed
+  double approach = 0.0;       ///< given when it is prescribed
+  double pressure_scale = 0.0; ///< MPa for pressure 1
+};
+
+struct ScaledResult {
+  std::vector<double> pressure;
+  int iterations;
+  StopReason stop_reason;
+};
+
+double sum_of(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value;
+  }
+  return sum;
+}
+
+/// sqrt(level - h) where positive: the shape of a Hertzian pressure over the penetrated elements.
+/// Evenly spread over h <= level where nothing lies below the level (a punch).
+std::vector<double> start_shape(std::span<const double> distance, double level) {
+  std::vector<double> shape(distance.size());
+  for (std::size_t index = 0; index < shape.size(); ++index) {
+    shape[index] = std::sqrt(std::max(0.0, level - distance[index]));
+  }
+  if (sum_of(shape) == 0.0) {
+    for (std::size_t index = 0; index < shape.size(); ++index) {
+      shape[index] = distance[index] <= level ? 1.0 : 0.0;
+    }
+  }
+  return shape;
+}
+
+/// The level below which the start draws pressures for a prescribed load.
+double quantile_of(std::span<const double> distance, double share) {
+  std::vector<double> ordered(distance.begin(), distance.end());
+  const auto rank = static_cast<std::size_t>(share * static_cast<double>(ordered.size() - 1));
+  const auto place = ordered.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(ordered.begin(), place, ordered.end());
+  return *place;
+}
+
+class ActiveSetIteration {
+public:
+  ActiveSetIteration(const ScaledProblem& problem, std::vector<double> start)
+      : problem_(problem), operator_(problem.grid, 1.0), pressure_(std::move(start)),
+        gap_(pressure_.size()), direction_(pressure_.size(), 0.0), response_(pressure_.size()) {}
+
+  ScaledResult run(double tolerance, int maximum_iterations);
+
+private:
+  /// Gap of the present pressures; returns their complementarity error.
+  double evaluate_gap();
+  /// New direction; returns the step along it, 0 when there is none.
+  double choose_step();
+  double choose_step_along_direction();
+  /// Moves the pressures; returns the relative update.
+  double move(double step);
+  /// A step that is safe for any pressures: the inverse of a bound of the largest eigenvalue of A.
+  double safe_step();
+
+  [[nodiscard]] bool in_contact(std::size_t index) const { return pressure_[index] > 0.0; }
+
+  const ScaledProblem& problem_;
+  DisplacementOperator operator_;
+  std::vector<double> pressure_;
+  std::vector<double> gap_;
+  std::vector<double> direction_;
+  std::vector<double> response_;
+  double last_gap_square_ = 1.0;
+  bool keep_direction_ = false;
+  double safe_step_ = 0.0;
+};
+
+double ActiveSetIteration::evaluate_gap() {
+  operator_.apply(pressure_, gap_);
+  double largest_displacement = 0.0;
+  double contact_sum = 0.0;
+  std::size_t contact_count = 0;
+  for (std::size_t index = 0; index < gap_.size(); ++index) {
+    largest_displacement = std::max(largest_displacement, gap_[index]);
+    gap_[index] += problem_.distance[index];
+    if (in_contact(index)) {
+      contact_sum += gap_[index];
+      ++contact_count;
+    }
+  }
+  const double approach = problem_.load_prescribed
+                              ? contact_sum / static_cast<double>(contact_count)
+                              : problem_.approach;
+  double largest_error = 0.0;
+  for (std::size_t index = 0; index < gap_.size(); ++index) {
+    gap_[index] -= approach;
+    largest_error =
+        std::max(largest_error, in_contact(index) ? std::abs(gap_[index]) : -gap_[index]);
+  }
+  return largest_displacement > 0.0 ? largest_error / largest_displacement
+                                    : std::numeric_limits<double>::infinity();
+}
+
+double ActiveSetIteration::choose_step_along_direction() {
+  operator_.apply(direction_, response_);
+  double response_mean = 0.0;
+  if (problem_.load_prescribed) {
+    std::size_t contact_count = 0;
+    for (std::size_t index = 0; index < response_.size(); ++index) {
+      if (in_contact(index)) {
+        response_mean += response_[index];
+        ++contact_count;
+      }
+    }
+    response_mean /= static_cast<double>(contact_count);
+  }
+  double descent = 0.0;
+  double curvature = 0.0;
+  for (std::size_t index = 0; index < response_.size(); ++index) {
+    if (in_contact(index)) {
+      descent += gap_[index] * direction_[index];
+      curvature += (response_[index] - response_mean) * direction_[index];
+    }
+  }
+  return descent > 0.0 && curvature > 0.0 ? descent / curvature : 0.0;
+}
+
+double ActiveSetIteration::choose_step() {
+  double gap_square = 0.0;
+  for (std::size_t index = 0; index < gap_.size(); ++index) {
+    gap_square += in_contact(index) ? gap_[index] * gap_[index] : 0.0;
+  }
+  const double share = keep_direction_ ? gap_square / last_gap_square_ : 0.0;
+  last_gap_square_ = gap_square;
+  if (gap_square == 0.0) {
+    keep_direction_ = false;
+    std::fill(direction_.begin(), direction_.end(), 0.0);
+    return 0.0;
+  }
+  for (std::size_t index = 0; index < gap_.size(); ++index) {
+    direction_[index] = in_contact(index) ? gap_[index] + share * direction_[index] : 0.0;
+  }
+  double step = choose_step_along_direction();
+  if (step == 0.0 && share > 0.0) {
+    for (std::size_t index = 0; index < gap_.size(); ++index) {
+      direction_[index] = in_contact(index) ? gap_[index] : 0.0;
+    }
+    step = choose_step_along_direction();
+  }
+  return step;
+}
+
+double ActiveSetIteration::safe_step() {
+  if (safe_step_ == 0.0) {
+    const std::vector<double> ones(pressure_.size(), 1.0);
+    std::vector<double> row_sums(pressure_.size());
+    operator_.apply(ones, row_sums);
+    safe_step_ = 1.0 / *std::max_element(row_sums.begin(), row_sums.end());
+  }
+  return safe_step_;
+}
+
+double ActiveSetIteration::move(double step) {
+  // response_ is spent by now and keeps the old pressures.
+  std::copy(pressure_.begin(), pressure_.end(), response_.begin());
+  const double overlap_step = step > 0.0 ? step : safe_step();
+  bool overlap_found = false;
+  for (std::size_t index = 0; index < pressure_.size(); ++index) {
+    pressure_[index] = std::max(0.0, pressure_[index] - step * direction_[index]);
+    if (pressure_[index] == 0.0 && gap_[index] < 0.0) {
+      pressure_[index] = -overlap_step * gap_[index];
+      overlap_found = true;
+    }
+  }
+  keep_direction_ = !overlap_found && step > 0.0;
+
+  double sum = sum_of(pressure_);
+  if (problem_.load_prescribed) {
+    if (sum <= 0.0) {
+      // A direction kept over a change of contact may take all load away: start afresh instead.
+      std::copy(response_.begin(), response_.end(), pressure_.begin());
+      keep_direction_ = false;
+      return std::numeric_limits<double>::infinity();
+    }
+    const double factor = problem_.pressure_sum / sum;
+    for (double& value : pressure_) {
+      value *= factor;
+    }
+    sum = problem_.pressure_sum;
+  }
+  double change = 0.0;
+  for (std::size_t index = 0; index < pressure_.size(); ++index) {
+    change += std::abs(pressure_[index] - response_[index]);
+  }
+  return sum > 0.0 ? change / sum : std::numeric_limits<double>::infinity();
+}
+
+ScaledResult ActiveSetIteration::run(double tolerance, int maximum_iterations) {
+  ScaledResult best{pressure_, 0, StopReason::iteration_limit};
+  double least_error = std::numeric_limits<double>::infinity();
+  double update = std::numeric_limits<double>::infinity();
+  int best_iteration = 0;
+  for (int iteration = 0;; ++iteration) {
+    best.iterations = iteration;
+    const double error = std::max(update, evaluate_gap());
+    if (error < least_error) {
+      least_error = error;
+      best.pressure = pressure_;
+      best_iteration = iteration;
+    }
+    if (error <= tolerance) {
+      best.stop_reason = StopReason::tolerance_met;
+      return best;
+    }
+    if (iteration - best_iteration >= stagnation_window) {
+      best.stop_reason = StopReason::stagnation;
+      return best;
+    }
+    if (iteration == maximum_iterations) {
+      return best;
+    }
+    update = move(choose_step());
+  }
+}
+
+/// A problem with a contact to be found: load > 0, or approach above the least distance.
+ScaledProblem scale_problem(const NormalProblem& problem, double least_distance) {
+  const Grid& grid = problem.grid;
+  const double step = grid.longitudinal_step;
+  ScaledProblem scaled{
+      {grid.lateral_count, grid.longitudinal_count, grid.lateral_step / step, 1.0, 0.0, 0.0},
+      std::vector<double>(problem.undeformed_distance.size()),
+      problem.normal_load.has_value()};
+  // Where the load is given, one element that carries it all has pressure 1; lengths follow from
+  // u ~ p step / E*. Where the approach is given, it is the unit of normal distances.
+  double normal_scale = 0.0;
+  if (scaled.load_prescribed) {
+    scaled.pressure_sum = 1.0;
+    scaled.pressure_scale = *problem.normal_load / step / grid.lateral_step;
+    normal_scale = scaled.pressure_scale / problem.combined_modulus * step;
+  } else {
+    normal_scale = *problem.approach - least_distance;
+    scaled.approach = 1.0;
+    scaled.pressure_scale = normal_scale / step * problem.combined_modulus;
+  }
+  std::transform(problem.undeformed_distance.begin(), problem.undeformed_distance.end(),
+                 scaled.distance.begin(),
+                 [=](double distance) { return (distance - least_distance) / normal_scale; });
+  return scaled;
+}
+
+std::vector<double> start_pressures(const ScaledProblem& scaled) {
+  const double level =
+      scaled.load_prescribed ? quantile_of(scaled.distance, start_quantile) : scaled.approach;
+  std::vector<double> pressure = start_shape(scaled.distance, level);
+  double factor = 0.0;
+  if (scaled.load_prescribed) {
+    factor = scaled.pressure_sum / sum_of(pressure);
+  } else {
+    // The multiple of the shape with the least energy.
+    std::vector<double> displacement(pressure.size());
+    DisplacementOperator(scaled.grid, 1.0).apply(pressure, displacement);
+    double work = 0.0;
+    double energy = 0.0;
+    for (std::size_t index = 0; index < pressure.size(); ++index) {
+      work += pressure[index] * (scaled.approach - scaled.distance[index]);
+      energy += pressure[index] * displacement[index];
+    }
+    factor = work / energy;
+  }
+  for (double& value : pressure) {
+    value *= factor;
+  }
+  return pressure;
+}
+
+/// Displacement, approach, force and residuals of the final pressures, from fresh convolutions.
+void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
+  const std::span<const double> distance = problem.undeformed_distance;
+  solution.displacement.resize(solution.pressure.size());
+  DisplacementOperator(problem.grid, problem.combined_modulus)
+      .apply(solution.pressure, solution.displacement);
+  if (problem.approach) {
+    solution.approach = *problem.approach;
+  } else {
+    const double least_distance = *std::min_element(distance.begin(), distance.end());
+    double sum = 0.0;
+    std::size_t contact_count = 0;
+    for (std::size_t index = 0; index < distance.size(); ++index) {
+      if (solution.pressure[index] > 0.0) {
+        sum += (distance[index] - least_distance) + solution.displacement[index];
+        ++contact_count;
+      }
+    }
+    solution.approach =
+        least_distance + (contact_count > 0 ? sum / static_cast<double>(contact_count) : 0.0);
+  }
+  solution.normal_force = sum_of(solution.pressure) * problem.grid.element_area();
+  solution.residuals = compute_residuals(problem, solution.pressure, solution.approach);
+}
+
+} // namespace
+
+NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
+  check_problem(problem);
+  const double least_distance =
+      *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
+  NormalSolution solution;
+  const bool apart =
+      problem.normal_load ? *problem.normal_load == 0.0 : *problem.approach <= least_distance;
+  if (apart) {
+    solution.pressure.assign(problem.grid.element_count(), 0.0);
+    complete_solution(problem, solution);
+    return solution;
+  }
+
+  const ScaledProblem scaled = scale_problem(problem, least_distance);
+  ScaledResult result = ActiveSetIteration(scaled, start_pressures(scaled))
+                            .run(problem.tolerance, problem.maximum_iterations);
+  solution.pressure = std::move(result.pressure);
+  for (double& value : solution.pressure) {
+    value *= scaled.pressure_scale;
+  }
+  solution.iterations = result.iterations;
+  solution.stop_reason = result.stop_reason;
+  complete_solution(problem, solution);
+  const Residuals& residuals = solution.residuals;
+  const double error =
+      std::max({residuals.load_balance, residuals.complementarity, -residuals.least_gap});
+  // The rounding of distances far from 0 can spoil what was reached relative to the least one.
+  if (solution.stop_reason == StopReason::tolerance_met && error > problem.tolerance) {
+    solution.stop_reason = StopReason::stagnation;
+  }
+  return solution;
+}
+
+} // namespace wrc
