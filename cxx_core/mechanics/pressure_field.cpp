@@ -1,0 +1,249 @@
+#include "mechanics/pressure_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "error.hpp"
+
+namespace wrc {
+
+namespace {
+
+constexpr std::size_t unlabelled = std::numeric_limits<std::size_t>::max();
+
+void check_size(const Grid& grid, std::span<const double> pressure) {
+  if (pressure.size() != grid.element_count()) {
+    throw_invalid_argument("pressure.size", static_cast<double>(pressure.size()),
+                           "must be the grid's " + std::to_string(grid.element_count()) +
+                               " elements");
+  }
+}
+
+/// The fit around one element; the largest value of the surface within its 3 x 3 elements.
+double fitted_peak(const Grid& grid, std::span<const double> pressure, std::size_t element) {
+  const std::size_t columns = grid.longitudinal_count;
+  const std::size_t row = element / columns;
+  const std::size_t column = element % columns;
+  const double largest = pressure[element];
+  if (row == 0 || row + 1 >= grid.lateral_count || column == 0 || column + 1 >= columns) {
+    return largest;
+  }
+  // Values relative to the largest, so that the fit works on small differences.
+  std::array<std::array<double, 3>, 3> value{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double neighbour = pressure[(row + i - 1) * columns + (column + j - 1)];
+      if (!(neighbour > 0.0)) {
+        return largest;
+      }
+      value[i][j] = neighbour - largest;
+    }
+  }
+  std::array<double, 3> row_sum{};
+  std::array<double, 3> column_sum{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      row_sum[i] += value[i][j];
+      column_sum[j] += value[i][j];
+    }
+  }
+  const double total = row_sum[0] + row_sum[1] + row_sum[2];
+  // c + f . s + s . H s / 2 in element steps s = (lateral, longitudinal): normal equations of the
+  // nine points, solved in closed form.
+  const double slope_row = (row_sum[2] - row_sum[0]) / 6.0;
+  const double slope_column = (column_sum[2] - column_sum[0]) / 6.0;
+  const double curve_row = (row_sum[0] + row_sum[2]) - 2.0 * total / 3.0;
+  const double curve_column = (column_sum[0] + column_sum[2]) - 2.0 * total / 3.0;
+  const double twist = 0.25 * (value[0][0] + value[2][2] - value[0][2] - value[2][0]);
+  const double constant = total / 9.0 - (curve_row + curve_column) / 3.0;
+  const double determinant = curve_row * curve_column - twist * twist;
+  if (!(curve_row < 0.0 && determinant > 0.0)) {
+    return largest;
+  }
+  const double step_row = (twist * slope_column - curve_column * slope_row) / determinant;
+  const double step_column = (twist * slope_row - curve_row * slope_column) / determinant;
+  if (std::abs(step_row) > 1.0 || std::abs(step_column) > 1.0) {
+    return largest;
+  }
+  // At the top the quadratic part takes back half of the linear part.
+  const double top = constant + 0.5 * (slope_row * step_row + slope_column * step_column);
+  return largest + std::max(0.0, top);
+}
+
+/// Sums over the elements of one set, in the order of the elements.
+class RegionSums {
+public:
+  void add(const Grid& grid, std::span<const double> pressure, std::size_t element);
+  [[nodiscard]] PressureRegion finish(const Grid& grid, std::span<const double> pressure) const;
+
+private:
+  IndexBox box_;
+  std::size_t count_ = 0;
+  std::size_t first_element_ = 0;
+  std::size_t largest_element_ = 0;
+  double largest_pressure_ = 0.0;
+  double sum_ = 0.0;
+  // Moments in index units from the first element of the set, where they lose no digits.
+  double moment_row_ = 0.0;
+  double moment_column_ = 0.0;
+  double moment_row_row_ = 0.0;
+  double moment_column_column_ = 0.0;
+};
+
+void RegionSums::add(const Grid& grid, std::span<const double> pressure, std::size_t element) {
+  const std::size_t row = element / grid.longitudinal_count;
+  const std::size_t column = element % grid.longitudinal_count;
+  if (count_ == 0) {
+    first_element_ = element;
+    box_ = {row, row, column, column};
+  }
+  box_.lateral_first = std::min(box_.lateral_first, row);
+  box_.lateral_last = std::max(box_.lateral_last, row);
+  box_.longitudinal_first = std::min(box_.longitudinal_first, column);
+  box_.longitudinal_last = std::max(box_.longitudinal_last, column);
+  const double value = pressure[element];
+  if (value > largest_pressure_) {
+    largest_pressure_ = value;
+    largest_element_ = element;
+  }
+  const double row_offset =
+      static_cast<double>(row) - static_cast<double>(first_element_ / grid.longitudinal_count);
+  const double column_offset =
+      static_cast<double>(column) - static_cast<double>(first_element_ % grid.longitudinal_count);
+  ++count_;
+  sum_ += value;
+  moment_row_ += value * row_offset;
+  moment_column_ += value * column_offset;
+  moment_row_row_ += value * row_offset * row_offset;
+  moment_column_column_ += value * column_offset * column_offset;
+}
+
+/// sqrt(5 (variance - 1/12)) in steps, 0 when an element's own width is all there is.
+double semi_axis(double mean_square, double mean, double step) {
+  return step * std::sqrt(5.0 * std::max(0.0, mean_square - mean * mean - 1.0 / 12.0));
+}
+
+PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pressure) const {
+  PressureRegion region;
+  if (count_ == 0) {
+    return region;
+  }
+  region.largest_element_pressure = largest_pressure_;
+  region.peak_pressure = fitted_peak(grid, pressure, largest_element_);
+  region.element_count = count_;
+  region.area = static_cast<double>(count_) * grid.element_area();
+  region.normal_force = sum_ * grid.element_area();
+  const double mean_row = moment_row_ / sum_;
+  const double mean_column = moment_column_ / sum_;
+  region.centroid_lateral =
+      grid.lateral(first_element_ / grid.longitudinal_count) + mean_row * grid.lateral_step;
+  region.centroid_longitudinal = grid.longitudinal(first_element_ % grid.longitudinal_count) +
+                                 mean_column * grid.longitudinal_step;
+  region.semi_axis_lateral = semi_axis(moment_row_row_ / sum_, mean_row, grid.lateral_step);
+  region.semi_axis_longitudinal =
+      semi_axis(moment_column_column_ / sum_, mean_column, grid.longitudinal_step);
+  region.box = box_;
+  region.touches_edge = {box_.lateral_first == 0, box_.lateral_last + 1 == grid.lateral_count,
+                         box_.longitudinal_first == 0,
+                         box_.longitudinal_last + 1 == grid.longitudinal_count};
+  return region;
+}
+
+/// Region number per element, `unlabelled` without pressure; numbers by first element.
+std::vector<std::size_t> label_regions(const Grid& grid, std::span<const double> pressure,
+                                       std::size_t& region_count) {
+  std::vector<std::size_t> labels(pressure.size(), unlabelled);
+  std::vector<std::size_t> to_visit;
+  region_count = 0;
+  for (std::size_t seed = 0; seed < pressure.size(); ++seed) {
+    if (!(pressure[seed] > 0.0) || labels[seed] != unlabelled) {
+      continue;
+    }
+    labels[seed] = region_count;
+    to_visit.push_back(seed);
+    while (!to_visit.empty()) {
+      const std::size_t row = to_visit.back() / grid.longitudinal_count;
+      const std::size_t column = to_visit.back() % grid.longitudinal_count;
+      to_visit.pop_back();
+      const std::size_t last_row = std::min(row + 1, grid.lateral_count - 1);
+      const std::size_t last_column = std::min(column + 1, grid.longitudinal_count - 1);
+      for (std::size_t i = row - (row > 0 ? 1 : 0); i <= last_row; ++i) {
+        for (std::size_t j = column - (column > 0 ? 1 : 0); j <= last_column; ++j) {
+          const std::size_t neighbour = i * grid.longitudinal_count + j;
+          if (pressure[neighbour] > 0.0 && labels[neighbour] == unlabelled) {
+            labels[neighbour] = region_count;
+            to_visit.push_back(neighbour);
+          }
+        }
+      }
+    }
+    ++region_count;
+  }
+  return labels;
+}
+
+} // namespace
+
+double peak_pressure(const Grid& grid, std::span<const double> pressure) {
+  check_size(grid, pressure);
+  const auto largest = std::max_element(pressure.begin(), pressure.end());
+  if (largest == pressure.end() || !(*largest > 0.0)) {
+    return 0.0;
+  }
+  return fitted_peak(grid, pressure, static_cast<std::size_t>(largest - pressure.begin()));
+}
+
+std::vector<PressureRegion> pressure_regions(const Grid& grid, std::span<const double> pressure) {
+  check_size(grid, pressure);
+  std::size_t region_count = 0;
+  const std::vector<std::size_t> labels = label_regions(grid, pressure, region_count);
+  std::vector<RegionSums> sums(region_count);
+  for (std::size_t element = 0; element < pressure.size(); ++element) {
+    if (labels[element] != unlabelled) {
+      sums[labels[element]].add(grid, pressure, element);
+    }
+  }
+  std::vector<PressureRegion> regions;
+  regions.reserve(region_count);
+  for (const RegionSums& sum : sums) {
+    regions.push_back(sum.finish(grid, pressure));
+  }
+  std::stable_sort(regions.begin(), regions.end(),
+                   [](const PressureRegion& left, const PressureRegion& right) {
+                     return left.normal_force > right.normal_force;
+                   });
+  return regions;
+}
+
+PressureRegion summarise_pressure(const Grid& grid, std::span<const double> pressure) {
+  check_size(grid, pressure);
+  RegionSums sums;
+  for (std::size_t element = 0; element < pressure.size(); ++element) {
+    if (pressure[element] > 0.0) {
+      sums.add(grid, pressure, element);
+    }
+  }
+  return sums.finish(grid, pressure);
+}
+
+EdgeContact edges_in_contact(const Grid& grid, std::span<const double> pressure) {
+  check_size(grid, pressure);
+  EdgeContact edges;
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    const std::span<const double> values =
+        pressure.subspan(row * grid.longitudinal_count, grid.longitudinal_count);
+    const bool any = std::any_of(values.begin(), values.end(), [](double p) { return p > 0.0; });
+    edges.lateral_first |= row == 0 && any;
+    edges.lateral_last |= row + 1 == grid.lateral_count && any;
+    if (!values.empty()) {
+      edges.longitudinal_first |= values.front() > 0.0;
+      edges.longitudinal_last |= values.back() > 0.0;
+    }
+  }
+  return edges;
+}
+
+} // namespace wrc
