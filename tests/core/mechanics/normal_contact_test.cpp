@@ -1,0 +1,303 @@
+/// What every answer must satisfy: complementarity, symmetry, invariance, honest residuals, and
+/// refusal of bad input.
+#include "mechanics/normal_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "contact_cases.hpp"
+#include "error.hpp"
+
+namespace wrc::test {
+namespace {
+
+constexpr double tolerance = 1e-10;
+/// Sums of some thousand terms.
+constexpr double rounding = 1e-12;
+/// Two runs whose roundings differ agree to the tolerance times the amplification of residuals in
+/// pressures, which is the number of elements across times some factor.
+constexpr double same_pressure = 1e4 * tolerance;
+
+double largest_of(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// Largest difference of two fields relative to the largest value.
+double difference(const std::vector<double>& left, const std::vector<double>& right,
+                  double factor = 1.0) {
+  double worst = 0.0;
+  for (std::size_t index = 0; index < left.size(); ++index) {
+    worst = std::max(worst, std::abs(left[index] * factor - right[index]));
+  }
+  return worst / largest_of(right);
+}
+
+TEST(NormalContact, AnswersSatisfyTheConditions) {
+  for (const ContactCase& example : contact_cases(31, 26, 1.0)) {
+    const NormalProblem by_load{example.grid, example.distance, steel_modulus, case_load,
+                                {},           tolerance};
+    const NormalSolution loaded = solve_with_polonsky_keer(by_load);
+    const NormalProblem by_approach{example.grid, example.distance, steel_modulus,
+                                    {},           loaded.approach,  tolerance};
+    const NormalSolution pressed = solve_with_polonsky_keer(by_approach);
+    EXPECT_LE(difference(pressed.pressure, loaded.pressure), same_pressure) << example.name;
+    for (const NormalSolution& solution : {loaded, pressed}) {
+      ASSERT_EQ(solution.stop_reason, StopReason::tolerance_met) << example.name;
+      EXPECT_NEAR(solution.normal_force / case_load, 1.0, 1e-8) << example.name;
+      const double largest_displacement = largest_of(solution.displacement);
+      double sum = 0.0;
+      for (std::size_t index = 0; index < solution.pressure.size(); ++index) {
+        const double p = solution.pressure[index];
+        const double gap =
+            example.distance[index] + solution.displacement[index] - solution.approach;
+        ASSERT_GE(p, 0.0);
+        ASSERT_GE(gap, -1.01 * tolerance * largest_displacement) << example.name;
+        ASSERT_LE(p * gap, 1.01 * tolerance * largest_displacement * p) << example.name;
+        sum += p;
+      }
+      EXPECT_NEAR(sum * example.grid.element_area() / solution.normal_force, 1.0, rounding);
+      EXPECT_LE(solution.residuals.complementarity, tolerance);
+      EXPECT_GE(solution.residuals.least_gap, -tolerance);
+      EXPECT_LE(solution.residuals.load_balance, rounding);
+    }
+  }
+}
+
+TEST(NormalContact, MirroredGapGivesMirroredPressure) {
+  for (const ContactCase& example : contact_cases(24, 19, 1.0)) {
+    std::vector<double> mirrored(example.distance.size());
+    const std::size_t columns = example.grid.longitudinal_count;
+    const std::size_t rows = example.grid.lateral_count;
+    const auto mirror = [&](const std::vector<double>& values) {
+      std::vector<double> result(values.size());
+      for (std::size_t row = 0; row < rows; ++row) {
+        std::copy_n(values.data() + row * columns, columns,
+                    result.data() + (rows - 1 - row) * columns);
+      }
+      return result;
+    };
+    mirrored = mirror(example.distance);
+    const NormalSolution straight = solve_with_polonsky_keer(
+        {example.grid, example.distance, steel_modulus, case_load, {}, tolerance});
+    const NormalSolution reflected =
+        solve_with_polonsky_keer({example.grid, mirrored, steel_modulus, case_load, {}, tolerance});
+    EXPECT_LE(difference(mirror(reflected.pressure), straight.pressure), same_pressure)
+        << example.name;
+  }
+}
+
+TEST(NormalContact, ShiftByOneElementShiftsThePressure) {
+  const Grid grid = centred_grid(33, 28, 0.2, 0.25);
+  Grid moved = grid;
+  moved.lateral_first += grid.lateral_step;
+  moved.longitudinal_first += grid.longitudinal_step;
+  const std::vector<double> first = hertz_gap(grid, 1.0 / 400.0, 1.0 / 100.0);
+  const std::vector<double> second = hertz_gap(moved, 1.0 / 400.0, 1.0 / 100.0);
+  const NormalSolution before =
+      solve_with_polonsky_keer({grid, first, steel_modulus, 3000.0, {}, tolerance});
+  const NormalSolution after =
+      solve_with_polonsky_keer({moved, second, steel_modulus, 3000.0, {}, tolerance});
+  const double largest = largest_of(before.pressure);
+  for (std::size_t row = 1; row < 33; ++row) {
+    for (std::size_t column = 1; column < 28; ++column) {
+      ASSERT_NEAR(after.pressure[(row - 1) * 28 + column - 1], before.pressure[row * 28 + column],
+                  same_pressure * largest);
+    }
+  }
+}
+
+TEST(NormalContact, UnitsAndSizesDoNotMatter) {
+  const Grid grid = centred_grid(30, 21, 0.3, 0.2);
+  const std::vector<double> distance = hertz_gap(grid, 1.0 / 300.0, 1.0 / 150.0);
+  const NormalSolution expected =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 2000.0, {}, tolerance});
+  for (const double length : {1e-12, 1e-3, 7.0, 1e12}) {
+    for (const double stress : {1e-12, 1e6, 1e12}) {
+      Grid scaled_grid = grid;
+      scaled_grid.lateral_step *= length;
+      scaled_grid.longitudinal_step *= length;
+      std::vector<double> scaled_distance = distance;
+      for (double& value : scaled_distance) {
+        value *= length;
+      }
+      const NormalSolution found = solve_with_polonsky_keer({scaled_grid,
+                                                             scaled_distance,
+                                                             steel_modulus * stress,
+                                                             2000.0 * stress * length * length,
+                                                             {},
+                                                             tolerance});
+      EXPECT_EQ(found.stop_reason, StopReason::tolerance_met);
+      EXPECT_LE(difference(found.pressure, expected.pressure, 1.0 / stress), same_pressure);
+      EXPECT_NEAR(found.approach / (expected.approach * length), 1.0, same_pressure);
+      const NormalSolution pressed = solve_with_polonsky_keer({scaled_grid,
+                                                               scaled_distance,
+                                                               steel_modulus * stress,
+                                                               {},
+                                                               expected.approach * length,
+                                                               tolerance});
+      EXPECT_LE(difference(pressed.pressure, expected.pressure, 1.0 / stress), same_pressure);
+    }
+  }
+}
+
+TEST(NormalContact, SameInputSameBits) {
+  for (const ContactCase& example : contact_cases(23, 37, 2.0)) {
+    const NormalProblem problem{example.grid, example.distance, steel_modulus, case_load, {}};
+    const NormalSolution first = solve_with_polonsky_keer(problem);
+    const NormalSolution second = solve_with_polonsky_keer(problem);
+    EXPECT_EQ(first.pressure, second.pressure);
+    EXPECT_EQ(first.displacement, second.displacement);
+    EXPECT_EQ(first.approach, second.approach);
+    EXPECT_EQ(first.iterations, second.iterations);
+  }
+}
+
+TEST(NormalContact, AddedHeightMovesTheApproachOnly) {
+  const Grid grid = centred_grid(21, 21, 0.3, 0.3);
+  std::vector<double> distance = hertz_gap(grid, 1.0 / 300.0, 1.0 / 150.0);
+  const NormalSolution low =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 2000.0, {}, tolerance});
+  for (double& value : distance) {
+    value -= 0.5;
+  }
+  const NormalSolution high =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 2000.0, {}, tolerance});
+  EXPECT_LE(difference(high.pressure, low.pressure), same_pressure);
+  EXPECT_NEAR(high.approach, low.approach - 0.5, rounding);
+}
+
+TEST(NormalContact, NothingPressedNothingMoves) {
+  const Grid grid = centred_grid(4, 5, 1.0, 1.0);
+  std::vector<double> distance(20, 1e3);
+  distance[7] = -0.25;
+  const NormalSolution unloaded =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 0.0, {}});
+  EXPECT_EQ(unloaded.approach, -0.25);
+  const NormalSolution apart = solve_with_polonsky_keer({grid, distance, steel_modulus, {}, -0.3});
+  EXPECT_EQ(apart.approach, -0.3);
+  EXPECT_DOUBLE_EQ(apart.residuals.least_gap, 1.0);
+  const NormalSolution touching =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, {}, -0.25});
+  for (const NormalSolution& solution : {unloaded, apart, touching}) {
+    EXPECT_EQ(solution.pressure, std::vector<double>(20, 0.0));
+    EXPECT_EQ(solution.displacement, std::vector<double>(20, 0.0));
+    EXPECT_EQ(solution.normal_force, 0.0);
+    EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met);
+    EXPECT_EQ(solution.residuals.complementarity, 0.0);
+    EXPECT_GE(solution.residuals.least_gap, 0.0);
+    EXPECT_EQ(solution.residuals.load_balance, 0.0);
+  }
+}
+
+TEST(NormalContact, ResidualsSeeWhatIsWrong) {
+  const Grid grid = centred_grid(25, 25, 0.3, 0.3);
+  const std::vector<double> distance = hertz_gap(grid, 1.0 / 300.0, 1.0 / 300.0);
+  const NormalProblem problem{grid, distance, steel_modulus, 4000.0, {}, tolerance};
+  const NormalSolution solution = solve_with_polonsky_keer(problem);
+  const Residuals clean = compute_residuals(problem, solution.pressure, solution.approach);
+  EXPECT_EQ(clean.complementarity, solution.residuals.complementarity);
+  EXPECT_EQ(clean.least_gap, solution.residuals.least_gap);
+
+  // One per mille more at the centre element lifts its own gap by about that share of K(0) p.
+  std::vector<double> perturbed = solution.pressure;
+  perturbed[12 * 25 + 12] *= 1.001;
+  Residuals residuals = compute_residuals(problem, perturbed, solution.approach);
+  EXPECT_GT(residuals.complementarity, 1e-5);
+  EXPECT_GT(residuals.load_balance, 1e-6);
+  // An element of the contact left out: the bodies overlap there.
+  perturbed = solution.pressure;
+  perturbed[12 * 25 + 12] = 0.0;
+  residuals = compute_residuals(problem, perturbed, solution.approach);
+  EXPECT_LT(residuals.least_gap, -1e-3);
+  // A wrong approach.
+  residuals = compute_residuals(problem, solution.pressure, 1.01 * solution.approach);
+  EXPECT_NEAR(residuals.complementarity, 0.01, 1e-3);
+  // Load for nothing.
+  const NormalProblem unloaded{grid, distance, steel_modulus, 0.0, {}};
+  EXPECT_EQ(compute_residuals(unloaded, solution.pressure, solution.approach).load_balance,
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(NormalContact, StopReasonsAreNamed) {
+  const Grid grid = centred_grid(40, 40, 0.2, 0.2);
+  const std::vector<double> distance = hertz_gap(grid, 1.0 / 300.0, 1.0 / 300.0);
+  NormalProblem problem{grid, distance, steel_modulus, 4000.0, {}, 1e-8, 3};
+  const NormalSolution early = solve_with_polonsky_keer(problem);
+  EXPECT_EQ(early.stop_reason, StopReason::iteration_limit);
+  EXPECT_EQ(early.iterations, 3);
+  EXPECT_GT(early.residuals.complementarity, 1e-8);
+  EXPECT_LE(early.residuals.load_balance, rounding);
+  problem.maximum_iterations = 5000;
+  problem.tolerance = 1e-17;
+  const NormalSolution floor = solve_with_polonsky_keer(problem);
+  EXPECT_EQ(floor.stop_reason, StopReason::stagnation);
+  EXPECT_LE(floor.residuals.complementarity, 1e-12);
+  EXPECT_EQ(name_of(StopReason::tolerance_met), "tolerance_met");
+  EXPECT_EQ(name_of(StopReason::iteration_limit), "iteration_limit");
+  EXPECT_EQ(name_of(StopReason::stagnation), "stagnation");
+}
+
+/// The error of a call, or an empty text when it does not fail as invalid argument.
+std::string refusal_of(const NormalProblem& problem) {
+  try {
+    solve_with_polonsky_keer(problem);
+  } catch (const Error& error) {
+    return error.code() == ErrorCode::invalid_argument ? error.what() : "";
+  }
+  return "";
+}
+
+TEST(NormalContact, RefusesBadInput) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double no_number = std::nan("");
+  const std::vector<double> distance(6, 0.0);
+  const Grid grid = centred_grid(2, 3, 1.0, 1.0);
+  const NormalProblem good{grid, distance, steel_modulus, 1.0, {}};
+  ASSERT_NO_THROW(solve_with_polonsky_keer(good));
+  const auto expect_refused = [&](const std::string& argument, const auto& change) {
+    NormalProblem problem = good;
+    change(problem);
+    EXPECT_EQ(refusal_of(problem).rfind(argument, 0), 0U)
+        << argument << " against " << refusal_of(problem);
+  };
+  const auto huge = (std::size_t{1} << 26) + 1;
+  expect_refused("grid.lateral_count = 0", [](auto& p) { p.grid.lateral_count = 0; });
+  expect_refused("grid.lateral_count", [=](auto& p) { p.grid.lateral_count = huge; });
+  expect_refused("grid.longitudinal_count = 0", [](auto& p) { p.grid.longitudinal_count = 0; });
+  expect_refused("grid.longitudinal_count",
+                 [=](auto& p) { p.grid.longitudinal_count = huge / 2 + 1; });
+  expect_refused("grid.longitudinal_count", [](auto& p) {
+    p.grid.longitudinal_count = std::numeric_limits<std::size_t>::max() / 2 + 2;
+  });
+  expect_refused("undeformed_distance.size = 6", [](auto& p) { p.grid.longitudinal_count = 4; });
+  for (const double bad : {0.0, -1.0, infinity, no_number}) {
+    expect_refused("grid.lateral_step", [=](auto& p) { p.grid.lateral_step = bad; });
+    expect_refused("grid.longitudinal_step", [=](auto& p) { p.grid.longitudinal_step = bad; });
+    expect_refused("combined_modulus", [=](auto& p) { p.combined_modulus = bad; });
+  }
+  for (const double bad : {-1.0, infinity, no_number}) {
+    expect_refused("normal_load", [=](auto& p) { p.normal_load = bad; });
+  }
+  for (const double bad : {infinity, -infinity, no_number}) {
+    std::vector<double> spoilt = distance;
+    spoilt[4] = bad;
+    expect_refused("undeformed_distance[4]", [&](auto& p) { p.undeformed_distance = spoilt; });
+    expect_refused("approach", [=](auto& p) {
+      p.normal_load.reset();
+      p.approach = bad;
+    });
+  }
+  expect_refused("normal_load and approach = both set", [](auto& p) { p.approach = 0.1; });
+  expect_refused("normal_load and approach = none set", [](auto& p) { p.normal_load.reset(); });
+  for (const double bad : {0.0, -1e-6, 0.11, infinity, no_number}) {
+    expect_refused("tolerance", [=](auto& p) { p.tolerance = bad; });
+  }
+  expect_refused("maximum_iterations = 0", [](auto& p) { p.maximum_iterations = 0; });
+  EXPECT_THROW(compute_residuals(good, std::vector<double>(5, 0.0), 0.0), Error);
+}
+
+} // namespace
+} // namespace wrc::test

@@ -1,0 +1,162 @@
+/// Cases that broke trials of such solvers: single elements, split, sharp and rough contacts,
+/// extreme elements, loads and sizes.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "contact_cases.hpp"
+#include "mechanics/influence_coefficients.hpp"
+#include "mechanics/normal_contact.hpp"
+#include "mechanics/pressure_field.hpp"
+
+namespace wrc::test {
+namespace {
+
+constexpr double tolerance = 1e-8;
+/// A few roundings of a single product.
+constexpr double rounding = 1e-13;
+
+std::size_t contact_count(const NormalSolution& solution) {
+  return static_cast<std::size_t>(std::count_if(solution.pressure.begin(), solution.pressure.end(),
+                                                [](double p) { return p > 0.0; }));
+}
+
+void expect_solved(const NormalSolution& solution, double asked, const std::string& name) {
+  EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met) << name;
+  EXPECT_LE(solution.residuals.complementarity, asked) << name;
+  EXPECT_GE(solution.residuals.least_gap, -asked) << name;
+  EXPECT_LE(solution.residuals.load_balance, 1e-12) << name;
+}
+
+TEST(PolonskyKeer, OneByOneGrid) {
+  const Grid grid{1, 1, 0.5, 2.0, 0.0, 0.0};
+  const std::vector<double> distance{0.125};
+  const double coefficient = influence_coefficient(0.0, 0.0, 2.0, 0.5, steel_modulus);
+  const NormalSolution loaded =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 10.0, {}, 1e-12});
+  expect_solved(loaded, 1e-12, "load");
+  EXPECT_NEAR(loaded.pressure[0], 10.0, 10.0 * rounding);
+  EXPECT_NEAR(loaded.approach, 0.125 + 10.0 * coefficient, rounding);
+  const NormalSolution pressed =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, {}, 0.135, 1e-12});
+  expect_solved(pressed, 1e-12, "approach");
+  EXPECT_NEAR(pressed.pressure[0] * coefficient, 0.01, rounding);
+}
+
+TEST(PolonskyKeer, OneElementInContact) {
+  const Grid grid = centred_grid(15, 13, 0.1, 0.1);
+  std::vector<double> distance = hertz_gap(grid, 1.0, 1.0);
+  distance[5 * 13 + 4] = -0.01;
+  const NormalSolution solution =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 1.0, {}, 1e-12});
+  expect_solved(solution, 1e-12, "single element");
+  EXPECT_EQ(contact_count(solution), 1U);
+  EXPECT_NEAR(solution.pressure[5 * 13 + 4], 100.0, 100.0 * rounding);
+}
+
+TEST(PolonskyKeer, AllCasesAtAllLoadsAndElementShapes) {
+  for (const double aspect : {1.0 / 200.0, 1.0, 100.0}) {
+    for (const ContactCase& example : contact_cases(41, 37, aspect)) {
+      for (const double factor : {1e-9, 1e-4, 1.0, 100.0}) {
+        const std::string name = example.name + ", aspect " + std::to_string(aspect) + ", load x " +
+                                 std::to_string(factor);
+        const NormalSolution loaded = solve_with_polonsky_keer({example.grid,
+                                                                example.distance,
+                                                                steel_modulus,
+                                                                case_load * aspect * factor,
+                                                                {},
+                                                                tolerance});
+        expect_solved(loaded, tolerance, name);
+        const NormalSolution pressed = solve_with_polonsky_keer(
+            {example.grid, example.distance, steel_modulus, {}, loaded.approach, tolerance});
+        // Rounding of an approach of 1e-3 mm is no longer small against displacements of 1e-13.
+        if (factor > 1e-6) {
+          expect_solved(pressed, tolerance, name + ", approach");
+          EXPECT_NEAR(pressed.normal_force / loaded.normal_force, 1.0, 1e-5) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(PolonskyKeer, WholeGridInContact) {
+  const Grid grid = centred_grid(20, 31, 0.2, 0.2);
+  const std::vector<double> flat(grid.element_count(), 0.0);
+  const NormalSolution punch =
+      solve_with_polonsky_keer({grid, flat, steel_modulus, 5e4, {}, 1e-11});
+  expect_solved(punch, 1e-11, "punch");
+  EXPECT_EQ(contact_count(punch), grid.element_count());
+  // A punch is loaded most at its corners, least in its middle.
+  EXPECT_EQ(*std::max_element(punch.pressure.begin(), punch.pressure.end()),
+            std::max({punch.pressure[0], punch.pressure[30], punch.pressure[19 * 31],
+                      punch.pressure[19 * 31 + 30]}));
+  const std::vector<double> round = hertz_gap(grid, 1e-3, 1e-3);
+  const NormalSolution pressed =
+      solve_with_polonsky_keer({grid, round, steel_modulus, 1e6, {}, 1e-11});
+  expect_solved(pressed, 1e-11, "round");
+  EXPECT_EQ(contact_count(pressed), grid.element_count());
+}
+
+TEST(PolonskyKeer, SecondContactBarelyPressedInIsFound) {
+  const Grid grid = centred_grid(64, 24, 0.2, 0.2);
+  const auto two_bodies = [&](double depth) {
+    std::vector<double> distance = hertz_gap(grid, 1.0 / 100.0, 1.0 / 100.0);
+    for (std::size_t row = 0; row < 64; ++row) {
+      for (std::size_t column = 0; column < 24; ++column) {
+        const double x = grid.longitudinal(column) - 0.1;
+        const double y = grid.lateral(row) - 5.1;
+        double& value = distance[row * 24 + column];
+        value = std::min(value, (x * x + y * y) / 60.0 + depth);
+      }
+    }
+    return distance;
+  };
+  // Alone, the first contact leaves this much room for the second one.
+  const std::vector<double> alone = two_bodies(1.0);
+  const NormalSolution first =
+      solve_with_polonsky_keer({grid, alone, steel_modulus, 1000.0, {}, 1e-12});
+  const std::size_t place = (31 + 26) * 24 + 12;
+  const double room = first.approach - first.displacement[place];
+  const double largest = *std::max_element(first.displacement.begin(), first.displacement.end());
+  for (const double share : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7}) {
+    const std::vector<double> distance = two_bodies(room - share * largest);
+    const NormalSolution solution =
+        solve_with_polonsky_keer({grid, distance, steel_modulus, 1000.0, {}, 1e-10});
+    expect_solved(solution, 1e-10, std::to_string(share));
+    EXPECT_EQ(pressure_regions(grid, solution.pressure).size(), 2U) << share;
+  }
+}
+
+TEST(PolonskyKeer, ReachesTwelveDigits) {
+  for (const ContactCase& example : contact_cases(53, 47, 1.0)) {
+    const NormalSolution solution = solve_with_polonsky_keer(
+        {example.grid, example.distance, steel_modulus, case_load, {}, 1e-12});
+    expect_solved(solution, 1e-12, example.name);
+  }
+}
+
+TEST(PolonskyKeer, AbsentMaterialDoesNotCount) {
+  // Far elements at 1e3 mm give the same bits of physics as a body that goes on out of reach.
+  const Grid grid = centred_grid(30, 20, 0.2, 0.2);
+  std::vector<double> distance = hertz_gap(grid, 1.0 / 100.0, 1.0 / 100.0);
+  const NormalSolution whole =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 500.0, {}, tolerance});
+  std::size_t removed = 0;
+  for (double& value : distance) {
+    if (value > 2.0 * whole.approach) {
+      value = 1e3;
+      ++removed;
+    }
+  }
+  ASSERT_GT(removed, 100U);
+  const NormalSolution cut =
+      solve_with_polonsky_keer({grid, distance, steel_modulus, 500.0, {}, tolerance});
+  expect_solved(cut, tolerance, "cut");
+  EXPECT_NEAR(cut.approach / whole.approach, 1.0, 10.0 * tolerance);
+  EXPECT_NEAR(peak_pressure(grid, cut.pressure) / peak_pressure(grid, whole.pressure), 1.0,
+              1e3 * tolerance);
+}
+
+} // namespace
+} // namespace wrc::test
