@@ -90,11 +90,17 @@ void check_problem(const NormalProblem& problem) {
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             double approach) {
   check_problem(problem);
-  check_size("pressure", pressure.size(), problem.grid.element_count());
-  const std::span<const double> distance = problem.undeformed_distance;
-  std::vector<double> displacement(pressure.size());
+  std::vector<double> displacement(problem.grid.element_count());
   DisplacementOperator(problem.grid, problem.combined_modulus).apply(pressure, displacement);
+  return compute_residuals(problem, pressure, displacement, approach);
+}
 
+Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
+                            std::span<const double> displacement, double approach) {
+  check_problem(problem);
+  check_size("pressure", pressure.size(), problem.grid.element_count());
+  check_size("displacement", displacement.size(), problem.grid.element_count());
+  const std::span<const double> distance = problem.undeformed_distance;
   double pressure_sum = 0.0;
   double largest_displacement = 0.0;
   double largest_contact_gap = 0.0;

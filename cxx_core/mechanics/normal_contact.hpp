@@ -63,6 +63,10 @@ void check_problem(const NormalProblem& problem);
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             double approach);
 
+/// The same for displacements that the caller has just computed from these very pressures.
+Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
+                            std::span<const double> displacement, double approach);
+
 /// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
 /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.
 NormalSolution solve_with_polonsky_keer(const NormalProblem& problem);

@@ -311,7 +311,7 @@ std::vector<double> start_pressures(const ScaledProblem& scaled) {
   return pressure;
 }
 
-/// Displacement, approach, force and residuals of the final pressures, from fresh convolutions.
+/// Displacement, approach, force and residuals of the final pressures, from a fresh convolution.
 void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
   const std::span<const double> distance = problem.undeformed_distance;
   solution.displacement.resize(solution.pressure.size());
@@ -333,7 +333,8 @@ void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
         least_distance + (contact_count > 0 ? sum / static_cast<double>(contact_count) : 0.0);
   }
   solution.normal_force = sum_of(solution.pressure) * problem.grid.element_area();
-  solution.residuals = compute_residuals(problem, solution.pressure, solution.approach);
+  solution.residuals =
+      compute_residuals(problem, solution.pressure, solution.displacement, solution.approach);
 }
 
 } // namespace

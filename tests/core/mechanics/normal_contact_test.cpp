@@ -296,7 +296,10 @@ TEST(NormalContact, RefusesBadInput) {
     expect_refused("tolerance", [=](auto& p) { p.tolerance = bad; });
   }
   expect_refused("maximum_iterations = 0", [](auto& p) { p.maximum_iterations = 0; });
-  EXPECT_THROW(compute_residuals(good, std::vector<double>(5, 0.0), 0.0), Error);
+  const std::vector<double> five(5, 0.0);
+  EXPECT_THROW(compute_residuals(good, five, 0.0), Error);
+  EXPECT_THROW(compute_residuals(good, five, distance, 0.0), Error);
+  EXPECT_THROW(compute_residuals(good, distance, five, 0.0), Error);
 }
 
 } // namespace
