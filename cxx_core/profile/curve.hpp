@@ -75,7 +75,7 @@ private:
     std::array<double, 6> lateral;
     std::array<double, 6> height;
   };
-  std::vector<double> starts_;
+  std::vector<double> starts_{0.0}; ///< a curve without pieces has no length
   std::vector<Coefficients> coefficients_;
 };
 

@@ -1,0 +1,119 @@
+#include "profile/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "error.hpp"
+
+namespace wrc {
+namespace {
+
+struct Values {
+  double value;
+  double first;
+  double second;
+};
+
+/// Value and two derivatives of a quintic, in one Horner pass.
+Values evaluate(const std::array<double, 6>& c, double s) {
+  double value = c[5];
+  double first = 0.0;
+  double half_second = 0.0;
+  for (std::size_t power = 5; power-- > 0;) {
+    half_second = half_second * s + first;
+    first = first * s + value;
+    value = value * s + c[power];
+  }
+  return {value, first, 2.0 * half_second};
+}
+
+/// Ascending coefficients of the quintic with given end values and derivatives. What the second
+/// order Taylor polynomial of the begin leaves over at the end sets the upper three, so that the
+/// rounding of large positions does not enter twice.
+std::array<double, 6> quintic(const Values& begin, const Values& end, double length) {
+  const double h = length;
+  const double value = (end.value - begin.value) - h * (begin.first + 0.5 * h * begin.second);
+  const double first = ((end.first - begin.first) - h * begin.second) * h;
+  const double second = (end.second - begin.second) * h * h;
+  const double cube = 1.0 / (h * h * h);
+  return {begin.value,
+          begin.first,
+          0.5 * begin.second,
+          (10.0 * value - 4.0 * first + 0.5 * second) * cube,
+          (-15.0 * value + 7.0 * first - second) * cube / h,
+          (6.0 * value - 3.0 * first + 0.5 * second) * cube / (h * h)};
+}
+
+bool is_finite(const Curve::End& end) {
+  return std::isfinite(end.lateral) && std::isfinite(end.height) &&
+         std::isfinite(end.tangent_lateral) && std::isfinite(end.tangent_height) &&
+         std::isfinite(end.second_lateral) && std::isfinite(end.second_height);
+}
+
+} // namespace
+
+Curve::Curve(std::span<const Piece> pieces) {
+  if (pieces.empty())
+    throw_invalid_argument("number of curve pieces", "0", "at least 1");
+  starts_.reserve(pieces.size() + 1);
+  coefficients_.reserve(pieces.size());
+  double arc = 0.0;
+  for (const Piece& piece : pieces) {
+    const std::string name = "curve piece " + std::to_string(coefficients_.size());
+    if (!(piece.length > 0.0) || !std::isfinite(piece.length))
+      throw_invalid_argument("length of " + name, piece.length, "a positive finite number, mm");
+    if (!is_finite(piece.begin) || !is_finite(piece.end))
+      throw_invalid_argument("ends of " + name, "not a number or infinite", "finite numbers");
+    const End& b = piece.begin;
+    const End& e = piece.end;
+    coefficients_.push_back(
+        {quintic({b.lateral, b.tangent_lateral, b.second_lateral},
+                 {e.lateral, e.tangent_lateral, e.second_lateral}, piece.length),
+         quintic({b.height, b.tangent_height, b.second_height},
+                 {e.height, e.tangent_height, e.second_height}, piece.length)});
+    arc += piece.length;
+    starts_.push_back(arc);
+  }
+}
+
+std::size_t Curve::piece_at(double arc) const {
+  // The first interior boundary beyond `arc` ends its piece; not-a-number lands on the last piece.
+  const auto first = starts_.begin() + 1;
+  const auto last = starts_.end() - (starts_.size() > 1 ? 1 : 0);
+  return static_cast<std::size_t>(std::upper_bound(first, last, arc) - first);
+}
+
+CurvePoint Curve::at(double arc) const {
+  const double inside = std::clamp(arc, 0.0, length());
+  const std::size_t piece = piece_at(inside);
+  return at(piece, inside - starts_[piece]);
+}
+
+CurvePoint Curve::at(std::size_t piece, double distance) const {
+  if (piece >= coefficients_.size())
+    throw Error(ErrorCode::internal, "curve piece " + std::to_string(piece) + ": the curve has " +
+                                         std::to_string(coefficients_.size()) + " pieces");
+  const Values lateral = evaluate(coefficients_[piece].lateral, distance);
+  const Values height = evaluate(coefficients_[piece].height, distance);
+  return {lateral.value, height.value, lateral.first, height.first, lateral.second, height.second};
+}
+
+Curve Curve::moved(double angle, double lateral_shift, double height_shift) const {
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  Curve result = *this;
+  for (Coefficients& c : result.coefficients_) {
+    for (std::size_t power = 0; power < c.lateral.size(); ++power) {
+      const double lateral = c.lateral[power];
+      const double height = c.height[power];
+      c.lateral[power] = cosine * lateral - sine * height;
+      c.height[power] = sine * lateral + cosine * height;
+    }
+    c.lateral[0] += lateral_shift;
+    c.height[0] += height_shift;
+  }
+  return result;
+}
+
+} // namespace wrc

@@ -1,0 +1,115 @@
+#include "profile/reader_lines.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "error.hpp"
+#include "profile/readers.hpp"
+
+namespace wrc::reading {
+
+void Log::refuse(const std::string& text) const {
+  throw Error(ErrorCode::file_malformed, name_ + ": " + text);
+}
+
+void Log::refuse(std::size_t line, const std::string& text) const {
+  throw Error(ErrorCode::file_malformed, name_ + ":" + std::to_string(line) + ": " + text);
+}
+
+void Log::guess(const std::string& text, const std::string& remedy) {
+  if (strict_)
+    refuse("strict reading allows no guess: " + text + "; " + remedy);
+  corrections_.push_back(text);
+}
+
+Lines::Lines(std::string_view text, const Log& log) : rest_(text), log_(log) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (rest_.starts_with(byte_order_mark))
+    rest_.remove_prefix(byte_order_mark.size());
+}
+
+bool Lines::next() {
+  if (rest_.empty())
+    return false;
+  ++number_;
+  const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+  if (end > ReadLimits::line_bytes)
+    log_.refuse(number_, "line of " + std::to_string(end) + " bytes, at most " +
+                             std::to_string(ReadLimits::line_bytes) + " are allowed");
+  line_ = rest_.substr(0, end);
+  rest_.remove_prefix(end);
+  if (rest_.starts_with("\r\n"))
+    rest_.remove_prefix(2);
+  else if (!rest_.empty())
+    rest_.remove_prefix(1);
+  for (const char c : line_) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\t') || byte == 0x7F)
+      log_.refuse(number_, "byte " + std::to_string(byte) + ", only text is allowed");
+  }
+  line_ = trimmed(line_);
+  return true;
+}
+
+std::string LineCount::text(const std::string& what) const {
+  return std::to_string(count) + " " + what + ", first in line " + std::to_string(first);
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Words words_of(std::string_view line, std::string_view separators) {
+  Words words;
+  std::size_t begin = line.find_first_not_of(separators);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    if (words.count < Words::most_words)
+      words.word[words.count] = line.substr(begin, end - begin);
+    ++words.count;
+    begin = line.find_first_not_of(separators, end);
+  }
+  return words;
+}
+
+std::optional<double> number_of(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-"))
+    word.remove_prefix(1);
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, fault] = std::from_chars(word.data(), end, value);
+  if (word.empty() || stop != end)
+    return std::nullopt;
+  if (fault == std::errc::result_out_of_range)
+    return HUGE_VAL;
+  return fault == std::errc{} ? std::optional(value) : std::nullopt;
+}
+
+double finite_number(std::string_view word, std::size_t line, const Log& log) {
+  const std::optional<double> value = number_of(word);
+  if (!value)
+    log.refuse(line, quoted(word) + " is not a number");
+  if (!std::isfinite(*value))
+    log.refuse(line, quoted(word) + " is not a finite number");
+  return *value;
+}
+
+std::string printable(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string result(word.substr(0, longest));
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7F)
+      c = '?';
+  return word.size() > longest ? result + "..." : result;
+}
+
+std::string quoted(std::string_view word) {
+  std::string result = "'";
+  return result.append(printable(word)).append("'");
+}
+
+} // namespace wrc::reading

@@ -1,0 +1,87 @@
+/// Lines, words and numbers of untrusted text, and the log of what was changed.
+///
+/// Numbers are parsed independently of the locale. Internal to the readers. Thread rule: an object
+/// belongs to one thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wrc::reading {
+
+/// Messages about one file: errors with its name, and corrections.
+class Log {
+public:
+  Log(std::string_view name, bool strict) : name_(name), strict_(strict) {}
+
+  /// Throws Error(file_malformed): "<file>: <text>" or "<file>:<line>: <text>".
+  [[noreturn]] void refuse(const std::string& text) const;
+  [[noreturn]] void refuse(std::size_t line, const std::string& text) const;
+  /// A change that the file or the options ask for.
+  void note(const std::string& text) { corrections_.push_back(text); }
+  /// A change that rests on a guess; an error in strict mode. `remedy` says how to avoid it.
+  void guess(const std::string& text, const std::string& remedy);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::vector<std::string>& corrections() { return corrections_; }
+
+private:
+  std::string name_;
+  bool strict_;
+  std::vector<std::string> corrections_;
+};
+
+/// Hands out the lines of a text (ends: LF, CR LF or CR), without their ends and outer blanks.
+class Lines {
+public:
+  Lines(std::string_view text, const Log& log);
+  /// False at the end. Refuses lines that are too long or hold control characters.
+  bool next();
+  [[nodiscard]] std::string_view text() const { return line_; }
+  [[nodiscard]] std::size_t number() const { return number_; }
+
+private:
+  std::string_view rest_;
+  std::string_view line_;
+  std::size_t number_ = 0;
+  const Log& log_;
+};
+
+/// Counts lines of one sort, so that many of them make one correction.
+struct LineCount {
+  std::size_t count = 0;
+  std::size_t first = 0;
+
+  void add(std::size_t line) {
+    if (count++ == 0)
+      first = line;
+  }
+  /// "<count> <what>, first in line <first>".
+  [[nodiscard]] std::string text(const std::string& what) const;
+};
+
+std::string_view trimmed(std::string_view text);
+
+/// The words of a line, at most `most_words`; `count` goes on beyond.
+struct Words {
+  static constexpr std::size_t most_words = 16;
+  std::array<std::string_view, most_words> word;
+  std::size_t count = 0;
+};
+Words words_of(std::string_view line, std::string_view separators);
+
+/// The number a word stands for; none if it is not one. May be infinite or not a number.
+std::optional<double> number_of(std::string_view word);
+/// The finite number a word stands for; refuses anything else.
+double finite_number(std::string_view word, std::size_t line, const Log& log);
+
+/// A word as it may stand in a message: shortened, only printable characters.
+std::string printable(std::string_view word);
+/// The same between quotes.
+std::string quoted(std::string_view word);
+
+} // namespace wrc::reading

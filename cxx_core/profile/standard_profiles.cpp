@@ -1,0 +1,69 @@
+/// Built-in profiles: from the generated tables to curves. Frame and units of profile.hpp.
+#include "profile/standard_profiles.hpp"
+
+#include "error.hpp"
+#include "profile/standard_table.hpp"
+
+namespace wrc {
+namespace {
+
+const TableProfile& entry_of(std::string_view name) {
+  for (const TableProfile& entry : standard_table())
+    if (entry.name == name)
+      return entry;
+  std::string names;
+  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
+    names += kind == ProfileKind::wheel ? "a wheel:" : "; or a rail:";
+    for (const std::string_view known : standard_profile_names(kind))
+      names.append(" ").append(known);
+  }
+  throw Error(ErrorCode::unknown_name, "profile = '" + std::string(name) + "': " + names);
+}
+
+Segment segment_of(const TableSegment& row) {
+  const std::string label(row.label);
+  switch (row.type) {
+  case TableSegment::Type::line:
+    return {label, LineSegment{row.start, row.end}};
+  case TableSegment::Type::arc:
+    return {label, ArcSegment{row.centre, row.radius, row.start, row.end}};
+  case TableSegment::Type::polynomial:
+    break;
+  }
+  const auto first = row.coefficients.begin();
+  return {label,
+          PolynomialSegment{{first, first + static_cast<std::ptrdiff_t>(row.coefficient_count)},
+                            row.expansion_point,
+                            row.start[0],
+                            row.end[0]}};
+}
+
+std::vector<Segment> segments_of(const TableProfile& entry) {
+  std::vector<Segment> segments;
+  for (const TableSegment& row : entry.segments)
+    segments.push_back(segment_of(row));
+  return segments;
+}
+
+} // namespace
+
+std::vector<std::string_view> standard_profile_names(ProfileKind kind) {
+  std::vector<std::string_view> names;
+  for (const TableProfile& entry : standard_table())
+    if (entry.kind == kind)
+      names.push_back(entry.name);
+  return names;
+}
+
+Profile standard_profile(std::string_view name) {
+  const TableProfile& entry = entry_of(name);
+  return {std::string(entry.name),       entry.kind,
+          std::string(entry.title),      std::string(entry.source),
+          std::string(entry.confidence), curve_of(segments_of(entry))};
+}
+
+std::vector<Segment> standard_profile_segments(std::string_view name) {
+  return segments_of(entry_of(name));
+}
+
+} // namespace wrc

@@ -1,0 +1,255 @@
+/// Readers, format by format: grammar, processing, errors.
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+ReadResult read_as(ProfileFormat format, const std::string& text, std::string_view name = "sample",
+                   const ReadOptions& options = {}) {
+  return read_profile_text(text, format, name, options);
+}
+
+// Two columns
+
+TEST(ColumnsReader, TakesCommentsSeparatorsAndPlusSigns) {
+  const ReadResult read = read_as(ProfileFormat::columns,
+                                  "\xEF\xBB\xBF# rail\n! old\n% older\n\n"
+                                  "-20 -6\r\n-10,-1 # behind a point\r+0;+0.0\n +1e1\t-1 \n20, -6",
+                                  "sample.rail");
+  EXPECT_TRUE(read.corrections.empty()) << read.corrections.front();
+  EXPECT_EQ(read.profile.kind, ProfileKind::rail);
+  EXPECT_LT(distance_at(read.profile.curve,
+                        {{-20.0, -6.0}, {-10.0, -1.0}, {0.0, 0.0}, {10.0, -1.0}, {20.0, -6.0}}),
+            rounding);
+}
+
+TEST(ColumnsReader, RefusesWithLineAndText) {
+  const auto refusal = [](const std::string& text) {
+    return refusal_of(text, ProfileFormat::columns);
+  };
+  EXPECT_TRUE(contains(refusal("1 2\n3\n"), "sample:2: '3' is one column"));
+  EXPECT_TRUE(contains(refusal("1 2\n3 x\n"), "sample:2: 'x' is not a number"));
+  EXPECT_TRUE(contains(refusal("1 2\n3 nan\n"), "sample:2: 'nan' is not a finite number"));
+  EXPECT_TRUE(contains(refusal("1 2\n-inf 3\n"), "sample:2: '-inf' is not a finite number"));
+  EXPECT_TRUE(contains(refusal("1 2\n1e999 3\n"), "sample:2: '1e999' is not a finite number"));
+  EXPECT_TRUE(contains(refusal("1 2\n1 2 3\n"), "sample:2: 3 columns, the rows before have 2"));
+  EXPECT_TRUE(contains(refusal("1,5 2,3\n"), "sample:1: '1,5 2,3' has decimal commas"));
+}
+
+TEST(ColumnsReader, HeadingsAndFurtherColumnsAreGuesses) {
+  std::string rows = "y z weight\n";
+  for (const Position& point : wheel_points())
+    rows += text_of(point[0]) + " , " + text_of(point[1]) + " ; 1\r\n";
+  ReadOptions options;
+  options.kind = ProfileKind::wheel;
+  const ReadResult read = read_as(ProfileFormat::columns, rows, "sample", options);
+  EXPECT_TRUE(says(read, "1 lines before the first number skipped as headings, first in line 1"));
+  EXPECT_TRUE(says(read, "columns 3 to 3 ignored"));
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+  options.strict = true;
+  EXPECT_TRUE(contains(refusal_of(rows, ProfileFormat::columns, options), "strict"));
+}
+
+// Simpack
+
+/// A file with given keys in its spline section.
+std::string simpack(const std::string& rows, const std::string& keys, int type) {
+  return "! comment\n header.begin\n version = 1\n type = " + std::to_string(type) +
+         " ! kind\n header.end\n spline.begin\n comment = 'a ! title'\n" + keys +
+         "\n point.begin\n! y z\n" + rows + " point.end\n spline.end\nafter the end\n";
+}
+
+const std::string millimetres = " units.len.f = +1.0e+03\n";
+
+std::string wheel_rows(const std::function<Position(Position)>& change = {}) {
+  return rows_of(wheel_points(), change);
+}
+
+TEST(SimpackReader, ReadsAWheel) {
+  const ReadResult read =
+      read_as(ProfileFormat::simpack, simpack(wheel_rows(), millimetres, 1), "a.prw");
+  EXPECT_EQ(read.profile.kind, ProfileKind::wheel);
+  EXPECT_EQ(read.profile.title, "a ! title");
+  EXPECT_TRUE(read.corrections.empty()) << read.corrections.front();
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+}
+
+TEST(SimpackReader, RailHeightIsDownwardsByTheFormat) {
+  const std::string rows = rows_of(rail_points(), [](Position p) { return Position{p[0], -p[1]}; });
+  ReadOptions options;
+  options.strict = true;
+  const ReadResult read =
+      read_as(ProfileFormat::simpack, simpack(rows, millimetres, 0), "a.prr", options);
+  EXPECT_EQ(read.profile.kind, ProfileKind::rail);
+  EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
+}
+
+TEST(SimpackReader, HeaderWinsOverTheExtensionAndOptionsOverBoth) {
+  const std::string text = simpack(wheel_rows(), millimetres, 1);
+  const ReadResult read = read_as(ProfileFormat::simpack, text, "a.prr");
+  EXPECT_EQ(read.profile.kind, ProfileKind::wheel);
+  EXPECT_TRUE(says(read, "the header says wheel"));
+  ReadOptions options;
+  options.kind = ProfileKind::rail;
+  const ReadResult asked = read_as(ProfileFormat::simpack, text, "a.prw", options);
+  EXPECT_EQ(asked.profile.kind, ProfileKind::rail);
+  EXPECT_TRUE(says(asked, "read as a rail as asked"));
+}
+
+TEST(SimpackReader, AppliesTheKeysInTheirOrder) {
+  // Shift before bounds before mirror: bounds hold for shifted, not mirrored values.
+  const std::string keys = millimetres +
+                           " shift.y = 3\n shift.z = -2\n bound.y.min = -60\n bound.y.max = 40\n"
+                           " bound.z.min = -5\n bound.z.max = 100\n mirror.y = 1\n inversion = 1\n";
+  // Written so that the result is the sample again where nothing is cut.
+  const std::string rows = wheel_rows([](Position p) { return Position{-p[0] - 3.0, p[1] + 2.0}; });
+  const ReadResult read = read_as(ProfileFormat::simpack, simpack(rows, keys, 1));
+  std::vector<Position> expected;
+  for (const Position& point : wheel_points())
+    if (-point[0] >= -60.0 && -point[0] <= 40.0)
+      expected.push_back({point[0], std::max(point[1], -5.0)});
+  EXPECT_LT(expected.size(), wheel_points().size());
+  EXPECT_LT(distance_at(read.profile.curve, expected), rounding);
+  EXPECT_NEAR(read.profile.curve.at(0.0).lateral, -40.0, rounding);
+  EXPECT_TRUE(says(read, "shifted by shift.y = 3, shift.z = -2"));
+  EXPECT_TRUE(says(read, "points outside bound.y dropped"));
+  EXPECT_TRUE(says(read, "lateral mirrored as mirror.y"));
+  EXPECT_TRUE(says(read, "order reversed as inversion"));
+}
+
+TEST(SimpackReader, ClipsHeights) {
+  const ReadResult read =
+      read_as(ProfileFormat::simpack,
+              simpack(wheel_rows(), millimetres + " bound.z.min = -2\n bound.z.max = 100\n", 1));
+  EXPECT_TRUE(says(read, "10 points clipped to bound.z"));
+  std::vector<Position> expected = wheel_points();
+  for (Position& point : expected)
+    point[1] = std::max(point[1], -2.0);
+  EXPECT_LT(distance_at(read.profile.curve, expected), rounding);
+}
+
+TEST(SimpackReader, BoundsThatAreTurnedAroundAreOff) {
+  const ReadResult read =
+      read_as(ProfileFormat::simpack,
+              simpack(wheel_rows(), millimetres + " bound.y.min = 1\n bound.y.max = 0\n", 1));
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+}
+
+TEST(SimpackReader, WithoutUnitsValuesAreMetres) {
+  const std::string rows = wheel_rows([](Position p) {
+    return Position{p[0] / 1000.0, p[1] / 1000.0};
+  });
+  const ReadResult read = read_as(ProfileFormat::simpack, simpack(rows, "", 1));
+  EXPECT_TRUE(says(read, "multiplied by 1000 to mm"));
+  EXPECT_TRUE(says(read, "absent: metres"));
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+}
+
+TEST(SimpackReader, DropsClosePointsAndSaysWhatItIgnores) {
+  const std::string keys =
+      millimetres + " point.dist.min = 3\n approx.smooth = 0.5\n strange = 1\n";
+  std::string rows = wheel_rows();
+  rows.insert(rows.find('\n'), "\t2.0"); // a weight
+  const ReadResult read = read_as(ProfileFormat::simpack, simpack(rows, keys, 1));
+  EXPECT_TRUE(says(read, "points closer than point.dist.min dropped"));
+  EXPECT_TRUE(says(read, "approx.smooth = 0.5 ignored"));
+  EXPECT_TRUE(says(read, "1 unknown keys ignored"));
+  EXPECT_TRUE(says(read, "1 weights other than 1 ignored"));
+}
+
+TEST(SimpackReader, RefusesBrokenFiles) {
+  const auto refusal = [](const std::string& text) {
+    return refusal_of(text, ProfileFormat::simpack);
+  };
+  const std::string rows = wheel_rows();
+  EXPECT_EQ(refusal(simpack(rows, millimetres, 1)), "accepted");
+  EXPECT_TRUE(contains(refusal("header.begin\n"), "section 'header' is not ended"));
+  EXPECT_TRUE(contains(refusal("header.begin\nheader.end\n"), "no section 'spline'"));
+  EXPECT_TRUE(contains(refusal("header.end\n"), "sample:1: 'header' ends, but no section is open"));
+  EXPECT_TRUE(contains(refusal("header.begin\nspline.end\n"),
+                       "sample:2: 'spline' ends, but 'header' is open"));
+  EXPECT_TRUE(contains(refusal("spline.begin\npoint.begin\n1 2\nspline.end\n"),
+                       "sample:4: 'spline' ends, but 'point' is open"));
+  EXPECT_TRUE(contains(refusal("what\n"), "sample:1: 'what' is neither"));
+  EXPECT_TRUE(contains(refusal("header.begin\ntype = 2\n"), "allowed: 0 rail, 1 wheel"));
+  EXPECT_TRUE(contains(refusal(simpack("1\n", "", 1)), "1 columns"));
+  EXPECT_TRUE(contains(refusal(simpack("1 2 3 4\n", "", 1)), "4 columns"));
+  EXPECT_TRUE(contains(refusal(simpack("1 nan\n", "", 1)), "'nan' is not a finite number"));
+  EXPECT_TRUE(contains(refusal(simpack(rows, "rotate = 0.1\n", 1)), "rotate = 0.1"));
+  EXPECT_TRUE(
+      contains(refusal(simpack(rows, "mirror.y = 2\n", 1)), "mirror.y = 2, allowed: 0 or 1"));
+  EXPECT_TRUE(contains(refusal(simpack(rows, "units.len.f = 0\n", 1)), "must be positive"));
+  EXPECT_TRUE(contains(refusal(simpack(rows, "shift.y = x\n", 1)), "'x' is not a number"));
+  std::string deep;
+  for (int i = 0; i < 9; ++i)
+    deep += "a.begin\n";
+  EXPECT_TRUE(contains(refusal(deep), "sample:9: sections nested deeper than 8"));
+}
+
+// MiniProf
+
+/// Rail points as MiniProf has them: gauge side to the right, height upwards.
+std::string miniprof_rows() {
+  return rows_of(rail_points(), [](Position p) { return Position{-p[0], p[1]}; });
+}
+
+TEST(MiniprofReader, ReadsARailInNativeSigns) {
+  ReadOptions options;
+  options.strict = true;
+  const ReadResult read = read_as(
+      ProfileFormat::miniprof, "Filename=a\nColumnDef=X,Y\n\n" + miniprof_rows(), "a.ban", options);
+  EXPECT_EQ(read.profile.kind, ProfileKind::rail);
+  EXPECT_TRUE(says(read, "lateral mirrored, the format"));
+  EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
+}
+
+TEST(MiniprofReader, ReadsAWheelInNativeSigns) {
+  ReadOptions options;
+  options.strict = true;
+  const std::string rows = wheel_rows([](Position p) { return Position{-p[0], -p[1]}; });
+  const ReadResult read =
+      read_as(ProfileFormat::miniprof, "ColumnDef=X,Y\n\n" + rows, "a.whl", options);
+  EXPECT_EQ(read.profile.kind, ProfileKind::wheel);
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+}
+
+TEST(MiniprofReader, TakesColumnsOffsetsQuotesAndOldHeaders) {
+  std::string rows;
+  for (const Position& point : rail_points())
+    rows += "0.1 " + text_of(point[1] - 2.0) + " 0 " + text_of(-point[0] - 1.0) + "\n";
+  const ReadResult read = read_as(
+      ProfileFormat::miniprof,
+      "old free text\nColumnDef=\"A,Y,C,X\"\n\"XOffset\"=1\nYOffset=2.0\nGauge=1435\n\n" + rows,
+      "a.ban");
+  EXPECT_TRUE(says(read, "XOffset and YOffset added"));
+  EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
+}
+
+TEST(MiniprofReader, SaysWhatItSkips) {
+  const ReadResult read =
+      read_as(ProfileFormat::miniprof,
+              "ColumnDef=X,Y\nXYPoints=99\n\n\" 1 2\n7\n" + miniprof_rows() + "! 3 4\n", "a.ban");
+  EXPECT_TRUE(says(read, "2 rows after the header skipped as comments, first in line 4"));
+  EXPECT_TRUE(says(read, "1 rows with fewer columns than ColumnDef skipped, first in line 5"));
+  EXPECT_TRUE(says(read, "XYPoints in the header differs from the 35 points found"));
+}
+
+TEST(MiniprofReader, RefusesBrokenFiles) {
+  const auto refusal = [](const std::string& text) {
+    return refusal_of(text, ProfileFormat::miniprof);
+  };
+  EXPECT_TRUE(contains(refusal("ColumnDef=X,Y\n1 2\n"), "no blank line"));
+  EXPECT_TRUE(
+      contains(refusal("ColumnDef=X\n\n1 2\n"), "sample:1: ColumnDef=X, it must name X and Y"));
+  EXPECT_TRUE(
+      contains(refusal("ColumnDef=X,Y\nXOffset=a\n\n1 2\n"), "sample:2: 'a' is not a number"));
+  EXPECT_TRUE(contains(refusal("XYPoints=1e18\n\n1 2\n"), "1 points"));
+  EXPECT_TRUE(contains(refusal("a\n\n1 nan\n"), "sample:3: 'nan' is not a finite number"));
+}
+
+} // namespace
+} // namespace wrc
