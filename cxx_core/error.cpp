@@ -11,8 +11,7 @@ std::string text_of(double value) {
   return {buffer.data(), end};
 }
 
-void throw_invalid_argument(const std::string& argument, double value,
-                            const std::string& allowed) {
+void throw_invalid_argument(const std::string& argument, double value, const std::string& allowed) {
   throw_invalid_argument(argument, text_of(value), allowed);
 }
 

@@ -12,8 +12,8 @@ namespace wrc {
 struct Grid {
   std::size_t lateral_count = 0;
   std::size_t longitudinal_count = 0;
-  double lateral_step = 0.0;      ///< element size across the rail
-  double longitudinal_step = 0.0; ///< element size along the rail
+  double lateral_step = 0.0;       ///< element size across the rail
+  double longitudinal_step = 0.0;  ///< element size along the rail
   double lateral_first = 0.0;      ///< centre of the first element
   double longitudinal_first = 0.0; ///< centre of the first element
 

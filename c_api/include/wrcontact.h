@@ -1,0 +1,173 @@
+/*
+ * wrcontact: where and how hard wheels press on rails.
+ *
+ * From wheel and rail profiles, track, wheelset position and load this library finds the contact
+ * points of both wheels, samples the undeformed distance on an equally spaced grid and solves the
+ * non-Hertzian normal contact of elastic half-spaces.
+ *
+ * Units:   mm, N, MPa, rad.
+ * Frame:   track frame, x forward, y to the left, z up, right-handed; origin at the track centre in
+ *          the plane of the rail tops. Roll > 0 lifts the left wheel, yaw > 0 is anticlockwise seen
+ *          from above. Profile coordinates are positive to the field side.
+ * Errors:  functions return WRC_OK or another wrc_status. The text of the last failure of a handle
+ *          stays on the handle (wrc_scene_error and so on) until its next call. A failed call
+ *          leaves the handle as it was. Nothing throws, prints or ends the program.
+ * Threads: a handle must not be used by two threads at once; different handles are independent.
+ * Text:    UTF-8, ended by a zero byte. Returned text belongs to the handle and lives until the
+ *          handle is changed or destroyed.
+ *
+ * Every declaration carries the version that brought it.
+ */
+#ifndef WRCONTACT_H
+#define WRCONTACT_H
+
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define WRC_API
+#elif defined(__GNUC__)
+#define WRC_API __attribute__((visibility("default")))
+#else
+#define WRC_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Status codes; explicit and never reused. Since 0.1. */
+typedef int32_t wrc_status;
+#define WRC_OK 0
+#define WRC_INVALID_ARGUMENT 1 /* a value outside its permitted range */
+#define WRC_UNKNOWN_NAME 2     /* a key, profile or quantity that does not exist */
+#define WRC_FILE_UNREADABLE 3  /* a file that cannot be opened, read or written */
+#define WRC_FILE_MALFORMED 4   /* a file whose content cannot be understood */
+#define WRC_NO_CONTACT 5       /* wheel and rail do not meet in the scene as posed */
+#define WRC_OUT_OF_MEMORY 6    /* memory could not be had */
+#define WRC_INTERNAL 7         /* a fault of the library itself */
+#define WRC_NOT_CONVERGED 8    /* results are there, but not to the tolerance; see stop_reason */
+#define WRC_TOO_SMALL 9        /* the caller's array is too small; the length needed is returned */
+#define WRC_NO_RESULT 10       /* the scene has not been solved yet */
+
+/* Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
+WRC_API const char* wrc_status_name(wrc_status status);
+/* Version of the library, for example "0.1.0". Since 0.1. */
+WRC_API const char* wrc_version(void);
+
+/* ---- Scene: what is asked, and its results ------------------------------------------------- */
+
+typedef struct wrc_scene wrc_scene;
+
+/* A scene with the defaults of the paper's Table 1. On failure *scene is NULL. Since 0.1. */
+WRC_API wrc_status wrc_scene_create(wrc_scene** scene);
+/* Does nothing with NULL. Since 0.1. */
+WRC_API void wrc_scene_destroy(wrc_scene* scene);
+/* Text of the last failure, "" if there was none. Since 0.1. */
+WRC_API const char* wrc_scene_error(const wrc_scene* scene);
+
+/*
+ * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
+ * defaults and permitted values. Keys of one subject replace each other: the later call counts
+ * (load.vertical and load.left, material.poisson and material.wheel.poisson, solve.accuracy and
+ * solve.grid). WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
+ */
+WRC_API wrc_status wrc_scene_set_number(wrc_scene* scene, const char* key, double value);
+WRC_API wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const char* value);
+WRC_API wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, const double* values,
+                                         int64_t count);
+
+/* What is told of a key; each text belongs to the library and stays. Since 0.1. */
+WRC_API int64_t wrc_scene_key_count(void);
+WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_value,
+                                 const char** allowed, const char** meaning);
+
+/*
+ * Solves geometry, remesh and mechanics of the sides asked for. WRC_NOT_CONVERGED comes with
+ * usable results; on any other failure the results of the last success remain. Since 0.1.
+ */
+WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
+
+/*
+ * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
+ * "time_ms.total" and so on (docs/results.md lists and defines them). Since 0.1.
+ */
+WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
+/* A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
+WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
+/*
+ * A field by name: for a side "left" or "right", one value per element with the longitudinal index
+ * fastest: "left.x", ".y", ".z" (element centres), ".undeformed_distance", ".pressure",
+ * ".displacement"; and the outlines "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross
+ * section. Copies at most `capacity` values into `values` and sets *count to the length; with
+ * capacity 0 (values may be NULL) it only tells the length. WRC_TOO_SMALL if the length exceeds a
+ * capacity > 0; nothing is copied then. Since 0.1.
+ */
+WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
+                                   int64_t capacity, int64_t* count);
+/* Names of all results at hand, in a fixed order. Since 0.1. */
+WRC_API int64_t wrc_scene_number_count(const wrc_scene* scene);
+WRC_API const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index);
+WRC_API int64_t wrc_scene_text_count(const wrc_scene* scene);
+WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
+
+/* ---- Profiles ------------------------------------------------------------------------------ */
+
+typedef struct wrc_profile wrc_profile;
+
+#define WRC_WHEEL 0
+#define WRC_RAIL 1
+
+/* Names of the built-in profiles of a kind; NULL past the end. Since 0.1. */
+WRC_API const char* wrc_profile_standard_name(int32_t kind, int64_t index);
+
+/* An empty profile handle, which keeps the error text of a failed load. Since 0.1. */
+WRC_API wrc_status wrc_profile_create(wrc_profile** profile);
+WRC_API void wrc_profile_destroy(wrc_profile* profile);
+WRC_API const char* wrc_profile_error(const wrc_profile* profile);
+
+/* How a file is read. Set struct_size to sizeof(wrc_read_options), zero the rest. Since 0.1. */
+typedef struct wrc_read_options {
+  uint64_t struct_size;
+  int32_t kind; /* WRC_WHEEL or WRC_RAIL if kind_given is not 0; else by the file */
+  int32_t kind_given;
+  int32_t mirror_lateral; /* 0: as the file needs; 1: mirror; -1: do not mirror */
+  int32_t mirror_height;  /* the same */
+  int32_t strict;         /* not 0: refuse instead of guessing */
+  int32_t reserved;
+  double scale;                /* mm per unit of the file; 0: guess from the size */
+  double smoothing_wavelength; /* mm at which a wave is halved; 0: no smoothing */
+} wrc_read_options;
+
+/* A built-in profile, by name. WRC_UNKNOWN_NAME. Since 0.1. */
+WRC_API wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name);
+/* A file: two columns, Simpack .prr/.prw, MiniProf .ban/.whl; options may be NULL. Since 0.1. */
+WRC_API wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
+                                         const wrc_read_options* options);
+/* Writes a file, two columns or by extension .prr/.prw, with points `spacing` mm apart along the
+ * arc; written aside, then renamed. Since 0.1. */
+WRC_API wrc_status wrc_profile_write(wrc_profile* profile, const char* path, double spacing);
+
+/* Kind, and texts: "name", "title", "source", "confidence". Since 0.1. */
+WRC_API wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind);
+WRC_API wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value);
+/* What was corrected while reading, one line each; NULL past the end. Since 0.1. */
+WRC_API const char* wrc_profile_correction(const wrc_profile* profile, int64_t index);
+
+/* Arc length of the curve, mm. Since 0.1. */
+WRC_API wrc_status wrc_profile_length(wrc_profile* profile, double* length);
+/* Arc lengths of the curve's nodes (as wrc_scene_field copies). Since 0.1. */
+WRC_API wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t capacity,
+                                     int64_t* count);
+/*
+ * The curve at an arc length, clamped to the curve: lateral and height in mm (height of a wheel
+ * positive towards larger radius, of a rail upwards), inclination of the tangent in rad, signed
+ * curvature in 1/mm (positive: bends towards larger height). Pointers may be NULL. Since 0.1.
+ */
+WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, double* height,
+                                  double* angle, double* curvature);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "handles.hpp"
+#include "profile/readers.hpp"
+#include "profile/writers.hpp"
+
+namespace {
+
+/// Runs a body that needs a loaded profile.
+template <class Body> wrc_status with_profile(wrc_profile* profile, Body&& body) {
+  return wrc::guard(profile, [&]() -> wrc_status {
+    if (!profile->profile) {
+      profile->error = "no profile has been loaded into the handle";
+      return WRC_NO_RESULT;
+    }
+    return body(*profile->profile);
+  });
+}
+
+std::optional<bool> choice_of(std::int32_t value, const char* name) {
+  if (value < -1 || value > 1) {
+    wrc::throw_invalid_argument(name, value, "allowed are -1, 0 and 1");
+  }
+  return value == 0 ? std::nullopt : std::optional(value == 1);
+}
+
+wrc::ReadOptions options_from(const wrc_read_options* given) {
+  wrc::ReadOptions options;
+  if (given == nullptr) {
+    return options;
+  }
+  wrc_read_options known{};
+  if (given->struct_size < sizeof(std::uint64_t)) {
+    wrc::throw_invalid_argument("struct_size", static_cast<double>(given->struct_size),
+                                "sizeof(wrc_read_options)");
+  }
+  std::memcpy(&known, given, std::min<std::size_t>(given->struct_size, sizeof known));
+  if (known.kind_given != 0) {
+    if (known.kind != WRC_WHEEL && known.kind != WRC_RAIL) {
+      wrc::throw_invalid_argument("kind", known.kind, "allowed are WRC_WHEEL and WRC_RAIL");
+    }
+    options.kind = known.kind == WRC_WHEEL ? wrc::ProfileKind::wheel : wrc::ProfileKind::rail;
+  }
+  options.mirror_lateral = choice_of(known.mirror_lateral, "mirror_lateral");
+  options.mirror_height = choice_of(known.mirror_height, "mirror_height");
+  options.strict = known.strict != 0;
+  if (known.scale != 0.0) {
+    options.scale = known.scale;
+  }
+  options.smoothing_wavelength = known.smoothing_wavelength;
+  return options;
+}
+
+} // namespace
+
+extern "C" {
+
+const char* wrc_profile_standard_name(int32_t kind, int64_t index) {
+  try {
+    const auto names = wrc::standard_profile_names(kind == WRC_RAIL ? wrc::ProfileKind::rail
+                                                                    : wrc::ProfileKind::wheel);
+    // The names are string literals, so each view ends with a zero byte.
+    return index >= 0 && index < static_cast<int64_t>(names.size())
+               ? names[static_cast<std::size_t>(index)].data()
+               : nullptr;
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+wrc_status wrc_profile_create(wrc_profile** profile) {
+  return wrc::create(profile);
+}
+
+void wrc_profile_destroy(wrc_profile* profile) {
+  delete profile;
+}
+
+const char* wrc_profile_error(const wrc_profile* profile) {
+  return profile == nullptr ? "profile = NULL: a handle must be given" : profile->error.c_str();
+}
+
+wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name) {
+  return wrc::guard(profile, [&] {
+    wrc::require_pointer(name, "name");
+    profile->profile = wrc::standard_profile(name);
+    profile->corrections.clear();
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
+                                 const wrc_read_options* options) {
+  return wrc::guard(profile, [&] {
+    wrc::require_pointer(path, "path");
+    wrc::ReadResult read = wrc::read_profile(path, options_from(options));
+    profile->profile = std::move(read.profile);
+    profile->corrections = std::move(read.corrections);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_profile_write(wrc_profile* profile, const char* path, double spacing) {
+  return with_profile(profile, [&](const wrc::Profile& loaded) {
+    wrc::require_pointer(path, "path");
+    wrc::write_profile(loaded, path, spacing);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind) {
+  return with_profile(profile, [&](const wrc::Profile& loaded) {
+    wrc::require_pointer(kind, "kind");
+    *kind = loaded.kind == wrc::ProfileKind::wheel ? WRC_WHEEL : WRC_RAIL;
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value) {
+  return with_profile(profile, [&](const wrc::Profile& loaded) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(value, "value");
+    const std::string_view asked = name;
+    if (asked == "name") {
+      *value = loaded.name.c_str();
+    } else if (asked == "title") {
+      *value = loaded.title.c_str();
+    } else if (asked == "source") {
+      *value = loaded.source.c_str();
+    } else if (asked == "confidence") {
+      *value = loaded.confidence.c_str();
+    } else {
+      throw wrc::Error(wrc::ErrorCode::unknown_name,
+                       "no text of a profile is named \"" + std::string(asked) +
+                           "\"; there are name, title, source, confidence");
+    }
+    return WRC_OK;
+  });
+}
+
+const char* wrc_profile_correction(const wrc_profile* profile, int64_t index) {
+  return profile != nullptr && index >= 0 &&
+                 index < static_cast<int64_t>(profile->corrections.size())
+             ? profile->corrections[static_cast<std::size_t>(index)].c_str()
+             : nullptr;
+}
+
+wrc_status wrc_profile_length(wrc_profile* profile, double* length) {
+  return with_profile(profile, [&](const wrc::Profile& loaded) {
+    wrc::require_pointer(length, "length");
+    *length = loaded.curve.length();
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t capacity, int64_t* count) {
+  return with_profile(profile, [&](const wrc::Profile& loaded) {
+    const auto starts = loaded.curve.starts();
+    return wrc::copy_values(starts.data(), starts.size(), arcs, capacity, count, profile->error);
+  });
+}
+
+wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, double* height,
+                          double* angle, double* curvature) {
+  return with_profile(profile, [&](const wrc::Profile& loaded) {
+    if (!std::isfinite(arc)) {
+      wrc::throw_invalid_argument("arc", arc, "a finite arc length, mm");
+    }
+    const wrc::CurvePoint point = loaded.curve.at(arc);
+    const auto store = [](double* where, double value) {
+      if (where != nullptr) {
+        *where = value;
+      }
+    };
+    store(lateral, point.lateral);
+    store(height, point.height);
+    store(angle, std::atan2(point.tangent_height, point.tangent_lateral));
+    store(curvature, point.curvature());
+    return WRC_OK;
+  });
+}
+}

@@ -1,0 +1,56 @@
+/// Vectors, the rotation of the wheelset, and the mirror that turns a right side into a left one.
+///
+/// Track frame: x forward, y to the left, z up, right-handed; origin at the track centre in the
+/// plane of the rail tops. Wheelset frame: centre at (0, lateral, vertical), rotation wheelset ->
+/// track R = Rz(yaw) Rx(roll); roll > 0 lifts the left wheel, yaw > 0 is anticlockwise from above.
+/// Only the left side is ever computed: the right side is the left side of the mirrored pose
+/// (y -> -y), so both are symmetric to the last bit. Units mm and rad. Thread rule: plain values.
+#pragma once
+
+namespace wrc {
+
+struct Vector3 {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+inline Vector3 operator+(Vector3 a, Vector3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector3 operator-(Vector3 a, Vector3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector3 operator*(double s, Vector3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline double dot(Vector3 a, Vector3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// Position of the wheelset in the track frame, without its height.
+struct Pose {
+  double lateral = 0.0; ///< y of the wheelset's centre, mm; > 0: left flange towards left rail
+  double yaw = 0.0;     ///< rad
+  double roll = 0.0;    ///< rad
+};
+
+/// The pose seen in the mirror y -> -y.
+inline Pose mirrored(Pose pose) {
+  return {-pose.lateral, -pose.yaw, -pose.roll};
+}
+
+/// R = Rz(yaw) Rx(roll), with sines and cosines taken once.
+class Rotation {
+public:
+  explicit Rotation(const Pose& pose);
+  [[nodiscard]] Vector3 to_track(Vector3 body) const;
+  [[nodiscard]] Vector3 to_body(Vector3 track) const;
+
+  double sin_yaw;
+  double cos_yaw;
+  double sin_roll;
+  double cos_roll;
+};
+
+} // namespace wrc

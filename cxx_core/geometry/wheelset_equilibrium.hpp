@@ -1,0 +1,47 @@
+/// Height and roll of a rigid wheelset that stands on both rails.
+///
+/// The two unknowns, roll and height, follow from min d_left = min d_right = 0 (the paper,
+/// equation 1). The height enters both distances alike, so the roll is the root of
+///   f(roll) = min d_left - min d_right,
+/// whose derivative is the difference of the contacts' lever arms (envelope theorem); safeguarded
+/// Newton. With a prescribed roll each wheel stands by itself at a height of its own.
+/// Units mm and rad; track frame. Thread rule: pure functions.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/contact_search.hpp"
+
+namespace wrc {
+
+/// Equilibrium of one side; all in the left-hand frame of that side (mirrored for the right).
+struct SideEquilibrium {
+  Pose pose;             ///< with the roll found, mirrored for the right side
+  double vertical = 0.0; ///< z of the wheelset's centre at which this wheel touches
+  ContactScan scan;      ///< candidates: least distance first; samples of the scan
+};
+
+struct WheelsetEquilibrium {
+  double roll = 0.0;     ///< rad
+  double vertical = 0.0; ///< z of the wheelset's centre at the first touch of either wheel
+  std::optional<SideEquilibrium> left;
+  std::optional<SideEquilibrium> right;
+  int iterations = 0; ///< of the search for the roll; 0 if it is prescribed
+};
+
+struct EquilibriumRequest {
+  double lateral = 0.0;
+  double yaw = 0.0;
+  std::optional<double> roll; ///< prescribed; solved if not set
+  bool left = true;           ///< sides asked for; a solved roll needs both all the same
+  bool right = true;
+  double near_tolerance = 0.1; ///< mm
+};
+
+/// Throws Error(no_contact) if a wheel is off its rail or no roll within +-0.2 rad sets both wheels
+/// on the rails.
+WheelsetEquilibrium find_equilibrium(const WheelSurface& wheel, const RailSurface& rail,
+                                     const EquilibriumRequest& request);
+
+} // namespace wrc

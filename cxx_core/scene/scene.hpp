@@ -1,0 +1,56 @@
+/// A scene: everything that is asked, with the defaults of the paper's Table 1.
+///
+/// Values are reached by the keys of a scene file (scene/scene_keys.hpp), which also hold their
+/// permitted ranges. Units mm, N, MPa, rad; track frame of geometry/frames.hpp.
+/// Thread rule: a plain value.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry/rail_surface.hpp"
+#include "geometry/wheel_surface.hpp"
+#include "mechanics/material.hpp"
+#include "remesh/contact_frame.hpp"
+
+namespace wrc {
+
+enum class SideChoice { both, left, right };
+
+struct Scene {
+  TrackDimensions track;
+  std::string rail = "60E1";   ///< name of a built-in profile, or a file
+  double rail_smoothing = 0.0; ///< wavelength in mm for a rail read from a file; 0: none
+  WheelsetDimensions wheelset;
+  std::string wheel = "S1002";
+  double wheel_smoothing = 0.0;
+
+  Material wheel_material{210000.0, 0.3};
+  Material rail_material{210000.0, 0.3};
+
+  double lateral = 0.0;
+  double yaw = 0.0;
+  std::optional<double> roll;     ///< prescribed; solved if not set
+  std::optional<double> vertical; ///< prescribed height of the wheelset's centre; solved if not set
+
+  double left_load = 80000.0; ///< vertical force on the left wheel
+  double right_load = 80000.0;
+  std::optional<double> normal_load; ///< instead: force along the patch's normal, each wheel
+
+  SideChoice side = SideChoice::both;
+  GapConvention gap = GapConvention::tangent;
+  std::string model = "auto";
+  std::string solver = "auto";
+  double accuracy = 1e-3;
+  std::optional<std::array<std::size_t, 2>> grid; ///< elements [lateral, longitudinal]
+  double tolerance = 1e-6;                        ///< of the iteration, relative
+  double near_tolerance = 0.1; ///< contacts listed as near: distance at the first touch, mm
+  int threads = 1;
+
+  Scene();
+};
+
+} // namespace wrc

@@ -1,0 +1,380 @@
+#include "scene/side_solution.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+
+namespace wrc {
+namespace {
+
+/// Elements of the coarse solutions: about 30 across the contact.
+constexpr std::size_t coarse_lateral_count = 48;
+constexpr std::size_t coarse_longitudinal_count = 40;
+constexpr double coarse_tolerance = 1e-4;
+constexpr int coarse_limit = 60;
+constexpr int final_limit = 20;
+/// Contact should fill at least this share of the coarse area in each direction.
+constexpr double least_fill = 0.5;
+/// Room left around the contact found on a grid, in that grid's elements.
+constexpr double margin_elements = 1.5;
+/// By how much an edge that contact touches moves out, in widths of the area.
+constexpr double coarse_growth = 0.5;
+constexpr double final_growth = 0.15;
+/// A slide by this share of the depth changes pmax by about 1e-4: changes of 0.8 to 1.9 % were
+/// measured for slides of 0.17 to 0.42.
+constexpr double greatest_slide_share = 2e-3;
+/// The coarse depth is settled when it changes by less than this share.
+constexpr double coarse_depth_share = 0.02;
+/// Contact angle above which distances along the wheelset's axis mislead, rad.
+constexpr double vertical_convention_limit = 0.15;
+/// Elements across the contact with which an accuracy starts, and at which it gives up.
+constexpr double first_resolution = 24.0;
+constexpr double last_resolution = 400.0;
+/// Refining by two should divide the error by four; less than this is no convergence (a kink of a
+/// profile in the contact has no bounded pressure) and further grids would be wasted.
+constexpr double least_gain = 1.4;
+/// Factor on the estimated discretisation error, for its own uncertainty.
+constexpr double estimate_safety = 2.0;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A grid, its solution, and what the next one needs of it.
+struct Trial {
+  ContactFrame frame;
+  PlaneArea area;
+  Grid grid;
+  double depth = 0.0;
+  std::vector<double> distance;
+  NormalSolution normal;
+  PressureRegion contact;  ///< all elements under pressure together
+  double next_depth = 0.0; ///< the depth that the solution asks for
+
+  [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
+  [[nodiscard]] bool touches_edge() const { return contact.touches_edge.any(); }
+  /// Elements across the contact.
+  [[nodiscard]] double rows() const {
+    return static_cast<double>(contact.box.lateral_last - contact.box.lateral_first + 1);
+  }
+  /// Elements along the contact.
+  [[nodiscard]] double columns() const {
+    return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
+  }
+  /// The area with each edge that contact touches moved out.
+  [[nodiscard]] PlaneArea grown(double share) const {
+    PlaneArea larger = area;
+    const double width = share * area.width();
+    const double length = share * area.length();
+    larger.lateral_first -= contact.touches_edge.lateral_first ? width : 0.0;
+    larger.lateral_last += contact.touches_edge.lateral_last ? width : 0.0;
+    larger.longitudinal_first -= contact.touches_edge.longitudinal_first ? length : 0.0;
+    larger.longitudinal_last += contact.touches_edge.longitudinal_last ? length : 0.0;
+    return larger;
+  }
+  /// The area around the contact found, with some room.
+  [[nodiscard]] PlaneArea contact_area(double margin) const {
+    const double reach = 0.5 + margin;
+    return {grid.lateral(contact.box.lateral_first) - reach * grid.lateral_step,
+            grid.lateral(contact.box.lateral_last) + reach * grid.lateral_step,
+            grid.longitudinal(contact.box.longitudinal_first) - reach * grid.longitudinal_step,
+            grid.longitudinal(contact.box.longitudinal_last) + reach * grid.longitudinal_step};
+  }
+  /// Elements across the contact in its coarser direction.
+  [[nodiscard]] double resolution() const { return std::min(rows(), columns()); }
+};
+
+class SideSolver {
+public:
+  SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
+             const SideRequest& request)
+      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request) {}
+
+  SideSolution solve();
+
+private:
+  [[nodiscard]] bool position_is_prescribed() const { return request_.vertical.has_value(); }
+  [[nodiscard]] ContactFrame frame_at(double depth) const;
+  [[nodiscard]] double first_depth() const;
+  Trial try_area(const ContactFrame& frame, const PlaneArea& area, std::size_t lateral_count,
+                 std::size_t longitudinal_count, double depth, double tolerance);
+  /// The same rectangle of the track, seen in the plane of another frame.
+  [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
+                                       const ContactFrame& to) const;
+  Trial settle_on_coarse_grids(double depth);
+  Trial solve_on_final_grid(const Trial& coarse);
+  void choose_counts(const Trial& last, const PlaneArea& area, double resolution,
+                     std::size_t& lateral_count, std::size_t& longitudinal_count) const;
+  [[nodiscard]] double estimate_error(const Trial& coarser, const Trial& finer) const;
+  void warn_about(const Trial& trial);
+
+  const WheelSurface& wheel_;
+  const RailSurface& rail_;
+  const SideEquilibrium& equilibrium_;
+  const SideRequest& request_;
+  SideSolution result_;
+};
+
+/// The plane at a depth: through the penetration-weighted place of the rail, at the weighted angle.
+ContactFrame SideSolver::frame_at(double depth) const {
+  const PenetrationRegion region = find_penetration_region(equilibrium_.scan, depth);
+  const double x = equilibrium_.scan.candidates.front().wheel.position.x;
+  const Vector3 origin{x, region.mean_y, rail_.graph().at_lateral(region.mean_y).height};
+  return request_.gap == GapConvention::tangent
+             ? tangent_frame(origin, region.mean_angle)
+             : vertical_frame(origin, Rotation(equilibrium_.pose));
+}
+
+double SideSolver::first_depth() const {
+  if (position_is_prescribed()) {
+    return equilibrium_.vertical - *request_.vertical;
+  }
+  const double angle = equilibrium_.scan.candidates.front().rail_angle;
+  const double load =
+      request_.normal_load ? *request_.normal_load : *request_.vertical_load / std::cos(angle);
+  return estimate_depth(equilibrium_.scan, request_.combined_modulus, load);
+}
+
+Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area,
+                           std::size_t lateral_count, std::size_t longitudinal_count, double depth,
+                           double tolerance) {
+  Trial trial;
+  trial.frame = frame;
+  trial.area = area;
+  trial.grid = grid_over(area, lateral_count, longitudinal_count);
+  trial.depth = depth;
+  const auto remesh_start = Clock::now();
+  trial.distance = sample_undeformed_distance(
+      {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth}, frame, trial.grid);
+  result_.times.remesh += seconds_since(remesh_start);
+
+  const auto mechanics_start = Clock::now();
+  NormalProblem problem;
+  problem.grid = trial.grid;
+  problem.undeformed_distance = trial.distance;
+  problem.combined_modulus = request_.combined_modulus;
+  const double cosine = frame.normal.z;
+  if (position_is_prescribed()) {
+    problem.approach = 0.0; // the wheel has been lowered already
+  } else {
+    problem.normal_load =
+        request_.normal_load ? *request_.normal_load : *request_.vertical_load / cosine;
+  }
+  problem.tolerance = tolerance;
+  problem.maximum_iterations = request_.maximum_iterations;
+  trial.normal = solve_with_polonsky_keer(problem);
+  result_.iterations += trial.normal.iterations;
+  trial.contact = summarise_pressure(trial.grid, trial.normal.pressure);
+  trial.next_depth = depth + trial.normal.approach / cosine;
+  result_.times.mechanics += seconds_since(mechanics_start);
+  return trial;
+}
+
+PlaneArea SideSolver::carried_over(const PlaneArea& area, const ContactFrame& from,
+                                   const ContactFrame& to) const {
+  PenetrationRegion region;
+  region.y_first = region.x_first = std::numeric_limits<double>::infinity();
+  region.y_last = region.x_last = -std::numeric_limits<double>::infinity();
+  for (const double lateral : {area.lateral_first, area.lateral_last}) {
+    for (const double longitudinal : {area.longitudinal_first, area.longitudinal_last}) {
+      const Vector3 place = from.to_track(longitudinal, lateral, 0.0);
+      region.y_first = std::min(region.y_first, place.y);
+      region.y_last = std::max(region.y_last, place.y);
+      region.x_first = std::min(region.x_first, place.x);
+      region.x_last = std::max(region.x_last, place.x);
+    }
+  }
+  return area_of(region, rail_, to);
+}
+
+/// Coarse solutions until depth, plane and extent agree with each other.
+Trial SideSolver::settle_on_coarse_grids(double depth) {
+  ContactFrame frame = frame_at(depth);
+  PlaneArea area =
+      area_of(find_penetration_region(equilibrium_.scan, depth), rail_, frame).widened(0.05);
+  Trial trial;
+  for (int attempt = 0; attempt < coarse_limit; ++attempt) {
+    trial = try_area(frame, area, coarse_lateral_count, coarse_longitudinal_count, depth,
+                     coarse_tolerance);
+    if (trial.no_contact()) {
+      area = area.widened(-0.25); // a contact smaller than an element: look closer
+      continue;
+    }
+    const bool depth_settled =
+        position_is_prescribed() ||
+        std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth;
+    const bool filled =
+        trial.rows() >= least_fill * static_cast<double>(coarse_lateral_count) &&
+        trial.columns() >= least_fill * static_cast<double>(coarse_longitudinal_count);
+    if (depth_settled && filled && !trial.touches_edge()) {
+      break;
+    }
+    area = trial.touches_edge() ? trial.grown(coarse_growth) : trial.contact_area(margin_elements);
+    if (!depth_settled && trial.next_depth > 0.0) {
+      depth = trial.next_depth;
+      const ContactFrame next = frame_at(depth);
+      area = carried_over(area, frame, next);
+      frame = next;
+    }
+  }
+  return trial;
+}
+
+void SideSolver::choose_counts(const Trial& last, const PlaneArea& area, double resolution,
+                               std::size_t& lateral_count, std::size_t& longitudinal_count) const {
+  if (request_.grid) {
+    lateral_count = (*request_.grid)[0];
+    longitudinal_count = (*request_.grid)[1];
+    return;
+  }
+  const double width = last.rows() * last.grid.lateral_step;
+  const double length = last.columns() * last.grid.longitudinal_step;
+  lateral_count = static_cast<std::size_t>(std::ceil(resolution * area.width() / width));
+  longitudinal_count = static_cast<std::size_t>(std::ceil(resolution * area.length() / length));
+}
+
+/// Relative error of pmax and approach on the finer of two grids: both fall with the square of the
+/// element size, so the difference of the two is (n_fine / n_coarse)^2 - 1 times the error of the
+/// finer one. What the iteration left is added.
+double SideSolver::estimate_error(const Trial& coarser, const Trial& finer) const {
+  const double ratio = finer.resolution() / coarser.resolution();
+  const double divisor = std::max(ratio * ratio - 1.0, 0.1);
+  const double peak = std::abs(finer.contact.peak_pressure - coarser.contact.peak_pressure) /
+                      finer.contact.peak_pressure;
+  double other = 0.0;
+  if (position_is_prescribed()) {
+    other = std::abs(finer.normal.normal_force - coarser.normal.normal_force) /
+            finer.normal.normal_force;
+  } else {
+    other = std::abs(finer.next_depth - coarser.next_depth) / finer.next_depth;
+  }
+  return estimate_safety * std::max(peak, other) / divisor + finer.normal.residuals.complementarity;
+}
+
+Trial SideSolver::solve_on_final_grid(const Trial& coarse) {
+  double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
+  ContactFrame frame = frame_at(depth);
+  PlaneArea area = carried_over(coarse.contact_area(margin_elements), coarse.frame, frame);
+  double resolution = first_resolution;
+  Trial coarser = coarse;
+  Trial trial;
+  for (int attempt = 0; attempt < final_limit; ++attempt) {
+    std::size_t lateral_count = 0;
+    std::size_t longitudinal_count = 0;
+    choose_counts(coarser, area, resolution, lateral_count, longitudinal_count);
+    trial = try_area(frame, area, lateral_count, longitudinal_count, depth, request_.tolerance);
+    if (trial.no_contact()) {
+      return trial;
+    }
+    if (trial.touches_edge() && attempt + 1 < final_limit) {
+      ++result_.regrown;
+      area = trial.grown(final_growth);
+      continue;
+    }
+    const double slide = std::abs(trial.next_depth - depth) * std::abs(std::sin(frame.angle()));
+    const double slide_share = std::min(greatest_slide_share, 2.0 * request_.accuracy);
+    if (!position_is_prescribed() && slide > slide_share * trial.next_depth &&
+        attempt + 1 < final_limit) {
+      depth = trial.next_depth;
+      const ContactFrame next = frame_at(depth);
+      area = carried_over(area, frame, next);
+      frame = next;
+      continue;
+    }
+    const std::optional<double> before = result_.error_estimate;
+    if (trial.resolution() > coarser.resolution()) {
+      result_.error_estimate = estimate_error(coarser, trial);
+    }
+    const bool reached = result_.error_estimate && *result_.error_estimate <= request_.accuracy;
+    const bool hopeless = before && *result_.error_estimate * least_gain > *before &&
+                          trial.resolution() > 2.5 * first_resolution;
+    if (request_.grid || reached || hopeless || 2.0 * trial.resolution() > last_resolution) {
+      return trial;
+    }
+    // Refine by two, around the contact now known better.
+    resolution = 2.0 * trial.resolution();
+    area = trial.contact_area(margin_elements);
+    coarser = trial;
+  }
+  return trial;
+}
+
+void SideSolver::warn_about(const Trial& trial) {
+  auto& warnings = result_.warnings;
+  if (trial.normal.stop_reason != StopReason::tolerance_met) {
+    warnings.push_back("not converged: " + std::string(name_of(trial.normal.stop_reason)) +
+                       " after " + std::to_string(trial.normal.iterations) +
+                       " iterations, complementarity " +
+                       text_of(trial.normal.residuals.complementarity));
+  }
+  if (trial.touches_edge()) {
+    warnings.emplace_back("contact touches the edge of the potential contact area");
+  }
+  if (request_.gap == GapConvention::vertical) {
+    const double angle =
+        find_penetration_region(equilibrium_.scan, std::max(trial.depth, 1e-9)).mean_angle;
+    if (std::abs(angle) > vertical_convention_limit) {
+      warnings.push_back("vertical distances at a contact angle of " + text_of(angle) +
+                         " rad (good up to " + text_of(vertical_convention_limit) +
+                         "): use solve.gap = \"tangent\"");
+    }
+  }
+  if (!request_.grid && (!result_.error_estimate || *result_.error_estimate > request_.accuracy)) {
+    warnings.push_back("accuracy " + text_of(request_.accuracy) + " not reached" +
+                       (result_.error_estimate
+                            ? ": estimated error " + text_of(*result_.error_estimate)
+                            : std::string()));
+  }
+  const PenetrationRegion region = find_penetration_region(equilibrium_.scan, trial.depth);
+  if (region.other_regions) {
+    warnings.push_back(
+        "wheel and rail also meet at s_wheel = " + text_of(region.other_wheel_lateral) +
+        " mm under another angle; that patch is not computed");
+  }
+}
+
+SideSolution SideSolver::solve() {
+  if (equilibrium_.scan.candidates.front().at_profile_end) {
+    result_.warnings.emplace_back("contact at the end of a profile");
+  }
+  result_.vertical = equilibrium_.vertical;
+  const double load =
+      request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(1.0);
+  const double depth = load > 0.0 ? first_depth() : 0.0;
+  if (!(depth > 0.0)) {
+    result_.warnings.emplace_back(position_is_prescribed() ? "no contact at this height"
+                                                           : "no load");
+    return std::move(result_);
+  }
+  const Trial coarse = settle_on_coarse_grids(depth);
+  if (coarse.no_contact()) {
+    throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
+  }
+  Trial trial = solve_on_final_grid(coarse);
+  warn_about(trial);
+  result_.in_contact = !trial.no_contact();
+  result_.frame = trial.frame;
+  result_.grid = trial.grid;
+  result_.depth = trial.depth;
+  result_.vertical = equilibrium_.vertical - trial.depth;
+  result_.approach = trial.next_depth * trial.frame.normal.z;
+  result_.peak_pressure = trial.contact.peak_pressure;
+  result_.regions = pressure_regions(trial.grid, trial.normal.pressure);
+  result_.undeformed_distance = std::move(trial.distance);
+  result_.normal = std::move(trial.normal);
+  return std::move(result_);
+}
+
+} // namespace
+
+SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
+                        const SideEquilibrium& equilibrium, const SideRequest& request) {
+  return SideSolver(wheel, rail, equilibrium, request).solve();
+}
+
+} // namespace wrc

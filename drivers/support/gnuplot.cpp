@@ -1,0 +1,49 @@
+#include "support/gnuplot.hpp"
+
+#include <csignal>
+#include <cstdio>
+
+#include "support/output_file.hpp"
+#include "support/scene.hpp"
+
+namespace driver {
+
+Gnuplot::Gnuplot() {
+  script_.precision(9);
+}
+
+void Gnuplot::draw(const std::filesystem::path& path, int width, int height) const {
+  const std::string extension = path.extension().string();
+  std::string terminal;
+  if (extension == ".png") {
+    terminal = "pngcairo";
+  } else if (extension == ".svg") {
+    terminal = "svg";
+  } else {
+    throw Failure("--plot " + path.string() + ": allowed are files that end in .png or .svg");
+  }
+  OutputFile file(path);
+  std::string quoted; // gnuplot doubles a quote within quotes
+  for (const char letter : file.aside().string()) {
+    quoted += letter == '\'' ? "''" : std::string(1, letter);
+  }
+  std::ostringstream whole;
+  whole << "set terminal " << terminal << " size " << width << ',' << height
+        << " enhanced font 'DejaVu Sans,10' background rgb 'white'\n"
+        << "set output '" << quoted << "'\n"
+        << script_.str() << "\nunset output\n";
+  // A gnuplot that is missing or fails closes the pipe: that is told below, not by a signal.
+  std::signal(SIGPIPE, SIG_IGN);
+  FILE* pipe = popen("gnuplot -", "w");
+  const std::string text = whole.str();
+  const bool written =
+      pipe != nullptr && std::fwrite(text.data(), 1, text.size(), pipe) == text.size();
+  const int status = pipe == nullptr ? -1 : pclose(pipe);
+  if (!written || status != 0) {
+    throw Failure("--plot " + path.string() +
+                  ": gnuplot failed; is it installed (Debian package gnuplot-nox)?");
+  }
+  file.commit();
+}
+
+} // namespace driver

@@ -1,0 +1,58 @@
+/// A scene handle for the drivers: owned, and with failures as exceptions.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "wrcontact.h"
+
+namespace driver {
+
+/// A failure that ends the program with one line on stderr.
+class Failure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class Scene {
+public:
+  Scene();
+
+  void set(const std::string& key, double value);
+  void set(const std::string& key, const std::string& value);
+  void set(const std::string& key, const std::vector<double>& values);
+
+  /// False if the iteration has not converged; the results are usable all the same.
+  bool solve();
+
+  [[nodiscard]] bool has_number(const std::string& name) const;
+  [[nodiscard]] double number(const std::string& name) const;
+  /// The number, or a value to take if there is none.
+  [[nodiscard]] double number_or(const std::string& name, double otherwise) const;
+  [[nodiscard]] std::string text(const std::string& name) const;
+  [[nodiscard]] std::vector<double> field(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> number_names() const;
+  [[nodiscard]] std::vector<std::string> text_names() const;
+  /// "left" and "right", as far as they were solved.
+  [[nodiscard]] std::vector<std::string> sides() const;
+  /// Number of entries of a list of results, for example "left.patches".
+  [[nodiscard]] int count_of(const std::string& list) const;
+
+private:
+  void check(wrc_status status) const;
+  std::unique_ptr<wrc_scene, void (*)(wrc_scene*)> handle_;
+};
+
+/// What is told of a key of a scene.
+struct Key {
+  std::string name;
+  std::string default_value;
+  std::string allowed;
+  std::string meaning;
+};
+std::vector<Key> scene_keys();
+
+} // namespace driver

@@ -1,0 +1,113 @@
+#include "geometry/contact_search.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+#include "geometry/brute_force.hpp"
+
+namespace wrc::test {
+namespace {
+
+/// Both ways resolve the least distance far below this, mm.
+constexpr double distance_tolerance = 1e-6;
+/// The place of a smooth least distance d0 + k s^2 / 2 is known to sqrt(2 error / k): with an error
+/// of 1e-12 mm in brute force and the flattest k of these pairs, 1e-4 / mm, that is 1.4e-4 mm.
+constexpr double place_tolerance = 1e-3;
+
+struct Case {
+  const char* wheel;
+  const char* rail;
+  double gauge_height;
+  double back_to_back;
+  double radius;
+  double lateral;
+  double yaw;
+  double roll;
+};
+
+class ContactSearch : public testing::TestWithParam<Case> {};
+
+TEST_P(ContactSearch, AgreesWithBruteForceInTwoDimensions) {
+  const Case& c = GetParam();
+  const WheelSurface wheel(standard_profile(c.wheel), {c.back_to_back, 70.0, c.radius});
+  const RailSurface rail(standard_profile(c.rail), {1435.0, c.gauge_height, std::atan(0.025)});
+  const Pose pose{c.lateral, c.yaw, c.roll};
+  const ContactScan scan = search_contacts(wheel, rail, pose, 0.5, false);
+  const ContactCandidate& contact = scan.candidates.front();
+  const BruteForceContact reference = brute_force_contact(wheel, rail, pose);
+  EXPECT_NEAR(contact.distance, reference.distance, distance_tolerance);
+  // The locus must not be beaten by any point of the surface beyond rounding.
+  EXPECT_LE(contact.distance, reference.distance + 1e-9);
+  const bool near_jump =
+      scan.candidates.size() > 1 && scan.candidates[1].distance - contact.distance < 1e-5;
+  if (!near_jump) {
+    EXPECT_NEAR(contact.wheel.position.x, reference.position.x, place_tolerance);
+    EXPECT_NEAR(contact.wheel.position.y, reference.position.y, place_tolerance);
+    EXPECT_NEAR(contact.wheel.position.z, reference.position.z, place_tolerance);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, ContactSearch,
+                         testing::Values(Case{"S1002", "60E1", 14, 1360, 460, 0, 0, 0},
+                                         Case{"S1002", "60E1", 14, 1360, 460, 5, 0, 3.4e-4},
+                                         Case{"S1002", "60E1", 14, 1360, 460, -5, 0, -3.4e-4},
+                                         Case{"S1002", "60E1", 14, 1360, 460, 3, 0.01, 1e-4},
+                                         Case{"S1002", "60E1", 14, 1360, 460, -3, -0.03, 1e-3},
+                                         Case{"S1002", "60E1", 14, 1360, 460, 6.5, 0.05, 2e-3},
+                                         Case{"S1002", "60E1", 14, 1360, 460, 6.5, -0.05, -2e-3},
+                                         Case{"S1002", "UIC60-Manchester", 14, 1360, 460, 7.5,
+                                              0.024, 1e-3},
+                                         Case{"S1002", "54E1", 14, 1360, 460, 2, 0.02, 0.0},
+                                         Case{"LMA", "CHN60", 16, 1353, 430, -6, 0.05, 5e-4},
+                                         Case{"LM-paper", "CHN60", 16, 1353, 420, 6, -0.05, 5e-4},
+                                         Case{"LM", "CHN60", 16, 1353, 420, 10, 0.05, 4e-3}));
+
+TEST(ContactSearchNearContacts, ListsTreadAndFlangeBesideAJump) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
+  const ContactScan scan = search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.1, true);
+  ASSERT_GE(scan.candidates.size(), 2u);
+  EXPECT_LT(scan.candidates[0].distance, scan.candidates[1].distance);
+  // Two contacts about 10 mm apart on the wheel, less than 0.1 mm different in height.
+  EXPECT_GT(std::abs(scan.candidates[0].wheel.lateral - scan.candidates[1].wheel.lateral), 5.0);
+  for (const auto& candidate : scan.candidates) {
+    EXPECT_LE(candidate.distance - scan.candidates[0].distance, 0.1);
+  }
+  // Every sample of the scan lies above the least distance.
+  for (const auto& sample : scan.samples) {
+    EXPECT_GE(sample.distance, scan.candidates[0].distance - 1e-12);
+  }
+}
+
+TEST(ContactSearchNearContacts, NearToleranceOfZeroLeavesOneContact) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
+  EXPECT_EQ(search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.0, false).candidates.size(), 1u);
+}
+
+TEST(ContactSearchErrors, WheelOffTheRail) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  try {
+    search_contacts(wheel, rail, {500.0, 0.0, 0.0}, 0.0, false);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::no_contact);
+    EXPECT_NE(std::string(error.what()).find("wheel off the rail"), std::string::npos);
+  }
+}
+
+TEST(ContactSearchEnds, FlangeTipOnTheRailIsNotAProfileEnd) {
+  // The tip is an arc of radius 12 about s = -55: the contact lies where its normal is the rail's.
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  const auto climbing = search_contacts(wheel, rail, {40.0, 0.0, 0.0}, 0.0, false);
+  EXPECT_FALSE(climbing.candidates.front().at_profile_end);
+  EXPECT_NEAR(climbing.candidates.front().wheel.lateral,
+              -55.0 + 12.0 * std::sin(climbing.candidates.front().rail_angle), 1e-6);
+}
+
+} // namespace
+} // namespace wrc::test

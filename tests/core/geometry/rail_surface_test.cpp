@@ -1,0 +1,72 @@
+#include "geometry/rail_surface.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+#include "geometry/brute_force.hpp"
+
+namespace wrc::test {
+namespace {
+
+constexpr double rounding = 1e-9; // mm
+
+TEST(RailSurface, TopAndGaugeFaceAreWhereTheTrackPutsThem) {
+  for (const auto name : standard_profile_names(ProfileKind::rail)) {
+    for (const double cant : {0.0, std::atan(1.0 / 40.0), std::atan(1.0 / 30.0)}) {
+      for (const double depth : {14.0, 16.0}) {
+        const RailSurface rail(standard_profile(name), {1435.0, depth, cant});
+        const Curve& curve = rail.graph().curve();
+        double top = -1e9;
+        double face = 1e9;
+        for (double arc = 0.0; arc <= curve.length(); arc += 0.01) {
+          top = std::max(top, curve.at(arc).height);
+          if (curve.at(arc).height > -depth) {
+            face = std::min(face, curve.at(arc).lateral);
+          }
+        }
+        EXPECT_NEAR(top, 0.0, 1e-6) << name;
+        EXPECT_NEAR(face, 717.5, 0.01) << name; // steps of 0.01 mm on a nearly upright face
+      }
+    }
+  }
+}
+
+TEST(RailSurface, CantRaisesTheFieldSide) {
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(1.0 / 40.0)});
+  const double middle = 753.0;
+  EXPECT_GT(rail.graph().at_lateral(middle + 3.0).height,
+            rail.graph().at_lateral(middle - 3.0).height);
+}
+
+TEST(RailSurface, ProfileFrameIsTheInverse) {
+  const Profile profile = standard_profile("60E1");
+  const RailSurface rail(profile, {1435.0, 14.0, 0.04});
+  const Curve& placed = rail.graph().curve();
+  for (double arc = 1.0; arc < placed.length(); arc += 7.3) {
+    double lateral = 0.0;
+    double height = 0.0;
+    rail.to_profile_frame(placed.at(arc).lateral, placed.at(arc).height, lateral, height);
+    EXPECT_NEAR(lateral, profile.curve.at(arc).lateral, rounding);
+    EXPECT_NEAR(height, profile.curve.at(arc).height, rounding);
+  }
+}
+
+TEST(RailSurface, HeightOverALateralCoordinateAgreesWithBisection) {
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(1.0 / 40.0)});
+  for (double y = 718.0; y < 787.0; y += 0.37) {
+    EXPECT_NEAR(rail.graph().at_lateral(y).height, rail_height(rail, y), rounding) << y;
+  }
+}
+
+TEST(RailSurfaceErrors, GaugeHeightBelowTheProfile) {
+  EXPECT_THROW(RailSurface(standard_profile("60E1"), {1435.0, 100.0, 0.025}), Error);
+}
+
+TEST(WheelSurfaceErrors, RadiusSmallerThanTheProfile) {
+  EXPECT_THROW(WheelSurface(standard_profile("S1002"), {1360.0, 70.0, 2.0}), Error);
+}
+
+} // namespace
+} // namespace wrc::test
