@@ -109,10 +109,10 @@ void RegionSums::add(const Grid& grid, std::span<const double> pressure, std::si
     largest_pressure_ = value;
     largest_element_ = element;
   }
-  const double row_offset =
-      static_cast<double>(row) - static_cast<double>(first_element_ / grid.longitudinal_count);
-  const double column_offset =
-      static_cast<double>(column) - static_cast<double>(first_element_ % grid.longitudinal_count);
+  const std::size_t first_row = first_element_ / grid.longitudinal_count;
+  const std::size_t first_column = first_element_ % grid.longitudinal_count;
+  const double row_offset = static_cast<double>(row) - static_cast<double>(first_row);
+  const double column_offset = static_cast<double>(column) - static_cast<double>(first_column);
   ++count_;
   sum_ += value;
   moment_row_ += value * row_offset;

@@ -43,7 +43,8 @@ Profile load_profile(const std::string& name, ProfileKind kind, double smoothing
     }
     std::string text = key + " = \"" + name + "\": allowed is a profile file or one of";
     for (const auto known : names) {
-      text += ' ' + std::string(known);
+      text += ' ';
+      text += known;
     }
     throw Error(ErrorCode::unknown_name, text + " (" + error.what() + ")");
   }

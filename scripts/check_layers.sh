@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Dependencies point one way: fortran_bindings -> c_api -> cxx_core; drivers see only the public
+# interface; in the core the folders follow the way of the data. Read from the include lines.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+failures=0
+
+# check FOLDER ALLOWED: every quoted include in FOLDER starts with one of the ALLOWED prefixes.
+check() {
+  local folder=$1 allowed=$2 bad
+  bad=$(git ls-files "$folder" | grep -E '\.(c|h|cpp|hpp)$' |
+    xargs -r grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' |
+    grep -vE "\"($allowed)" || true)
+  if [ -n "$bad" ]; then
+    echo "$folder may only include $allowed:"
+    echo "$bad"
+    failures=1
+  fi
+}
+
+check cxx_core/profile 'error\.hpp|profile/'
+check cxx_core/geometry 'error\.hpp|profile/|geometry/'
+check cxx_core/remesh 'error\.hpp|profile/|geometry/|remesh/'
+check cxx_core/mechanics 'error\.hpp|remesh/grid\.hpp|mechanics/'
+check cxx_core/scene 'error\.hpp|profile/|geometry/|remesh/|mechanics/|scene/'
+check c_api 'error\.hpp|profile/|scene/|handles\.hpp|wrcontact\.h'
+check drivers 'support/|wrc_[a-z]+/|wrcontact\.h'
+check tests/c_api 'wrcontact\.h'
+
+# One file sees FFTW.
+fftw=$(git ls-files '*.cpp' '*.hpp' '*.h' '*.c' | xargs grep -lE 'include[[:space:]]*<fftw3' || true)
+if [ "$fftw" != cxx_core/mechanics/fft.cpp ]; then
+  echo "only cxx_core/mechanics/fft.cpp may include fftw3.h, but there is: $fftw"
+  failures=1
+fi
+
+# The core does not know what is above it.
+above=$(git ls-files cxx_core | xargs grep -nE 'wrcontact\.h|c_api|WRC_[A-Z]|wrc_[a-z]+\(' || true)
+if [ -n "$above" ]; then
+  echo "the core names the C interface:"
+  echo "$above"
+  failures=1
+fi
+
+# Fortran reaches the library through its own module's C bindings only.
+fortran=$(git ls-files fortran_bindings | xargs -r grep -niE '^[[:space:]]*use[ ,]' |
+  grep -viE 'iso_c_binding|iso_fortran_env|wrcontact' || true)
+if [ -n "$fortran" ]; then
+  echo "fortran_bindings uses more than the C interface:"
+  echo "$fortran"
+  failures=1
+fi
+exit "$failures"

@@ -1,0 +1,8 @@
+# The Debian packages the project needs, by purpose; sourced by the other scripts.
+build_packages=(
+  cmake ninja-build pkg-config g++ gfortran
+  libfftw3-dev liblapack-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
+  gnuplot-nox fonts-dejavu-core
+)
+check_packages=(clang clang-format clang-tidy binutils)
