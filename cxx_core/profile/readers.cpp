@@ -225,6 +225,19 @@ std::vector<Position> settle_points(RawProfile& raw, ProfileKind& kind, const Re
   return std::move(points);
 }
 
+/// Smooths if asked to, then joins the points. A fault there is one of the file's points.
+Curve join(std::vector<Position> points, const ReadOptions& options, Log& log) {
+  try {
+    if (options.smoothing_wavelength > 0.0) {
+      points = smooth_points(points, options.smoothing_wavelength);
+      log.note("smoothed, waves of " + text_of(options.smoothing_wavelength) + " mm are halved");
+    }
+    return curve_through(points);
+  } catch (const Error& error) {
+    log.refuse(error.what());
+  }
+}
+
 RawProfile parse(std::string_view text, ProfileFormat format, Log& log) {
   switch (format) {
   case ProfileFormat::simpack:
@@ -290,18 +303,14 @@ ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::s
     log.refuse("is empty");
   RawProfile raw = parse(text, format, log);
   ProfileKind kind = ProfileKind::wheel;
-  std::vector<Position> points = settle_points(raw, kind, options, log);
-  if (options.smoothing_wavelength > 0.0) {
-    points = smooth_points(points, options.smoothing_wavelength);
-    log.note("smoothed, waves of " + text_of(options.smoothing_wavelength) + " mm are halved");
-  }
+  const std::vector<Position> points = settle_points(raw, kind, options, log);
   Profile profile;
   profile.name = std::filesystem::path(name).stem().string();
   profile.kind = kind;
   profile.title = raw.title.empty() ? profile.name : raw.title;
   profile.source = "file " + std::filesystem::path(name).filename().string();
   profile.confidence = "as the file";
-  profile.curve = curve_through(points);
+  profile.curve = join(points, options, log);
   return {std::move(profile), std::move(log.corrections())};
 }
 

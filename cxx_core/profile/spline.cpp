@@ -11,6 +11,9 @@ namespace wrc {
 namespace {
 
 constexpr int reparametrisations = 2;
+/// Length along the spline per length of its parameter, which is close to 1 for a smooth line;
+/// below this the points turn back on themselves and the tangent is lost.
+constexpr double least_speed = 0.01;
 
 /// Second derivatives at the knots of the not-a-knot cubic spline. The end conditions are
 /// eliminated from the first and last interior equation, which stays diagonally dominant.
@@ -73,6 +76,9 @@ public:
     const Values l = evaluate(i, fraction, lateral_, lateral_second_);
     const Values h = evaluate(i, fraction, height_, height_second_);
     const double speed = std::hypot(l.first, h.first);
+    if (!(speed >= least_speed))
+      throw_invalid_argument("points near (" + text_of(l.value) + ", " + text_of(h.value) + ")",
+                             "turn back on themselves", "a line without cusps");
     const double tangent_lateral = l.first / speed;
     const double tangent_height = h.first / speed;
     const double curvature =

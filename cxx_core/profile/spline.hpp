@@ -16,8 +16,8 @@
 
 namespace wrc {
 
-/// Throws Error(invalid_argument) for fewer than four points or points that coincide with the one
-/// before.
+/// Throws Error(invalid_argument) for fewer than four points, points that coincide with the one
+/// before, and lines that turn back on themselves.
 Curve curve_through(std::span<const Position> points);
 
 } // namespace wrc

@@ -172,6 +172,12 @@ TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
                        "at most 1e+05 mm"));
 }
 
+TEST(Readers, RefusesPointsThatTurnBack) {
+  EXPECT_TRUE(
+      contains(refusal_of("0 0\n10 0\n20 0\n30 0\n20 0\n10 0\n0 0\n", ProfileFormat::columns),
+               "turn back on themselves"));
+}
+
 TEST(Readers, RefusesMorePointsThanTheLimit) {
   std::string rows;
   for (std::size_t i = 0; i <= ReadLimits::most_points; ++i)
