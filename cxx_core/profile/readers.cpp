@@ -142,6 +142,7 @@ ProfileKind kind_by_shape(const std::vector<Position>& points) {
 /// The flange tip stands out from the median height further than anything on the other side.
 bool flange_is_down(const std::vector<Position>& points) {
   std::vector<double> height;
+  height.reserve(points.size());
   for (const Position& point : points)
     height.push_back(point[1]);
   const auto middle = height.begin() + static_cast<std::ptrdiff_t>(height.size() / 2);
