@@ -137,18 +137,26 @@ ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, 
   const Search search(wheel, rail, pose);
   const CurveGraph& graph = wheel.graph();
   const auto starts = graph.curve().starts();
+  // Wheel and rail at all nodes of the wheel profile, and where the rail begins and ends below it.
   std::vector<double> arcs;
-  for (const double arc : starts) {
-    if (arc >= graph.arc_begin() && arc <= graph.arc_end()) {
-      arcs.push_back(arc);
-    }
-  }
   std::vector<Meeting> meetings;
-  meetings.reserve(arcs.size());
   double least = infinity;
-  for (const double arc : arcs) {
-    meetings.push_back(search.at(arc));
-    least = std::min(least, meetings.back().distance);
+  const auto add = [&](double arc, const Meeting& meeting) {
+    arcs.push_back(arc);
+    meetings.push_back(meeting);
+    least = std::min(least, meeting.distance);
+  };
+  for (const double arc : starts) {
+    if (arc < graph.arc_begin() || arc > graph.arc_end()) {
+      continue;
+    }
+    const Meeting here = search.at(arc);
+    if (!meetings.empty() && meetings.back().exists != here.exists) {
+      const double edge = here.exists ? search.edge_between(arc, arcs.back())
+                                      : search.edge_between(arcs.back(), arc);
+      add(edge, search.at(edge));
+    }
+    add(arc, here);
   }
   if (!(least < infinity)) {
     throw Error(
@@ -174,14 +182,8 @@ ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, 
         here.distance > least + near_tolerance + scan_slack) {
       continue;
     }
-    double low = i > 0 ? arcs[i - 1] : arcs[i];
-    double high = i + 1 < count ? arcs[i + 1] : arcs[i];
-    if (i > 0 && !meetings[i - 1].exists) {
-      low = search.edge_between(arcs[i], low);
-    }
-    if (i + 1 < count && !meetings[i + 1].exists) {
-      high = search.edge_between(arcs[i], high);
-    }
+    const double low = i > 0 && meetings[i - 1].exists ? arcs[i - 1] : arcs[i];
+    const double high = i + 1 < count && meetings[i + 1].exists ? arcs[i + 1] : arcs[i];
     scan.candidates.push_back(search.refine(low, high));
   }
   std::stable_sort(scan.candidates.begin(), scan.candidates.end(),

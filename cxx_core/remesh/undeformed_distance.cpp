@@ -10,6 +10,9 @@ namespace {
 constexpr int newton_limit = 50;
 /// Rays are solved to this, mm: a tenth of a thousandth of the smallest approach of interest.
 constexpr double ray_tolerance = 1e-12;
+/// At a step of a profile, as the rounding of a standard's coefficients leaves it, Newton's method
+/// has no root to find: a place this near, mm, is taken.
+constexpr double step_tolerance = 2e-3;
 /// A rail seen from the ray at a flatter angle than this (its cosine) no longer faces it.
 constexpr double least_facing_cosine = 0.02;
 
@@ -41,9 +44,12 @@ public:
       }
       const double step = std::clamp(offset / facing, -largest_step, largest_step);
       const double next = std::clamp(arc + step, 0.0, curve_.length());
-      if (std::abs(step) <= ray_tolerance || (iteration + 1 == newton_limit)) {
+      const bool at_step = iteration + 1 == newton_limit && std::abs(offset) <= step_tolerance;
+      if (std::abs(step) <= ray_tolerance || at_step) {
         arc_ = arc;
-        return ny * (point_.lateral - base.y) + nz * (point_.height - base.z);
+        // In a yawed and rolled frame the normal also leans along the rail: (ny, nz) is no unit.
+        return (ny * (point_.lateral - base.y) + nz * (point_.height - base.z)) /
+               (ny * ny + nz * nz);
       }
       if (next == arc) {
         return std::nullopt; // beyond the profile's end
@@ -70,24 +76,33 @@ public:
   WheelRay(const PosedPair& pair, const ContactFrame& frame)
       : wheel_(pair.wheel), rotation_(pair.pose),
         frame_(frame), centre_{0.0, pair.pose.lateral, pair.vertical},
-        normal_(rotation_.to_body(frame.normal)) {}
+        normal_(rotation_.to_body(frame.normal)),
+        lateral_(rotation_.to_body(frame.origin - centre_).y - wheel_.taping_line()),
+        height_(wheel_.graph().at_lateral(lateral_).height) {}
 
   [[nodiscard]] double lateral() const { return lateral_; }
+  /// Of the wheel profile where the last ray met it; the next ray starts from there.
   [[nodiscard]] double height() const { return height_; }
+  void start_from(double height) { height_ = height; }
 
-  /// Position along the normal at which the ray meets the wheel from below; `start` is a guess.
-  std::optional<double> solve(double longitudinal, double lateral, double start) {
+  /// Position along the normal at which the ray meets the wheel from below.
+  std::optional<double> solve(double longitudinal, double lateral) {
     const Vector3 base = rotation_.to_body(frame_.to_track(longitudinal, lateral, 0.0) - centre_);
-    double position = start;
+    // Start: where the ray enters the cylinder of the radius last met.
+    const double radius = wheel_.radius() + height_;
+    const double a = normal_.x * normal_.x + normal_.z * normal_.z;
+    const double b = base.x * normal_.x + base.z * normal_.z;
+    const double c = base.x * base.x + base.z * base.z - radius * radius;
+    const double discriminant = b * b - a * c;
+    if (!(discriminant > 0.0)) {
+      return std::nullopt;
+    }
+    double position = (-b - std::sqrt(discriminant)) / a;
     double largest_step = 4.0;
     for (int iteration = 0; iteration < newton_limit; ++iteration) {
       const Vector3 body = base + position * normal_;
       lateral_ = body.y - wheel_.taping_line();
-      if (!wheel_.graph().covers(lateral_) && iteration > 10) {
-        return std::nullopt;
-      }
       const CurvePoint profile = wheel_.graph().at_lateral(lateral_);
-      height_ = profile.height;
       const double distance_to_axis = std::hypot(body.x, body.z);
       const double excess = distance_to_axis - (wheel_.radius() + profile.height);
       const double derivative = (body.x * normal_.x + body.z * normal_.z) / distance_to_axis -
@@ -96,8 +111,13 @@ public:
         return std::nullopt;
       }
       const double step = std::clamp(-excess / derivative, -largest_step, largest_step);
-      if (std::abs(step) <= ray_tolerance || iteration + 1 == newton_limit) {
-        return wheel_.graph().covers(lateral_) ? std::optional(position) : std::nullopt;
+      const bool at_step = iteration + 1 == newton_limit && std::abs(excess) <= step_tolerance;
+      if (std::abs(step) <= ray_tolerance || at_step) {
+        if (!wheel_.graph().covers(lateral_)) {
+          return std::nullopt;
+        }
+        height_ = profile.height;
+        return position;
       }
       position += step;
       if (iteration > 10) {
@@ -113,8 +133,8 @@ private:
   const ContactFrame& frame_;
   const Vector3 centre_;
   const Vector3 normal_;
-  double lateral_ = 0.0;
-  double height_ = 0.0;
+  double lateral_;
+  double height_;
 };
 
 /// Index of the element whose centre is nearest to the frame's origin.
@@ -135,7 +155,8 @@ std::vector<double> sample_undeformed_distance(const PosedPair& pair, const Cont
       nearest_index(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   const std::size_t middle_column =
       nearest_index(grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count);
-  double row_start = 0.0; // wheel position at the middle column of the row before
+  const double first_height = wheel.height();
+  double row_start = first_height; // height of the wheel profile in the middle of the row before
 
   const auto sample_row = [&](std::size_t row) {
     const double lateral = grid.lateral(row);
@@ -147,27 +168,24 @@ std::vector<double> sample_undeformed_distance(const PosedPair& pair, const Cont
         return;
       }
     }
-    double start = row_start;
+    wheel.start_from(row_start);
     const auto sample_element = [&](std::size_t column) {
       const double longitudinal = grid.longitudinal(column);
       if (!rail_constant_along_rows) {
         rail_position = rail.solve(longitudinal, lateral);
       }
-      const auto wheel_position = wheel.solve(longitudinal, lateral, start);
-      if (wheel_position) {
-        start = *wheel_position;
-        if (rail_position) {
-          values[column] = *wheel_position - *rail_position;
-        }
+      const auto wheel_position = wheel.solve(longitudinal, lateral);
+      if (wheel_position && rail_position) {
+        values[column] = *wheel_position - *rail_position;
       }
     };
     for (std::size_t column = middle_column; column < grid.longitudinal_count; ++column) {
       sample_element(column);
       if (column == middle_column) {
-        row_start = start;
+        row_start = wheel.height();
       }
     }
-    start = row_start;
+    wheel.start_from(row_start);
     for (std::size_t column = middle_column; column-- > 0;) {
       sample_element(column);
     }
@@ -176,7 +194,7 @@ std::vector<double> sample_undeformed_distance(const PosedPair& pair, const Cont
   for (std::size_t row = middle_row; row < grid.lateral_count; ++row) {
     sample_row(row);
   }
-  row_start = 0.0;
+  row_start = first_height;
   rail.restart();
   for (std::size_t row = middle_row; row-- > 0;) {
     sample_row(row);
@@ -194,7 +212,7 @@ SurfacePlace surfaces_at(const PosedPair& pair, const ContactFrame& frame, doubl
     place.rail_angle = std::atan2(rail.point().tangent_height, rail.point().tangent_lateral);
   }
   WheelRay wheel(pair, frame);
-  if (const auto position = wheel.solve(longitudinal, lateral, 0.0)) {
+  if (const auto position = wheel.solve(longitudinal, lateral)) {
     place.on_wheel = true;
     place.wheel = frame.to_track(longitudinal, lateral, *position);
     place.wheel_lateral = wheel.lateral();

@@ -20,6 +20,7 @@ struct Key {
   KeyDescription description;
   double least = 0.0; ///< range of a number, ends included
   double greatest = 0.0;
+  bool whole = false; ///< whole numbers only
   SetNumber set_number;
   SetText set_text;
   SetNumbers set_numbers;
@@ -48,11 +49,11 @@ bool parse_cant(std::string_view text, double& cant) {
 }
 
 Key number_key(KeyDescription description, double least, double greatest, SetNumber set) {
-  return {description, least, greatest, std::move(set), {}, {}};
+  return {description, least, greatest, false, std::move(set), {}, {}};
 }
 
 Key word_key(KeyDescription description, SetText set) {
-  return {description, 0.0, 0.0, {}, std::move(set), {}};
+  return {description, 0.0, 0.0, false, {}, std::move(set), {}};
 }
 
 SetText one_of(std::vector<std::string_view> words, std::string Scene::*member) {
@@ -261,6 +262,7 @@ std::vector<Key> solve_keys() {
             "number of elements of the potential contact area, by hand"},
            0.0,
            0.0,
+           false,
            {},
            {},
            set_grid};
@@ -272,9 +274,12 @@ std::vector<Key> solve_keys() {
   keys.push_back(number_key({"solve.near_tolerance", "0.1", "0 to 10 mm",
                              "further contacts listed whose distance is less at the first touch"},
                             0.0, 10.0, [](Scene& s, double v) { s.near_tolerance = v; }));
-  keys.push_back(
-      number_key({"solve.threads", "1", "1 to 1024", "threads; the result does not depend on them"},
-                 1.0, 1024.0, [](Scene& s, double v) { s.threads = static_cast<int>(v); }));
+  Key threads =
+      number_key({"solve.threads", "1", "a whole number, 1 to 1024",
+                  "threads; the result does not depend on them"},
+                 1.0, 1024.0, [](Scene& s, double v) { s.threads = static_cast<int>(v); });
+  threads.whole = true;
+  keys.push_back(threads);
   return keys;
 }
 
@@ -326,7 +331,9 @@ std::span<const KeyDescription> scene_keys() {
 
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
-  if (!key.set_number || !(value >= key.least && value <= key.greatest)) {
+  const bool permitted =
+      value >= key.least && value <= key.greatest && (!key.whole || value == std::floor(value));
+  if (!key.set_number || !permitted) {
     refuse(key, text_of(value));
   }
   key.set_number(scene, value);

@@ -33,9 +33,11 @@ constexpr double vertical_convention_limit = 0.15;
 /// Elements across the contact with which an accuracy starts, and at which it gives up.
 constexpr double first_resolution = 24.0;
 constexpr double last_resolution = 400.0;
-/// Refining by two should divide the error by four; less than this is no convergence (a kink of a
-/// profile in the contact has no bounded pressure) and further grids would be wasted.
+/// Refining by two should divide the error by four. A gain below the least one twice in a row is no
+/// convergence (a kink of a profile in the contact has no bounded pressure): further grids would
+/// be wasted.
 constexpr double least_gain = 1.4;
+constexpr int most_failures = 2;
 /// Factor on the estimated discretisation error, for its own uncertainty.
 constexpr double estimate_safety = 2.0;
 
@@ -261,6 +263,7 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse) {
   ContactFrame frame = frame_at(depth);
   PlaneArea area = carried_over(coarse.contact_area(margin_elements), coarse.frame, frame);
   double resolution = first_resolution;
+  int failures = 0;
   Trial coarser = coarse;
   Trial trial;
   for (int attempt = 0; attempt < final_limit; ++attempt) {
@@ -291,9 +294,10 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse) {
       result_.error_estimate = estimate_error(coarser, trial);
     }
     const bool reached = result_.error_estimate && *result_.error_estimate <= request_.accuracy;
-    const bool hopeless = before && *result_.error_estimate * least_gain > *before &&
-                          trial.resolution() > 2.5 * first_resolution;
-    if (request_.grid || reached || hopeless || 2.0 * trial.resolution() > last_resolution) {
+    const bool failed = before && *result_.error_estimate * least_gain > *before;
+    failures = failed ? failures + 1 : 0;
+    if (request_.grid || reached || failures >= most_failures ||
+        2.0 * trial.resolution() > last_resolution) {
       return trial;
     }
     // Refine by two, around the contact now known better.

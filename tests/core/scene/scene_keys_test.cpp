@@ -1,0 +1,112 @@
+#include "scene/scene_keys.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+
+namespace wrc::test {
+namespace {
+
+/// The text of the error that a call throws; fails the test if it throws none.
+template <class Call> std::string error_text(Call&& call, ErrorCode code) {
+  try {
+    call();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "no error";
+  return {};
+}
+
+TEST(SceneKeys, DefaultsAreThePapersTable1) {
+  const Scene scene;
+  EXPECT_EQ(scene.wheel, "S1002");
+  EXPECT_EQ(scene.rail, "60E1");
+  EXPECT_EQ(scene.track.gauge, 1435.0);
+  EXPECT_EQ(scene.track.cant, std::atan(1.0 / 40.0));
+  EXPECT_EQ(scene.wheelset.back_to_back, 1360.0);
+  EXPECT_EQ(scene.wheelset.radius, 460.0);
+  EXPECT_EQ(scene.wheel_material.youngs_modulus, 210000.0);
+  EXPECT_EQ(scene.rail_material.poisson, 0.3);
+}
+
+TEST(SceneKeys, EveryKeyRefusesWhatIsNotPermittedAndSaysWhatIs) {
+  for (const KeyDescription& key : scene_keys()) {
+    Scene scene;
+    const auto refuse_number = [&](double value) {
+      const std::string text =
+          error_text([&] { set_number(scene, key.name, value); }, ErrorCode::invalid_argument);
+      EXPECT_NE(text.find(key.name), std::string::npos) << text;
+      EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
+    };
+    refuse_number(std::numeric_limits<double>::quiet_NaN());
+    refuse_number(1e300);
+    refuse_number(-1e300);
+    const std::string text =
+        error_text([&] { set_text(scene, key.name, ""); }, ErrorCode::invalid_argument);
+    EXPECT_NE(text.find(key.allowed), std::string::npos) << text;
+    const std::array<double, 3> three{1.0, 2.0, 3.0};
+    error_text([&] { set_numbers(scene, key.name, three); }, ErrorCode::invalid_argument);
+  }
+}
+
+TEST(SceneKeys, UnknownKeyListsTheKnownOnes) {
+  Scene scene;
+  const std::string text =
+      error_text([&] { set_number(scene, "pose.latral", 1.0); }, ErrorCode::unknown_name);
+  EXPECT_NE(text.find("pose.latral"), std::string::npos);
+  EXPECT_NE(text.find("pose.lateral"), std::string::npos);
+}
+
+TEST(SceneKeys, CantAsRatioOrAngle) {
+  Scene scene;
+  set_text(scene, "track.cant", "1:20");
+  EXPECT_EQ(scene.track.cant, std::atan(1.0 / 20.0));
+  set_text(scene, "track.cant", "-1:30");
+  EXPECT_EQ(scene.track.cant, -std::atan(1.0 / 30.0));
+  set_number(scene, "track.cant", 0.01);
+  EXPECT_EQ(scene.track.cant, 0.01);
+  for (const char* wrong : {"1:", "1:0", "1:2", "2:40", "1:40x", "x", "1:nan", "1:inf"}) {
+    error_text([&] { set_text(scene, "track.cant", wrong); }, ErrorCode::invalid_argument);
+  }
+  EXPECT_EQ(scene.track.cant, 0.01);
+}
+
+TEST(SceneKeys, LaterCallsReplaceEarlierOnesOfTheSameSubject) {
+  Scene scene;
+  set_number(scene, "load.normal", 5.0);
+  EXPECT_TRUE(scene.normal_load);
+  set_number(scene, "load.left", 7.0);
+  EXPECT_FALSE(scene.normal_load);
+  EXPECT_EQ(scene.left_load, 7.0);
+  EXPECT_EQ(scene.right_load, 80000.0);
+  set_number(scene, "load.vertical", 9.0);
+  EXPECT_EQ(scene.left_load, 9.0);
+  EXPECT_EQ(scene.right_load, 9.0);
+  const std::array<double, 2> grid{256.0, 128.0};
+  set_numbers(scene, "solve.grid", grid);
+  EXPECT_TRUE(scene.grid);
+  set_number(scene, "solve.accuracy", 1e-2);
+  EXPECT_FALSE(scene.grid);
+  set_number(scene, "pose.roll", 1e-3);
+  EXPECT_EQ(scene.roll, 1e-3);
+  set_text(scene, "pose.roll", "en15302");
+  EXPECT_EQ(scene.roll, 0.0);
+  set_text(scene, "pose.roll", "solve");
+  EXPECT_FALSE(scene.roll);
+}
+
+TEST(SceneKeys, GridCountsAreWholeNumbers) {
+  Scene scene;
+  for (const auto& wrong : {std::array{0.0, 4.0}, std::array{2.5, 4.0}, std::array{4.0, 1e9}}) {
+    error_text([&] { set_numbers(scene, "solve.grid", wrong); }, ErrorCode::invalid_argument);
+  }
+  error_text([&] { set_number(scene, "solve.threads", 1.5); }, ErrorCode::invalid_argument);
+}
+
+} // namespace
+} // namespace wrc::test

@@ -1,0 +1,170 @@
+#include "scene/side_solution.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mechanics/hertz.hpp"
+#include "mechanics/material.hpp"
+#include "simple_profiles.hpp"
+
+namespace wrc::test {
+namespace {
+
+const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
+
+struct Fixture {
+  WheelSurface wheel;
+  RailSurface rail;
+  SideEquilibrium equilibrium;
+};
+
+Fixture fixture(const Profile& wheel, const Profile& rail, double lateral, double yaw,
+                double cant) {
+  Fixture made{
+      WheelSurface(wheel, {1360.0, 70.0, 460.0}), RailSurface(rail, {1435.0, 14.0, cant}), {}};
+  EquilibriumRequest request;
+  request.lateral = lateral;
+  request.yaw = yaw;
+  request.roll = 0.0;
+  request.right = false;
+  made.equilibrium = *find_equilibrium(made.wheel, made.rail, request).left;
+  return made;
+}
+
+Fixture s1002(double lateral, double yaw = 0.0) {
+  return fixture(standard_profile("S1002"), standard_profile("60E1"), lateral, yaw,
+                 std::atan(0.025));
+}
+
+TEST(SideSolution, WholeWayMeetsHertzForSmoothBodies) {
+  const Fixture made = fixture(cylindrical_wheel(), circular_rail(300.0), 0.0, 0.0, 0.0);
+  // Circles differ from Hertz's parabolas by about (a / R)^2 / 4: below 1e-4 for these loads.
+  constexpr double tolerance = 2e-3;
+  for (const double load : {1e-3, 1.0, 1e3, 2e4}) {
+    SideRequest request;
+    request.combined_modulus = modulus;
+    request.normal_load = load;
+    const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    const HertzContact hertz = solve_hertz(1.0 / 460.0, 1.0 / 300.0, modulus, load);
+    EXPECT_NEAR(solution.peak_pressure, hertz.peak_pressure, tolerance * hertz.peak_pressure);
+    EXPECT_NEAR(solution.approach, hertz.approach, tolerance * hertz.approach);
+    ASSERT_EQ(solution.regions.size(), 1u);
+    EXPECT_NEAR(solution.regions[0].semi_axis_lateral, hertz.semi_axis_lateral,
+                0.01 * hertz.semi_axis_lateral);
+    EXPECT_NEAR(solution.regions[0].semi_axis_longitudinal, hertz.semi_axis_longitudinal,
+                0.01 * hertz.semi_axis_longitudinal);
+    ASSERT_TRUE(solution.error_estimate);
+    EXPECT_LE(std::abs(solution.peak_pressure / hertz.peak_pressure - 1.0),
+              *solution.error_estimate + 2e-4);
+    EXPECT_TRUE(solution.warnings.empty());
+  }
+}
+
+TEST(SideSolution, SignorinisConditionsHoldOnTheFinalGrid) {
+  for (const double lateral : {-3.0, 0.0, 5.0, 5.6}) {
+    const Fixture made = s1002(lateral, 0.01);
+    SideRequest request;
+    request.combined_modulus = modulus;
+    request.vertical_load = 80000.0;
+    const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    double force = 0.0;
+    double largest_displacement = 0.0;
+    for (const double u : solution.normal.displacement) {
+      largest_displacement = std::max(largest_displacement, u);
+    }
+    // Gaps hold to the tolerance of the iteration, 1e-6 of the largest displacement.
+    const double gap_tolerance = 1e-6 * largest_displacement;
+    for (std::size_t i = 0; i < solution.grid.element_count(); ++i) {
+      const double pressure = solution.normal.pressure[i];
+      const double gap = solution.undeformed_distance[i] + solution.normal.displacement[i] -
+                         solution.normal.approach;
+      EXPECT_GE(pressure, 0.0);
+      EXPECT_GE(gap, -1.01 * gap_tolerance - 1e-4 * largest_displacement * (pressure == 0.0));
+      if (pressure > 0.0) {
+        EXPECT_LE(std::abs(gap), 1.01 * gap_tolerance);
+      }
+      force += pressure * solution.grid.element_area();
+    }
+    EXPECT_NEAR(force * solution.frame.normal.z, 80000.0, 1e-6 * 80000.0);
+    EXPECT_FALSE(edges_in_contact(solution.grid, solution.normal.pressure).any());
+  }
+}
+
+TEST(SideSolution, PositionThatALoadGaveGivesTheLoadBack) {
+  for (const double lateral : {-3.0, 2.0, 5.6}) {
+    const Fixture made = s1002(lateral);
+    SideRequest request;
+    request.combined_modulus = modulus;
+    request.vertical_load = 60000.0;
+    request.grid = {{160, 100}};
+    const SideSolution loaded = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    const double sunk = loaded.approach / loaded.frame.normal.z;
+    SideRequest position;
+    position.combined_modulus = modulus;
+    position.vertical = made.equilibrium.vertical - sunk;
+    position.grid = request.grid;
+    const SideSolution placed = solve_side(made.wheel, made.rail, made.equilibrium, position);
+    // Plane and grid follow from slightly different coarse solutions.
+    EXPECT_NEAR(placed.normal.normal_force * placed.frame.normal.z, 60000.0, 2e-3 * 60000.0);
+    EXPECT_NEAR(placed.approach, loaded.approach, 1e-9);
+  }
+}
+
+TEST(SideSolution, WheelAboveTheRailBearsNothing) {
+  const Fixture made = s1002(0.0);
+  SideRequest request;
+  request.combined_modulus = modulus;
+  request.vertical = made.equilibrium.vertical + 0.01;
+  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  EXPECT_FALSE(solution.in_contact);
+  ASSERT_EQ(solution.warnings.size(), 1u);
+  EXPECT_EQ(solution.warnings[0], "no contact at this height");
+}
+
+TEST(SideSolution, NoLoadIsAResult) {
+  const Fixture made = s1002(0.0);
+  SideRequest request;
+  request.combined_modulus = modulus;
+  request.vertical_load = 0.0;
+  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  EXPECT_FALSE(solution.in_contact);
+  EXPECT_EQ(solution.peak_pressure, 0.0);
+}
+
+TEST(SideSolution, TwoLobesComeOutAsTwoPatches) {
+  const Fixture made = s1002(5.0);
+  SideRequest request;
+  request.combined_modulus = modulus;
+  request.vertical_load = 80000.0;
+  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  EXPECT_EQ(solution.regions.size(), 2u);
+}
+
+TEST(SideSolution, ErrorEstimateBoundsTheErrorAgainstAFinerGrid) {
+  // Truth: a grid four times finer than the finest that the accuracy chose.
+  int bounded = 0;
+  int total = 0;
+  for (const double lateral : {-4.0, -2.0, 0.5, 2.0, 3.5}) {
+    const Fixture made = s1002(lateral);
+    SideRequest request;
+    request.combined_modulus = modulus;
+    request.vertical_load = 80000.0;
+    request.accuracy = 1e-2;
+    const SideSolution asked = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    SideRequest fine = request;
+    fine.grid = {{4 * asked.grid.lateral_count, 4 * asked.grid.longitudinal_count}};
+    fine.tolerance = 1e-8;
+    const SideSolution truth = solve_side(made.wheel, made.rail, made.equilibrium, fine);
+    const double error = std::max(std::abs(asked.peak_pressure / truth.peak_pressure - 1.0),
+                                  std::abs(asked.approach / truth.approach - 1.0));
+    EXPECT_LE(error, request.accuracy) << lateral;
+    ASSERT_TRUE(asked.error_estimate);
+    bounded += error <= *asked.error_estimate ? 1 : 0;
+    ++total;
+  }
+  EXPECT_GE(bounded, total - 1);
+}
+
+} // namespace
+} // namespace wrc::test

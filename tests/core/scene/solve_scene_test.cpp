@@ -1,0 +1,121 @@
+#include "scene/solve_scene.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+
+namespace wrc::test {
+namespace {
+
+Scene small_scene(double lateral, double yaw = 0.0) {
+  Scene scene;
+  scene.lateral = lateral;
+  scene.yaw = yaw;
+  scene.grid = {{60, 48}};
+  return scene;
+}
+
+TEST(SolveScene, MirroredSceneSwapsTheSidesToTheLastBit) {
+  const SceneResult one = solve_scene(small_scene(2.0, 0.01));
+  const SceneResult other = solve_scene(small_scene(-2.0, -0.01));
+  EXPECT_EQ(one.roll, -other.roll);
+  EXPECT_EQ(one.vertical, other.vertical);
+  EXPECT_EQ(one.left->pmax, other.right->pmax);
+  EXPECT_EQ(one.left->lateral_force, -other.right->lateral_force);
+  EXPECT_EQ(one.left->angle, -other.right->angle);
+  EXPECT_EQ(one.left->patches.at(0).centre.y, -other.right->patches.at(0).centre.y);
+  EXPECT_EQ(one.left->fields.pressure, other.right->fields.pressure);
+}
+
+TEST(SolveScene, ThreadsDoNotChangeABit) {
+  Scene scene = small_scene(4.0, 0.02);
+  const SceneResult one = solve_scene(scene);
+  scene.threads = 2;
+  const SceneResult two = solve_scene(scene);
+  EXPECT_EQ(one.left->fields.pressure, two.left->fields.pressure);
+  EXPECT_EQ(one.right->fields.pressure, two.right->fields.pressure);
+  EXPECT_EQ(one.right->approach, two.right->approach);
+}
+
+TEST(SolveScene, OneSideIsTheSameAloneAsBesideTheOther) {
+  Scene scene = small_scene(3.0);
+  const SceneResult both = solve_scene(scene);
+  scene.side = SideChoice::right;
+  const SceneResult right = solve_scene(scene);
+  EXPECT_FALSE(right.left);
+  EXPECT_EQ(both.roll, right.roll);
+  EXPECT_EQ(both.right->fields.pressure, right.right->fields.pressure);
+  EXPECT_FALSE(right.rolling_radius_difference);
+}
+
+TEST(SolveScene, ForcesAndPlacesAreConsistent) {
+  const SceneResult result = solve_scene(small_scene(5.0));
+  for (const auto& [side, sign] :
+       {std::pair(&*result.left, 1.0), std::pair(&*result.right, -1.0)}) {
+    EXPECT_NEAR(side->vertical_force, 80000.0, 1e-6 * 80000.0);
+    EXPECT_NEAR(side->lateral_force, -side->normal_force * std::sin(side->angle),
+                1e-9 * side->normal_force);
+    double area = 0.0;
+    double force = 0.0;
+    for (const PatchResult& patch : side->patches) {
+      area += patch.area;
+      force += patch.normal_force;
+      EXPECT_GT(sign * patch.centre.y, 700.0);
+      EXPECT_LE(patch.pmax, side->pmax * (1.0 + 1e-12));
+    }
+    EXPECT_NEAR(area, side->area, 1e-9 * area);
+    EXPECT_NEAR(force, side->normal_force, 1e-9 * force);
+    // The wheel sinks by the vertical part of the approach.
+    EXPECT_NEAR(side->depth * std::cos(side->angle), side->approach, 1e-12);
+    // Taping line, displacement and contact add up (no yaw, small roll).
+    EXPECT_NEAR(sign * side->rigid_contact.y - sign * 5.0 - 750.0, side->rigid_contact.s_wheel,
+                0.5);
+  }
+  EXPECT_LT(result.left->lateral_force, 0.0);
+  EXPECT_GT(result.right->lateral_force, 0.0);
+  EXPECT_GT(*result.rolling_radius_difference, 0.0); // displaced to the left, S1002
+}
+
+TEST(SolveScene, ValuesByNameAreComplete) {
+  const SceneResult result = solve_scene(small_scene(1.0));
+  const auto numbers = number_values(result);
+  const auto find = [&](const std::string& name) {
+    for (const auto& [key, value] : numbers) {
+      if (key == name) {
+        return value;
+      }
+    }
+    ADD_FAILURE() << name;
+    return 0.0;
+  };
+  EXPECT_EQ(find("left.pmax"), result.left->pmax);
+  EXPECT_EQ(find("right.patches.0.semi_axes.1"), result.right->patches[0].semi_axis_lateral);
+  EXPECT_EQ(find("roll"), result.roll);
+  EXPECT_EQ(field_values(result, "left.pressure").size(), 60u * 48u);
+  EXPECT_EQ(field_values(result, "left.nothing").size(), 0u);
+  EXPECT_EQ(field_values(result, "top.pressure").size(), 0u);
+}
+
+TEST(SolveSceneErrors, UnknownProfileListsTheKnownOnes) {
+  Scene scene;
+  scene.rail = "60E9";
+  try {
+    solve_scene(scene);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::unknown_name);
+    EXPECT_NE(std::string(error.what()).find("track.rail = \"60E9\""), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("60E1"), std::string::npos);
+  }
+}
+
+TEST(SolveSceneErrors, BuiltInProfilesAreNotSmoothed) {
+  Scene scene;
+  scene.rail_smoothing = 3.0;
+  EXPECT_THROW(solve_scene(scene), Error);
+}
+
+} // namespace
+} // namespace wrc::test
