@@ -79,7 +79,7 @@ TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
   if (!file) {
     GTEST_SKIP() << "no contact_cases.json in " << WRCONTACT_REFERENCE_DIR;
   }
-  const auto cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
   const Pair pair = s1002_on("UIC60-Manchester");
   /// The cases give the roll of a trial with its own profile points; asked for is this, rad.
   constexpr double roll_tolerance = 2e-6;

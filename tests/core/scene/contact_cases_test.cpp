@@ -40,8 +40,9 @@ TEST(ContactCases, CalmOnesAgree) {
   if (!file) {
     GTEST_SKIP() << "no contact_cases.json in " << WRCONTACT_REFERENCE_DIR;
   }
+  const nlohmann::json reference = nlohmann::json::parse(file);
   int compared = 0;
-  for (const auto& entry : nlohmann::json::parse(file).at("cases")) {
+  for (const auto& entry : reference.at("cases")) {
     const auto& patches = entry.at("patches");
     const double angle = patches.at(0).at("contact_angle_rad");
     if (patches.size() != 1 || std::abs(angle) >= calm_angle) {
