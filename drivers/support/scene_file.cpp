@@ -1,6 +1,7 @@
 #include "support/scene_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -87,6 +88,16 @@ void set_all(Scene& scene, const std::map<std::string, Value>& values) {
   }
 }
 
+/// What is not TOML: a number such as .5, or else a word.
+Value bare_value(const std::string& text) {
+  double number = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size()) {
+    return number;
+  }
+  return text;
+}
+
 } // namespace
 
 void apply_scene_file(Scene& scene, const std::string& path) {
@@ -132,7 +143,7 @@ void apply_assignments(Scene& scene, const std::vector<std::string>& assignments
     try {
       flatten(toml::parse(key + " = " + value), "", values);
     } catch (const toml::parse_error&) {
-      values.insert_or_assign(key, value); // a bare word
+      values.insert_or_assign(key, bare_value(value));
     }
   }
   set_all(scene, values);
