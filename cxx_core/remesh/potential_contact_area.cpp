@@ -87,7 +87,8 @@ std::vector<Interval> penetration_intervals(const ContactScan& scan, double dept
     const double half_length =
         std::sqrt(2.0 * penetration * std::cos(sample.rail_angle) / sample.wheel.normal_curvature);
     const double spacing = i > 0 ? std::abs(y - samples[i - 1].wheel.position.y) : 0.0;
-    const double weight = penetration * std::max(spacing, 1e-12);
+    // Penetration integrated along the rail: 4/3 of its depth times the half length.
+    const double weight = penetration * half_length * std::max(spacing, 1e-12);
     const Interval here{y,
                         y,
                         sample.wheel.position.x - half_length,

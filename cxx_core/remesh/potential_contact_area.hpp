@@ -24,8 +24,8 @@ struct PenetrationRegion {
   double y_last = 0.0;  ///< ... on the field side
   double x_first = 0.0;
   double x_last = 0.0;
-  double mean_angle = 0.0;    ///< of the rail, weighted with the penetration, rad
-  double mean_y = 0.0;        ///< weighted with the penetration
+  double mean_angle = 0.0;    ///< of the rail, weighted with the penetrated volume, rad
+  double mean_y = 0.0;        ///< weighted with the penetrated volume
   double half_length = 0.0;   ///< largest x_l
   bool other_regions = false; ///< penetration also at another angle, which this area leaves out
   double other_wheel_lateral = 0.0; ///< s where that is deepest
