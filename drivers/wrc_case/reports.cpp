@@ -23,7 +23,7 @@ public:
       : scene_(scene), out_(out), sides_(scene.sides()) {}
 
   void head(const std::string& title) const {
-    out_ << '\n' << std::left << std::setw(34) << title;
+    out_ << '\n' << std::left << std::setw(36) << title;
     for (const std::string& side : sides_) {
       out_ << std::right << std::setw(14) << side;
     }
@@ -32,7 +32,7 @@ public:
 
   void line(const std::string& label, const std::string& unit, const std::string& name,
             int decimals, double factor = 1.0) const {
-    out_ << "  " << std::left << std::setw(25) << label << std::setw(7) << unit << std::right
+    out_ << "  " << std::left << std::setw(28) << label << std::setw(6) << unit << std::right
          << std::fixed << std::setprecision(decimals);
     for (const std::string& side : sides_) {
       const std::string full = side + '.' + name;
@@ -46,7 +46,7 @@ public:
   }
 
   void scientific(const std::string& label, const std::string& name) const {
-    out_ << "  " << std::left << std::setw(32) << label << std::right << std::scientific
+    out_ << "  " << std::left << std::setw(34) << label << std::right << std::scientific
          << std::setprecision(1);
     for (const std::string& side : sides_) {
       const std::string full = side + '.' + name;
