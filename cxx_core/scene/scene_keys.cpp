@@ -90,9 +90,9 @@ std::vector<Key> track_keys() {
                  -0.2, 0.2, [](Scene& s, double v) { s.track.cant = v; });
   cant.set_text = [](Scene& s, std::string_view v) { return parse_cant(v, s.track.cant); };
   keys.push_back(cant);
-  keys.push_back(
-      word_key({"track.rail", "\"60E1\"", "a built-in rail or a profile file", "rail profile"},
-               profile_name(&Scene::rail)));
+  keys.push_back(word_key(
+      {"track.rail", "\"60E1\"", "a text: a built-in rail or a profile file", "rail profile"},
+      profile_name(&Scene::rail)));
   keys.push_back(number_key({"track.rail_smoothing", "0.0", "0 (none) to 100 mm",
                              "smoothing wavelength of a rail profile read from a file"},
                             0.0, 100.0, [](Scene& s, double v) { s.rail_smoothing = v; }));
@@ -101,9 +101,9 @@ std::vector<Key> track_keys() {
 
 std::vector<Key> wheelset_keys() {
   std::vector<Key> keys;
-  keys.push_back(word_key(
-      {"wheelset.wheel", "\"S1002\"", "a built-in wheel or a profile file", "wheel profile"},
-      profile_name(&Scene::wheel)));
+  keys.push_back(word_key({"wheelset.wheel", "\"S1002\"",
+                           "a text: a built-in wheel or a profile file", "wheel profile"},
+                          profile_name(&Scene::wheel)));
   keys.push_back(number_key({"wheelset.wheel_smoothing", "0.0", "0 (none) to 100 mm",
                              "smoothing wavelength of a wheel profile read from a file"},
                             0.0, 100.0, [](Scene& s, double v) { s.wheel_smoothing = v; }));

@@ -33,10 +33,11 @@ constexpr double vertical_convention_limit = 0.15;
 /// Elements across the contact with which an accuracy starts, and at which it gives up.
 constexpr double first_resolution = 24.0;
 constexpr double last_resolution = 400.0;
-/// Refining by two should divide the error by four. A gain below the least one twice in a row is no
-/// convergence (a kink of a profile in the contact has no bounded pressure): further grids would
-/// be wasted.
+/// Refining by two should divide the error by four. A gain below the least one twice in a row, or
+/// once on a grid that should resolve any smooth contact, is no convergence (a kink of a profile in
+/// the contact has no bounded pressure): further grids would be wasted.
 constexpr double least_gain = 1.4;
+constexpr double resolving_resolution = 90.0;
 constexpr int most_failures = 2;
 /// Factor on the estimated discretisation error, for its own uncertainty.
 constexpr double estimate_safety = 2.0;
@@ -296,8 +297,9 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse) {
     const bool reached = result_.error_estimate && *result_.error_estimate <= request_.accuracy;
     const bool failed = before && *result_.error_estimate * least_gain > *before;
     failures = failed ? failures + 1 : 0;
-    if (request_.grid || reached || failures >= most_failures ||
-        2.0 * trial.resolution() > last_resolution) {
+    const bool hopeless =
+        failures >= most_failures || (failed && trial.resolution() > resolving_resolution);
+    if (request_.grid || reached || hopeless || 2.0 * trial.resolution() > last_resolution) {
       return trial;
     }
     // Refine by two, around the contact now known better.

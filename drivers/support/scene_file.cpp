@@ -21,7 +21,11 @@ namespace driver {
 namespace {
 
 namespace fs = std::filesystem;
-using Value = std::variant<double, std::string, std::vector<double>>;
+/// A value that stands for itself, without quotes: a word or a number, as the key needs it.
+struct Bare {
+  std::string text;
+};
+using Value = std::variant<double, std::string, std::vector<double>, Bare>;
 
 /// A scene file is short: a larger one is something else.
 constexpr std::uintmax_t largest_scene_file = 1 << 20;
@@ -70,9 +74,33 @@ void flatten(const toml::table& table, const std::string& prefix,
   }
 }
 
+/// Sets a bare value: a text if the key takes it as one (the rail 60E1 looks like a number), or
+/// else a number.
+void set_bare(Scene& scene, const std::string& key, const std::string& text) {
+  double number = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
+  try {
+    scene.set(key, text);
+  } catch (const Failure&) {
+    if (!is_number) {
+      throw;
+    }
+    scene.set(key, number);
+  }
+}
+
 void set_all(Scene& scene, const std::map<std::string, Value>& values) {
   const auto set = [&scene](const std::string& key, const Value& value) {
-    std::visit([&](const auto& held) { scene.set(key, held); }, value);
+    if (const Bare* bare = std::get_if<Bare>(&value)) {
+      set_bare(scene, key, bare->text);
+    } else if (const double* number = std::get_if<double>(&value)) {
+      scene.set(key, *number);
+    } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+      scene.set(key, *numbers);
+    } else {
+      scene.set(key, std::get<std::string>(value));
+    }
   };
   const std::vector<Key> keys = scene_keys();
   for (const auto& [name, value] : values) {
@@ -86,16 +114,6 @@ void set_all(Scene& scene, const std::map<std::string, Value>& values) {
       set(key.name, found->second);
     }
   }
-}
-
-/// What is not TOML: a number such as .5, or else a word.
-Value bare_value(const std::string& text) {
-  double number = 0.0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size()) {
-    return number;
-  }
-  return text;
 }
 
 } // namespace
@@ -140,10 +158,15 @@ void apply_assignments(Scene& scene, const std::vector<std::string>& assignments
     }
     const std::string key = assignment.substr(0, equals);
     const std::string value = assignment.substr(equals + 1);
-    try {
-      flatten(toml::parse(key + " = " + value), "", values);
-    } catch (const toml::parse_error&) {
-      values.insert_or_assign(key, bare_value(value));
+    // Texts in quotes, lists and tables are TOML, the rest stands for itself.
+    if (value.find_first_of("\"'[{") == 0) {
+      try {
+        flatten(toml::parse(key + " = " + value), "", values);
+      } catch (const toml::parse_error& error) {
+        throw Failure("--set " + assignment + ": " + std::string(error.description()));
+      }
+    } else {
+      values.insert_or_assign(key, Bare{value});
     }
   }
   set_all(scene, values);
