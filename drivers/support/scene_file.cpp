@@ -1,6 +1,7 @@
 #include "support/scene_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -24,6 +25,8 @@ using Value = std::variant<double, std::string, std::vector<double>>;
 
 /// A scene file is short: a larger one is something else.
 constexpr std::uintmax_t largest_scene_file = 1 << 20;
+/// Keys whose value is a built-in name or a file.
+constexpr std::array<const char*, 2> profile_keys{"track.rail", "wheelset.wheel"};
 
 std::string text_of(const toml::node& node) {
   std::ostringstream text;
@@ -108,7 +111,7 @@ void apply_scene_file(Scene& scene, const std::string& path) {
          << error.description();
     throw Failure(text.str());
   }
-  for (const char* key : {"track.rail", "wheelset.wheel"}) {
+  for (const char* key : profile_keys) {
     const auto found = values.find(key);
     if (found != values.end() && std::holds_alternative<std::string>(found->second)) {
       const fs::path beside = fs::path(path).parent_path() / std::get<std::string>(found->second);
@@ -129,6 +132,12 @@ void apply_assignments(Scene& scene, const std::vector<std::string>& assignments
     }
     const std::string key = assignment.substr(0, equals);
     const std::string value = assignment.substr(equals + 1);
+    const bool is_quoted = value.starts_with('"') || value.starts_with('\'');
+    if (std::find(profile_keys.begin(), profile_keys.end(), key) != profile_keys.end() &&
+        !is_quoted) {
+      values.insert_or_assign(key, value); // 60E1 would be the number 600
+      continue;
+    }
     try {
       flatten(toml::parse(key + " = " + value), "", values);
     } catch (const toml::parse_error&) {

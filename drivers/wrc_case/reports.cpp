@@ -32,7 +32,7 @@ public:
 
   void line(const std::string& label, const std::string& unit, const std::string& name,
             int decimals, double factor = 1.0) const {
-    out_ << "  " << std::left << std::setw(25) << label << std::setw(7) << unit << std::right
+    out_ << "  " << std::left << std::setw(27) << label << std::setw(5) << unit << std::right
          << std::fixed << std::setprecision(decimals);
     for (const std::string& side : sides_) {
       const std::string full = side + '.' + name;
