@@ -68,23 +68,28 @@ std::optional<ProfilePoint> last_before(const Profile& profile, const std::vecto
   return found == arcs.begin() ? std::nullopt : std::optional(profile.at(*(found - 1)));
 }
 
-/// The highest point: of the points at hand, then between the neighbours of the best one.
-ProfilePoint highest(const Profile& profile, const std::vector<ProfilePoint>& points) {
-  const auto by_height = [](const ProfilePoint& a, const ProfilePoint& b) {
-    return a.height < b.height;
+/// The point of largest quantity: of the points at hand, then between the neighbours of the best.
+ProfilePoint greatest(const Profile& profile, const std::vector<ProfilePoint>& points,
+                      const Quantity& quantity) {
+  const auto less = [&quantity](const ProfilePoint& a, const ProfilePoint& b) {
+    return quantity(a) < quantity(b);
   };
-  const auto best = std::max_element(points.begin(), points.end(), by_height);
+  const auto best = std::max_element(points.begin(), points.end(), less);
   double first = best == points.begin() ? best->arc : (best - 1)->arc;
   double last = best + 1 == points.end() ? best->arc : (best + 1)->arc;
   for (int k = 0; k < halvings; ++k) {
     const double third = (last - first) / 3.0;
-    if (profile.at(first + third).height < profile.at(last - third).height) {
+    if (less(profile.at(first + third), profile.at(last - third))) {
       first += third;
     } else {
       last -= third;
     }
   }
-  return std::max(profile.at(0.5 * (first + last)), *best, by_height);
+  return std::max(profile.at(0.5 * (first + last)), *best, less);
+}
+
+ProfilePoint highest(const Profile& profile, const std::vector<ProfilePoint>& points) {
+  return greatest(profile, points, height_of);
 }
 
 std::vector<Dimension> wheel_dimensions(const Profile& profile,
@@ -247,14 +252,13 @@ Measures measure(const Profile& profile, double flange_back) {
   Measures measures;
   measures.nodes = profile.nodes();
   measures.length = profile.length();
-  measures.least_lateral = measures.greatest_lateral = points.front().lateral;
-  measures.least_height = measures.greatest_height = points.front().height;
-  for (const ProfilePoint& point : points) {
-    measures.least_lateral = std::min(measures.least_lateral, point.lateral);
-    measures.greatest_lateral = std::max(measures.greatest_lateral, point.lateral);
-    measures.least_height = std::min(measures.least_height, point.height);
-    measures.greatest_height = std::max(measures.greatest_height, point.height);
-  }
+  const auto most = [&](const Quantity& quantity) {
+    return quantity(greatest(profile, points, quantity));
+  };
+  measures.greatest_lateral = most(lateral_of);
+  measures.greatest_height = most(height_of);
+  measures.least_lateral = -most([](const ProfilePoint& point) { return -point.lateral; });
+  measures.least_height = -most([](const ProfilePoint& point) { return -point.height; });
   measures.dimensions = profile.is_wheel() ? wheel_dimensions(profile, points, flange_back)
                                            : rail_dimensions(profile, points);
   measures.checks = check_curve(points);
