@@ -58,6 +58,9 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
 extern "C" {
 
 const char* wrc_profile_standard_name(int32_t kind, int64_t index) {
+  if (kind != WRC_WHEEL && kind != WRC_RAIL) {
+    return nullptr;
+  }
   try {
     const auto names = wrc::standard_profile_names(kind == WRC_RAIL ? wrc::ProfileKind::rail
                                                                     : wrc::ProfileKind::wheel);

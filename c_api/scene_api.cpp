@@ -76,12 +76,13 @@ wrc_status wrc_scene_solve(wrc_scene* scene) {
       converged =
           converged && (!side.get() || side.get()->stop_reason == wrc::StopReason::tolerance_met);
     }
+    std::string error =
+        converged ? "" : "not converged: see left.stop_reason and right.stop_reason";
+    // From here on nothing fails: the handle has the old results or all of the new ones.
     scene->numbers.swap(numbers);
     scene->texts.swap(texts);
     scene->result = std::move(result);
-    if (!converged) {
-      scene->error = "not converged: see left.stop_reason and right.stop_reason";
-    }
+    scene->error.swap(error);
     return converged ? WRC_OK : WRC_NOT_CONVERGED;
   });
 }

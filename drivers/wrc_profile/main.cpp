@@ -1,0 +1,263 @@
+// wrc_profile: shows, converts, checks and draws a wheel or rail profile.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "support/scene.hpp"
+#include "wrc_profile/picture.hpp"
+#include "wrc_profile/reports.hpp"
+
+namespace {
+
+using driver::Failure;
+using driver::Profile;
+
+/// As many as a profile file may have.
+constexpr double most_points = 200000.0;
+
+struct Arguments {
+  std::string name;
+  std::string kind;
+  std::string mirror_lateral;
+  std::string mirror_height;
+  double scale = 0.0;
+  double smoothing = 0.0;
+  bool strict = false;
+  std::string convert;
+  double spacing = 0.25;
+  std::string plot;
+  std::string compare;
+  double tape_offset = 70.0;
+  bool points = false;
+  bool json = false;
+  bool list = false;
+};
+
+bool is_standard(const std::string& name) {
+  for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
+    const auto names = driver::standard_profile_names(kind);
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Profile load_file(const std::string& argument, const std::string& path,
+                  const wrc_read_options& options) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    std::string names = driver::standard_names_text();
+    names.pop_back();
+    std::replace(names.begin(), names.end(), '\n', ' ');
+    throw Failure(argument + ' ' + path + ": no such file; allowed are files and built-in names. " +
+                  names);
+  }
+  return Profile::file(path, options);
+}
+
+wrc_read_options options_from(const Arguments& arguments) {
+  const auto choice = [](const std::string& word) {
+    return word.empty() ? 0 : word == "yes" ? 1 : -1;
+  };
+  wrc_read_options options{};
+  options.struct_size = sizeof options;
+  options.kind_given = arguments.kind.empty() ? 0 : 1;
+  options.kind = arguments.kind == "rail" ? WRC_RAIL : WRC_WHEEL;
+  options.mirror_lateral = choice(arguments.mirror_lateral);
+  options.mirror_height = choice(arguments.mirror_height);
+  options.strict = arguments.strict ? 1 : 0;
+  options.scale = arguments.scale;
+  options.smoothing_wavelength = arguments.smoothing;
+  return options;
+}
+
+Profile load_asked(const CLI::App& app, const Arguments& arguments) {
+  if (!is_standard(arguments.name)) {
+    return load_file("NAME|FILE", arguments.name, options_from(arguments));
+  }
+  for (const char* option :
+       {"--kind", "--mirror-lateral", "--mirror-height", "--scale", "--smooth", "--strict"}) {
+    if (app.count(option) > 0) {
+      throw Failure(std::string(option) + ": allowed only with a file; " + arguments.name +
+                    " is built in and exact");
+    }
+  }
+  return Profile::standard(arguments.name);
+}
+
+/// The second profile: as the file says, but of the same kind.
+Profile load_other(const std::string& name, const Profile& profile) {
+  if (is_standard(name)) {
+    return Profile::standard(name);
+  }
+  wrc_read_options options{};
+  options.struct_size = sizeof options;
+  options.kind_given = 1;
+  options.kind = profile.is_wheel() ? WRC_WHEEL : WRC_RAIL;
+  return load_file("--compare", name, options);
+}
+
+/// Writes the file and reads it back, as a check of both spacing and format.
+driver::Conversion convert(const Profile& profile, const std::string& path, double spacing) {
+  try {
+    profile.write(path, spacing);
+  } catch (const Failure& failure) {
+    throw Failure("--convert " + path + ": " + failure.what());
+  }
+  wrc_read_options options{};
+  options.struct_size = sizeof options;
+  options.kind_given = 1;
+  options.kind = profile.is_wheel() ? WRC_WHEEL : WRC_RAIL;
+  options.mirror_lateral = options.mirror_height = -1;
+  return {path, spacing, compare(profile, Profile::file(path, options))};
+}
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  const CLI::Validator positive(
+      [](const std::string& text) {
+        double value = 0.0;
+        const bool allowed =
+            CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
+        return allowed ? std::string() : text + " given, allowed is a positive number";
+      },
+      "");
+  app.add_option("PROFILE", arguments.name, "built-in name or file")->type_name("NAME|FILE");
+  app.add_flag("--list", arguments.list, "list the built-in profiles")->group("What to show");
+  app.add_flag("--points", arguments.points,
+               "add points of the curve: arc, lateral, height, angle, curvature")
+      ->group("What to show");
+  app.add_option("--compare", arguments.compare,
+                 "largest and rms normal distance to another profile in the same frame")
+      ->type_name("NAME|FILE")
+      ->group("What to show");
+  app.add_option("--tape-offset", arguments.tape_offset,
+                 "flange back to taping line of a wheel, for the flange thickness")
+      ->type_name("MM")
+      ->capture_default_str()
+      ->check(positive)
+      ->group("What to show");
+  app.add_flag("--json", arguments.json, "print one JSON object instead of the table")
+      ->group("What to show");
+  app.add_option("--plot", arguments.plot, "draw the profile to scale and its curvature")
+      ->type_name("FILE.png|svg")
+      ->group("What to write");
+  app.add_option("--convert", arguments.convert,
+                 "write the profile: Simpack by the extensions .prr (rail) and .prw (wheel), else "
+                 "two columns")
+      ->type_name("OUT.txt|prr|prw")
+      ->group("What to write");
+  app.add_option("--spacing", arguments.spacing,
+                 "arc length between points, for --convert and --points")
+      ->type_name("MM")
+      ->capture_default_str()
+      ->check(positive)
+      ->group("What to write");
+  const CLI::IsMember yes_or_no({"yes", "no"});
+  app.add_option("--kind", arguments.kind, "wheel or rail; default: by the file")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"wheel", "rail"}))
+      ->group("How to read a file");
+  app.add_option("--mirror-lateral", arguments.mirror_lateral,
+                 "mirror lateral values: yes or no; default: by the shape")
+      ->type_name("YES|NO")
+      ->check(yes_or_no)
+      ->group("How to read a file");
+  app.add_option("--mirror-height", arguments.mirror_height,
+                 "mirror heights: yes or no; default: by the shape")
+      ->type_name("YES|NO")
+      ->check(yes_or_no)
+      ->group("How to read a file");
+  app.add_option("--scale", arguments.scale, "mm per unit of the file; default: by the size")
+      ->type_name("MM")
+      ->check(positive)
+      ->group("How to read a file");
+  app.add_option("--smooth", arguments.smoothing,
+                 "smooth: waves of this length are halved, shorter ones vanish")
+      ->type_name("MM")
+      ->check(positive)
+      ->group("How to read a file");
+  app.add_flag("--strict", arguments.strict, "refuse a file that needs a guess")
+      ->group("How to read a file");
+  app.footer(
+      "\nProfiles are in mm: lateral from the taping line (wheel) or the axis (rail), positive to\n"
+      "the field side; height of a wheel towards larger radius, of a rail upwards. What had to be\n"
+      "corrected to get there is told line by line; --strict refuses instead.\n\n" +
+      driver::standard_names_text() +
+      "\nExamples:\n"
+      "  wrc_profile S1002\n"
+      "      dimensions and checks of a built-in wheel\n"
+      "  wrc_profile measured.txt --kind rail --smooth 3 --plot rail.png\n"
+      "      a measurement in two columns, smoothed and drawn\n"
+      "  wrc_profile worn.prw --compare S1002 --plot wear.svg\n"
+      "      how far a worn wheel is from the new one\n"
+      "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"
+      "      a file for other programs; it is read back, and the difference told\n"
+      "  wrc_profile LMA --points --spacing 1 --json\n"
+      "      points, angles and curvature for a script\n");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Shows, checks, converts and draws a wheel or rail profile.");
+  Arguments arguments;
+  add_options(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      return app.exit(error);
+    }
+    std::cerr << "wrc_profile: " << error.what() << " (see wrc_profile --help)\n";
+    return 2;
+  }
+  if (arguments.list) {
+    driver::print_list(arguments.json, std::cout);
+    return 0;
+  }
+  if (arguments.name.empty()) {
+    throw Failure("no profile given: allowed is a built-in name or a file (see --help, --list)");
+  }
+  Profile profile = load_asked(app, arguments);
+  const driver::Measures measures = measure(profile, -arguments.tape_offset);
+  driver::ProfileReport report{std::move(profile), measures, {}, {}, {}, {}};
+  std::optional<Profile> other;
+  if (!arguments.compare.empty()) {
+    other = load_other(arguments.compare, report.profile);
+    report.other_name = other->text("name");
+    report.comparison = compare(report.profile, *other);
+  }
+  if (!arguments.convert.empty()) {
+    report.conversion = convert(report.profile, arguments.convert, arguments.spacing);
+  }
+  if (arguments.points) {
+    const double least_spacing = measures.length / most_points;
+    if (arguments.spacing < least_spacing) {
+      throw Failure("--spacing " + CLI::detail::to_string(arguments.spacing) +
+                    ": allowed with --points is " + CLI::detail::to_string(least_spacing) +
+                    " mm or more for this profile");
+    }
+    report.points = equal_points(report.profile, arguments.spacing);
+  }
+  if (!arguments.plot.empty()) {
+    draw_profile(report.profile, measures, other ? &*other : nullptr, arguments.plot);
+  }
+  if (arguments.json) {
+    print_json(report, std::cout);
+  } else {
+    print_table(report, std::cout);
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "wrc_profile: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,268 @@
+#include "wrc_profile/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "support/scene.hpp"
+
+namespace driver {
+namespace {
+
+/// Points of each piece; curvature is a low polynomial in between.
+constexpr int points_a_piece = 8;
+/// Halvings until an arc length of 500 mm is known to rounding.
+constexpr int halvings = 60;
+constexpr double degree = std::numbers::pi / 180.0;
+/// Rounding of the angle of a vertical side, which is no overhang.
+constexpr double angle_rounding = 1e-9;
+/// Heights and depths at which wheels and rails are measured, mm (EN 13715, EN 13674-1).
+constexpr double flange_measuring_height = 10.0;
+constexpr double below_flange_tip = 2.0;
+constexpr double upper_head_depth = 14.0;
+constexpr double lower_head_depth = 16.0;
+/// Half chord of the circle that tells the crown radius: inside the crown arc of all rails built
+/// in, and long against the noise of a measurement.
+constexpr double crown_half_chord = 5.0;
+
+using Quantity = std::function<double(const ProfilePoint&)>;
+
+double lateral_of(const ProfilePoint& point) {
+  return point.lateral;
+}
+
+double height_of(const ProfilePoint& point) {
+  return point.height;
+}
+
+/// Arc lengths at which a quantity passes a value, in ascending order.
+std::vector<double> crossings(const Profile& profile, const std::vector<ProfilePoint>& points,
+                              const Quantity& quantity, double value) {
+  std::vector<double> arcs;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    double before = points[i - 1].arc;
+    double after = points[i].arc;
+    const bool rises = quantity(points[i - 1]) < value;
+    if (rises == (quantity(points[i]) < value)) {
+      continue;
+    }
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = 0.5 * (before + after);
+      ((quantity(profile.at(middle)) < value) == rises ? before : after) = middle;
+    }
+    arcs.push_back(after);
+  }
+  return arcs;
+}
+
+std::optional<ProfilePoint> first_after(const Profile& profile, const std::vector<double>& arcs,
+                                        double arc) {
+  const auto found = std::upper_bound(arcs.begin(), arcs.end(), arc);
+  return found == arcs.end() ? std::nullopt : std::optional(profile.at(*found));
+}
+
+std::optional<ProfilePoint> last_before(const Profile& profile, const std::vector<double>& arcs,
+                                        double arc) {
+  const auto found = std::lower_bound(arcs.begin(), arcs.end(), arc);
+  return found == arcs.begin() ? std::nullopt : std::optional(profile.at(*(found - 1)));
+}
+
+/// The point of largest quantity: of the points at hand, then between the neighbours of the best.
+ProfilePoint greatest(const Profile& profile, const std::vector<ProfilePoint>& points,
+                      const Quantity& quantity) {
+  const auto less = [&quantity](const ProfilePoint& a, const ProfilePoint& b) {
+    return quantity(a) < quantity(b);
+  };
+  const auto best = std::max_element(points.begin(), points.end(), less);
+  double first = best == points.begin() ? best->arc : (best - 1)->arc;
+  double last = best + 1 == points.end() ? best->arc : (best + 1)->arc;
+  for (int k = 0; k < halvings; ++k) {
+    const double third = (last - first) / 3.0;
+    if (less(profile.at(first + third), profile.at(last - third))) {
+      first += third;
+    } else {
+      last -= third;
+    }
+  }
+  return std::max(profile.at(0.5 * (first + last)), *best, less);
+}
+
+ProfilePoint highest(const Profile& profile, const std::vector<ProfilePoint>& points) {
+  return greatest(profile, points, height_of);
+}
+
+std::vector<Dimension> wheel_dimensions(const Profile& profile,
+                                        const std::vector<ProfilePoint>& points,
+                                        double flange_back) {
+  const ProfilePoint tip = highest(profile, points);
+  const auto at_taping_line = crossings(profile, points, lateral_of, 0.0);
+  std::optional<double> flange_height;
+  std::optional<double> flange_thickness;
+  std::optional<double> steepness;
+  std::optional<double> slope;
+  if (!at_taping_line.empty()) {
+    const ProfilePoint taping = profile.at(at_taping_line.back());
+    flange_height = tip.height - taping.height;
+    slope = std::tan(taping.angle);
+    const auto flank = first_after(
+        profile, crossings(profile, points, height_of, taping.height + flange_measuring_height),
+        tip.arc);
+    const auto below_tip = first_after(
+        profile, crossings(profile, points, height_of, tip.height - below_flange_tip), tip.arc);
+    if (flank) {
+      flange_thickness = flank->lateral - flange_back;
+    }
+    if (flank && below_tip) {
+      steepness = flank->lateral - below_tip->lateral;
+    }
+  }
+  const std::optional<double> conicity = slope ? std::optional(-*slope) : std::nullopt;
+  return {
+      {"flange_height", "flange height", "mm", flange_height, "tip above the taping line"},
+      {"flange_thickness", "flange thickness", "mm", flange_thickness,
+       "flange back to flank, 10 mm above the taping line"},
+      {"qr", "qR", "mm", steepness,
+       "across, from 2 mm below the flange tip to the flank 10 mm above the taping line"},
+      {"slope", "slope at taping line", "", slope, "height over lateral; a cone falls outwards"},
+      {"conicity", "conicity", "", conicity, "of the cone tangent at the taping line"}};
+}
+
+std::optional<double> head_width(const Profile& profile, const std::vector<ProfilePoint>& points,
+                                 const ProfilePoint& top, double depth) {
+  const auto arcs = crossings(profile, points, height_of, top.height - depth);
+  const auto gauge = last_before(profile, arcs, top.arc);
+  const auto field = first_after(profile, arcs, top.arc);
+  return gauge && field ? std::optional(field->lateral - gauge->lateral) : std::nullopt;
+}
+
+/// Radius of the circle through the top and the curve on both sides of it.
+std::optional<double> crown_radius(const Profile& profile, const std::vector<ProfilePoint>& points,
+                                   const ProfilePoint& top) {
+  const auto gauge = last_before(
+      profile, crossings(profile, points, lateral_of, top.lateral - crown_half_chord), top.arc);
+  const auto field = first_after(
+      profile, crossings(profile, points, lateral_of, top.lateral + crown_half_chord), top.arc);
+  if (!gauge || !field) {
+    return std::nullopt;
+  }
+  const double a = std::hypot(top.lateral - gauge->lateral, top.height - gauge->height);
+  const double b = std::hypot(field->lateral - top.lateral, field->height - top.height);
+  const double c = std::hypot(field->lateral - gauge->lateral, field->height - gauge->height);
+  const double twice_area = (top.lateral - gauge->lateral) * (field->height - gauge->height) -
+                            (top.height - gauge->height) * (field->lateral - gauge->lateral);
+  return twice_area == 0.0 ? std::nullopt : std::optional(a * b * c / (-2.0 * twice_area));
+}
+
+std::vector<Dimension> rail_dimensions(const Profile& profile,
+                                       const std::vector<ProfilePoint>& points) {
+  const ProfilePoint top = highest(profile, points);
+  return {{"head_width_14", "head width at 14 mm", "mm",
+           head_width(profile, points, top, upper_head_depth), "14 mm below the top"},
+          {"head_width_16", "head width at 16 mm", "mm",
+           head_width(profile, points, top, lower_head_depth), "16 mm below the top"},
+          {"crown_radius", "crown radius", "mm", crown_radius(profile, points, top),
+           "circle through the top and the points 5 mm beside it"}};
+}
+
+std::vector<SteepPart> find_steep_parts(const std::vector<ProfilePoint>& points) {
+  std::vector<SteepPart> parts;
+  bool inside = false;
+  for (const ProfilePoint& point : points) {
+    if (std::abs(point.angle) <= steep_angle * degree) {
+      inside = false;
+      continue;
+    }
+    if (!inside) {
+      parts.push_back({point, point, point.angle, false});
+    }
+    inside = true;
+    SteepPart& part = parts.back();
+    part.last = point;
+    if (std::abs(point.angle) > std::abs(part.steepest_angle)) {
+      part.steepest_angle = point.angle;
+    }
+    part.overhangs =
+        part.overhangs || std::abs(point.angle) > 0.5 * std::numbers::pi + angle_rounding;
+  }
+  return parts;
+}
+
+Checks check_curve(const std::vector<ProfilePoint>& points) {
+  Checks checks;
+  double largest_curvature = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ProfilePoint& point = points[i];
+    if (std::abs(point.curvature) > largest_curvature) {
+      largest_curvature = std::abs(point.curvature);
+      checks.radius_at = point;
+    }
+    // The last point of a piece is followed by the first of the next one.
+    if (i == 0 || i % (points_a_piece + 1) != 0) {
+      continue;
+    }
+    const ProfilePoint& before = points[i - 1];
+    const double kink =
+        std::abs(std::remainder(point.angle - before.angle, 2.0 * std::numbers::pi));
+    const double step = std::hypot(point.lateral - before.lateral, point.height - before.height);
+    if (kink > checks.largest_kink) {
+      checks.largest_kink = kink;
+      checks.kink_at = point;
+    }
+    if (step > checks.largest_step) {
+      checks.largest_step = step;
+      checks.step_at = point;
+    }
+  }
+  checks.smallest_radius = largest_curvature > 0.0 ? 1.0 / largest_curvature : 0.0;
+  checks.steep_parts = find_steep_parts(points);
+  return checks;
+}
+
+} // namespace
+
+std::vector<ProfilePoint> equal_points(const Profile& profile, double spacing) {
+  const double length = profile.length();
+  const auto parts = static_cast<std::size_t>(std::ceil(length / spacing));
+  std::vector<ProfilePoint> points;
+  points.reserve(parts + 1);
+  for (std::size_t i = 0; i <= parts; ++i) {
+    points.push_back(profile.at(length * (static_cast<double>(i) / static_cast<double>(parts))));
+  }
+  return points;
+}
+
+std::vector<ProfilePoint> piece_points(const Profile& profile) {
+  const std::vector<double> nodes = profile.nodes();
+  std::vector<ProfilePoint> points;
+  points.reserve(nodes.size() * (points_a_piece + 1));
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    // An arc length on a node counts to the piece that begins there.
+    const double end = std::nextafter(nodes[i + 1], nodes[i]);
+    for (int k = 0; k <= points_a_piece; ++k) {
+      const double share = static_cast<double>(k) / points_a_piece;
+      points.push_back(profile.at(k == points_a_piece ? end : std::lerp(nodes[i], end, share)));
+    }
+  }
+  return points;
+}
+
+Measures measure(const Profile& profile, double flange_back) {
+  const std::vector<ProfilePoint> points = piece_points(profile);
+  Measures measures;
+  measures.nodes = profile.nodes();
+  measures.length = profile.length();
+  const auto most = [&](const Quantity& quantity) {
+    return quantity(greatest(profile, points, quantity));
+  };
+  measures.greatest_lateral = most(lateral_of);
+  measures.greatest_height = most(height_of);
+  measures.least_lateral = -most([](const ProfilePoint& point) { return -point.lateral; });
+  measures.least_height = -most([](const ProfilePoint& point) { return -point.height; });
+  measures.dimensions = profile.is_wheel() ? wheel_dimensions(profile, points, flange_back)
+                                           : rail_dimensions(profile, points);
+  measures.checks = check_curve(points);
+  return measures;
+}
+
+} // namespace driver

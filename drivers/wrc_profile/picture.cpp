@@ -1,0 +1,149 @@
+#include "wrc_profile/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+
+#include "support/gnuplot.hpp"
+
+namespace driver {
+namespace {
+
+/// Pixels. Both panels share their left and right edges, so that curvature stands below its place.
+constexpr double plot_width = 900.0;
+constexpr double left_margin = 80.0;
+constexpr double right_margin = 30.0;
+constexpr double top_margin = 50.0;
+constexpr double between = 70.0;
+constexpr double curvature_height = 240.0;
+constexpr double bottom_margin = 60.0;
+/// Room around the profile, as a share of its width.
+constexpr double room = 0.04;
+/// A narrow profile is drawn smaller rather than higher than this, pixels.
+constexpr double greatest_height = 1400.0;
+/// A kink below this is rounding of a drawing's numbers, rad.
+constexpr double least_marked_kink = 1e-3;
+
+std::string rounded(double value, int decimals) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(decimals) << value;
+  return text.str();
+}
+
+/// gnuplot's enhanced text takes these letters as commands.
+std::string plain(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '\'') {
+      escaped += "''";
+    } else if (std::string("_^{}@&~\\").find(letter) != std::string::npos) {
+      escaped += std::string("\\") + letter;
+    } else {
+      escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+void write_points(std::ostream& out, const std::string& block,
+                  const std::vector<ProfilePoint>& points) {
+  out << '$' << block << " << EOD\n";
+  for (const ProfilePoint& point : points) {
+    out << point.lateral << ' ' << point.height << ' ' << point.curvature << '\n';
+  }
+  out << "EOD\n";
+}
+
+/// The range that holds nearly all curvature: the spikes of a noisy file would flatten the rest.
+std::pair<double, double> curvature_range(const std::vector<ProfilePoint>& points) {
+  std::vector<double> values;
+  for (const ProfilePoint& point : points) {
+    values.push_back(point.curvature);
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t aside = values.size() / 200;
+  const double low = std::min(values[aside], 0.0);
+  const double high = std::max(values[values.size() - 1 - aside], 0.0);
+  const double margin = std::max(0.08 * (high - low), 1e-5);
+  return {low - margin, high + margin};
+}
+
+std::string dimension_text(const Measures& measures) {
+  std::string text;
+  for (const Dimension& dimension : measures.dimensions) {
+    if (dimension.value && dimension.key != "slope") {
+      text += (text.empty() ? "" : ",  ") + dimension.label + ' ' +
+              rounded(*dimension.value, dimension.unit.empty() ? 4 : 2) +
+              (dimension.unit.empty() ? "" : ' ' + dimension.unit);
+    }
+  }
+  return text;
+}
+
+} // namespace
+
+void draw_profile(const Profile& profile, const Measures& measures, const Profile* other,
+                  const std::filesystem::path& path) {
+  const double margin = room * (measures.greatest_lateral - measures.least_lateral);
+  double width = measures.greatest_lateral - measures.least_lateral + 2.0 * margin;
+  const double height = measures.greatest_height - measures.least_height + 2.0 * margin;
+  // At one scale for both directions.
+  width = std::max(width, height * plot_width / greatest_height);
+  const double middle = 0.5 * (measures.least_lateral + measures.greatest_lateral);
+  const double profile_height = height * plot_width / width;
+  const double total_width = left_margin + plot_width + right_margin;
+  const double total_height =
+      top_margin + profile_height + between + curvature_height + bottom_margin;
+
+  Gnuplot gnuplot;
+  std::ostream& out = gnuplot.script();
+  const auto points = piece_points(profile);
+  write_points(out, "profile", points);
+  if (other != nullptr) {
+    write_points(out, "other", piece_points(*other));
+  }
+  const Checks& checks = measures.checks;
+  const auto [low, high] = curvature_range(points);
+  const bool is_curved = checks.smallest_radius > 0.0;
+  const bool has_kink = checks.largest_kink > least_marked_kink;
+  write_points(out, "radius", {checks.radius_at});
+  write_points(out, "kink", {checks.kink_at});
+  out << "set grid lt 1 lw 1 lc rgb '#dddddd'\nset tics out nomirror\nset border 3 lc rgb "
+         "'#555555'\n"
+      << "set xrange [" << middle - 0.5 * width << ':' << middle + 0.5 * width << "]\n"
+      << "set lmargin at screen " << left_margin / total_width << "\nset rmargin at screen "
+      << (left_margin + plot_width) / total_width << "\nset multiplot\n"
+      << "set tmargin at screen " << 1.0 - top_margin / total_height << "\nset bmargin at screen "
+      << 1.0 - (top_margin + profile_height) / total_height << "\nset title '"
+      << plain(profile.text("name")) << " (" << profile.kind_name() << ")   "
+      << plain(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
+      << measures.least_height - margin << ':' << measures.greatest_height + margin << "]\n"
+      << "set key " << (profile.is_wheel() ? "top right" : "bottom center") << "\nplot ";
+  if (other != nullptr) {
+    out << "$other using 1:2 with lines lw 4 lc rgb '#f1a340' title '" << plain(other->text("name"))
+        << "', ";
+  }
+  out << "$profile using 1:2 with lines lw 2 lc rgb '#1f4e9e' title '"
+      << plain(profile.text("name")) << '\'';
+  if (is_curved) {
+    out << ", $radius using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '#d00000' title "
+           "'smallest radius "
+        << rounded(checks.smallest_radius, 2) << " mm'";
+  }
+  if (has_kink) {
+    out << ", $kink using 1:2 with points pt 8 ps 1.4 lw 2 lc rgb '#2a8a2a' title 'largest kink "
+        << rounded(1e3 * checks.largest_kink, 1) << " mrad'";
+  }
+  out << "\nset title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
+      << "\nset bmargin at screen " << bottom_margin / total_height
+      << "\nset xlabel 'lateral, mm (positive to the field side)'\nset ylabel 'curvature, 1/mm'\n"
+      << "set yrange [" << low << ':' << high << "]\nset xzeroaxis lc rgb '#888888'\nplot ";
+  if (other != nullptr) {
+    out << "$other using 1:3 with lines lw 3 lc rgb '#f1a340' notitle, ";
+  }
+  out << "$profile using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle\nunset multiplot\n";
+  gnuplot.draw(path, static_cast<int>(std::lround(total_width)),
+               static_cast<int>(std::lround(total_height)));
+}
+
+} // namespace driver

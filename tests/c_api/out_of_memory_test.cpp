@@ -1,0 +1,101 @@
+/// Every allocation of a call fails once: the status is WRC_OUT_OF_MEMORY, nothing escapes, and the
+/// handle is as it was. Memory is refused by this program's own operator new.
+#include <cstdlib>
+#include <new>
+
+#include "handles.hpp"
+
+namespace {
+
+/// Allocations that still succeed; negative: all do.
+thread_local long allocations_left = -1;
+
+} // namespace
+
+void* operator new(std::size_t size) {
+  if (allocations_left == 0) {
+    throw std::bad_alloc();
+  }
+  if (allocations_left > 0) {
+    --allocations_left;
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace {
+
+/// The status of a call when its n-th allocation fails.
+template <class Call> wrc_status with_allocations(long count, Call&& call) {
+  allocations_left = count;
+  const wrc_status status = call();
+  allocations_left = -1;
+  return status;
+}
+
+TEST(OutOfMemory, NoHandleIsMade) {
+  wrc_scene* scene = nullptr;
+  EXPECT_EQ(with_allocations(0, [&] { return wrc_scene_create(&scene); }), WRC_OUT_OF_MEMORY);
+  EXPECT_EQ(scene, nullptr);
+  wrc_profile* profile = nullptr;
+  EXPECT_EQ(with_allocations(0, [&] { return wrc_profile_create(&profile); }), WRC_OUT_OF_MEMORY);
+  EXPECT_EQ(profile, nullptr);
+}
+
+TEST(OutOfMemory, ATextIsNotSet) {
+  const ScenePointer scene = make_small_scene();
+  const std::string long_name(200, 'x');
+  EXPECT_EQ(
+      with_allocations(
+          0, [&] { return wrc_scene_set_text(scene.get(), "track.rail", long_name.c_str()); }),
+      WRC_OUT_OF_MEMORY);
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << "the rail has changed";
+}
+
+TEST(OutOfMemory, AProfileKeepsWhatItHeld) {
+  const ProfilePointer profile = make_profile();
+  ASSERT_EQ(wrc_profile_load_standard(profile.get(), "S1002"), WRC_OK);
+  wrc_status status = WRC_OUT_OF_MEMORY;
+  long count = 0;
+  for (; status == WRC_OUT_OF_MEMORY; ++count) {
+    status =
+        with_allocations(count, [&] { return wrc_profile_load_standard(profile.get(), "60E1"); });
+    std::int32_t kind = WRC_RAIL;
+    ASSERT_EQ(wrc_profile_kind(profile.get(), &kind), WRC_OK);
+    EXPECT_EQ(kind, status == WRC_OK ? WRC_RAIL : WRC_WHEEL);
+  }
+  EXPECT_EQ(status, WRC_OK);
+  EXPECT_GT(count, 1) << "no allocation has failed";
+}
+
+TEST(OutOfMemory, ASceneKeepsItsResults) {
+  const ScenePointer scene = make_small_scene();
+  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  const double before = number_of(scene.get(), "left.pmax");
+  ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", 90000.0), WRC_OK);
+  // Steps grow, since a solution makes tens of thousands of allocations and each trial solves.
+  wrc_status status = WRC_OUT_OF_MEMORY;
+  long failures = 0;
+  for (long count = 0; status != WRC_OK; count += 1 + count / 8) {
+    status = with_allocations(count, [&] { return wrc_scene_solve(scene.get()); });
+    if (status != WRC_OK) {
+      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_scene_error(scene.get());
+      ASSERT_EQ(number_of(scene.get(), "left.pmax"), before) << count;
+      ++failures;
+    }
+  }
+  EXPECT_GT(failures, 10);
+  EXPECT_NE(number_of(scene.get(), "left.pmax"), before);
+}
+
+} // namespace

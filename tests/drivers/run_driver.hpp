@@ -1,0 +1,96 @@
+/// Runs a command-line program as its users do, in a folder of the test's own.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string error;
+
+  /// A failure as promised: non-zero, nothing on stdout, one line on stderr with these parts.
+  void expect_refusal(std::initializer_list<std::string> parts) const {
+    EXPECT_GT(exit_code, 0);
+    EXPECT_EQ(out, "");
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
+    for (const std::string& part : parts) {
+      EXPECT_NE(error.find(part), std::string::npos) << '"' << part << "\" is not in: " << error;
+    }
+  }
+};
+
+class Driver : public ::testing::Test {
+protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(::testing::TempDir()) /
+              (std::string("wrcontact_") + test->test_suite_name() + '_' + test->name() + '_' +
+               std::to_string(getpid())); // two runs of the tests may go on at once
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// Runs a shell command line in the test's folder.
+  [[nodiscard]] Outcome run(const std::string& program, const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" + program + "' " + arguments +
+                                " >stdout.captured 2>stderr.captured";
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.out = read("stdout.captured");
+    outcome.error = read("stderr.captured");
+    return outcome;
+  }
+  [[nodiscard]] nlohmann::json run_json(const std::string& program,
+                                        const std::string& arguments) const {
+    const Outcome outcome = run(program, arguments + " --json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    return nlohmann::json::parse(outcome.out);
+  }
+
+  void write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << content;
+  }
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  [[nodiscard]] bool exists(const std::string& name) const {
+    return std::filesystem::exists(folder_ / name);
+  }
+  /// Number of entries besides what run() leaves.
+  [[nodiscard]] std::ptrdiff_t file_count() const {
+    return std::distance(std::filesystem::directory_iterator(folder_), {}) -
+           (exists("stdout.captured") ? 2 : 0);
+  }
+  /// What a picture file starts with.
+  [[nodiscard]] bool is_png(const std::string& name) const {
+    return read(name).starts_with("\x89PNG\r\n");
+  }
+  [[nodiscard]] bool is_svg(const std::string& name) const {
+    return read(name).find("<svg") != std::string::npos;
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+inline std::ptrdiff_t line_count(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+inline bool gnuplot_is_there() {
+  return std::system("gnuplot --version >/dev/null 2>&1") == 0;
+}

@@ -1,0 +1,249 @@
+/// wrc_case as a process: what it prints, writes and refuses.
+#include <sstream>
+
+#include "run_driver.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+/// A grid that is solved in milliseconds.
+const std::string small = "--set solve.grid=[24,20] ";
+
+class WrcCase : public Driver {
+protected:
+  [[nodiscard]] Outcome solve(const std::string& arguments) const {
+    return run(WRC_CASE_PROGRAM, arguments);
+  }
+  [[nodiscard]] json solve_json(const std::string& arguments) const {
+    return run_json(WRC_CASE_PROGRAM, arguments);
+  }
+};
+
+TEST_F(WrcCase, DefaultIsTable1) {
+  const Outcome outcome = solve("");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.error, "");
+  for (const char* part : {"pmax", "area", "normal force", "approach", "left", "right"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(file_count(), 0) << "files appeared unasked";
+}
+
+TEST_F(WrcCase, JsonHasEveryKey) {
+  const json result = solve_json("");
+  for (const char* key : {"roll", "vertical"}) {
+    EXPECT_TRUE(result.at(key).is_number()) << key;
+  }
+  EXPECT_TRUE(result.at("model").is_string());
+  EXPECT_EQ(result.at("units"), "mm, N, MPa, rad");
+  for (const char* name : {"left", "right"}) {
+    SCOPED_TRACE(name);
+    const json& side = result.at(name);
+    for (const char* key : {"s_wheel", "t_rail", "y", "z", "angle"}) {
+      EXPECT_TRUE(side.at("rigid_contact").at(key).is_number()) << key;
+    }
+    for (const char* key : {"pmax", "area", "normal_force", "vertical_force", "lateral_force",
+                            "approach", "error_estimate"}) {
+      EXPECT_TRUE(side.at(key).is_number()) << key;
+    }
+    EXPECT_TRUE(side.at("iterations").is_number_integer());
+    ASSERT_EQ(side.at("grid").size(), 2U);
+    EXPECT_TRUE(side.at("grid").at(0).is_number_integer());
+    EXPECT_TRUE(side.at("warnings").is_array());
+    ASSERT_EQ(side.at("patches").size(), 1U);
+    const json& patch = side.at("patches").at(0);
+    for (const char* key :
+         {"pmax", "area", "normal_force", "approach", "angle", "x", "y", "z", "s_wheel"}) {
+      EXPECT_TRUE(patch.at(key).is_number()) << key;
+    }
+    EXPECT_EQ(patch.at("semi_axes").size(), 2U);
+  }
+  for (const char* key : {"profile", "setup", "geometry", "remesh", "mechanics", "total"}) {
+    EXPECT_TRUE(result.at("time_ms").at(key).is_number()) << key;
+  }
+}
+
+TEST_F(WrcCase, JsonNumbersKeepAllDigits) {
+  const json result =
+      solve_json(small + "--set pose.lateral=0.1 --set pose.roll=0.0123456789012345");
+  EXPECT_EQ(result.at("roll").get<double>(), 0.0123456789012345);
+}
+
+TEST_F(WrcCase, OneSideOnly) {
+  const json result = solve_json(small + "--set solve.side=left");
+  EXPECT_TRUE(result.contains("left"));
+  EXPECT_FALSE(result.contains("right"));
+}
+
+TEST_F(WrcCase, PrescribedPositionWithoutTouchIsAResult) {
+  const json result = solve_json("--set pose.vertical=500");
+  EXPECT_EQ(result.at("left").at("pmax"), 0.0);
+  EXPECT_EQ(result.at("left").at("patches").size(), 0U);
+  EXPECT_EQ(result.at("left").at("warnings").size(), 1U);
+  EXPECT_TRUE(result.at("left").at("error_estimate").is_null());
+}
+
+TEST_F(WrcCase, CsvHasALineASide) {
+  const Outcome outcome = solve(small + "--csv");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  std::istringstream lines(outcome.out);
+  std::string head;
+  std::string left;
+  std::string right;
+  std::getline(lines, head);
+  std::getline(lines, left);
+  std::getline(lines, right);
+  EXPECT_EQ(line_count(outcome.out), 3);
+  const auto commas = [](const std::string& line) {
+    return std::count(line.begin(), line.end(), ',');
+  };
+  EXPECT_TRUE(head.starts_with("side,roll,vertical,"));
+  EXPECT_TRUE(left.starts_with("left,"));
+  EXPECT_TRUE(right.starts_with("right,"));
+  EXPECT_EQ(commas(left), commas(head));
+  EXPECT_EQ(commas(right), commas(head));
+}
+
+TEST_F(WrcCase, FieldHasALineAnElement) {
+  const Outcome outcome = solve(small + "--field out.csv");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const std::string field = read("out.csv");
+  EXPECT_TRUE(field.starts_with("side,x,y,z,undeformed_distance,pressure,displacement\n"));
+  EXPECT_EQ(line_count(field), 1 + 2 * 24 * 20);
+  EXPECT_EQ(file_count(), 1) << "a file written aside was left";
+}
+
+TEST_F(WrcCase, VtkCountsAgree) {
+  const Outcome outcome = solve(small + "--vtk out.vtk");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const std::string vtk = read("out.vtk");
+  EXPECT_TRUE(vtk.starts_with("# vtk DataFile Version 3.0\n"));
+  EXPECT_NE(vtk.find("\nPOINTS 960 double\n"), std::string::npos);
+  EXPECT_NE(vtk.find("\nCELLS 874 4370\n"), std::string::npos); // 2 * 23 * 19 quads
+  EXPECT_NE(vtk.find("\nPOINT_DATA 960\nSCALARS undeformed_distance double 1\n"),
+            std::string::npos);
+}
+
+TEST_F(WrcCase, PlotDrawsBothKindsOfFile) {
+  if (!gnuplot_is_there()) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  ASSERT_EQ(solve(small + "--plot a.png").exit_code, 0);
+  EXPECT_TRUE(is_png("a.png"));
+  ASSERT_EQ(solve(small + "--plot a.svg").exit_code, 0);
+  EXPECT_TRUE(is_svg("a.svg"));
+  EXPECT_EQ(file_count(), 2);
+}
+
+TEST_F(WrcCase, SceneFileWithTables) {
+  write("scene.toml", "[track]\ngauge = 1437.5\ncant = \"1:20\"\n"
+                      "[material.wheel]\nyoungs_modulus = 200000.0\n"
+                      "[pose]\nlateral = 2.0\n[load]\nleft = 50000.0\nvertical = 60000\n"
+                      "[solve]\ngrid = [24, 20]\n");
+  const json from_file = solve_json("scene.toml");
+  const json from_arguments =
+      solve_json(small + "--set track.gauge=1437.5 --set track.cant=1:20 --set "
+                         "material.wheel.youngs_modulus=200000 --set pose.lateral=2 --set "
+                         "load.vertical=60000 --set load.left=50000");
+  for (const char* side : {"left", "right"}) {
+    for (const char* key : {"pmax", "approach", "vertical_force"}) {
+      EXPECT_EQ(from_file.at(side).at(key), from_arguments.at(side).at(key)) << side << key;
+    }
+  }
+  // General before special, whatever the order in the file.
+  constexpr double load_balance = 1e-4; // N, rounding of the balance
+  EXPECT_NEAR(from_file.at("left").at("vertical_force").get<double>(), 50000.0, load_balance);
+  EXPECT_NEAR(from_file.at("right").at("vertical_force").get<double>(), 60000.0, load_balance);
+}
+
+TEST_F(WrcCase, SetOverridesTheSceneFile) {
+  write("scene.toml", "[pose]\nlateral = 2.0\nroll = 0.001\n[solve]\ngrid = [24, 20]\n");
+  EXPECT_EQ(solve_json("scene.toml --set pose.roll=0.002").at("roll"), 0.002);
+  EXPECT_EQ(solve_json("scene.toml --set pose.roll=0.003 --set pose.roll=0.004").at("roll"), 0.004);
+}
+
+TEST_F(WrcCase, SetTakesNamesThatLookLikeNumbers) {
+  // 60E1 and its kin are floating-point numbers to TOML.
+  const json bare = solve_json(small + "--set track.rail=54E3");
+  const json quoted = solve_json(small + "--set 'track.rail=\"54E3\"'");
+  const json other = solve_json(small + "--set track.rail=60E1");
+  EXPECT_EQ(bare.at("left").at("pmax"), quoted.at("left").at("pmax"));
+  EXPECT_NE(bare.at("left").at("pmax"), other.at("left").at("pmax"));
+  EXPECT_EQ(other.at("left").at("pmax"), solve_json(small).at("left").at("pmax"));
+}
+
+TEST_F(WrcCase, ProfileFilesStandBesideTheSceneFile) {
+  ASSERT_EQ(run(WRC_PROFILE_PROGRAM, "54E3 --convert 54E3.prr").exit_code, 0);
+  write("scenes/scene.toml", "[track]\nrail = \"my.prr\"\n[solve]\ngrid = [24, 20]\n");
+  write("scenes/my.prr", read("54E3.prr"));
+  constexpr double conversion_error = 1e-3; // of points 0.25 mm apart, relative in pmax
+  const double pmax = solve_json("scenes/scene.toml").at("left").at("pmax");
+  const double exact = solve_json(small + "--set track.rail=54E3").at("left").at("pmax");
+  EXPECT_NEAR(pmax, exact, conversion_error * exact);
+}
+
+TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
+  solve("--set pose.sideways=1").expect_refusal({"pose.sideways", "pose.lateral"});
+  solve("--set pose.lateral=1000").expect_refusal({"pose.lateral = 1000", "-100 to 100"});
+  solve("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-100 to 100"});
+  solve("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});
+  solve("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "1 to 8192"});
+  solve("--set 'solve.grid=[\"a\",8]'").expect_refusal({"solve.grid", "numbers"});
+  solve("--set solve.threads=true").expect_refusal({"solve.threads = \"true\""});
+  solve("--set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
+  solve("--set =3").expect_refusal({"--set =3", "key=value"});
+  solve("--set track.rail=nowhere.txt").expect_refusal({"track.rail", "nowhere.txt", "60E1"});
+  solve("--set pose.lateral=100").expect_refusal({"pose.lateral"});
+}
+
+TEST_F(WrcCase, RefusesBadArguments) {
+  solve("--json --csv").expect_refusal({"--json", "--csv"});
+  solve("--jason").expect_refusal({"--jason"});
+  solve("one.toml two.toml").expect_refusal({"two.toml"});
+  solve("--plot").expect_refusal({"--plot"});
+}
+
+TEST_F(WrcCase, RefusesBadSceneFiles) {
+  solve("missing.toml").expect_refusal({"missing.toml"});
+  write("bad.toml", "[pose]\nlateral = 1.0\nyaw = = 2\n");
+  solve("bad.toml").expect_refusal({"bad.toml", "line 3"});
+  write("unknown.toml", "[pose]\nsideways = 1.0\n");
+  solve("unknown.toml").expect_refusal({"pose.sideways"});
+  write("type.toml", "[solve]\nside = 2\n");
+  solve("type.toml").expect_refusal({"solve.side = 2"});
+  write("profile.toml", "[track]\nrail = \"bad.prr\"\n");
+  write("bad.prr", "no profile at all\n");
+  solve("profile.toml").expect_refusal({"bad.prr"});
+  solve(".").expect_refusal({"scene file ."});
+}
+
+TEST_F(WrcCase, RefusesFilesThatCannotBeWritten) {
+  for (const char* option : {"--vtk", "--field"}) {
+    const Outcome outcome = solve(small + option + " nowhere/out");
+    EXPECT_GT(outcome.exit_code, 0);
+    EXPECT_NE(outcome.error.find("nowhere/out"), std::string::npos) << outcome.error;
+  }
+  const Outcome outcome = solve(small + "--plot a.pdf");
+  EXPECT_GT(outcome.exit_code, 0);
+  EXPECT_NE(outcome.error.find("--plot a.pdf"), std::string::npos) << outcome.error;
+}
+
+TEST_F(WrcCase, NotConvergedPrintsResultsAndHasItsOwnExitCode) {
+  const Outcome outcome = solve("--set pose.lateral=3 --set solve.grid=[200,100] --set "
+                                "solve.tolerance=1e-13 --json");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.error.find("not converged"), std::string::npos);
+  EXPECT_GT(json::parse(outcome.out).at("left").at("pmax").get<double>(), 0.0);
+}
+
+TEST_F(WrcCase, HelpListsEveryKeyWithItsMeaning) {
+  const Outcome outcome = solve("--help");
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* part : {"pose.lateral", "solve.accuracy", "S1002", "Examples"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(solve("--version").out, std::string("wrcontact ") + WRCONTACT_EXPECTED_VERSION + "\n");
+}
+
+} // namespace

@@ -1,0 +1,203 @@
+/// wrc_profile as a process: measures, conversion, comparison, refusals.
+#include <cmath>
+#include <sstream>
+
+#include "run_driver.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+/// Dimensions of the standard's drawings are met to the rounding of its coefficients (gaps of
+/// 1.2e-4 mm are known).
+constexpr double drawing = 2e-4;
+/// What is computed from exact input and only rounds.
+constexpr double rounding = 1e-9;
+
+class WrcProfile : public Driver {
+protected:
+  [[nodiscard]] Outcome show(const std::string& arguments) const {
+    return run(WRC_PROFILE_PROGRAM, arguments);
+  }
+  [[nodiscard]] json show_json(const std::string& arguments) const {
+    return run_json(WRC_PROFILE_PROGRAM, arguments);
+  }
+};
+
+TEST_F(WrcProfile, MeasuresTheStandardWheel) {
+  const json wheel = show_json("S1002");
+  EXPECT_EQ(wheel.at("name"), "S1002");
+  EXPECT_EQ(wheel.at("kind"), "wheel");
+  for (const char* key : {"title", "source", "confidence"}) {
+    EXPECT_NE(wheel.at(key), "") << key;
+  }
+  EXPECT_EQ(wheel.at("corrections").size(), 0U);
+  const auto dimension = [&wheel](const char* key) {
+    return wheel.at("dimensions").at(key).get<double>();
+  };
+  // EN 13715: h 28, e 32.5, qR 10.794; slope of the polynomial of zone A at the taping line.
+  EXPECT_NEAR(dimension("flange_height"), 28.0, drawing);
+  EXPECT_NEAR(dimension("flange_thickness"), 32.5, drawing);
+  EXPECT_NEAR(dimension("qr"), 10.794, drawing + 0.5e-3);
+  EXPECT_NEAR(dimension("slope"), -3.358537058e-2, rounding);
+  EXPECT_EQ(dimension("conicity"), -dimension("slope"));
+  EXPECT_NEAR(wheel.at("extents").at("lateral").at(0).get<double>(), -70.0, rounding);
+  EXPECT_NEAR(wheel.at("extents").at("height").at(1).get<double>(), 28.0, rounding);
+  const json& checks = wheel.at("checks");
+  EXPECT_NEAR(checks.at("smallest_radius").get<double>(), 12.0, 1e-6);
+  EXPECT_NEAR(checks.at("largest_step").get<double>(), 1.19e-4, 0.01e-4); // told by its source
+  // The chamfer of 45 degrees at the outer edge meets the 1:15 line.
+  EXPECT_NEAR(checks.at("largest_kink").get<double>(), std::atan(1.0) - std::atan(1.0 / 15.0),
+              1e-4);
+  EXPECT_NEAR(checks.at("largest_kink_at").at("lateral").get<double>(), 60.0, rounding);
+  EXPECT_EQ(checks.at("steep_parts").size(), 1U); // the flange back
+}
+
+TEST_F(WrcProfile, MeasuresTheStandardRail) {
+  const json rail = show_json("60E1");
+  EXPECT_EQ(rail.at("kind"), "rail");
+  const json& dimensions = rail.at("dimensions");
+  EXPECT_NEAR(dimensions.at("crown_radius").get<double>(), 300.0, 1e-6);
+  // Sides of 1:20 widen the head by 0.1 mm a mm of depth, except for the rest of the R13 corner.
+  EXPECT_NEAR(dimensions.at("head_width_14").get<double>(), 72.0, 0.05);
+  EXPECT_NEAR(dimensions.at("head_width_16").get<double>() -
+                  dimensions.at("head_width_14").get<double>(),
+              0.2, 0.01);
+  EXPECT_NEAR(rail.at("checks").at("smallest_radius").get<double>(), 13.0, 1e-6);
+  const json& steep = rail.at("checks").at("steep_parts");
+  ASSERT_EQ(steep.size(), 2U);
+  EXPECT_NEAR(steep.at(0).at("steepest_angle").get<double>(), std::atan(20.0), 1e-6);
+  EXPECT_FALSE(steep.at(0).at("overhangs").get<bool>());
+}
+
+TEST_F(WrcProfile, FindsKinksAndOverhangs) {
+  // A rail head whose sides lean in below the widest place.
+  write("head.rail", "-28 -40\n-34 -30\n-36 -20\n-34 -10\n-20 -2\n0 0\n20 -2\n34 -10\n36 -20\n"
+                     "34 -30\n28 -40\n");
+  const json steep = show_json("head.rail").at("checks").at("steep_parts");
+  ASSERT_EQ(steep.size(), 2U);
+  EXPECT_TRUE(steep.at(0).at("overhangs").get<bool>());
+  EXPECT_TRUE(steep.at(1).at("overhangs").get<bool>());
+}
+
+TEST_F(WrcProfile, DimensionsThatAreNotThereAreNull) {
+  write("crown.rail", "-4 -0.1\n-2 -0.02\n0 0\n2 -0.02\n4 -0.1\n");
+  const json dimensions = show_json("crown.rail").at("dimensions");
+  for (const char* key : {"head_width_14", "head_width_16", "crown_radius"}) {
+    EXPECT_TRUE(dimensions.at(key).is_null()) << key;
+  }
+  EXPECT_NE(show("crown.rail").out.find("does not reach"), std::string::npos);
+}
+
+TEST_F(WrcProfile, TableTellsCorrections) {
+  write("upside_down.rail", "-30 20\n-20 5\n-10 1\n0 0\n10 1\n20 5\n30 20\n");
+  const Outcome outcome = show("upside_down.rail");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("height mirrored"), std::string::npos);
+  show("upside_down.rail --strict").expect_refusal({"upside_down.rail", "mirror_height"});
+  const json asked = show_json("upside_down.rail --strict --mirror-height yes --scale 0.5");
+  EXPECT_NEAR(asked.at("extents").at("height").at(0).get<double>(), -10.0, rounding);
+  EXPECT_EQ(asked.at("corrections").size(), 2U);
+  const json kept = show_json("upside_down.rail --mirror-height no --mirror-lateral yes");
+  EXPECT_NEAR(kept.at("extents").at("height").at(1).get<double>(), 20.0, rounding);
+}
+
+TEST_F(WrcProfile, ComparesInTheDirectionOfTheNormal) {
+  // 60E1 moved up by 0.1 mm: at the crown the normal distance is 0.1, on the 1:20 sides less.
+  const json points = show_json("60E1 --points --spacing 0.1").at("points");
+  std::ostringstream moved;
+  moved.precision(17);
+  for (const json& point : points) {
+    moved << point.at("lateral").get<double>() << ' ' << point.at("height").get<double>() + 0.1
+          << '\n';
+  }
+  write("moved.rail", moved.str());
+  const json difference = show_json("60E1 --compare moved.rail").at("comparison");
+  constexpr double interpolation = 1e-4; // of points 0.1 mm apart
+  EXPECT_NEAR(difference.at("largest").get<double>(), 0.1, interpolation);
+  EXPECT_LT(difference.at("rms").get<double>(), 0.1);
+  EXPECT_GT(difference.at("rms").get<double>(), 0.05);
+  const json same = show_json("60E1 --compare 60E1").at("comparison");
+  EXPECT_NEAR(same.at("largest").get<double>(), 0.0, rounding);
+  EXPECT_NEAR(same.at("compared_length").get<double>(), show_json("60E1").at("length"), rounding);
+}
+
+TEST_F(WrcProfile, ConvertsAndReadsBack) {
+  for (const auto& [name, file] : {std::pair{"S1002", "a.txt"}, std::pair{"S1002", "a.prw"},
+                                   std::pair{"60E1", "b.txt"}, std::pair{"60E1", "b.prr"}}) {
+    SCOPED_TRACE(file);
+    const std::string arguments = std::string(name) + " --spacing 0.1 --convert " + file;
+    const json conversion = show_json(arguments).at("conversion");
+    EXPECT_EQ(conversion.at("spacing"), 0.1);
+    EXPECT_TRUE(exists(file));
+    // A spline rounds the chamfer of the wheel off by a part of the spacing; rails have no kink.
+    const double allowed = std::string(name) == "60E1" ? 1e-3 : 0.02;
+    EXPECT_LT(std::abs(conversion.at("largest").get<double>()), allowed);
+    EXPECT_LT(conversion.at("rms").get<double>(), 1e-3);
+  }
+  EXPECT_EQ(file_count(), 4);
+}
+
+TEST_F(WrcProfile, PointsLieOnTheCurve) {
+  const json wheel = show_json("S1002 --points --spacing 40");
+  const json& points = wheel.at("points");
+  ASSERT_EQ(points.size(), 6U); // 160.45 mm in 5 equal parts of at most 40 mm
+  EXPECT_EQ(points.front().at("arc"), 0.0);
+  EXPECT_EQ(points.back().at("arc"), wheel.at("length"));
+  EXPECT_FALSE(show_json("S1002").contains("points"));
+  EXPECT_NE(show("S1002 --points --spacing 40").out.find("curvature, 1/mm"), std::string::npos);
+}
+
+TEST_F(WrcProfile, PlotDrawsBothKindsOfFile) {
+  if (!gnuplot_is_there()) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  ASSERT_EQ(show("S1002 --plot a.png --compare LMA").exit_code, 0);
+  EXPECT_TRUE(is_png("a.png"));
+  ASSERT_EQ(show("60E1 --plot a.svg").exit_code, 0);
+  EXPECT_TRUE(is_svg("a.svg"));
+  EXPECT_EQ(file_count(), 2);
+}
+
+TEST_F(WrcProfile, ListsAllThatIsBuiltIn) {
+  const json list = show_json("--list");
+  EXPECT_EQ(list.size(), 14U);
+  EXPECT_EQ(list.front().at("name"), "S1002");
+  EXPECT_EQ(line_count(show("--list").out), 14);
+}
+
+TEST_F(WrcProfile, RefusesBadArguments) {
+  show("").expect_refusal({"no profile", "--list"});
+  show("nowhere.txt").expect_refusal({"nowhere.txt", "S1002", "60E1"});
+  show("S1002 --compare nowhere.txt").expect_refusal({"--compare nowhere.txt", "S1002"});
+  show("S1002 --compare 60E1").expect_refusal({"--compare 60E1", "rail", "wheel"});
+  show("S1002 --kind wheel").expect_refusal({"--kind", "built in"});
+  show("S1002 --smooth 3").expect_refusal({"--smooth", "built in"});
+  show("a.txt --kind tram").expect_refusal({"--kind", "tram", "wheel", "rail"});
+  show("a.txt --mirror-height maybe").expect_refusal({"--mirror-height", "maybe", "yes"});
+  show("a.txt --scale 0").expect_refusal({"--scale", "0", "positive"});
+  show("a.txt --smooth nan").expect_refusal({"--smooth", "nan", "positive"});
+  show("S1002 --spacing x").expect_refusal({"--spacing", "x", "positive"});
+  show("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "or more"});
+  show("S1002 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
+  show("S1002 --convert a.prr").expect_refusal({"--convert a.prr", ".prw"});
+  show("S1002 --convert no/a.txt").expect_refusal({"--convert no/a.txt"});
+  show("S1002 --colour").expect_refusal({"--colour"});
+  write("bad.txt", "1 2\n3 oops\n");
+  show("bad.txt").expect_refusal({"bad.txt:2", "oops"});
+  EXPECT_EQ(file_count(), 1);
+}
+
+TEST_F(WrcProfile, ReadsTheManchesterBenchmark) {
+  const std::filesystem::path file =
+      std::filesystem::path(WRCONTACT_REFERENCE_DIR) / "MBench_S1002_v3.prw";
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << "no reference file " << file;
+  }
+  const json wheel = show_json("--compare S1002 '" + file.string() + '\'');
+  EXPECT_NEAR(wheel.at("dimensions").at("flange_height").get<double>(), 28.0, drawing);
+  // Points of the same standard, joined by a spline across its jumps of curvature.
+  EXPECT_LT(std::abs(wheel.at("comparison").at("largest").get<double>()), 1e-3);
+}
+
+} // namespace
