@@ -24,7 +24,12 @@ build_and_test() {
     exit 1
   }
   echo "== $1: tests"
-  ctest --preset "$1" -j "$(nproc)" --progress | tail -n 25
+  ctest --preset "$1" -j "$(nproc)" >"build/$1/test.log" 2>&1 || {
+    grep -vE '^ *Start|Passed' "build/$1/test.log" | tail -n 100
+    exit 1
+  }
+  tail -n 3 "build/$1/test.log"
+  grep 'Skipped' "build/$1/test.log" || true
   echo "== $1: $((SECONDS - start)) s"
 }
 

@@ -34,7 +34,8 @@ Profile load_profile(const std::string& name, ProfileKind kind, double smoothing
     options.smoothing_wavelength = smoothing;
     ReadResult read = read_profile(name, options);
     for (const std::string& correction : read.corrections) {
-      corrections.push_back(name + ": " + correction);
+      corrections.push_back(name);
+      corrections.back().append(": ").append(correction);
     }
     return std::move(read.profile);
   } catch (const Error& error) {

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <random>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "samples.hpp"
@@ -311,7 +313,8 @@ TEST(Readers, RefusesWhatIsNoFile) {
 
 TEST(Readers, RefusesAFileThatIsTooLarge) {
   const std::filesystem::path path =
-      std::filesystem::path(::testing::TempDir()) / "wrcontact_large_profile.txt";
+      std::filesystem::path(::testing::TempDir()) /
+      ("wrcontact_large_profile_" + std::to_string(getpid()) + ".txt");
   std::ofstream(path) << "1 2\n";
   std::filesystem::resize_file(path, ReadLimits::file_bytes + 1); // sparse
   try {

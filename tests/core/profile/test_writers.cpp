@@ -3,6 +3,8 @@
 #include <fstream>
 #include <limits>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "nearest.hpp"
@@ -20,7 +22,7 @@ protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("wrcontact_writers_") + test->name());
+              (std::string("wrcontact_writers_") + test->name() + '_' + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
