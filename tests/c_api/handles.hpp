@@ -1,10 +1,12 @@
-/// Handles that clean up after themselves, and files in a folder of the test's own.
+/// Handles that clean up after themselves, and files in a folder of the test's own (several builds
+/// may be tested at once).
 #pragma once
 
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -48,7 +50,8 @@ protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("wrcontact_") + test->test_suite_name() + '_' + test->name());
+              (std::string("wrcontact_") + test->test_suite_name() + '_' + test->name() + '_' +
+               std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }

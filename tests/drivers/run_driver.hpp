@@ -1,4 +1,5 @@
-/// Runs a command-line program as its users do, in a folder of the test's own.
+/// Runs a command-line program as its users do, in a folder of the test's own (several builds may
+/// be tested at once).
 #pragma once
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <iterator>
 #include <string>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -33,7 +35,8 @@ protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("wrcontact_") + test->test_suite_name() + '_' + test->name());
+              (std::string("wrcontact_") + test->test_suite_name() + '_' + test->name() + '_' +
+               std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
