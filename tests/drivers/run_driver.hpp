@@ -1,5 +1,4 @@
-/// Runs a command-line program as its users do, in a folder of the test's own (several builds may
-/// be tested at once).
+/// Runs a command-line program as its users do, in a folder of the test's own.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +35,7 @@ protected:
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(::testing::TempDir()) /
               (std::string("wrcontact_") + test->test_suite_name() + '_' + test->name() + '_' +
-               std::to_string(getpid()));
+               std::to_string(getpid())); // two runs of the tests may go on at once
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
