@@ -1,10 +1,12 @@
-/// Handles that clean up after themselves, and files in a folder of the test's own.
+/// Handles that clean up after themselves, and files in a folder of the test's own (several builds
+/// may be tested at once).
 #pragma once
 
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <unistd.h>
 
 #include <unistd.h>
 

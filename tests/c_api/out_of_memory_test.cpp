@@ -1,37 +1,7 @@
 /// Every allocation of a call fails once: the status is WRC_OUT_OF_MEMORY, nothing escapes, and the
 /// handle is as it was. Memory is refused by this program's own operator new.
-#include <cstdlib>
-#include <new>
-
+#include "failing_allocator.hpp"
 #include "handles.hpp"
-
-namespace {
-
-/// Allocations that still succeed; negative: all do.
-thread_local long allocations_left = -1;
-
-} // namespace
-
-void* operator new(std::size_t size) {
-  if (allocations_left == 0) {
-    throw std::bad_alloc();
-  }
-  if (allocations_left > 0) {
-    --allocations_left;
-  }
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace {
 

@@ -1,0 +1,36 @@
+// A file of its own: inlined into the tests, gcc takes new and free for a mismatched pair.
+#include "failing_allocator.hpp"
+
+#include <cstdlib>
+#include <new>
+
+constinit thread_local long allocations_left = -1;
+
+void* operator new(std::size_t size) {
+  if (allocations_left == 0) {
+    throw std::bad_alloc();
+  }
+  if (allocations_left > 0) {
+    --allocations_left;
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
