@@ -121,9 +121,9 @@ void RegionSums::add(const Grid& grid, std::span<const double> pressure, std::si
   moment_column_column_ += value * column_offset * column_offset;
 }
 
-/// sqrt(5 (variance - 1/12)) in steps, 0 when an element's own width is all there is.
+/// sqrt(5 variance), with the moments in steps; 0 for a single row of elements.
 double semi_axis(double mean_square, double mean, double step) {
-  return step * std::sqrt(5.0 * std::max(0.0, mean_square - mean * mean - 1.0 / 12.0));
+  return step * std::sqrt(5.0 * std::max(0.0, mean_square - mean * mean));
 }
 
 PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pressure) const {

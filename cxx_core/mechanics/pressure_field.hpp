@@ -4,8 +4,9 @@
 /// the largest one; its error falls with the square of the step where the pressure is smooth.
 /// Patches: connected sets of elements with p > 0, neighbours by edge or corner (8-neighbour).
 /// Semi-axes: those of the Hertzian ellipse with the same second moments of pressure,
-/// a = sqrt(5 (<x^2> - step^2/12)), since <x^2> = a^2/5 for p = p0 sqrt(1 - r^2) (Johnson, Contact
-/// Mechanics, 1985, eq. 4.27, integrated); step^2/12 is what an element's own width adds.
+/// a = sqrt(5 <x^2>), since <x^2> = a^2/5 for p = p0 sqrt(1 - r^2) (Johnson, Contact Mechanics,
+/// 1985, eq. 4.27, integrated). Moments are sums over element centres; against Hertz the semi-axes
+/// come out too short by about 0.35/n^2, n elements across.
 /// Units mm, N, MPa; frame and order of elements of remesh/grid.hpp. Areas are counted in
 /// elements, so they are of order one in the step. Knows nothing of gaps or of how p was found.
 #pragma once

@@ -62,8 +62,8 @@ void scale_points(std::vector<Position>& points, double lateral, double height) 
 }
 
 void check_options(const ReadOptions& options) {
-  if (!(options.scale > 0.0) || !std::isfinite(options.scale))
-    throw_invalid_argument("scale", options.scale, "a positive finite number");
+  if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
+    throw_invalid_argument("scale", *options.scale, "a positive finite number");
   if (!(options.smoothing_wavelength >= 0.0) ||
       options.smoothing_wavelength > ReadLimits::most_length)
     throw_invalid_argument("smoothing_wavelength", options.smoothing_wavelength,
@@ -96,15 +96,15 @@ void settle_units(std::vector<Position>& points, const ReadOptions& options, Log
   const auto is_allowed = [](double length) {
     return length >= ReadLimits::least_length && length <= ReadLimits::most_length;
   };
-  if (options.scale != 1.0) {
-    scale_points(points, options.scale, options.scale);
-    log.note("multiplied by " + text_of(options.scale) + " to mm as asked");
+  if (options.scale && *options.scale != 1.0) {
+    scale_points(points, *options.scale, *options.scale);
+    log.note("multiplied by " + text_of(*options.scale) + " to mm as asked");
   }
   const double length = chord_length(points);
   if (!is_allowed(length)) {
     double guess = 1.0;
     for (const double factor : {1000.0, 0.001})
-      if (options.scale == 1.0 && is_allowed(factor * length))
+      if (!options.scale && is_allowed(factor * length))
         guess = factor;
     if (guess == 1.0)
       log.refuse("the points are " + text_of(length) + " mm long in all, allowed are " +

@@ -90,8 +90,8 @@ TEST(PressureField, RegionsAreFoundSortedAndMeasured) {
   EXPECT_FALSE(regions[0].touches_edge.lateral_first);
   EXPECT_FALSE(regions[0].touches_edge.longitudinal_first);
   EXPECT_EQ(regions[0].semi_axis_longitudinal, 0.0);
-  // <y^2> about the centroid is 0.21 steps^2, of which 1/12 is the element's own.
-  EXPECT_NEAR(regions[0].semi_axis_lateral, 0.5 * std::sqrt(5.0 * (0.21 - 1.0 / 12.0)), rounding);
+  // <y^2> about the centroid is 0.21 steps^2.
+  EXPECT_NEAR(regions[0].semi_axis_lateral, 0.5 * std::sqrt(5.0 * 0.21), rounding);
   EXPECT_DOUBLE_EQ(regions[1].normal_force, 6.0);
   EXPECT_FALSE(regions[1].touches_edge.any());
   EXPECT_EQ(regions[1].box.lateral_first, 1U);

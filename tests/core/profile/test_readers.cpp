@@ -149,6 +149,9 @@ TEST(Readers, StatedScaleSwitchesTheGuessOff) {
   const auto metres = [](Position p) { return Position{p[0] / 1000.0, p[1] / 1000.0}; };
   EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
                        "mm long in all"));
+  options.scale = 1.0; // stated: no guess, though the file is in metres
+  EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
+                       "mm long in all"));
 }
 
 TEST(Readers, DuplicatesAreDroppedAndSaid) {
