@@ -1,0 +1,25 @@
+# Takes the README's program in LANGUAGE, compiles it as the README says and checks what it prints.
+file(READ ${PROJECT}/README.md text)
+string(REGEX MATCH "```${LANGUAGE}\n([^`]*)```" found "${text}")
+if(NOT found)
+  message(FATAL_ERROR "README.md has no program in ${LANGUAGE}")
+endif()
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+if(LANGUAGE STREQUAL c)
+  set(sources program.c)
+  set(options -I${PROJECT}/c_api/include)
+else()
+  set(sources ${PROJECT}/fortran_bindings/wrcontact.f90 program.f90)
+  set(options)
+endif()
+list(GET sources -1 program)
+file(WRITE ${FOLDER}/${program} "${CMAKE_MATCH_1}")
+execute_process(
+  COMMAND ${COMPILER} ${sources} ${options} -L${LIBRARY_DIR} -lwrcontact -Wl,-rpath,${LIBRARY_DIR}
+  WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ./a.out WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
+  COMMAND_ERROR_IS_FATAL ANY)
+if(NOT printed MATCHES "pmax = +1453\\.8 MPa")
+  message(FATAL_ERROR "the README promises pmax = 1453.8 MPa, printed was: ${printed}")
+endif()
