@@ -32,7 +32,7 @@ struct ReadOptions {
   /// Mirroring on top of what the format defines; if set, replaces the check of the shape.
   std::optional<bool> mirror_lateral;
   std::optional<bool> mirror_height;
-  std::optional<double> scale; ///< mm per unit of the file; if not set, units may be guessed
+  std::optional<double> scale;       ///< mm per unit of the file; if not set, units may be guessed
   double smoothing_wavelength = 0.0; ///< mm, waves of this length are halved; 0 = no smoothing
   /// mm; points closer to the one before are dropped, since the rounding of their digits would
   /// dominate the curvature.

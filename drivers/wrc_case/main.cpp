@@ -44,7 +44,8 @@ int run(int argc, char** argv) {
   std::string field;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add_option("--set", assignments,
-                 "set a key of the scene; may be repeated. Values are TOML, a bare word is a text")
+                 "set a key of the scene; may be repeated. Numbers and words need no quotes, lists "
+                 "are [a,b]")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--json", json, "print one JSON object instead of the table");

@@ -1,7 +1,7 @@
 /// Every allocation of a call fails once: the status is WRC_OUT_OF_MEMORY, nothing escapes, and the
 /// handle is as it was. Memory is refused by this program's own operator new.
 #include "failing_allocator.hpp"
-#include "handles.hpp"
+#include "owned_handles.hpp"
 
 namespace {
 

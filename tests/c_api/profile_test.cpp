@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "handles.hpp"
+#include "owned_handles.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "handles.hpp"
+#include "owned_handles.hpp"
 
 namespace {
 
