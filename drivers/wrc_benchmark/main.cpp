@@ -11,9 +11,9 @@
 #include <optional>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "support/program.hpp"
 #include "support/scene.hpp"
 
 namespace {
@@ -241,10 +241,13 @@ Grid parse_grid(const std::string& text) {
   return grid;
 }
 
-int run(int argc, char** argv) {
+} // namespace
+
+int main(int argc, char** argv) {
   CLI::App app("Times wheel/rail scenes by stage, each time beside the error of what was "
                "computed.\nOne thread; the times of one run may be compared, those of two "
-               "machines may not.");
+               "machines may not.",
+               "wrc_benchmark");
   std::string case_name;
   std::string grid_text = "256x128";
   double tolerance = 1e-6;
@@ -266,47 +269,29 @@ int run(int argc, char** argv) {
   app.add_option("--repetitions", repetitions, "solutions timed after the first (default 9)")
       ->check(CLI::Range(1, 1000));
   app.add_flag("--json", json, "print one JSON object instead of the table");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);
+  return driver::run_program(app, argc, argv, [&] {
+    const Grid grid = parse_grid(grid_text);
+    std::vector<Row> rows;
+    std::string names;
+    for (const Case& known : cases()) {
+      names += ' ' + known.name;
+      if (!case_name.empty() && case_name != known.name) {
+        continue;
+      }
+      std::cerr << "wrc_benchmark: " << known.name << ", " << grid_text << ", method " << method
+                << " ...\n";
+      for (const Row& row : measure(known, grid, method, tolerance, repetitions)) {
+        rows.push_back(row);
+      }
     }
-    std::cerr << "wrc_benchmark: " << error.what() << " (see wrc_benchmark --help)\n";
-    return 2;
-  }
-  const Grid grid = parse_grid(grid_text);
-  std::vector<Row> rows;
-  std::string names;
-  for (const Case& known : cases()) {
-    names += ' ' + known.name;
-    if (!case_name.empty() && case_name != known.name) {
-      continue;
+    if (rows.empty()) {
+      throw driver::Failure("--case " + case_name + ": allowed is one of" + names);
     }
-    std::cerr << "wrc_benchmark: " << known.name << ", " << grid_text << ", method " << method
-              << " ...\n";
-    for (const Row& row : measure(known, grid, method, tolerance, repetitions)) {
-      rows.push_back(row);
+    if (json) {
+      print_json(rows);
+    } else {
+      print_table(rows);
     }
-  }
-  if (rows.empty()) {
-    throw driver::Failure("--case " + case_name + ": allowed is one of" + names);
-  }
-  if (json) {
-    print_json(rows);
-  } else {
-    print_table(rows);
-  }
-  return 0;
-}
-
-} // namespace
-
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "wrc_benchmark: " << error.what() << '\n';
-    return 1;
-  }
+    return 0;
+  });
 }

@@ -1,8 +1,7 @@
 // wrc_case: solves one scene and prints, writes or draws what came out.
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
+#include "support/program.hpp"
 #include "support/scene_file.hpp"
 #include "wrc_case/picture.hpp"
 #include "wrc_case/reports.hpp"
@@ -31,10 +30,13 @@ std::string names_text() {
   return text;
 }
 
-int run(int argc, char** argv) {
+} // namespace
+
+int main(int argc, char** argv) {
   CLI::App app("Solves a wheel/rail contact scene: where and how hard both wheels press on the "
                "rails.\nWithout a scene file: the paper's Table 1 scene (S1002 on 60E1, 80 kN a "
-               "wheel, centred).");
+               "wheel, centred).",
+               "wrc_case");
   std::string scene_file;
   std::vector<std::string> assignments;
   bool json = false;
@@ -55,67 +57,42 @@ int run(int argc, char** argv) {
       ->type_name("FILE.png|svg");
   app.add_option("--field", field, "write the fields as CSV, one line an element")
       ->type_name("FILE.csv");
-  app.add_flag_callback(
-      "--version",
-      [] {
-        std::cout << "wrcontact " << wrc_version() << '\n';
-        throw CLI::Success();
-      },
-      "print the version");
   app.footer("\n" + keys_text() + names_text() +
              "\nExamples:\n"
              "  wrc_case --set pose.lateral=5 --plot picture.png\n"
              "  wrc_case --set track.rail=CHN60 --set wheelset.wheel=LMA --set "
              "track.gauge_height=16 --json\n"
              "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);
+  return driver::run_program(app, argc, argv, [&] {
+    if (json && csv) {
+      throw driver::Failure("--json --csv: allowed is one of them");
     }
-    std::cerr << "wrc_case: " << error.what() << " (see wrc_case --help)\n";
-    return 2;
-  }
-  if (json && csv) {
-    throw driver::Failure("--json --csv: allowed is one of them");
-  }
-  driver::Scene scene;
-  if (!scene_file.empty()) {
-    driver::apply_scene_file(scene, scene_file);
-  }
-  driver::apply_assignments(scene, assignments);
-  const bool converged = scene.solve();
-  if (json) {
-    driver::print_json(scene, std::cout);
-  } else if (csv) {
-    driver::print_csv(scene, std::cout);
-  } else {
-    driver::print_table(scene, std::cout);
-  }
-  if (!vtk.empty()) {
-    driver::write_vtk(scene, vtk);
-  }
-  if (!field.empty()) {
-    driver::write_field(scene, field);
-  }
-  if (!plot.empty()) {
-    driver::draw_scene(scene, plot);
-  }
-  if (!converged) {
-    std::cerr << "wrc_case: not converged; the results are printed all the same\n";
-    return 3;
-  }
-  return 0;
-}
-
-} // namespace
-
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "wrc_case: " << error.what() << '\n';
-    return 1;
-  }
+    driver::Scene scene;
+    if (!scene_file.empty()) {
+      driver::apply_scene_file(scene, scene_file);
+    }
+    driver::apply_assignments(scene, assignments);
+    const bool converged = scene.solve();
+    if (json) {
+      driver::print_json(scene, std::cout);
+    } else if (csv) {
+      driver::print_csv(scene, std::cout);
+    } else {
+      driver::print_table(scene, std::cout);
+    }
+    if (!vtk.empty()) {
+      driver::write_vtk(scene, vtk);
+    }
+    if (!field.empty()) {
+      driver::write_field(scene, field);
+    }
+    if (!plot.empty()) {
+      driver::draw_scene(scene, plot);
+    }
+    if (!converged) {
+      std::cerr << "wrc_case: not converged; the results are printed all the same\n";
+      return 3;
+    }
+    return 0;
+  });
 }

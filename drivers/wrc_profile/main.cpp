@@ -3,8 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
+#include "support/program.hpp"
 #include "support/scene.hpp"
 #include "wrc_profile/picture.hpp"
 #include "wrc_profile/reports.hpp"
@@ -199,19 +198,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "      points, angles and curvature for a script\n");
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Shows, checks, converts and draws a wheel or rail profile.");
-  Arguments arguments;
-  add_options(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);
-    }
-    std::cerr << "wrc_profile: " << error.what() << " (see wrc_profile --help)\n";
-    return 2;
-  }
+int run(const CLI::App& app, const Arguments& arguments) {
   if (arguments.list) {
     driver::print_list(arguments.json, std::cout);
     return 0;
@@ -254,10 +241,8 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "wrc_profile: " << error.what() << '\n';
-    return 1;
-  }
+  CLI::App app("Shows, checks, converts and draws a wheel or rail profile.", "wrc_profile");
+  Arguments arguments;
+  add_options(app, arguments);
+  return driver::run_program(app, argc, argv, [&] { return run(app, arguments); });
 }
