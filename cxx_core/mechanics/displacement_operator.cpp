@@ -96,4 +96,20 @@ void DisplacementOperator::apply(std::span<const double> pressure, std::span<dou
   }
 }
 
+double displacement_at(const Grid& grid, std::span<const double> pressure, double combined_modulus,
+                       double longitudinal, double lateral) {
+  double displacement = 0.0;
+  for (std::size_t index = 0; index < pressure.size(); ++index) {
+    if (pressure[index] > 0.0) {
+      const std::size_t row = index / grid.longitudinal_count;
+      const std::size_t column = index % grid.longitudinal_count;
+      displacement += pressure[index] *
+                      influence_coefficient(longitudinal - grid.longitudinal(column),
+                                            lateral - grid.lateral(row), grid.longitudinal_step,
+                                            grid.lateral_step, combined_modulus);
+    }
+  }
+  return displacement;
+}
+
 } // namespace wrc

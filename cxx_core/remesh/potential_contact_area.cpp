@@ -9,9 +9,9 @@
 namespace wrc {
 namespace {
 
-/// Intervals whose mean angles differ by less than this share one plane: a plane tilted by it
-/// changes distances by 1 - cos(0.1 rad) = 0.5 % ...
-constexpr double same_plane_angle = 0.1;
+/// Intervals whose mean angles differ by less than this share one plane: each is then tilted by
+/// about half of it, which changes distances by 1 - cos(0.1 rad) = 0.5 % ...
+constexpr double same_plane_angle = 0.2;
 /// ... if they are no farther apart than this, mm: the width of a running band.
 constexpr double same_plane_distance = 20.0;
 /// Share of the approach at which virtual penetration has about the contact's axis ratio.

@@ -141,6 +141,21 @@ TEST(SideSolution, TwoLobesComeOutAsTwoPatches) {
   EXPECT_EQ(solution.regions.size(), 2u);
 }
 
+TEST(SideSolution, ContactThatTheCoarseGridMissedIsFound) {
+  // At y = 4.76 the second lobe has just begun and is narrower than a coarse element.
+  const Fixture made = s1002(4.76);
+  SideRequest request;
+  request.combined_modulus = modulus;
+  request.vertical_load = 80000.0;
+  request.accuracy = 3e-3;
+  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  EXPECT_GE(solution.regrown, 1);
+  ASSERT_EQ(solution.regions.size(), 2u);
+  EXPECT_LT(solution.regions[1].normal_force, 0.01 * solution.regions[0].normal_force);
+  EXPECT_NEAR(solution.regions[1].centroid_lateral - solution.regions[0].centroid_lateral, -10.0,
+              2.0);
+}
+
 TEST(SideSolution, ErrorEstimateBoundsTheErrorAgainstAFinerGrid) {
   // Truth: a grid four times finer than the finest that the accuracy chose.
   int bounded = 0;
