@@ -35,12 +35,11 @@ LeastDistance least_distance(const WheelSurface& wheel, const RailSurface& rail,
 }
 
 /// Root of min d_left - min d_right. Odd under the mirror, so that mirrored scenes give -roll.
-double solve_roll(const WheelSurface& wheel, const RailSurface& rail, double lateral, double yaw,
-                  int& iterations) {
+double solve_roll(const WheelSurface& wheel, const RailSurface& rail, double lateral, double yaw) {
   double low = -largest_roll;
   double high = largest_roll;
   double roll = 0.0;
-  for (iterations = 1; iterations <= iteration_limit; ++iterations) {
+  for (int iteration = 0; iteration < iteration_limit; ++iteration) {
     const Pose pose{lateral, yaw, roll};
     const LeastDistance left = least_distance(wheel, rail, pose);
     const LeastDistance right = least_distance(wheel, rail, mirrored(pose));
@@ -54,7 +53,7 @@ double solve_roll(const WheelSurface& wheel, const RailSurface& rail, double lat
     if (!(next > low && next < high)) {
       next = 0.5 * (low + high);
     }
-    if (next == roll || !(high - low > 1e-18)) {
+    if (next == roll || !(high - low > 1e-18) || iteration + 1 == iteration_limit) {
       // No double lies closer to the root, or there is no root within the limits.
       if (std::abs(difference) <= acceptable_distance) {
         return roll;
@@ -83,9 +82,8 @@ SideEquilibrium settle(const WheelSurface& wheel, const RailSurface& rail, const
 WheelsetEquilibrium find_equilibrium(const WheelSurface& wheel, const RailSurface& rail,
                                      const EquilibriumRequest& request) {
   WheelsetEquilibrium result;
-  result.roll = request.roll
-                    ? *request.roll
-                    : solve_roll(wheel, rail, request.lateral, request.yaw, result.iterations);
+  result.roll =
+      request.roll ? *request.roll : solve_roll(wheel, rail, request.lateral, request.yaw);
   const Pose pose{request.lateral, request.yaw, result.roll};
   if (request.left) {
     result.left = settle(wheel, rail, pose, request.near_tolerance);

@@ -27,7 +27,6 @@ struct WheelsetEquilibrium {
   double vertical = 0.0; ///< z of the wheelset's centre at the first touch of either wheel
   std::optional<SideEquilibrium> left;
   std::optional<SideEquilibrium> right;
-  int iterations = 0; ///< of the search for the roll; 0 if it is prescribed
 };
 
 struct EquilibriumRequest {
