@@ -404,7 +404,8 @@ void SideSolver::warn_about(const Trial& trial) {
 
 SideSolution SideSolver::solve() {
   if (equilibrium_.scan.candidates.front().at_profile_end) {
-    result_.warnings.emplace_back("contact at the end of a profile, or where the rail turns upright");
+    result_.warnings.emplace_back(
+        "contact at the end of a profile, or where the rail turns upright");
   }
   result_.vertical = equilibrium_.vertical;
   const double load =
