@@ -25,7 +25,7 @@ check cxx_core/remesh 'error\.hpp|profile/|geometry/|remesh/'
 check cxx_core/mechanics 'error\.hpp|remesh/grid\.hpp|mechanics/'
 check cxx_core/scene 'error\.hpp|profile/|geometry/|remesh/|mechanics/|scene/'
 check c_api 'error\.hpp|profile/|scene/|handles\.hpp|wrcontact\.h'
-check drivers 'support/|wrc_[a-z]+/|wrcontact\.h'
+check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'owned_handles\.hpp|failing_allocator\.hpp|wrcontact\.h'
 check tests/drivers 'run_driver\.hpp'
 

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "benchmark_commit.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
 
