@@ -69,7 +69,7 @@ public:
     if (at_high.sine() <= 0.0) {
       return candidate(high, at_high);
     }
-    // Bisection to a safe width, then the Illinois rule; both keep the bracket, so kinks are found.
+    // The Illinois rule with a bisection now and then; both keep the bracket, so kinks are found.
     double sine_low = at_low.sine();
     double sine_high = at_high.sine();
     int kept = 0;
@@ -100,9 +100,6 @@ public:
         sine_low = kept == 1 ? 0.5 * sine_low : at_low.sine();
         kept = 1;
       }
-      if (place == low && sine_low == 0.0) {
-        break;
-      }
     }
     return at_low.distance <= at_high.distance ? candidate(low, at_low) : candidate(high, at_high);
   }
@@ -110,8 +107,6 @@ public:
   [[nodiscard]] ContactCandidate candidate(double arc, const Meeting& meeting) const {
     ContactCandidate result;
     result.wheel = meeting.wheel;
-    result.wheel_arc = arc;
-    result.rail_arc = meeting.rail_arc;
     result.distance = meeting.distance;
     result.rail_angle = std::atan2(meeting.rail.tangent_height, meeting.rail.tangent_lateral);
     constexpr double end_tolerance = 1e-6;

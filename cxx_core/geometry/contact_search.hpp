@@ -19,8 +19,6 @@ namespace wrc {
 /// A locally least distance of wheel and rail, with the wheelset's centre at height 0.
 struct ContactCandidate {
   LocusPoint wheel;
-  double wheel_arc = 0.0;  ///< arc length on the wheel profile
-  double rail_arc = 0.0;   ///< arc length on the rail profile
   double distance = 0.0;   ///< vertical, z_wheel - z_rail; the wheel touches at height -distance
   double rail_angle = 0.0; ///< of the rail's tangent about x, rad, > 0: rises to the left
   bool at_profile_end = false;

@@ -61,7 +61,7 @@ Interval touch_interval(const ContactCandidate& contact, double depth) {
           depth * place.y};
 }
 
-/// Where the penetration between two neighbouring samples ends, on a parabola-free straight line.
+/// Where the penetration between two neighbouring samples ends, by linear interpolation.
 double crossing(const DistanceSample& inside, const DistanceSample& outside, double limit) {
   const double share = (limit - inside.distance) / (outside.distance - inside.distance);
   return inside.wheel.position.y + share * (outside.wheel.position.y - inside.wheel.position.y);

@@ -6,7 +6,7 @@
 ///  3. the undeformed distance is sampled again with the wheel lowered by that depth (not at the
 ///     first touch: under a contact angle a sinking wheel also slides along the tangent) on the
 ///     final grid, and solved. If the depth found then differs so much that the slide it makes,
-///     |change| sin(angle), exceeds `slide_share` of the depth, the distance is sampled anew;
+///     |change| sin(angle), exceeds a small share of the depth, the distance is sampled anew;
 ///  4. contact must not touch the edge of the area, nor may the pressures leave overlap beyond it:
 ///     else the area grows, and the result counts it.
 /// With an accuracy asked, the grid is refined by two until the difference of two grids, by the
