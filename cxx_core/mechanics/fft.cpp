@@ -1,5 +1,10 @@
 #include "mechanics/fft.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <new>
@@ -13,31 +18,183 @@ namespace wrc {
 
 namespace {
 
-/// Guards plan creation and destruction, which share tables inside FFTW.
-std::mutex& planner_lock() {
-  static std::mutex lock;
-  return lock;
+/// Guards plan creation and destruction, which share tables inside FFTW. In single and in double
+/// precision FFTW has tables of its own; one lock for both is enough.
+class Planner {
+public:
+  void lock() {
+    own_.lock();
+    if (host_.lock != nullptr) {
+      host_.lock(host_.context);
+    }
+  }
+  void unlock() {
+    if (host_.unlock != nullptr) {
+      host_.unlock(host_.context);
+    }
+    own_.unlock();
+  }
+  void set_host_lock(const PlannerLock& host) {
+    const std::lock_guard<std::mutex> guard(own_);
+    host_ = host;
+  }
+
+private:
+  std::mutex own_;
+  PlannerLock host_;
+};
+
+Planner& planner() {
+  static Planner the_planner;
+  return the_planner;
+}
+
+using PlanningGuard = std::lock_guard<Planner>;
+
+unsigned flags_of(PlannerRigor rigor) {
+  return rigor == PlannerRigor::measure ? FFTW_MEASURE : FFTW_ESTIMATE;
 }
 
 struct BufferRelease {
   void operator()(void* buffer) const { fftw_free(buffer); }
 };
 
-struct PlanRelease {
-  void operator()(fftw_plan_s* plan) const {
-    const std::lock_guard<std::mutex> guard(planner_lock());
-    fftw_destroy_plan(plan);
+void check_length(const char* argument, std::size_t length) {
+  constexpr auto longest = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  if (length < 1 || length > longest) {
+    throw_invalid_argument(argument, static_cast<double>(length), "must lie in 1 to 2^31 - 1");
   }
-};
-
-using Plan = std::unique_ptr<fftw_plan_s, PlanRelease>;
+}
 
 [[noreturn]] void throw_no_memory(std::size_t rows, std::size_t columns) {
   throw Error(ErrorCode::out_of_memory, "no memory for a transform of " + std::to_string(rows) +
                                             " x " + std::to_string(columns) + " values");
 }
 
+/// FFTW's names in one precision.
+template <typename Real> struct Library;
+
+template <> struct Library<double> {
+  using Complex = fftw_complex;
+  using Plan = fftw_plan_s;
+  static void destroy(Plan* plan) { fftw_destroy_plan(plan); }
+  static Plan* plan_real_forward(int length, double* from, Complex* to, unsigned flags) {
+    return fftw_plan_dft_r2c_1d(length, from, to, flags | FFTW_PRESERVE_INPUT);
+  }
+  static Plan* plan_real_backward(int length, Complex* from, double* to, unsigned flags) {
+    return fftw_plan_dft_c2r_1d(length, from, to, flags);
+  }
+  static Plan* plan_complex(int length, Complex* from, Complex* to, int sign, unsigned flags) {
+    return fftw_plan_dft_1d(length, from, to, sign, flags | FFTW_PRESERVE_INPUT);
+  }
+  static void run(const Plan* plan, double* from, Complex* to) {
+    fftw_execute_dft_r2c(const_cast<Plan*>(plan), from, to);
+  }
+  static void run(const Plan* plan, Complex* from, double* to) {
+    fftw_execute_dft_c2r(const_cast<Plan*>(plan), from, to);
+  }
+  static void run(const Plan* plan, Complex* from, Complex* to) {
+    fftw_execute_dft(const_cast<Plan*>(plan), from, to);
+  }
+};
+
+template <> struct Library<float> {
+  using Complex = fftwf_complex;
+  using Plan = fftwf_plan_s;
+  static void destroy(Plan* plan) { fftwf_destroy_plan(plan); }
+  static Plan* plan_real_forward(int length, float* from, Complex* to, unsigned flags) {
+    return fftwf_plan_dft_r2c_1d(length, from, to, flags | FFTW_PRESERVE_INPUT);
+  }
+  static Plan* plan_real_backward(int length, Complex* from, float* to, unsigned flags) {
+    return fftwf_plan_dft_c2r_1d(length, from, to, flags);
+  }
+  static Plan* plan_complex(int length, Complex* from, Complex* to, int sign, unsigned flags) {
+    return fftwf_plan_dft_1d(length, from, to, sign, flags | FFTW_PRESERVE_INPUT);
+  }
+  static void run(const Plan* plan, float* from, Complex* to) {
+    fftwf_execute_dft_r2c(const_cast<Plan*>(plan), from, to);
+  }
+  static void run(const Plan* plan, Complex* from, float* to) {
+    fftwf_execute_dft_c2r(const_cast<Plan*>(plan), from, to);
+  }
+  static void run(const Plan* plan, Complex* from, Complex* to) {
+    fftwf_execute_dft(const_cast<Plan*>(plan), from, to);
+  }
+};
+
+template <typename Real> struct PlanRelease {
+  void operator()(typename Library<Real>::Plan* plan) const {
+    const PlanningGuard guard(planner());
+    Library<Real>::destroy(plan);
+  }
+};
+
+template <typename Real>
+using Plan = std::unique_ptr<typename Library<Real>::Plan, PlanRelease<Real>>;
+
+/// FFTW documents its complex type as layout-compatible with std::complex.
+template <typename Real> typename Library<Real>::Complex* fftw_of(std::complex<Real>* values) {
+  return reinterpret_cast<typename Library<Real>::Complex*>(values);
+}
+
+/// Parts of a wisdom file: both precisions, one after the other.
+constexpr const char* single_precision_mark = "single precision\n";
+
 } // namespace
+
+void set_planner_lock(const PlannerLock& host_lock) {
+  if ((host_lock.lock == nullptr) != (host_lock.unlock == nullptr)) {
+    throw_invalid_argument("planner lock", "only one of lock and unlock given",
+                           "both functions or none of them");
+  }
+  planner().set_host_lock(host_lock);
+}
+
+void load_wisdom(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t largest_file = std::size_t{1} << 24;
+  std::string text;
+  if (file) {
+    std::array<char, 4096> part{};
+    while (text.size() <= largest_file &&
+           (file.read(part.data(), part.size()), file.gcount() > 0)) {
+      text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    }
+  }
+  if (text.empty()) {
+    throw Error(ErrorCode::file_unreadable, "wisdom file \"" + path + "\" cannot be read");
+  }
+  const std::size_t mark = text.find(single_precision_mark);
+  const PlanningGuard guard(planner());
+  if (text.size() > largest_file || mark == std::string::npos ||
+      fftw_import_wisdom_from_string(text.substr(0, mark).c_str()) == 0 ||
+      fftwf_import_wisdom_from_string(
+          text.substr(mark + std::string(single_precision_mark).size()).c_str()) == 0) {
+    throw Error(ErrorCode::file_malformed,
+                "wisdom file \"" + path + "\" holds no FFTW wisdom written by this library");
+  }
+}
+
+void save_wisdom(const std::string& path) {
+  std::string text;
+  {
+    const PlanningGuard guard(planner());
+    const std::unique_ptr<char, decltype(&std::free)> wide(fftw_export_wisdom_to_string(),
+                                                           &std::free);
+    const std::unique_ptr<char, decltype(&std::free)> narrow(fftwf_export_wisdom_to_string(),
+                                                             &std::free);
+    if (wide == nullptr || narrow == nullptr) {
+      throw Error(ErrorCode::out_of_memory, "no memory for the text of FFTW's wisdom");
+    }
+    text.append(wide.get()).append(single_precision_mark).append(narrow.get());
+  }
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file) {
+    throw Error(ErrorCode::file_unreadable, "wisdom file \"" + path + "\" cannot be written");
+  }
+}
 
 std::size_t good_fft_length(std::size_t least) {
   std::size_t best = 1;
@@ -56,24 +213,91 @@ std::size_t good_fft_length(std::size_t least) {
   return best;
 }
 
+std::size_t fast_line_length(std::size_t least) {
+  constexpr std::size_t vector_length = 16;
+  if (least < 3 * vector_length) {
+    const std::size_t length = good_fft_length(std::max<std::size_t>(least, 2));
+    return length % 2 == 0 ? length : fast_line_length(length + 1);
+  }
+  constexpr std::size_t longest_of_odd_factors = 400;
+  std::size_t best = std::numeric_limits<std::size_t>::max();
+  for (const std::size_t odd : {1, 3, 5, 9, 15, 25}) {
+    std::size_t length = odd * vector_length;
+    while (length < least) {
+      length *= 2;
+    }
+    if (odd <= 5 || length <= longest_of_odd_factors) {
+      best = std::min(best, length);
+    }
+  }
+  return best;
+}
+
+template <typename Real> struct LineFft<Real>::Plans {
+  Plan<Real> real_forward;
+  Plan<Real> real_backward;
+  Plan<Real> forward;
+  Plan<Real> backward;
+};
+
+template <typename Real>
+LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
+  check_length("length", length);
+  // FFTW's own executions demand no more of other memory than the same alignment.
+  AlignedArray<Real> line(length);
+  AlignedArray<Complex> first(length);
+  AlignedArray<Complex> second(length);
+  const int count = static_cast<int>(length);
+  const unsigned flags = flags_of(rigor);
+  using Own = Library<Real>;
+  {
+    const PlanningGuard guard(planner());
+    plans_->real_forward.reset(
+        Own::plan_real_forward(count, line.data(), fftw_of(first.data()), flags));
+    plans_->real_backward.reset(
+        Own::plan_real_backward(count, fftw_of(first.data()), line.data(), flags));
+    plans_->forward.reset(Own::plan_complex(count, fftw_of(first.data()), fftw_of(second.data()),
+                                            FFTW_FORWARD, flags));
+    plans_->backward.reset(Own::plan_complex(count, fftw_of(first.data()), fftw_of(second.data()),
+                                             FFTW_BACKWARD, flags));
+  }
+  if (plans_->real_forward == nullptr || plans_->real_backward == nullptr ||
+      plans_->forward == nullptr || plans_->backward == nullptr) {
+    throw_no_memory(1, length);
+  }
+}
+
+template <typename Real> LineFft<Real>::~LineFft() = default;
+
+template <typename Real> void LineFft<Real>::real_forward(Real* from, Complex* to) const {
+  Library<Real>::run(plans_->real_forward.get(), from, fftw_of(to));
+}
+template <typename Real> void LineFft<Real>::real_backward(Complex* from, Real* to) const {
+  Library<Real>::run(plans_->real_backward.get(), fftw_of(from), to);
+}
+template <typename Real> void LineFft<Real>::forward(Complex* from, Complex* to) const {
+  Library<Real>::run(plans_->forward.get(), fftw_of(from), fftw_of(to));
+}
+template <typename Real> void LineFft<Real>::backward(Complex* from, Complex* to) const {
+  Library<Real>::run(plans_->backward.get(), fftw_of(from), fftw_of(to));
+}
+
+template class LineFft<float>;
+template class LineFft<double>;
+
 struct RealFft::Resources {
   std::size_t rows;
   std::size_t columns;
   std::unique_ptr<double, BufferRelease> field;
   std::unique_ptr<fftw_complex, BufferRelease> spectrum;
-  Plan forward;
-  Plan backward;
+  Plan<double> forward;
+  Plan<double> backward;
 };
 
-RealFft::RealFft(std::size_t rows, std::size_t columns)
+RealFft::RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor)
     : resources_(new Resources{rows, columns, nullptr, nullptr, nullptr, nullptr}) {
-  constexpr auto longest = static_cast<std::size_t>(std::numeric_limits<int>::max());
-  if (rows < 1 || rows > longest) {
-    throw_invalid_argument("rows", static_cast<double>(rows), "must lie in 1 to 2^31 - 1");
-  }
-  if (columns < 1 || columns > longest) {
-    throw_invalid_argument("columns", static_cast<double>(columns), "must lie in 1 to 2^31 - 1");
-  }
+  check_length("rows", rows);
+  check_length("columns", columns);
   Resources& own = *resources_;
   own.field.reset(fftw_alloc_real(rows * columns));
   own.spectrum.reset(fftw_alloc_complex(rows * (columns / 2 + 1)));
@@ -81,12 +305,12 @@ RealFft::RealFft(std::size_t rows, std::size_t columns)
     throw_no_memory(rows, columns);
   }
   {
-    const std::lock_guard<std::mutex> guard(planner_lock());
+    const PlanningGuard guard(planner());
     own.forward.reset(fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns),
                                            own.field.get(), own.spectrum.get(),
-                                           FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
+                                           flags_of(rigor) | FFTW_PRESERVE_INPUT));
     own.backward.reset(fftw_plan_dft_c2r_2d(static_cast<int>(rows), static_cast<int>(columns),
-                                            own.spectrum.get(), own.field.get(), FFTW_ESTIMATE));
+                                            own.spectrum.get(), own.field.get(), flags_of(rigor)));
   }
   if (own.forward == nullptr || own.backward == nullptr) {
     throw_no_memory(rows, columns);
@@ -112,7 +336,6 @@ std::span<double> RealFft::field() {
 }
 
 std::span<std::complex<double>> RealFft::spectrum() {
-  // FFTW documents fftw_complex as layout-compatible with std::complex<double>.
   return {reinterpret_cast<std::complex<double>*>(resources_->spectrum.get()),
           resources_->rows * spectrum_columns()};
 }

@@ -1,28 +1,113 @@
-/// Two-dimensional real fast Fourier transforms in double precision: the one file that sees FFTW.
+/// Fast Fourier transforms: the one file that sees FFTW.
 ///
-/// Forward: F[k, l] = sum_{m, n} f[m, n] exp(-2 pi i (k m / rows + l n / columns)), kept for
+/// RealFft, two-dimensional, double precision:
+///   F[k, l] = sum_{m, n} f[m, n] exp(-2 pi i (k m / rows + l n / columns)), kept for
 /// l <= columns/2; backward is its conjugate sum, so that backward(forward(f)) = rows columns f
-/// (FFTW 3 manual, "What FFTW Really Computes"). Plans are made with FFTW_ESTIMATE: cheap, and the
-/// same on every call unless the process has loaded wisdom of its own.
+/// (FFTW 3 manual, "What FFTW Really Computes"). LineFft: the same in one dimension, in single or
+/// double precision, on lines of the caller's memory.
+/// Plans are made with the rigor asked for. With `estimate` they are the same on every call, unless
+/// the process has loaded wisdom; with `measure` FFTW times several algorithms, once a length, and
+/// the last bits of results may differ from one process to the next.
 /// Thread rule: planning takes a lock shared by the whole process, since only FFTW's execute is
-/// thread-safe; one object serves one thread at a time, different objects are independent.
+/// thread-safe; a host that plans by itself can have its own lock taken instead. One object serves
+/// one thread at a time, different objects are independent.
 #pragma once
 
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <span>
+#include <string>
 
 namespace wrc {
 
+/// How much work goes into the choice of an algorithm (FFTW's planner flags).
+enum class PlannerRigor { estimate, measure };
+
+/// A lock of the host program around all planning: `lock` and `unlock` are called with `context`.
+struct PlannerLock {
+  void (*lock)(void* context) = nullptr;
+  void (*unlock)(void* context) = nullptr;
+  void* context = nullptr;
+};
+
+/// Sets the host's lock for the whole process, or takes it away again (both functions null). To be
+/// called while no other thread uses the library. Throws Error(invalid_argument) for one of two.
+void set_planner_lock(const PlannerLock& host_lock);
+
+/// Wisdom: what `measure` found out in this process, in single and in double precision. Reads and
+/// writes the file named, at no other time than when called.
+/// Throws Error(file_unreadable) or Error(file_malformed).
+void load_wisdom(const std::string& path);
+void save_wisdom(const std::string& path);
+
 /// Least 2^a 3^b 5^c not below `least`; other lengths cost several times more.
 std::size_t good_fft_length(std::size_t least);
+
+/// Least length for a line that is also fast with vector instructions: a multiple of 16 with an
+/// odd factor of 1, 3, 5, 9, 15 or 25 where that has been measured to be as good per element (9,
+/// 15 and 25 only up to 400); any even 2^a 3^b 5^c below 48.
+std::size_t fast_line_length(std::size_t least);
+
+/// Memory aligned for vector instructions; values are not initialised. At least one value.
+template <typename Value> class AlignedArray {
+public:
+  static constexpr std::size_t alignment = 64;
+
+  AlignedArray() = default;
+  explicit AlignedArray(std::size_t size)
+      : values_(static_cast<Value*>(::operator new (std::max<std::size_t>(size, 1) * sizeof(Value),
+                                                    std::align_val_t{alignment}))),
+        size_(size) {}
+
+  [[nodiscard]] Value* data() { return values_.get(); }
+  [[nodiscard]] const Value* data() const { return values_.get(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+private:
+  struct Release {
+    void operator()(Value* values) const {
+      ::operator delete (values, std::align_val_t{alignment});
+    }
+  };
+  std::unique_ptr<Value, Release> values_;
+  std::size_t size_ = 0;
+};
+
+/// Values a line takes in an array of lines, so that each starts on an aligned place.
+template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length) {
+  constexpr std::size_t unit = AlignedArray<Value>::alignment / sizeof(Value);
+  return (length + unit - 1) / unit * unit;
+}
+
+/// Transforms of lines of one length; not normalised. Lines start at aligned places
+/// (AlignedArray, aligned_pitch), `from` and `to` do not overlap.
+template <typename Real> class LineFft {
+public:
+  using Complex = std::complex<Real>;
+
+  /// Throws Error(out_of_memory) when plans cannot be had.
+  LineFft(std::size_t length, PlannerRigor rigor);
+  ~LineFft();
+  LineFft(const LineFft&) = delete;
+  LineFft& operator=(const LineFft&) = delete;
+
+  void real_forward(Real* from, Complex* to) const;  ///< length/2 + 1 values; `from` is kept
+  void real_backward(Complex* from, Real* to) const; ///< `from` is lost
+  void forward(Complex* from, Complex* to) const;    ///< `from` is kept
+  void backward(Complex* from, Complex* to) const;   ///< `from` is kept
+
+private:
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
 
 /// Buffers and plans of one size, aligned for vector instructions.
 class RealFft {
 public:
   /// Throws Error(out_of_memory) when buffers or plans cannot be had.
-  RealFft(std::size_t rows, std::size_t columns);
+  RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor = PlannerRigor::estimate);
   ~RealFft();
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;

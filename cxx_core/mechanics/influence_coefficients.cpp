@@ -1,7 +1,10 @@
 #include "mechanics/influence_coefficients.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "vector_clones.hpp"
 
 namespace wrc {
 
@@ -38,7 +41,7 @@ double near_field(double x, double y, double half_x, double half_y) {
 
 /// Means of r^n P_n(cos) over the rectangle for n = 2, 4, 6, with all lengths in units of the
 /// distance. `cx`, `cy`: squared direction cosines; `mij`: mean of xi^i eta^j over the rectangle.
-double far_field(double x, double y, double step_x, double step_y) {
+WRC_VECTOR_BODY double far_field(double x, double y, double step_x, double step_y) {
   const double inverse_square = 1.0 / (x * x + y * y);
   const double cx = x * x * inverse_square;
   const double cy = y * y * inverse_square;
@@ -70,7 +73,26 @@ double far_field(double x, double y, double step_x, double step_y) {
   return step_x * step_y * std::sqrt(inverse_square) * (1.0 + (second + (fourth + sixth)));
 }
 
+WRC_VECTOR_CLONES void fill_far_row(double lateral_distance, double lateral_step, double* row,
+                                    std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    row[i] = far_field(static_cast<double>(i), lateral_distance, 1.0, lateral_step);
+  }
+}
+
 } // namespace
+
+void fill_influence_row(double lateral_distance, double lateral_step, std::span<double> row) {
+  const double y = std::abs(lateral_distance);
+  const double far = far_field_distance * std::fmax(1.0, lateral_step);
+  std::size_t near_count = 0;
+  while (near_count < row.size() &&
+         static_cast<double>(near_count) * static_cast<double>(near_count) + y * y < far * far) {
+    row[near_count] = near_field(static_cast<double>(near_count), y, 0.5, 0.5 * lateral_step);
+    ++near_count;
+  }
+  fill_far_row(y, lateral_step, row.data(), near_count, row.size());
+}
 
 double influence_integral(double longitudinal_distance, double lateral_distance,
                           double longitudinal_step, double lateral_step) {

@@ -11,6 +11,8 @@
 /// tractions and of bodies that are not half-spaces.
 #pragma once
 
+#include <span>
+
 namespace wrc {
 
 /// From this distance on, in units of the element's longer side, the expansion is used.
@@ -19,6 +21,10 @@ inline constexpr double far_field_distance = 16.0;
 /// I(x, y) in mm.
 double influence_integral(double longitudinal_distance, double lateral_distance,
                           double longitudinal_step, double lateral_step);
+
+/// A row of a table: row[i] = I(i, lateral_distance) for elements of 1 x lateral_step, i = 0, 1,
+/// ...
+void fill_influence_row(double lateral_distance, double lateral_step, std::span<double> row);
 
 /// u per unit pressure, I/(pi E*), in mm/MPa.
 double influence_coefficient(double longitudinal_distance, double lateral_distance,

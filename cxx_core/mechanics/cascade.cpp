@@ -1,0 +1,169 @@
+#include "mechanics/cascade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wrc {
+
+namespace {
+
+/// Grids are halved while one side is longer than this and the other not yet too short to halve.
+constexpr std::size_t coarsest_length = 32;
+constexpr std::size_t shortest_side = 8;
+
+/// A row of distances, the row after the last one by linear continuation.
+double distance_at(std::span<const double> distance, const LevelSize& size, std::size_t row,
+                   std::size_t column) {
+  const auto value = [&](std::size_t i, std::size_t j) { return distance[i * size.columns + j]; };
+  if (row >= size.rows) {
+    return 2.0 * distance_at(distance, size, size.rows - 1, column) -
+           distance_at(distance, size, size.rows - 2, column);
+  }
+  if (column >= size.columns) {
+    return 2.0 * value(row, size.columns - 1) - value(row, size.columns - 2);
+  }
+  return value(row, column);
+}
+
+/// p^2 in contact; next to contact its linear continuation, never above 0.
+void square_and_continue(const LevelSize& size, std::span<const double> pressure,
+                         std::vector<double>& squares) {
+  squares.resize(size.count());
+  const auto rows = static_cast<std::ptrdiff_t>(size.rows);
+  const auto columns = static_cast<std::ptrdiff_t>(size.columns);
+  const auto pressure_at = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
+    return i >= 0 && i < rows && j >= 0 && j < columns
+               ? pressure[static_cast<std::size_t>(i * columns + j)]
+               : 0.0;
+  };
+  for (std::ptrdiff_t i = 0; i < rows; ++i) {
+    for (std::ptrdiff_t j = 0; j < columns; ++j) {
+      const auto index = static_cast<std::size_t>(i * columns + j);
+      const double p = pressure[index];
+      squares[index] = p * p;
+      if (p > 0.0) {
+        continue;
+      }
+      double sum = 0.0;
+      double directions = 0.0;
+      for (std::ptrdiff_t di = -1; di <= 1; ++di) {
+        for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
+          const double near = pressure_at(i + di, j + dj);
+          if (near > 0.0) {
+            const double far = pressure_at(i + 2 * di, j + 2 * dj);
+            const double continued = 2.0 * near * near - far * far;
+            sum += far > 0.0 ? continued : -near * near;
+            directions += 1.0;
+          }
+        }
+      }
+      squares[index] = directions > 0.0 ? std::min(0.0, sum / directions) : 0.0;
+    }
+  }
+}
+
+} // namespace
+
+bool can_coarsen(const LevelSize& size) {
+  return std::max(size.rows, size.columns) > coarsest_length &&
+         std::min(size.rows, size.columns) >= 2 * shortest_side;
+}
+
+LevelSize coarser_size(const LevelSize& size) {
+  return {(size.rows + 1) / 2, (size.columns + 1) / 2};
+}
+
+void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
+                      std::vector<double>& coarse) {
+  const LevelSize size = coarser_size(fine);
+  coarse.resize(size.count());
+  const std::size_t whole_rows = fine.rows / 2;
+  const std::size_t whole_columns = fine.columns / 2;
+  // Half of the mean: the coarser grid's unit of length is twice as long.
+  constexpr double share = 0.125;
+  for (std::size_t i = 0; i < whole_rows; ++i) {
+    const double* upper = distance.data() + 2 * i * fine.columns;
+    const double* lower = upper + fine.columns;
+    double* values = coarse.data() + i * size.columns;
+    for (std::size_t j = 0; j < whole_columns; ++j) {
+      values[j] = share * ((upper[2 * j] + upper[2 * j + 1]) + (lower[2 * j] + lower[2 * j + 1]));
+    }
+  }
+  for (std::size_t i = 0; i < size.rows; ++i) {
+    for (std::size_t j = i < whole_rows ? whole_columns : 0; j < size.columns; ++j) {
+      double sum = 0.0;
+      for (const std::size_t row : {2 * i, 2 * i + 1}) {
+        for (const std::size_t column : {2 * j, 2 * j + 1}) {
+          sum += distance_at(distance, fine, row, column);
+        }
+      }
+      coarse[i * size.columns + j] = share * sum;
+    }
+  }
+}
+
+void refine_pressure(const LevelSize& coarse, std::span<const double> pressure,
+                     const LevelSize& fine, std::vector<double>& refined) {
+  std::vector<double> squares;
+  square_and_continue(coarse, pressure, squares);
+  refined.assign(fine.count(), 0.0);
+  ElementBox box;
+  if (!find_pressure_box(coarse, pressure, 1, box)) {
+    return;
+  }
+  const std::size_t last_row = std::min(2 * box.last_row + 2, fine.rows);
+  const std::size_t last_column = std::min(2 * box.last_column + 2, fine.columns);
+  for (std::size_t i = 2 * box.first_row; i < last_row; ++i) {
+    // The centre of a finer element lies a quarter of a coarser one from its centre.
+    const std::size_t near_row = i / 2;
+    const std::size_t far_row = i % 2 == 0 ? (near_row > 0 ? near_row - 1 : near_row)
+                                           : std::min(near_row + 1, coarse.rows - 1);
+    const double* near = squares.data() + near_row * coarse.columns;
+    const double* far = squares.data() + far_row * coarse.columns;
+    double* values = refined.data() + i * fine.columns;
+    for (std::size_t j = 2 * box.first_column; j < last_column; ++j) {
+      const std::size_t near_column = j / 2;
+      const std::size_t far_column = j % 2 == 0 ? (near_column > 0 ? near_column - 1 : near_column)
+                                                : std::min(near_column + 1, coarse.columns - 1);
+      const double square = 0.5625 * near[near_column] + 0.1875 * near[far_column] +
+                            0.1875 * far[near_column] + 0.0625 * far[far_column];
+      values[j] = std::sqrt(std::max(0.0, square));
+    }
+  }
+}
+
+bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, std::size_t margin,
+                       ElementBox& box) {
+  std::size_t first_row = size.rows;
+  std::size_t last_row = 0;
+  std::size_t first_column = size.columns;
+  std::size_t last_column = 0;
+  for (std::size_t i = 0; i < size.rows; ++i) {
+    const double* row = pressure.data() + i * size.columns;
+    std::size_t j = 0;
+    while (j < size.columns && !(row[j] > 0.0)) {
+      ++j;
+    }
+    if (j == size.columns) {
+      continue;
+    }
+    first_row = std::min(first_row, i);
+    last_row = i;
+    first_column = std::min(first_column, j);
+    std::size_t k = size.columns - 1;
+    while (!(row[k] > 0.0)) {
+      --k;
+    }
+    last_column = std::max(last_column, k);
+  }
+  if (first_row == size.rows) {
+    return false;
+  }
+  box = {first_row - std::min(first_row, margin), std::min(last_row + margin, size.rows - 1),
+         first_column - std::min(first_column, margin),
+         std::min(last_column + margin, size.columns - 1)};
+  return true;
+}
+
+} // namespace wrc

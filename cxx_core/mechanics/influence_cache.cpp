@@ -1,0 +1,191 @@
+#include "mechanics/influence_cache.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "mechanics/influence_coefficients.hpp"
+
+namespace wrc {
+
+template <> InfluenceCache::Store<float>& InfluenceCache::store<float>() {
+  return single_;
+}
+template <> InfluenceCache::Store<double>& InfluenceCache::store<double>() {
+  return double_;
+}
+
+template <typename Real> const LineFft<Real>& InfluenceCache::line_fft(std::size_t length) {
+  auto& plans = store<Real>().line_ffts;
+  auto found = plans.find(length);
+  if (found == plans.end()) {
+    found = plans.emplace(length, std::make_unique<LineFft<Real>>(length, rigor_)).first;
+  }
+  return *found->second;
+}
+
+const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std::size_t columns) {
+  Kept<InfluenceTable>& kept = tables_[aspect];
+  kept.last_use = ++clock_;
+  InfluenceTable& table = kept.item;
+  if (table.rows < rows || table.columns < columns) {
+    table.rows = std::max(rows, table.rows);
+    table.columns = std::max(columns, table.columns);
+    table.values.resize(table.rows * table.columns);
+    for (std::size_t row = 0; row < table.rows; ++row) {
+      fill_influence_row(static_cast<double>(row) * aspect, aspect,
+                         {table.values.data() + row * table.columns, table.columns});
+    }
+    kept.bytes = table.values.size() * sizeof(double);
+  }
+  return table;
+}
+
+template <typename Real>
+std::shared_ptr<const KernelSpectrum<Real>>
+InfluenceCache::compute_spectrum(const SpectrumKey& key) {
+  const auto& [aspect, rows, columns, content] = key;
+  const std::size_t half_rows = rows / 2;
+  const std::size_t half_columns = columns / 2;
+  const InfluenceTable& kernel = table(aspect, half_rows + 1, half_columns + 1);
+
+  // Lines that are even have real spectra: two of them make one complex transform, one as its real
+  // and one as its imaginary part.
+  using Complex = std::complex<double>;
+  const LineFft<double>& row_fft = line_fft<double>(columns);
+  AlignedArray<Complex> row_line(columns);
+  AlignedArray<Complex> row_spectrum(columns);
+  // By column: half[column * (half_rows + 1) + row].
+  std::vector<double> half((half_columns + 1) * (half_rows + 1));
+  for (std::size_t row = 0; row <= half_rows; row += 2) {
+    const bool pair = row < half_rows;
+    const double* first = kernel.row(row);
+    const double* second = kernel.row(pair ? row + 1 : row);
+    Complex* line = row_line.data();
+    for (std::size_t column = 0; column <= half_columns; ++column) {
+      line[column] = {first[column], second[column]};
+    }
+    for (std::size_t column = half_columns + 1; column < columns; ++column) {
+      line[column] = line[columns - column];
+    }
+    row_fft.forward(line, row_spectrum.data());
+    for (std::size_t column = 0; column <= half_columns; ++column) {
+      double* values = half.data() + column * (half_rows + 1) + row;
+      values[0] = row_spectrum.data()[column].real();
+      if (pair) {
+        values[1] = row_spectrum.data()[column].imag();
+      }
+    }
+  }
+
+  auto spectrum = std::make_shared<KernelSpectrum<Real>>();
+  spectrum->rows = rows;
+  spectrum->columns = columns;
+  spectrum->pitch = aligned_pitch<Real>(rows);
+  spectrum->values = AlignedArray<Real>(spectrum->pitch * (half_columns + 1));
+  const LineFft<double>& column_fft = line_fft<double>(rows);
+  AlignedArray<Complex> column_line(rows);
+  AlignedArray<Complex> column_spectrum(rows);
+  const double element_count = static_cast<double>(rows) * static_cast<double>(columns);
+  const auto entry_of = [&, inverse = content == Content::inverse](double value) {
+    return static_cast<Real>(inverse ? 1.0 / (value * element_count) : value / element_count);
+  };
+  for (std::size_t column = 0; column <= half_columns; column += 2) {
+    const bool pair = column < half_columns;
+    const double* first = half.data() + column * (half_rows + 1);
+    const double* second = pair ? first + (half_rows + 1) : first;
+    Complex* line = column_line.data();
+    for (std::size_t row = 0; row <= half_rows; ++row) {
+      line[row] = {first[row], second[row]};
+    }
+    for (std::size_t row = half_rows + 1; row < rows; ++row) {
+      line[row] = line[rows - row];
+    }
+    column_fft.forward(line, column_spectrum.data());
+    Real* values = spectrum->values.data() + column * spectrum->pitch;
+    for (std::size_t row = 0; row < rows; ++row) {
+      values[row] = entry_of(column_spectrum.data()[row].real());
+    }
+    if (pair) {
+      for (std::size_t row = 0; row < rows; ++row) {
+        values[spectrum->pitch + row] = entry_of(column_spectrum.data()[row].imag());
+      }
+    }
+  }
+  return spectrum;
+}
+
+template <typename Real>
+std::shared_ptr<const KernelSpectrum<Real>> InfluenceCache::spectrum_of(const SpectrumKey& key) {
+  auto& spectra = store<Real>().spectra;
+  auto found = spectra.find(key);
+  if (found == spectra.end()) {
+    auto spectrum = compute_spectrum<Real>(key);
+    const std::size_t bytes = spectrum->values.size() * sizeof(Real);
+    found = spectra
+                .emplace(key, Kept<std::shared_ptr<const KernelSpectrum<Real>>>{std::move(spectrum),
+                                                                                bytes, 0})
+                .first;
+  }
+  found->second.last_use = ++clock_;
+  return found->second.item;
+}
+
+template <typename Real>
+std::shared_ptr<const KernelSpectrum<Real>>
+InfluenceCache::spectrum(double aspect, std::size_t rows, std::size_t columns) {
+  return spectrum_of<Real>({aspect, rows, columns, Content::direct});
+}
+
+template <typename Real>
+std::shared_ptr<const KernelSpectrum<Real>>
+InfluenceCache::inverse_spectrum(double aspect, std::size_t rows, std::size_t columns) {
+  return spectrum_of<Real>({aspect, rows, columns, Content::inverse});
+}
+
+void InfluenceCache::trim(std::size_t bytes) {
+  std::size_t held = 0;
+  const auto add_up = [&held](const auto& kept) {
+    for (const auto& [key, entry] : kept) {
+      held += entry.bytes;
+    }
+  };
+  add_up(tables_);
+  add_up(single_.spectra);
+  add_up(double_.spectra);
+  while (held > bytes) {
+    std::uint64_t oldest = std::numeric_limits<std::uint64_t>::max();
+    const auto look = [&oldest](const auto& kept) {
+      for (const auto& [key, entry] : kept) {
+        oldest = std::min(oldest, entry.last_use);
+      }
+    };
+    look(tables_);
+    look(single_.spectra);
+    look(double_.spectra);
+    const auto drop = [&](auto& kept) {
+      std::erase_if(kept, [&](const auto& entry) {
+        if (entry.second.last_use != oldest) {
+          return false;
+        }
+        held -= entry.second.bytes;
+        return true;
+      });
+    };
+    drop(tables_);
+    drop(single_.spectra);
+    drop(double_.spectra);
+  }
+}
+
+template const LineFft<float>& InfluenceCache::line_fft<float>(std::size_t);
+template const LineFft<double>& InfluenceCache::line_fft<double>(std::size_t);
+template std::shared_ptr<const KernelSpectrum<float>>
+InfluenceCache::spectrum<float>(double, std::size_t, std::size_t);
+template std::shared_ptr<const KernelSpectrum<double>>
+InfluenceCache::spectrum<double>(double, std::size_t, std::size_t);
+template std::shared_ptr<const KernelSpectrum<float>>
+InfluenceCache::inverse_spectrum<float>(double, std::size_t, std::size_t);
+template std::shared_ptr<const KernelSpectrum<double>>
+InfluenceCache::inverse_spectrum<double>(double, std::size_t, std::size_t);
+
+} // namespace wrc

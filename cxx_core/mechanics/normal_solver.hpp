@@ -1,0 +1,42 @@
+/// The default solver of the normal contact problem: fast at every size, robust at the extremes.
+///
+///  1. the problem without dimensions, pressures of the order of 1;
+///  2. a cascade of grids (cascade.hpp), each solved by projected CG (projected_cg.hpp) on the
+///     least rectangle around its contact, started from the coarser grid's pressures;
+///  3. on the finest grid a check of every element outside the rectangle, whatever the tolerance:
+///     overlap there enlarges the rectangle and the iteration goes on.
+/// `tolerance` bounds the largest error of p relative to the largest p, against the exact solution
+/// on the same grid; it holds by measurement (docs/performance.md), not by proof.
+/// Units mm, N, MPa (mechanics/normal_contact.hpp). Thread rule: one object serves one thread at a
+/// time; different objects are independent.
+#pragma once
+
+#include <memory>
+
+#include "mechanics/influence_cache.hpp"
+#include "mechanics/normal_contact.hpp"
+
+namespace wrc {
+
+/// Precision of the iteration's directions. Answers meet the tolerance with both.
+enum class Precision { mixed, double_only };
+
+class NormalSolver {
+public:
+  explicit NormalSolver(PlannerRigor rigor = PlannerRigor::estimate,
+                        Precision precision = Precision::mixed);
+  ~NormalSolver();
+  NormalSolver(NormalSolver&&) noexcept;
+  NormalSolver& operator=(NormalSolver&&) noexcept;
+
+  /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range. What is
+  /// kept from earlier calls (plans, tables, memory) changes no bit of the answer.
+  /// `displacement` and `residuals` of the solution are left empty: see complete_solution.
+  NormalSolution solve(const NormalProblem& problem);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace wrc
