@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "remesh/grid.hpp"
+
 namespace wrc {
 
 /// A field on one grid of the cascade.
@@ -32,6 +34,11 @@ void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
 /// Pressures on the finer grid; both grids as of coarser_size.
 void refine_pressure(const LevelSize& coarse, std::span<const double> pressure,
                      const LevelSize& fine, std::vector<double>& refined);
+
+/// Pressures of one grid on another one that lies elsewhere and has other elements, by the same
+/// interpolation of p^2.
+void resample_pressure(const Grid& from, std::span<const double> pressure, const Grid& to,
+                       std::vector<double>& resampled);
 
 /// A rectangle of elements; last row and column included.
 struct ElementBox {

@@ -85,6 +85,11 @@ void check_problem(const NormalProblem& problem) {
     throw_invalid_argument("maximum_iterations", static_cast<double>(problem.maximum_iterations),
                            "must be at least 1");
   }
+  if (problem.start) {
+    check_grid(problem.start->grid);
+    check_size("start.pressure", problem.start->pressure.size(),
+               problem.start->grid.element_count());
+  }
 }
 
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,

@@ -17,6 +17,12 @@
 
 namespace wrc {
 
+/// Pressures near the answer, on any grid of the same plane, MPa.
+struct StartPressure {
+  Grid grid;
+  std::span<const double> pressure;
+};
+
 struct NormalProblem {
   Grid grid;
   /// Undeformed distance h per element centre, mm; may be negative. Finite.
@@ -27,6 +33,8 @@ struct NormalProblem {
   std::optional<double> approach;    ///< mm
   double tolerance = 1e-6;           ///< relative, > 0
   int maximum_iterations = 5000;
+  std::optional<StartPressure> start =
+      std::nullopt; ///< saves iterations; changes the answer within the tolerance
 };
 
 enum class StopReason { tolerance_met, iteration_limit, stagnation };

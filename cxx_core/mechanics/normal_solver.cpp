@@ -23,6 +23,10 @@ constexpr double stop_share = 0.75;
 /// Overlap outside the rectangle that counts as contact left out, in largest displacements. It
 /// stands above the rounding of single precision and does not depend on the tolerance.
 constexpr double missed_overlap = 2e-6;
+/// The same for double precision.
+constexpr double double_overlap = 1e-13;
+/// A start serves grids whose elements have at least this share of the area of its own.
+constexpr double start_coarseness = 0.15;
 /// Share of elements below the distance from which the first pressures are drawn.
 constexpr double start_quantile = 0.2;
 /// Memory for tables and spectra kept between calls.
@@ -145,7 +149,11 @@ struct NormalSolver::State {
   }
   BoxOutcome solve_level(Level& level, ElementBox& box, double tolerance, int iteration_limit);
   bool find_missed_contact(const Level& level, const ElementBox& box, const BoxOutcome& outcome,
-                           ElementBox& larger);
+                           double tolerance, ElementBox& larger);
+  template <typename Real>
+  double displace(const ElementBox& box, const ElementBox& rectangle,
+                  ConvolutionWorkspace<Real>& workspace);
+  bool take_start(const StartPressure& start, const Grid& finest, double pressure_scale);
   NormalSolution solve(const NormalProblem& problem);
 
   Precision precision;
@@ -156,8 +164,7 @@ struct NormalSolver::State {
   std::vector<Level> levels;
   std::vector<double> box_pressure;
   std::vector<double> box_distance;
-  std::vector<float> exterior_in;
-  std::vector<float> exterior_out;
+  std::vector<double> exterior_out;
 };
 
 /// Iterates on the box until contact keeps off its open sides; writes the pressures back.
@@ -190,10 +197,27 @@ BoxOutcome NormalSolver::State::solve_level(Level& level, ElementBox& box, doubl
   }
 }
 
+/// Displacements on a rectangle from the pressures of the box; the largest of them.
+template <typename Real>
+double NormalSolver::State::displace(const ElementBox& box, const ElementBox& rectangle,
+                                     ConvolutionWorkspace<Real>& workspace) {
+  const BoxConvolution<Real> convolution = BoxConvolution<Real>::linear(
+      {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
+       -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
+       -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
+      aspect, cache);
+  const std::vector<Real> in(box_pressure.begin(), box_pressure.end());
+  std::vector<Real> out(rectangle.rows() * rectangle.columns());
+  convolution.apply(in.data(), out.data(), workspace);
+  exterior_out.assign(out.begin(), out.end());
+  return *std::max_element(exterior_out.begin(), exterior_out.end());
+}
+
 /// Looks for overlap outside the box. Displacements are positive, and at least those of the whole
 /// load at the farthest place of the box, so most elements need no displacement of their own.
 bool NormalSolver::State::find_missed_contact(const Level& level, const ElementBox& box,
-                                              const BoxOutcome& outcome, ElementBox& larger) {
+                                              const BoxOutcome& outcome, double tolerance,
+                                              ElementBox& larger) {
   const LevelSize& size = level.size;
   double load = 0.0;
   copy_box(size, box, level.pressure, box_pressure);
@@ -232,22 +256,19 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
 
   ElementBox rectangle = box;
   include(rectangle, candidates);
-  const BoxConvolution<float> convolution = BoxConvolution<float>::linear(
-      {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
-       -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
-       -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
-      aspect, cache);
-  exterior_in.resize(box_pressure.size());
-  std::transform(box_pressure.begin(), box_pressure.end(), exterior_in.begin(),
-                 [](double p) { return static_cast<float>(p); });
-  exterior_out.resize(rectangle.rows() * rectangle.columns());
-  convolution.apply(exterior_in.data(), exterior_out.data(), single_iteration.workspace());
-  const double largest = *std::max_element(exterior_out.begin(), exterior_out.end());
-  const double limit = outcome.approach - missed_overlap * largest;
+  double overlap = missed_overlap * displace(box, rectangle, single_iteration.workspace());
+  // An element left out lacks about overlap / K[0, 0] of pressure.
+  const double permitted =
+      0.5 * tolerance * outcome.largest_pressure * cache.table(aspect, 1, 1).row(0)[0];
+  if (permitted < overlap) {
+    overlap = std::max(permitted,
+                       double_overlap * displace(box, rectangle, double_iteration.workspace()));
+  }
+  const double limit = outcome.approach - overlap;
   bool missed = false;
   larger = box;
   for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
-    const float* displacement =
+    const double* displacement =
         exterior_out.data() + (row - rectangle.first_row) * rectangle.columns();
     const double* distance = level.distance.data() + row * size.columns + rectangle.first_column;
     for (std::size_t j = 0; j < rectangle.columns(); ++j) {
@@ -261,6 +282,30 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
     }
   }
   return missed;
+}
+
+/// Puts a start on the coarsest grid, with the load asked for. False if nothing of it lies there.
+bool NormalSolver::State::take_start(const StartPressure& start, const Grid& finest,
+                                     double pressure_scale) {
+  Level& level = levels.back();
+  Grid grid = finest;
+  const auto factor = static_cast<double>(std::size_t{1} << (levels.size() - 1));
+  grid.lateral_count = level.size.rows;
+  grid.longitudinal_count = level.size.columns;
+  grid.lateral_step *= factor;
+  grid.longitudinal_step *= factor;
+  grid.lateral_first += 0.5 * (grid.lateral_step - finest.lateral_step);
+  grid.longitudinal_first += 0.5 * (grid.longitudinal_step - finest.longitudinal_step);
+  resample_pressure(start.grid, start.pressure, grid, level.pressure);
+  const double sum = sum_of(level.pressure);
+  if (!(sum > 0.0) || !std::isfinite(sum)) {
+    return false;
+  }
+  const double scale = level.pressure_sum ? *level.pressure_sum / sum : 1.0 / pressure_scale;
+  for (double& value : level.pressure) {
+    value *= scale;
+  }
+  return true;
 }
 
 NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
@@ -282,8 +327,14 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
   const double step = grid.longitudinal_step;
   aspect = grid.lateral_step / step;
   std::size_t level_count = 1;
-  for (LevelSize size{grid.lateral_count, grid.longitudinal_count}; can_coarsen(size);
-       size = coarser_size(size)) {
+  // The cascade begins where elements are about as large as those of the start, if there is one.
+  const double largest_element = problem.start
+                                     ? start_coarseness * problem.start->grid.element_area()
+                                     : std::numeric_limits<double>::infinity();
+  double element = grid.element_area();
+  for (LevelSize size{grid.lateral_count, grid.longitudinal_count};
+       can_coarsen(size) && element < largest_element; size = coarser_size(size)) {
+    element *= 4.0;
     ++level_count;
   }
   levels.resize(level_count);
@@ -303,10 +354,16 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
     finest.pressure_sum.reset();
     finest.approach = 1.0;
   }
+  // No element farther away than the approach is in contact, and no approach is larger than that of
+  // the whole load on one element. Keeps absent bodies (any finite distance) within range.
+  const double farthest =
+      4.0 *
+      (finest.pressure_sum ? *finest.pressure_sum * cache.table(aspect, 1, 1).row(0)[0] : 1.0);
   finest.distance.resize(grid.element_count());
   std::transform(problem.undeformed_distance.begin(), problem.undeformed_distance.end(),
-                 finest.distance.begin(),
-                 [=](double distance) { return (distance - least_distance) / normal_scale; });
+                 finest.distance.begin(), [=](double distance) {
+                   return std::min((distance - least_distance) / normal_scale, farthest);
+                 });
   for (std::size_t i = 1; i < level_count; ++i) {
     Level& level = levels[i];
     level.size = coarser_size(levels[i - 1].size);
@@ -318,7 +375,9 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
     level.approach = levels[i - 1].approach / 2.0;
   }
 
-  start_pressure(levels.back());
+  if (!problem.start || !take_start(*problem.start, grid, pressure_scale)) {
+    start_pressure(levels.back());
+  }
   BoxOutcome outcome;
   for (std::size_t i = level_count; i-- > 0;) {
     Level& level = levels[i];
@@ -326,7 +385,7 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
       refine_pressure(levels[i + 1].size, levels[i + 1].pressure, level.size, level.pressure);
     }
     ElementBox box;
-    if (i + 1 == level_count) {
+    if (i + 1 == level_count && !problem.start) {
       box = whole(level.size);
     } else if (!find_pressure_box(level.size, level.pressure, box_margin, box)) {
       start_pressure(level); // the coarser grid has lost the contact
@@ -337,7 +396,7 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
     outcome = solve_level(level, box, tolerance, problem.maximum_iterations);
     solution.iterations += outcome.iterations;
     ElementBox larger;
-    while (i == 0 && find_missed_contact(level, box, outcome, larger)) {
+    while (i == 0 && find_missed_contact(level, box, outcome, problem.tolerance, larger)) {
       box = larger;
       outcome = solve_level(level, box, tolerance, problem.maximum_iterations);
       solution.iterations += outcome.iterations;

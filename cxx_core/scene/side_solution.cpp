@@ -38,14 +38,17 @@ constexpr double greatest_slide_share = 2e-3;
 constexpr double coarse_depth_share = 0.02;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 constexpr double vertical_convention_limit = 0.15;
-/// Elements across the contact with which an accuracy of 1e-2 starts. Along the rail contact is
-/// smooth, with errors that fall with the square of the elements; across the rail most profiles are
-/// not: their curvature jumps.
-constexpr Resolution first_resolution{12.0, 8.0};
+/// Elements across the contact with which an accuracy of 1e-2 starts, across the rail. Profiles are
+/// not smooth there, their curvature jumps.
+constexpr double first_lateral_resolution = 12.0;
+/// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
+constexpr double longitudinal_share = 0.25;
 /// Elements across the contact at which it gives up.
 constexpr double last_resolution = 400.0;
+/// Share of the accuracy that estimates aim at when the number of elements is chosen.
+constexpr double aimed_share = 0.6;
 /// Share of the accuracy that the iteration may take.
-constexpr double iteration_share = 0.1;
+constexpr double iteration_share = 0.2;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
 /// once on a grid that should resolve any smooth contact, is no convergence (a kink of a profile in
 /// the contact has no bounded pressure): further grids would be wasted.
@@ -79,8 +82,9 @@ private:
   [[nodiscard]] PlaneArea penetrated_area(double depth, const ContactFrame& frame) const {
     return area_of(find_penetration_region(equilibrium_.scan, depth), rail_, frame);
   }
+  /// `start`: an earlier trial whose pressures are near; none if null.
   Trial try_area(const ContactFrame& frame, const PlaneArea& area, const Mesh& mesh, double depth,
-                 double tolerance);
+                 double tolerance, const Trial* start);
   [[nodiscard]] NormalSolution solve_normal(const NormalProblem& problem);
   /// The same rectangle of the track, seen in the plane of another frame.
   [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
@@ -135,7 +139,7 @@ NormalSolution SideSolver::solve_normal(const NormalProblem& problem) {
 }
 
 Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area, const Mesh& mesh,
-                           double depth, double tolerance) {
+                           double depth, double tolerance, const Trial* start) {
   Trial trial;
   trial.frame = frame;
   trial.area = area;
@@ -161,6 +165,14 @@ Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area, con
   problem.tolerance = tolerance;
   problem.maximum_iterations = request_.maximum_iterations;
   trial.normal_load = problem.normal_load;
+  if (start != nullptr) {
+    // Planes differ little: the place along the rail's tangent is all that counts.
+    StartPressure near{start->grid, start->normal.pressure};
+    const Vector3 shift = start->frame.origin - frame.origin;
+    near.grid.lateral_first += dot(shift, frame.lateral);
+    near.grid.longitudinal_first += dot(shift, frame.longitudinal);
+    problem.start = near;
+  }
   trial.normal = solve_normal(problem);
   result_.iterations += trial.normal.iterations;
   trial.contact = summarise_pressure(trial.grid, trial.normal.pressure);
@@ -188,7 +200,7 @@ PlaneArea SideSolver::carried_over(const PlaneArea& area, const ContactFrame& fr
 
 Resolution SideSolver::start_resolution() const {
   if (request_.grid) {
-    return {2.0 * coarse_resolution, 2.0 * coarse_resolution};
+    return {2.0 * coarse_resolution, coarse_resolution};
   }
   if (memory_.valid && memory_.accuracy == request_.accuracy) {
     return memory_.resolution;
@@ -197,9 +209,8 @@ Resolution SideSolver::start_resolution() const {
 }
 
 Resolution SideSolver::usual_resolution() const {
-  const double ratio = 1e-2 / request_.accuracy;
-  return {first_resolution.lateral * std::cbrt(ratio),
-          first_resolution.longitudinal * std::sqrt(std::max(1.0, ratio))};
+  return {first_lateral_resolution * std::cbrt(1e-2 / request_.accuracy),
+          longitudinal_resolution(longitudinal_share * request_.accuracy)};
 }
 
 /// Coarse solutions until depth, plane and extent agree with each other.
@@ -225,7 +236,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
     trial = try_area(frame, area, mesh, depth,
-                     std::min(tolerance, iteration_share * request_.accuracy));
+                     std::min(tolerance, iteration_share * request_.accuracy), nullptr);
     if (trial.no_contact()) {
       area = area.widened(-0.25); // a contact smaller than an element: look closer
       mesh.lateral_step *= 0.5;
@@ -309,43 +320,41 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolutio
                                ? request_.tolerance
                                : std::min(request_.tolerance, iteration_share * request_.accuracy);
   int failures = 0;
-  double along_error = 0.0;
-  Trial coarser = coarse;
-  Trial trial;
-  for (int attempt = 0; attempt < final_limit; ++attempt) {
+  Trial coarser = coarse; // what errors are estimated from
+  Trial last = coarse;    // whose pressures are the start of the next
+  for (int attempt = 0;; ++attempt) {
     Mesh mesh = coarser.mesh_across(resolution);
     mesh.counts = request_.grid;
-    trial = try_area(frame, area, mesh, depth, tolerance);
-    if (trial.no_contact()) {
+    Trial trial = try_area(frame, area, mesh, depth, tolerance, &last);
+    if (trial.no_contact() || attempt == final_limit) {
       return trial;
     }
-    if (trial.touches_edge() && attempt + 1 < final_limit) {
+    if (trial.touches_edge()) {
       ++result_.regrown;
       area = trial.grown(final_growth);
+      last = std::move(trial);
       continue;
     }
-    if (attempt + 1 < final_limit) {
-      if (const auto larger = area_with_missed_contact(trial)) {
-        ++result_.regrown;
-        area = *larger;
-        continue;
-      }
+    if (const auto larger = area_with_missed_contact(trial)) {
+      ++result_.regrown;
+      area = *larger;
+      last = std::move(trial);
+      continue;
     }
     const double slide = std::abs(trial.next_depth - depth) * std::abs(std::sin(frame.angle()));
     const double slide_share = std::min(greatest_slide_share, 2.0 * request_.accuracy);
-    if (!position_is_prescribed() && slide > slide_share * trial.next_depth &&
-        attempt + 1 < final_limit) {
+    if (!position_is_prescribed() && slide > slide_share * trial.next_depth) {
       depth = trial.next_depth;
       const ContactFrame next = frame_at(depth);
       area = carried_over(area, frame, next);
       frame = next;
+      last = std::move(trial);
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    // What the coarser grid had left along the rail stays if only the rows were refined.
-    const bool along_too = trial.columns() > 1.2 * coarser.columns();
-    double across_error = estimate_error(coarser, trial, position_is_prescribed());
-    result_.error_estimate = across_error + (along_too ? 0.0 : along_error);
+    const double across_error = estimate_error(coarser, trial, position_is_prescribed());
+    const double along_error = longitudinal_error(trial);
+    result_.error_estimate = across_error + along_error;
     const bool reached = *result_.error_estimate <= request_.accuracy;
     const bool failed = before && *result_.error_estimate * least_gain > *before;
     failures = failed ? failures + 1 : 0;
@@ -354,24 +363,18 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolutio
     if (request_.grid || reached || hopeless || 2.0 * trial.rows() > last_resolution) {
       return trial;
     }
-    // Which direction is too coarse? A grid with half the columns tells.
-    const Resolution reached_resolution = trial.resolution();
-    if (along_too) {
-      const Trial half = try_area(
-          frame, area,
-          trial.mesh_across({reached_resolution.lateral, 0.5 * reached_resolution.longitudinal}),
-          depth, tolerance);
-      along_error = estimate_error(half, trial, position_is_prescribed());
-      across_error = estimate_error(coarser, half, position_is_prescribed());
-    }
-    resolution = reached_resolution;
-    const bool along = along_error > 0.5 * request_.accuracy;
-    resolution.longitudinal *= along ? 2.0 : 1.0;
-    resolution.lateral *= !along || across_error > 0.5 * request_.accuracy ? 2.0 : 1.0;
+    // Errors fall with the square of the elements, or more slowly.
+    const auto finer = [this](double error) {
+      return std::clamp(std::sqrt(error / (aimed_share * request_.accuracy)), 1.4, 2.0);
+    };
+    resolution = trial.resolution();
+    resolution.longitudinal *=
+        along_error > 0.5 * request_.accuracy ? finer(2.0 * along_error) : 1.0;
+    resolution.lateral *= across_error > 0.5 * request_.accuracy ? finer(across_error) : 1.0;
     area = trial.contact_area(margin_elements);
+    last = trial;
     coarser = std::move(trial);
   }
-  return trial;
 }
 
 void SideSolver::warn_about(const Trial& trial) {
@@ -424,7 +427,7 @@ SideSolution SideSolver::solve() {
   }
   Resolution resolution = start_resolution();
   const Trial coarse =
-      settle_on_coarse_grids(depth, {0.5 * resolution.lateral, 0.5 * resolution.longitudinal});
+      settle_on_coarse_grids(depth, {0.5 * resolution.lateral, resolution.longitudinal});
   if (coarse.no_contact()) {
     throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
   }
@@ -456,14 +459,12 @@ void SideSolver::remember(const Trial& trial, const Resolution& resolution) {
   memory_.depth = trial.next_depth;
   memory_.load = prescribed_load();
   memory_.accuracy = request_.accuracy;
-  // Errors fall with the square of the elements: begin the next time with as many as half of the
-  // accuracy needs, but not with less than half of today's.
-  const double surplus =
-      std::sqrt(result_.error_estimate.value_or(request_.accuracy) / (0.5 * request_.accuracy));
+  // Begin the next time with as many elements as are enough, but not with less than half of these.
+  const double surplus = std::sqrt(result_.error_estimate.value_or(request_.accuracy) /
+                                   (aimed_share * request_.accuracy));
   const double factor = std::clamp(surplus, 0.5, 1.0);
   const Resolution least = usual_resolution();
-  memory_.resolution = {std::max(factor * resolution.lateral, least.lateral),
-                        std::max(factor * resolution.longitudinal, least.longitudinal)};
+  memory_.resolution = {std::max(factor * resolution.lateral, least.lateral), least.longitudinal};
   const PlaneArea penetrated = penetrated_area(trial.next_depth, trial.frame);
   const PlaneArea contact = trial.contact_area(0.0);
   memory_.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();

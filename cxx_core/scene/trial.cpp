@@ -17,6 +17,8 @@ constexpr double estimate_safety = 2.0;
 constexpr double load_share = 0.25;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
+/// Times 1/n^2: error of pmax for Hertzian contact n elements across in both directions.
+constexpr double hertz_error = 0.31;
 /// Grids count as different in a direction from this ratio of elements on.
 constexpr double least_ratio = 1.2;
 
@@ -99,6 +101,28 @@ Grid mesh_grid(const PlaneArea& area, const Mesh& mesh) {
   grid.lateral_step = lateral_step;
   grid.longitudinal_step = longitudinal_step;
   return grid;
+}
+
+double longitudinal_error(const Trial& trial) {
+  const std::vector<double>& pressure = trial.normal.pressure;
+  const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
+                                             pressure.begin());
+  const std::size_t columns = trial.grid.longitudinal_count;
+  const std::size_t row_begin = peak - peak % columns;
+  std::size_t first = peak;
+  std::size_t last = peak;
+  while (first > row_begin && pressure[first - 1] > 0.0) {
+    --first;
+  }
+  while (last + 1 < row_begin + columns && pressure[last + 1] > 0.0) {
+    ++last;
+  }
+  const auto elements = static_cast<double>(last - first + 1);
+  return hertz_error / (elements * elements);
+}
+
+double longitudinal_resolution(double error) {
+  return std::sqrt(hertz_error / error);
 }
 
 double estimate_error(const Trial& coarser, const Trial& finer, bool position_is_prescribed) {

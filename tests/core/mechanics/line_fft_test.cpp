@@ -54,6 +54,20 @@ TEST(LineLength, GoodLengthIsTheLeastOne) {
   }
 }
 
+/// Real and complex lines of one length together.
+template <typename Real> struct LineFft {
+  using Complex = std::complex<Real>;
+
+  LineFft(std::size_t length, PlannerRigor rigor) : real(length, rigor), complex(length, rigor) {}
+  void real_forward(Real* from, Complex* to) const { real.forward(from, to); }
+  void real_backward(Complex* from, Real* to) const { real.backward(from, to); }
+  void forward(Complex* from, Complex* to) const { complex.forward(from, to); }
+  void backward(Complex* from, Complex* to) const { complex.backward(from, to); }
+
+  RealLineFft<Real> real;
+  ComplexLineFft<Real> complex;
+};
+
 template <typename Real> class LineFftTest : public testing::Test {
 protected:
   static std::vector<Real> random_line(std::size_t length) {
