@@ -20,8 +20,18 @@
 struct wrc_scene {
   wrc::Scene scene;
   std::optional<wrc::SceneResult> result;
-  std::vector<std::pair<std::string, double>> numbers;
-  std::vector<std::pair<std::string, std::string>> texts;
+  // Made of the result when they are first asked for.
+  mutable std::vector<std::string> number_names;
+  mutable std::vector<std::pair<std::string, std::string>> texts;
+  std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one asked for
+  std::string error;
+
+  /// Takes a new result in; returns the status that tells of it.
+  wrc_status take_result(wrc::SceneResult&& new_result);
+};
+
+struct wrc_solver {
+  wrc::SceneSolver solver;
   std::string error;
 };
 

@@ -4,25 +4,42 @@
 
 namespace {
 
-/// The value of a name in a list of pairs; throws Error(unknown_name).
-template <class Value>
-const Value& find_value(const std::vector<std::pair<std::string, Value>>& values,
-                        const char* name) {
-  wrc::require_pointer(name, "name");
-  const auto found = std::find_if(values.begin(), values.end(),
-                                  [name](const auto& entry) { return entry.first == name; });
-  if (found == values.end()) {
-    throw wrc::Error(wrc::ErrorCode::unknown_name,
-                     "no result is named \"" + std::string(name) + '"');
+/// Names of the numbers at hand; none without a result.
+const std::vector<std::string>& number_names_of(const wrc_scene* scene) {
+  static const std::vector<std::string> none;
+  if (scene == nullptr || !scene->result) {
+    return none;
   }
-  return found->second;
+  if (scene->number_names.empty()) {
+    scene->number_names = wrc::number_names(*scene->result);
+  }
+  return scene->number_names;
 }
 
-template <class Value>
-const char* name_at(const std::vector<std::pair<std::string, Value>>& values, int64_t index) {
-  return index >= 0 && index < static_cast<int64_t>(values.size())
-             ? values[static_cast<std::size_t>(index)].first.c_str()
-             : nullptr;
+/// Texts by name; none without a result.
+const std::vector<std::pair<std::string, std::string>>& texts_of(const wrc_scene* scene) {
+  static const std::vector<std::pair<std::string, std::string>> none;
+  if (scene == nullptr || !scene->result) {
+    return none;
+  }
+  if (scene->texts.empty()) {
+    scene->texts = wrc::text_values(*scene->result);
+  }
+  return scene->texts;
+}
+
+/// A count, or 0 if there is no memory to find it.
+template <class Count> int64_t counted(Count&& count) noexcept {
+  try {
+    return static_cast<int64_t>(count());
+  } catch (...) {
+    return 0;
+  }
+}
+
+[[noreturn]] void throw_unknown(const char* what, const char* name) {
+  throw wrc::Error(wrc::ErrorCode::unknown_name,
+                   "no " + std::string(what) + " is named \"" + name + '"');
 }
 
 /// Runs a body that needs results.
@@ -42,16 +59,28 @@ extern "C" {
 
 wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
   return with_result(scene, [&] {
+    wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    *value = find_value(scene->numbers, name);
+    const auto found = wrc::number_value(*scene->result, name);
+    if (!found) {
+      throw_unknown("result", name);
+    }
+    *value = *found;
     return WRC_OK;
   });
 }
 
 wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value) {
   return with_result(scene, [&] {
+    wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    *value = find_value(scene->texts, name).c_str();
+    const auto& texts = texts_of(scene);
+    const auto found = std::find_if(texts.begin(), texts.end(),
+                                    [name](const auto& entry) { return entry.first == name; });
+    if (found == texts.end()) {
+      throw_unknown("result", name);
+    }
+    *value = found->second.c_str();
     return WRC_OK;
   });
 }
@@ -60,37 +89,35 @@ wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values, i
                            int64_t* count) {
   return with_result(scene, [&] {
     wrc::require_pointer(name, "name");
-    const std::string_view asked = name;
-    const auto known = wrc::field_names();
-    const auto dot = asked.find('.');
-    const bool is_field =
-        dot != std::string_view::npos &&
-        std::find(known.begin(), known.end(), asked.substr(dot + 1)) != known.end();
-    const std::string_view side = asked.substr(0, std::min(dot, asked.size()));
-    const bool has_side =
-        (side == "left" && scene->result->left) || (side == "right" && scene->result->right);
-    if (!is_field || !has_side) {
-      throw wrc::Error(wrc::ErrorCode::unknown_name,
-                       "no field is named \"" + std::string(asked) + '"');
+    if (!scene->field || scene->field->first != name) {
+      auto computed = wrc::field_values(*scene->result, name);
+      if (!computed) {
+        throw_unknown("field", name);
+      }
+      scene->field.emplace(name, std::move(*computed));
     }
-    const auto field = wrc::field_values(*scene->result, asked);
+    const std::vector<double>& field = scene->field->second;
     return wrc::copy_values(field.data(), field.size(), values, capacity, count, scene->error);
   });
 }
 
 int64_t wrc_scene_number_count(const wrc_scene* scene) {
-  return scene == nullptr ? 0 : static_cast<int64_t>(scene->numbers.size());
+  return counted([&] { return number_names_of(scene).size(); });
 }
 
 const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index) {
-  return scene == nullptr ? nullptr : name_at(scene->numbers, index);
+  return index >= 0 && index < wrc_scene_number_count(scene)
+             ? scene->number_names[static_cast<std::size_t>(index)].c_str()
+             : nullptr;
 }
 
 int64_t wrc_scene_text_count(const wrc_scene* scene) {
-  return scene == nullptr ? 0 : static_cast<int64_t>(scene->texts.size());
+  return counted([&] { return texts_of(scene).size(); });
 }
 
 const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index) {
-  return scene == nullptr ? nullptr : name_at(scene->texts, index);
+  return index >= 0 && index < wrc_scene_text_count(scene)
+             ? scene->texts[static_cast<std::size_t>(index)].first.c_str()
+             : nullptr;
 }
 }

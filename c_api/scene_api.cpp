@@ -1,6 +1,21 @@
 #include "handles.hpp"
 #include "scene/scene_keys.hpp"
 
+wrc_status wrc_scene::take_result(wrc::SceneResult&& new_result) {
+  bool converged = true;
+  for (const auto* side : {&new_result.left, &new_result.right}) {
+    converged = converged && (!*side || (*side)->stop_reason == wrc::StopReason::tolerance_met);
+  }
+  std::string text = converged ? "" : "not converged: see left.stop_reason and right.stop_reason";
+  // From here on nothing fails: the handle has the old results or all of the new ones.
+  result = std::move(new_result);
+  number_names.clear();
+  texts.clear();
+  field.reset();
+  error.swap(text);
+  return converged ? WRC_OK : WRC_NOT_CONVERGED;
+}
+
 extern "C" {
 
 wrc_status wrc_scene_create(wrc_scene** scene) {
@@ -67,23 +82,6 @@ wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_
 }
 
 wrc_status wrc_scene_solve(wrc_scene* scene) {
-  return wrc::guard(scene, [&]() -> wrc_status {
-    wrc::SceneResult result = wrc::solve_scene(scene->scene);
-    auto numbers = wrc::number_values(result);
-    auto texts = wrc::text_values(result);
-    bool converged = true;
-    for (const auto& side : {std::cref(result.left), std::cref(result.right)}) {
-      converged =
-          converged && (!side.get() || side.get()->stop_reason == wrc::StopReason::tolerance_met);
-    }
-    std::string error =
-        converged ? "" : "not converged: see left.stop_reason and right.stop_reason";
-    // From here on nothing fails: the handle has the old results or all of the new ones.
-    scene->numbers.swap(numbers);
-    scene->texts.swap(texts);
-    scene->result = std::move(result);
-    scene->error.swap(error);
-    return converged ? WRC_OK : WRC_NOT_CONVERGED;
-  });
+  return wrc::guard(scene, [&] { return scene->take_result(wrc::solve_scene(scene->scene)); });
 }
 }

@@ -110,6 +110,41 @@ WRC_API const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index)
 WRC_API int64_t wrc_scene_text_count(const wrc_scene* scene);
 WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
 
+/* ---- Solver: what is kept from one scene to the next --------------------------------------- */
+
+typedef struct wrc_solver wrc_solver;
+
+/*
+ * Keeps profiles, influence coefficients, transform plans and memory between solutions, and the
+ * positions, depths and extents of the last contact as the start of the next one. For vehicle
+ * simulations: one solver a wheelset, solved every time step. A jump of the contact is never
+ * missed: every search is global. Since 0.1.
+ */
+WRC_API wrc_status wrc_solver_create(wrc_solver** solver);
+WRC_API void wrc_solver_destroy(wrc_solver* solver);
+WRC_API const char* wrc_solver_error(const wrc_solver* solver);
+
+/*
+ * As wrc_scene_solve, with what the solver keeps. Results are on the scene's handle; they agree
+ * with those of wrc_scene_solve within the accuracy asked. The error text is on the scene. The
+ * caller may use one scene's handle again and again, changing its pose. Since 0.1.
+ */
+WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
+/*
+ * Drops positions, so that the next solution is bit for bit that of wrc_scene_solve; with
+ * `profiles` not 0 also everything else (profile files are read again). Since 0.1.
+ */
+WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
+
+/*
+ * Solves many scenes, each by itself as wrc_scene_solve does, on up to `threads` threads (1 to
+ * 1024); bit for bit the same for any number of them. The handles must all be different. The status
+ * of each goes to statuses (may be NULL), its error text to its scene. Returns WRC_OK if all were
+ * solved, otherwise the status of the first that was not. Since 0.1.
+ */
+WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
+                                   wrc_status* statuses);
+
 /* ---- Normal contact of a gap given by the caller ------------------------------------------- */
 
 /*

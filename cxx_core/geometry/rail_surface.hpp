@@ -17,6 +17,7 @@ struct TrackDimensions {
   double gauge = 1435.0;
   double gauge_height = 14.0; ///< below the top of the inclined rail (16 in China)
   double cant = 0.025;        ///< rad, > 0 leans the rail towards the track centre
+  bool operator==(const TrackDimensions&) const = default;
 };
 
 class RailSurface {

@@ -23,6 +23,7 @@ struct WheelsetDimensions {
   double back_to_back = 1360.0;
   double tape_offset = 70.0; ///< taping line to inner face
   double radius = 460.0;     ///< rolling radius at the taping line
+  bool operator==(const WheelsetDimensions&) const = default;
 };
 
 /// A point of the contact locus, with the wheelset's centre at height 0.

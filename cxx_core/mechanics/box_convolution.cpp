@@ -98,8 +98,8 @@ BoxConvolution<Real> BoxConvolution<Real>::linear(const ConvolutionShape& shape,
   const std::size_t rows = line_length(shape.rows_in, shape.rows_out, shape.row_offset);
   const std::size_t columns = line_length(shape.columns_in, shape.columns_out, shape.column_offset);
   result.spectrum_ = cache.spectrum<Real>(aspect, rows, columns);
-  result.row_fft_ = &cache.line_fft<Real>(columns);
-  result.column_fft_ = &cache.line_fft<Real>(rows);
+  result.row_fft_ = &cache.real_line_fft<Real>(columns);
+  result.column_fft_ = &cache.complex_line_fft<Real>(rows);
   return result;
 }
 
@@ -111,8 +111,8 @@ BoxConvolution<Real> BoxConvolution<Real>::inverse_periodic(std::size_t rows, st
   const std::size_t row_period = fast_line_length(rows);
   const std::size_t column_period = fast_line_length(columns);
   result.spectrum_ = cache.inverse_spectrum<Real>(aspect, row_period, column_period);
-  result.row_fft_ = &cache.line_fft<Real>(column_period);
-  result.column_fft_ = &cache.line_fft<Real>(row_period);
+  result.row_fft_ = &cache.real_line_fft<Real>(column_period);
+  result.column_fft_ = &cache.complex_line_fft<Real>(row_period);
   return result;
 }
 
@@ -142,7 +142,7 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
     for (std::size_t row = 0; row < count; ++row) {
       std::copy_n(in + (first + row) * shape_.columns_in, shape_.columns_in,
                   real_lines + row * real_pitch);
-      row_fft_->real_forward(real_lines + row * real_pitch, spectral_lines + row * spectral_pitch);
+      row_fft_->forward(real_lines + row * real_pitch, spectral_lines + row * spectral_pitch);
     }
     // Lines of an earlier block may stand beyond `count`; they go to rows that are not read.
     scatter(pairs_of(spectral_lines), spectral_pitch, pairs_of(columns + first), column_pitch,
@@ -175,7 +175,7 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
            spectral_length);
     for (std::size_t row = 0; row < count; ++row) {
       Real* values = real_lines + row * real_pitch;
-      row_fft_->real_backward(spectral_lines + row * spectral_pitch, values);
+      row_fft_->backward(spectral_lines + row * spectral_pitch, values);
       Real* target = out + (first + row) * shape_.columns_out;
       std::copy_n(values + start, until_end, target);
       std::copy_n(values, shape_.columns_out - until_end, target + until_end);

@@ -233,57 +233,76 @@ std::size_t fast_line_length(std::size_t least) {
   return best;
 }
 
-template <typename Real> struct LineFft<Real>::Plans {
-  Plan<Real> real_forward;
-  Plan<Real> real_backward;
+// Lines of other memory need no more than the same alignment to be transformed by the same plan.
+
+template <typename Real> struct RealLineFft<Real>::Plans {
   Plan<Real> forward;
   Plan<Real> backward;
 };
 
 template <typename Real>
-LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
+RealLineFft<Real>::RealLineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
   check_length("length", length);
-  // FFTW's own executions demand no more of other memory than the same alignment.
   AlignedArray<Real> line(length);
-  AlignedArray<Complex> first(length);
-  AlignedArray<Complex> second(length);
+  AlignedArray<Complex> spectrum(length);
   const int count = static_cast<int>(length);
-  const unsigned flags = flags_of(rigor);
-  using Own = Library<Real>;
   {
     const PlanningGuard guard(planner());
-    plans_->real_forward.reset(
-        Own::plan_real_forward(count, line.data(), fftw_of(first.data()), flags));
-    plans_->real_backward.reset(
-        Own::plan_real_backward(count, fftw_of(first.data()), line.data(), flags));
-    plans_->forward.reset(Own::plan_complex(count, fftw_of(first.data()), fftw_of(second.data()),
-                                            FFTW_FORWARD, flags));
-    plans_->backward.reset(Own::plan_complex(count, fftw_of(first.data()), fftw_of(second.data()),
-                                             FFTW_BACKWARD, flags));
+    plans_->forward.reset(Library<Real>::plan_real_forward(
+        count, line.data(), fftw_of(spectrum.data()), flags_of(rigor)));
+    plans_->backward.reset(Library<Real>::plan_real_backward(count, fftw_of(spectrum.data()),
+                                                             line.data(), flags_of(rigor)));
   }
-  if (plans_->real_forward == nullptr || plans_->real_backward == nullptr ||
-      plans_->forward == nullptr || plans_->backward == nullptr) {
+  if (plans_->forward == nullptr || plans_->backward == nullptr) {
     throw_no_memory(1, length);
   }
 }
 
-template <typename Real> LineFft<Real>::~LineFft() = default;
+template <typename Real> RealLineFft<Real>::~RealLineFft() = default;
 
-template <typename Real> void LineFft<Real>::real_forward(Real* from, Complex* to) const {
-  Library<Real>::run(plans_->real_forward.get(), from, fftw_of(to));
+template <typename Real> void RealLineFft<Real>::forward(Real* from, Complex* to) const {
+  Library<Real>::run(plans_->forward.get(), from, fftw_of(to));
 }
-template <typename Real> void LineFft<Real>::real_backward(Complex* from, Real* to) const {
-  Library<Real>::run(plans_->real_backward.get(), fftw_of(from), to);
+template <typename Real> void RealLineFft<Real>::backward(Complex* from, Real* to) const {
+  Library<Real>::run(plans_->backward.get(), fftw_of(from), to);
 }
-template <typename Real> void LineFft<Real>::forward(Complex* from, Complex* to) const {
+
+template <typename Real> struct ComplexLineFft<Real>::Plans {
+  Plan<Real> forward;
+  Plan<Real> backward;
+};
+
+template <typename Real>
+ComplexLineFft<Real>::ComplexLineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
+  check_length("length", length);
+  AlignedArray<Complex> first(length);
+  AlignedArray<Complex> second(length);
+  const int count = static_cast<int>(length);
+  {
+    const PlanningGuard guard(planner());
+    plans_->forward.reset(Library<Real>::plan_complex(
+        count, fftw_of(first.data()), fftw_of(second.data()), FFTW_FORWARD, flags_of(rigor)));
+    plans_->backward.reset(Library<Real>::plan_complex(
+        count, fftw_of(first.data()), fftw_of(second.data()), FFTW_BACKWARD, flags_of(rigor)));
+  }
+  if (plans_->forward == nullptr || plans_->backward == nullptr) {
+    throw_no_memory(1, length);
+  }
+}
+
+template <typename Real> ComplexLineFft<Real>::~ComplexLineFft() = default;
+
+template <typename Real> void ComplexLineFft<Real>::forward(Complex* from, Complex* to) const {
   Library<Real>::run(plans_->forward.get(), fftw_of(from), fftw_of(to));
 }
-template <typename Real> void LineFft<Real>::backward(Complex* from, Complex* to) const {
+template <typename Real> void ComplexLineFft<Real>::backward(Complex* from, Complex* to) const {
   Library<Real>::run(plans_->backward.get(), fftw_of(from), fftw_of(to));
 }
 
-template class LineFft<float>;
-template class LineFft<double>;
+template class RealLineFft<float>;
+template class RealLineFft<double>;
+template class ComplexLineFft<float>;
+template class ComplexLineFft<double>;
 
 struct RealFft::Resources {
   std::size_t rows;

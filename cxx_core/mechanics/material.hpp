@@ -10,6 +10,7 @@ namespace wrc {
 struct Material {
   double youngs_modulus; ///< E, MPa, > 0
   double poisson;        ///< nu, 0 to 0.5
+  bool operator==(const Material&) const = default;
 };
 
 /// E* in MPa. Throws Error(invalid_argument) for constants outside their range.

@@ -95,6 +95,14 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
   return compute_residuals(problem, pressure, displacement, approach);
 }
 
+void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
+  solution.displacement.resize(solution.pressure.size());
+  DisplacementOperator(problem.grid, problem.combined_modulus)
+      .apply(solution.pressure, solution.displacement);
+  solution.residuals =
+      compute_residuals(problem, solution.pressure, solution.displacement, solution.approach);
+}
+
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach) {
   check_problem(problem);

@@ -41,12 +41,14 @@ struct Residuals {
 
 struct NormalSolution {
   std::vector<double> pressure;     ///< per element, MPa
-  std::vector<double> displacement; ///< u per element, both bodies together, mm
+  std::vector<double> displacement; ///< u per element, both bodies together, mm; may be left empty
   double approach = 0.0;            ///< mm
   double normal_force = 0.0;        ///< sum p a b, N
   int iterations = 0;
   StopReason stop_reason = StopReason::tolerance_met;
-  Residuals residuals;
+  /// Estimate of what the iteration left: largest error of p relative to the largest p.
+  double pressure_error = 0.0;
+  Residuals residuals; ///< filled together with the displacement
 };
 
 /// Largest number of elements a problem may have.
@@ -69,6 +71,9 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
 /// The same for displacements that the caller has just computed from these very pressures.
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach);
+
+/// Fills in displacement and residuals of a solution that lacks them, in double precision.
+void complete_solution(const NormalProblem& problem, NormalSolution& solution);
 
 /// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
 /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.

@@ -344,6 +344,7 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
   }
 
   solution.stop_reason = outcome.stop_reason;
+  solution.pressure_error = outcome.error / stop_share;
   solution.pressure.resize(grid.element_count());
   std::transform(finest.pressure.begin(), finest.pressure.end(), solution.pressure.begin(),
                  [=](double p) { return p * pressure_scale; });

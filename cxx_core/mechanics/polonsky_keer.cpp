@@ -31,6 +31,9 @@ namespace {
 /// Longer than any plateau seen on noise and on two contacts; a floor costs this many iterations.
 constexpr int stagnation_window = 300;
 
+/// Pressures are off by 5 to 70 times the relative error of the gaps; see above.
+constexpr double pressure_error_per_gap_error = 70.0;
+
 /// Share of elements below the distance from which the first pressures are drawn.
 constexpr double start_quantile = 0.2;
 
@@ -314,7 +317,7 @@ std::vector<double> start_pressures(const ScaledProblem& scaled) {
 }
 
 /// Displacement, approach, force and residuals of the final pressures, from a fresh convolution.
-void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
+void finish_solution(const NormalProblem& problem, NormalSolution& solution) {
   const std::span<const double> distance = problem.undeformed_distance;
   solution.displacement.resize(solution.pressure.size());
   DisplacementOperator(problem.grid, problem.combined_modulus)
@@ -350,7 +353,7 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
       problem.normal_load ? *problem.normal_load == 0.0 : *problem.approach <= least_distance;
   if (apart) {
     solution.pressure.assign(problem.grid.element_count(), 0.0);
-    complete_solution(problem, solution);
+    finish_solution(problem, solution);
     return solution;
   }
 
@@ -363,10 +366,11 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
   }
   solution.iterations = result.iterations;
   solution.stop_reason = result.stop_reason;
-  complete_solution(problem, solution);
+  finish_solution(problem, solution);
   const Residuals& residuals = solution.residuals;
   const double error =
       std::max({residuals.load_balance, residuals.complementarity, -residuals.least_gap});
+  solution.pressure_error = pressure_error_per_gap_error * error;
   // The rounding of distances far from 0 can spoil what was reached relative to the least one.
   if (solution.stop_reason == StopReason::tolerance_met && error > problem.tolerance) {
     solution.stop_reason = StopReason::stagnation;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "error.hpp"
@@ -11,8 +10,6 @@
 namespace wrc {
 
 namespace {
-
-constexpr std::size_t unlabelled = std::numeric_limits<std::size_t>::max();
 
 void check_size(const Grid& grid, std::span<const double> pressure) {
   if (pressure.size() != grid.element_count()) {
@@ -73,16 +70,25 @@ double fitted_peak(const Grid& grid, std::span<const double> pressure, std::size
   return largest + std::max(0.0, top);
 }
 
+/// Elements of a row under pressure without interruption; `last` is the one after them.
+struct Run {
+  std::size_t row;
+  std::size_t first;
+  std::size_t last;
+  std::size_t region;
+};
+
 /// Sums over the elements of one set, in the order of the elements.
 class RegionSums {
 public:
-  void add(const Grid& grid, std::span<const double> pressure, std::size_t element);
+  void add(const Grid& grid, std::span<const double> pressure, const Run& run);
   [[nodiscard]] PressureRegion finish(const Grid& grid, std::span<const double> pressure) const;
 
 private:
   IndexBox box_;
   std::size_t count_ = 0;
-  std::size_t first_element_ = 0;
+  std::size_t first_row_ = 0;
+  std::size_t first_column_ = 0;
   std::size_t largest_element_ = 0;
   double largest_pressure_ = 0.0;
   double sum_ = 0.0;
@@ -93,32 +99,37 @@ private:
   double moment_column_column_ = 0.0;
 };
 
-void RegionSums::add(const Grid& grid, std::span<const double> pressure, std::size_t element) {
-  const std::size_t row = element / grid.longitudinal_count;
-  const std::size_t column = element % grid.longitudinal_count;
+void RegionSums::add(const Grid& grid, std::span<const double> pressure, const Run& run) {
   if (count_ == 0) {
-    first_element_ = element;
-    box_ = {row, row, column, column};
+    first_row_ = run.row;
+    first_column_ = run.first;
+    box_ = {run.row, run.row, run.first, run.last - 1};
   }
-  box_.lateral_first = std::min(box_.lateral_first, row);
-  box_.lateral_last = std::max(box_.lateral_last, row);
-  box_.longitudinal_first = std::min(box_.longitudinal_first, column);
-  box_.longitudinal_last = std::max(box_.longitudinal_last, column);
-  const double value = pressure[element];
-  if (value > largest_pressure_) {
-    largest_pressure_ = value;
-    largest_element_ = element;
+  box_.lateral_last = run.row;
+  box_.longitudinal_first = std::min(box_.longitudinal_first, run.first);
+  box_.longitudinal_last = std::max(box_.longitudinal_last, run.last - 1);
+  count_ += run.last - run.first;
+  const double* values = pressure.data() + run.row * grid.longitudinal_count;
+  double sum = 0.0;
+  double moment = 0.0;
+  double square = 0.0;
+  double offset = static_cast<double>(run.first) - static_cast<double>(first_column_);
+  for (std::size_t column = run.first; column < run.last; ++column, offset += 1.0) {
+    const double value = values[column];
+    if (value > largest_pressure_) {
+      largest_pressure_ = value;
+      largest_element_ = run.row * grid.longitudinal_count + column;
+    }
+    sum += value;
+    moment += value * offset;
+    square += value * offset * offset;
   }
-  const std::size_t first_row = first_element_ / grid.longitudinal_count;
-  const std::size_t first_column = first_element_ % grid.longitudinal_count;
-  const double row_offset = static_cast<double>(row) - static_cast<double>(first_row);
-  const double column_offset = static_cast<double>(column) - static_cast<double>(first_column);
-  ++count_;
-  sum_ += value;
-  moment_row_ += value * row_offset;
-  moment_column_ += value * column_offset;
-  moment_row_row_ += value * row_offset * row_offset;
-  moment_column_column_ += value * column_offset * column_offset;
+  const double row_offset = static_cast<double>(run.row) - static_cast<double>(first_row_);
+  sum_ += sum;
+  moment_column_ += moment;
+  moment_column_column_ += square;
+  moment_row_ += sum * row_offset;
+  moment_row_row_ += sum * row_offset * row_offset;
 }
 
 /// sqrt(5 variance), with the moments in steps; 0 for a single row of elements.
@@ -138,10 +149,9 @@ PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pres
   region.normal_force = sum_ * grid.element_area();
   const double mean_row = moment_row_ / sum_;
   const double mean_column = moment_column_ / sum_;
-  region.centroid_lateral =
-      grid.lateral(first_element_ / grid.longitudinal_count) + mean_row * grid.lateral_step;
-  region.centroid_longitudinal = grid.longitudinal(first_element_ % grid.longitudinal_count) +
-                                 mean_column * grid.longitudinal_step;
+  region.centroid_lateral = grid.lateral(first_row_) + mean_row * grid.lateral_step;
+  region.centroid_longitudinal =
+      grid.longitudinal(first_column_) + mean_column * grid.longitudinal_step;
   region.semi_axis_lateral = semi_axis(moment_row_row_ / sum_, mean_row, grid.lateral_step);
   region.semi_axis_longitudinal =
       semi_axis(moment_column_column_ / sum_, mean_column, grid.longitudinal_step);
@@ -152,37 +162,52 @@ PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pres
   return region;
 }
 
-/// Region number per element, `unlabelled` without pressure; numbers by first element.
-std::vector<std::size_t> label_regions(const Grid& grid, std::span<const double> pressure,
-                                       std::size_t& region_count) {
-  std::vector<std::size_t> labels(pressure.size(), unlabelled);
-  std::vector<std::size_t> to_visit;
-  region_count = 0;
-  for (std::size_t seed = 0; seed < pressure.size(); ++seed) {
-    if (!(pressure[seed] > 0.0) || labels[seed] != unlabelled) {
-      continue;
-    }
-    labels[seed] = region_count;
-    to_visit.push_back(seed);
-    while (!to_visit.empty()) {
-      const std::size_t row = to_visit.back() / grid.longitudinal_count;
-      const std::size_t column = to_visit.back() % grid.longitudinal_count;
-      to_visit.pop_back();
-      const std::size_t last_row = std::min(row + 1, grid.lateral_count - 1);
-      const std::size_t last_column = std::min(column + 1, grid.longitudinal_count - 1);
-      for (std::size_t i = row - (row > 0 ? 1 : 0); i <= last_row; ++i) {
-        for (std::size_t j = column - (column > 0 ? 1 : 0); j <= last_column; ++j) {
-          const std::size_t neighbour = i * grid.longitudinal_count + j;
-          if (pressure[neighbour] > 0.0 && labels[neighbour] == unlabelled) {
-            labels[neighbour] = region_count;
-            to_visit.push_back(neighbour);
-          }
-        }
+/// All runs, row by row; each a region of its own at first.
+std::vector<Run> find_runs(const Grid& grid, std::span<const double> pressure) {
+  std::vector<Run> runs;
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    const double* values = pressure.data() + row * grid.longitudinal_count;
+    std::size_t column = 0;
+    while (column < grid.longitudinal_count) {
+      if (!(values[column] > 0.0)) {
+        ++column;
+        continue;
       }
+      const std::size_t first = column;
+      while (column < grid.longitudinal_count && values[column] > 0.0) {
+        ++column;
+      }
+      runs.push_back({row, first, column, runs.size()});
     }
-    ++region_count;
   }
-  return labels;
+  return runs;
+}
+
+/// The run that stands for a region, with the way to it shortened.
+std::size_t root_of(std::vector<Run>& runs, std::size_t run) {
+  while (runs[run].region != run) {
+    runs[run].region = runs[runs[run].region].region;
+    run = runs[run].region;
+  }
+  return run;
+}
+
+/// Joins runs of neighbouring rows that touch by an edge or a corner. The first run of a region
+/// stands for it.
+void join_neighbours(std::vector<Run>& runs) {
+  std::size_t above = 0;
+  for (std::size_t below = 0; below < runs.size(); ++below) {
+    while (runs[above].row + 1 < runs[below].row ||
+           (runs[above].row + 1 == runs[below].row && runs[above].last < runs[below].first)) {
+      ++above;
+    }
+    for (std::size_t run = above;
+         runs[run].row + 1 == runs[below].row && runs[run].first <= runs[below].last; ++run) {
+      const std::size_t one = root_of(runs, run);
+      const std::size_t other = root_of(runs, below);
+      runs[std::max(one, other)].region = std::min(one, other);
+    }
+  }
 }
 
 } // namespace
@@ -198,16 +223,20 @@ double peak_pressure(const Grid& grid, std::span<const double> pressure) {
 
 std::vector<PressureRegion> pressure_regions(const Grid& grid, std::span<const double> pressure) {
   check_size(grid, pressure);
-  std::size_t region_count = 0;
-  const std::vector<std::size_t> labels = label_regions(grid, pressure, region_count);
-  std::vector<RegionSums> sums(region_count);
-  for (std::size_t element = 0; element < pressure.size(); ++element) {
-    if (labels[element] != unlabelled) {
-      sums[labels[element]].add(grid, pressure, element);
+  std::vector<Run> runs = find_runs(grid, pressure);
+  join_neighbours(runs);
+  std::vector<RegionSums> sums;
+  std::vector<std::size_t> sums_of_root(runs.size());
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const std::size_t root = root_of(runs, run);
+    if (root == run) {
+      sums_of_root[run] = sums.size();
+      sums.emplace_back();
     }
+    sums[sums_of_root[root]].add(grid, pressure, runs[run]);
   }
   std::vector<PressureRegion> regions;
-  regions.reserve(region_count);
+  regions.reserve(sums.size());
   for (const RegionSums& sum : sums) {
     regions.push_back(sum.finish(grid, pressure));
   }
@@ -221,10 +250,8 @@ std::vector<PressureRegion> pressure_regions(const Grid& grid, std::span<const d
 PressureRegion summarise_pressure(const Grid& grid, std::span<const double> pressure) {
   check_size(grid, pressure);
   RegionSums sums;
-  for (std::size_t element = 0; element < pressure.size(); ++element) {
-    if (pressure[element] > 0.0) {
-      sums.add(grid, pressure, element);
-    }
+  for (const Run& run : find_runs(grid, pressure)) {
+    sums.add(grid, pressure, run);
   }
   return sums.finish(grid, pressure);
 }

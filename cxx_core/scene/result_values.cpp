@@ -1,117 +1,223 @@
 // Results by name: the one list that the C interface, JSON and tables are made of.
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
 namespace {
 
-using Numbers = std::vector<std::pair<std::string, double>>;
-using Texts = std::vector<std::pair<std::string, std::string>>;
+/// A name and how to read its value.
+template <class Owner> struct Number {
+  std::string_view name;
+  double (*value)(const Owner&);
+};
 
-constexpr std::array<std::string_view, 10> names_of_fields{
-    "x",      "y",       "z",      "undeformed_distance", "pressure", "displacement", "rail_y",
-    "rail_z", "wheel_y", "wheel_z"};
-
-void add_place(Numbers& numbers, const std::string& prefix, const ContactPlace& place) {
-  numbers.emplace_back(prefix + "x", place.x);
-  numbers.emplace_back(prefix + "y", place.y);
-  numbers.emplace_back(prefix + "z", place.z);
-  numbers.emplace_back(prefix + "s_wheel", place.s_wheel);
-  numbers.emplace_back(prefix + "w_wheel", place.w_wheel);
-  numbers.emplace_back(prefix + "t_rail", place.t_rail);
-  numbers.emplace_back(prefix + "v_rail", place.v_rail);
-  numbers.emplace_back(prefix + "rolling_radius", place.rolling_radius);
+/// The value of a name in a table; none if it is not there.
+template <class Owner, std::size_t count>
+std::optional<double> find_in(const std::array<Number<Owner>, count>& table, const Owner& owner,
+                              std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [name](const auto& entry) { return entry.name == name; });
+  return found == table.end() ? std::nullopt : std::optional(found->value(owner));
 }
 
-void add_touch(Numbers& numbers, const std::string& prefix, const ContactPlace& place) {
-  add_place(numbers, prefix, place);
-  numbers.emplace_back(prefix + "angle", place.angle);
-  numbers.emplace_back(prefix + "wheel_angle", place.wheel_angle);
-  numbers.emplace_back(prefix + "distance", place.distance);
-}
-
-void add_side(Numbers& numbers, const std::string& side, const SideResult& result) {
-  const std::string prefix = side + '.';
-  add_touch(numbers, prefix + "rigid_contact.", result.rigid_contact);
-  for (std::size_t i = 0; i < result.near_contacts.size(); ++i) {
-    add_touch(numbers, prefix + "near_contacts." + std::to_string(i) + '.',
-              result.near_contacts[i]);
+template <class Owner, std::size_t count>
+void add_names(std::vector<std::string>& names, const std::string& prefix,
+               const std::array<Number<Owner>, count>& table) {
+  for (const auto& entry : table) {
+    names.push_back(prefix + std::string(entry.name));
   }
-  const auto add = [&](std::string_view name, double value) {
-    numbers.emplace_back(prefix + std::string(name), value);
+}
+
+constexpr std::array place_numbers{
+    Number<ContactPlace>{"x", [](const ContactPlace& p) { return p.x; }},
+    Number<ContactPlace>{"y", [](const ContactPlace& p) { return p.y; }},
+    Number<ContactPlace>{"z", [](const ContactPlace& p) { return p.z; }},
+    Number<ContactPlace>{"s_wheel", [](const ContactPlace& p) { return p.s_wheel; }},
+    Number<ContactPlace>{"w_wheel", [](const ContactPlace& p) { return p.w_wheel; }},
+    Number<ContactPlace>{"t_rail", [](const ContactPlace& p) { return p.t_rail; }},
+    Number<ContactPlace>{"v_rail", [](const ContactPlace& p) { return p.v_rail; }},
+    Number<ContactPlace>{"rolling_radius", [](const ContactPlace& p) { return p.rolling_radius; }},
+};
+
+/// Told of a touch only; a patch has an angle of its own.
+constexpr std::array touch_numbers{
+    Number<ContactPlace>{"angle", [](const ContactPlace& p) { return p.angle; }},
+    Number<ContactPlace>{"wheel_angle", [](const ContactPlace& p) { return p.wheel_angle; }},
+    Number<ContactPlace>{"distance", [](const ContactPlace& p) { return p.distance; }},
+};
+
+constexpr std::array patch_numbers{
+    Number<PatchResult>{"pmax", [](const PatchResult& p) { return p.pmax; }},
+    Number<PatchResult>{"area", [](const PatchResult& p) { return p.area; }},
+    Number<PatchResult>{"normal_force", [](const PatchResult& p) { return p.normal_force; }},
+    Number<PatchResult>{"approach", [](const PatchResult& p) { return p.approach; }},
+    Number<PatchResult>{"angle", [](const PatchResult& p) { return p.angle; }},
+    Number<PatchResult>{"semi_axes.0",
+                        [](const PatchResult& p) { return p.semi_axis_longitudinal; }},
+    Number<PatchResult>{"semi_axes.1", [](const PatchResult& p) { return p.semi_axis_lateral; }},
+};
+
+constexpr std::array side_numbers{
+    Number<SideResult>{"vertical", [](const SideResult& r) { return r.vertical; }},
+    Number<SideResult>{"pmax", [](const SideResult& r) { return r.pmax; }},
+    Number<SideResult>{"pmax_element", [](const SideResult& r) { return r.pmax_element; }},
+    Number<SideResult>{"area", [](const SideResult& r) { return r.area; }},
+    Number<SideResult>{"normal_force", [](const SideResult& r) { return r.normal_force; }},
+    Number<SideResult>{"vertical_force", [](const SideResult& r) { return r.vertical_force; }},
+    Number<SideResult>{"lateral_force", [](const SideResult& r) { return r.lateral_force; }},
+    Number<SideResult>{"approach", [](const SideResult& r) { return r.approach; }},
+    Number<SideResult>{"depth", [](const SideResult& r) { return r.depth; }},
+    Number<SideResult>{"angle", [](const SideResult& r) { return r.angle; }},
+    Number<SideResult>{"iterations",
+                       [](const SideResult& r) { return static_cast<double>(r.iterations); }},
+    Number<SideResult>{"regrown",
+                       [](const SideResult& r) { return static_cast<double>(r.regrown); }},
+    Number<SideResult>{"fill", [](const SideResult& r) { return r.fill; }},
+    Number<SideResult>{
+        "grid.0", [](const SideResult& r) { return static_cast<double>(r.grid.lateral_count); }},
+    Number<SideResult>{
+        "grid.1",
+        [](const SideResult& r) { return static_cast<double>(r.grid.longitudinal_count); }},
+    Number<SideResult>{"element_size.0", [](const SideResult& r) { return r.grid.lateral_step; }},
+    Number<SideResult>{"element_size.1",
+                       [](const SideResult& r) { return r.grid.longitudinal_step; }},
+};
+
+constexpr std::array residual_numbers{
+    Number<Residuals>{"load_balance", [](const Residuals& r) { return r.load_balance; }},
+    Number<Residuals>{"least_gap", [](const Residuals& r) { return r.least_gap; }},
+    Number<Residuals>{"complementarity", [](const Residuals& r) { return r.complementarity; }},
+};
+
+constexpr std::array time_numbers{
+    Number<StageMilliseconds>{"profile", [](const StageMilliseconds& t) { return t.profile; }},
+    Number<StageMilliseconds>{"setup", [](const StageMilliseconds& t) { return t.setup; }},
+    Number<StageMilliseconds>{"geometry", [](const StageMilliseconds& t) { return t.geometry; }},
+    Number<StageMilliseconds>{"remesh", [](const StageMilliseconds& t) { return t.remesh; }},
+    Number<StageMilliseconds>{"mechanics", [](const StageMilliseconds& t) { return t.mechanics; }},
+    Number<StageMilliseconds>{"total", [](const StageMilliseconds& t) { return t.total; }},
+};
+
+/// Takes a prefix off a name.
+bool take(std::string_view& name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) {
+    return false;
+  }
+  name.remove_prefix(prefix.size());
+  return true;
+}
+
+/// Takes "12." off a name, as an index below `count`.
+bool take_index(std::string_view& name, std::size_t count, std::size_t& index) {
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+  if (error != std::errc() || index >= count) {
+    return false;
+  }
+  name.remove_prefix(static_cast<std::size_t>(end - name.data()));
+  return take(name, ".");
+}
+
+std::optional<double> touch_value(const ContactPlace& place, std::string_view name) {
+  const auto value = find_in(place_numbers, place, name);
+  return value ? value : find_in(touch_numbers, place, name);
+}
+
+std::optional<double> side_value(SideResult& side, std::string_view name) {
+  std::size_t index = 0;
+  if (take(name, "rigid_contact.")) {
+    return touch_value(side.rigid_contact, name);
+  }
+  if (take(name, "near_contacts.")) {
+    return take_index(name, side.near_contacts.size(), index)
+               ? touch_value(side.near_contacts[index], name)
+               : std::nullopt;
+  }
+  if (take(name, "patches.")) {
+    if (!take_index(name, side.patches.size(), index)) {
+      return std::nullopt;
+    }
+    const auto value = find_in(patch_numbers, side.patches[index], name);
+    return value ? value : find_in(place_numbers, side.patches[index].centre, name);
+  }
+  if (take(name, "residuals.")) {
+    // Unknown names cost no convolution.
+    const auto known = find_in(residual_numbers, Residuals{}, name);
+    return known ? find_in(residual_numbers, residuals_of(side), name) : std::nullopt;
+  }
+  return name == "error_estimate" ? side.error_estimate : find_in(side_numbers, side, name);
+}
+
+void add_side_names(std::vector<std::string>& names, const std::string& prefix,
+                    const SideResult& side) {
+  const auto add_touch = [&names](const std::string& touch) {
+    add_names(names, touch, place_numbers);
+    add_names(names, touch, touch_numbers);
   };
-  add("vertical", result.vertical);
-  add("pmax", result.pmax);
-  add("pmax_element", result.pmax_element);
-  add("area", result.area);
-  add("normal_force", result.normal_force);
-  add("vertical_force", result.vertical_force);
-  add("lateral_force", result.lateral_force);
-  add("approach", result.approach);
-  add("depth", result.depth);
-  add("angle", result.angle);
-  if (result.error_estimate) {
-    add("error_estimate", *result.error_estimate);
+  add_touch(prefix + "rigid_contact.");
+  for (std::size_t i = 0; i < side.near_contacts.size(); ++i) {
+    add_touch(prefix + "near_contacts." + std::to_string(i) + '.');
   }
-  add("iterations", result.iterations);
-  add("regrown", result.regrown);
-  add("fill", result.fill);
-  add("residuals.load_balance", result.residuals.load_balance);
-  add("residuals.least_gap", result.residuals.least_gap);
-  add("residuals.complementarity", result.residuals.complementarity);
-  add("grid.0", static_cast<double>(result.grid.lateral_count));
-  add("grid.1", static_cast<double>(result.grid.longitudinal_count));
-  add("element_size.0", result.grid.lateral_step);
-  add("element_size.1", result.grid.longitudinal_step);
-  for (std::size_t i = 0; i < result.patches.size(); ++i) {
-    const PatchResult& patch = result.patches[i];
-    const std::string name = prefix + "patches." + std::to_string(i) + '.';
-    numbers.emplace_back(name + "pmax", patch.pmax);
-    numbers.emplace_back(name + "area", patch.area);
-    numbers.emplace_back(name + "normal_force", patch.normal_force);
-    numbers.emplace_back(name + "approach", patch.approach);
-    numbers.emplace_back(name + "angle", patch.angle);
-    add_place(numbers, name, patch.centre);
-    numbers.emplace_back(name + "semi_axes.0", patch.semi_axis_longitudinal);
-    numbers.emplace_back(name + "semi_axes.1", patch.semi_axis_lateral);
+  add_names(names, prefix, side_numbers);
+  if (side.error_estimate) {
+    names.push_back(prefix + "error_estimate");
+  }
+  add_names(names, prefix + "residuals.", residual_numbers);
+  for (std::size_t i = 0; i < side.patches.size(); ++i) {
+    const std::string patch = prefix + "patches." + std::to_string(i) + '.';
+    add_names(names, patch, patch_numbers);
+    add_names(names, patch, place_numbers);
   }
 }
 
-void add_side(Texts& texts, const std::string& side, const SideResult& result) {
-  texts.emplace_back(side + ".stop_reason", name_of(result.stop_reason));
-  for (std::size_t i = 0; i < result.warnings.size(); ++i) {
-    texts.emplace_back(side + ".warnings." + std::to_string(i), result.warnings[i]);
+void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
+                    const std::string& prefix, const SideResult& side) {
+  texts.emplace_back(prefix + "stop_reason", name_of(side.stop_reason));
+  for (std::size_t i = 0; i < side.warnings.size(); ++i) {
+    texts.emplace_back(prefix + "warnings." + std::to_string(i), side.warnings[i]);
   }
 }
 
 } // namespace
 
-std::vector<std::pair<std::string, double>> number_values(const SceneResult& result) {
-  Numbers numbers;
-  numbers.emplace_back("roll", result.roll);
-  numbers.emplace_back("vertical", result.vertical);
+std::vector<std::string> number_names(const SceneResult& result) {
+  std::vector<std::string> names{"roll", "vertical"};
   if (result.rolling_radius_difference) {
-    numbers.emplace_back("rolling_radius_difference", *result.rolling_radius_difference);
+    names.emplace_back("rolling_radius_difference");
   }
   if (result.left) {
-    add_side(numbers, "left", *result.left);
+    add_side_names(names, "left.", *result.left);
   }
   if (result.right) {
-    add_side(numbers, "right", *result.right);
+    add_side_names(names, "right.", *result.right);
   }
-  numbers.emplace_back("time_ms.profile", result.time.profile);
-  numbers.emplace_back("time_ms.setup", result.time.setup);
-  numbers.emplace_back("time_ms.geometry", result.time.geometry);
-  numbers.emplace_back("time_ms.remesh", result.time.remesh);
-  numbers.emplace_back("time_ms.mechanics", result.time.mechanics);
-  numbers.emplace_back("time_ms.total", result.time.total);
-  return numbers;
+  add_names(names, "time_ms.", time_numbers);
+  return names;
+}
+
+std::optional<double> number_value(SceneResult& result, std::string_view name) {
+  if (name == "roll") {
+    return result.roll;
+  }
+  if (name == "vertical") {
+    return result.vertical;
+  }
+  if (name == "rolling_radius_difference") {
+    return result.rolling_radius_difference;
+  }
+  if (take(name, "time_ms.")) {
+    return find_in(time_numbers, result.time, name);
+  }
+  if (take(name, "left.")) {
+    return result.left ? side_value(*result.left, name) : std::nullopt;
+  }
+  return take(name, "right.") && result.right ? side_value(*result.right, name) : std::nullopt;
 }
 
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result) {
-  Texts texts;
+  std::vector<std::pair<std::string, std::string>> texts;
   texts.emplace_back("model", result.model);
   texts.emplace_back("solver", result.solver);
   texts.emplace_back("units", "mm, N, MPa, rad");
@@ -119,40 +225,12 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
     texts.emplace_back("corrections." + std::to_string(i), result.corrections[i]);
   }
   if (result.left) {
-    add_side(texts, "left", *result.left);
+    add_side_texts(texts, "left.", *result.left);
   }
   if (result.right) {
-    add_side(texts, "right", *result.right);
+    add_side_texts(texts, "right.", *result.right);
   }
   return texts;
-}
-
-std::span<const std::string_view> field_names() {
-  return names_of_fields;
-}
-
-std::span<const double> field_values(const SceneResult& result, std::string_view name) {
-  const auto dot = name.find('.');
-  if (dot == std::string_view::npos) {
-    return {};
-  }
-  const std::string_view side_name = name.substr(0, dot);
-  const auto& side = side_name == "left" ? result.left : result.right;
-  if ((side_name != "left" && side_name != "right") || !side) {
-    return {};
-  }
-  const std::array<const std::vector<double>*, names_of_fields.size()> fields{
-      &side->fields.x,        &side->fields.y,
-      &side->fields.z,        &side->fields.undeformed_distance,
-      &side->fields.pressure, &side->fields.displacement,
-      &side->section.rail_y,  &side->section.rail_z,
-      &side->section.wheel_y, &side->section.wheel_z};
-  const auto found =
-      std::find(names_of_fields.begin(), names_of_fields.end(), name.substr(dot + 1));
-  return found == names_of_fields.end()
-             ? std::span<const double>{}
-             : std::span<const double>(
-                   *fields[static_cast<std::size_t>(found - names_of_fields.begin())]);
 }
 
 } // namespace wrc

@@ -13,6 +13,7 @@
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
 #include "mechanics/material.hpp"
+#include "mechanics/normal_solver.hpp"
 #include "remesh/contact_frame.hpp"
 
 namespace wrc {
@@ -42,10 +43,12 @@ struct Scene {
   SideChoice side = SideChoice::both;
   GapConvention gap = GapConvention::tangent;
   std::string model = "auto";
-  std::string solver = "auto";
+  std::string solver = "default";
   double accuracy = 1e-3;
   std::optional<std::array<std::size_t, 2>> grid; ///< elements [lateral, longitudinal]
-  double tolerance = 1e-6;                        ///< of the iteration, relative
+  double tolerance = 1e-5;                        ///< of the pressures, relative
+  PlannerRigor planner = PlannerRigor::estimate;
+  Precision precision = Precision::mixed;
   double near_tolerance = 0.1; ///< contacts listed as near: distance at the first touch, mm
   int threads = 1;
 

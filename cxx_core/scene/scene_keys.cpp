@@ -249,9 +249,9 @@ std::vector<Key> solve_keys() {
                            "contact model; auto takes the half-space"},
                           one_of({"auto", "half-space"}, &Scene::model)));
   keys.push_back(
-      word_key({"solve.solver", "\"auto\"", "\"auto\" or \"paper\"",
-                "solver of the half-space: paper is Polonsky & Keer 1999; auto takes it"},
-               one_of({"auto", "paper"}, &Scene::solver)));
+      word_key({"solve.solver", "\"default\"", "\"default\" or \"paper\"",
+                "solver of the half-space: paper is Polonsky & Keer 1999, for comparison"},
+               one_of({"default", "paper"}, &Scene::solver)));
   keys.push_back(number_key({"solve.accuracy", "1e-3", "1e-5 to 0.1",
                              "relative error asked of pmax and approach; chooses the grid"},
                             1e-5, 0.1, [](Scene& s, double v) {
@@ -267,10 +267,23 @@ std::vector<Key> solve_keys() {
            {},
            set_grid};
   keys.push_back(grid);
-  keys.push_back(number_key({"solve.tolerance", "1e-6", "1e-13 to 0.1",
-                             "of the iteration, relative: update of the pressures and "
-                             "complementarity"},
+  keys.push_back(number_key({"solve.tolerance", "1e-5", "1e-13 to 0.1",
+                             "of the iteration: largest error of a pressure relative to the "
+                             "largest pressure (solver paper: of the gaps)"},
                             1e-13, 0.1, [](Scene& s, double v) { s.tolerance = v; }));
+  keys.push_back(word_key({"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
+                           "of the iteration; mixed is faster and meets the same tolerance"},
+                          [](Scene& s, std::string_view v) {
+                            s.precision = v == "double" ? Precision::double_only : Precision::mixed;
+                            return v == "double" || v == "mixed";
+                          }));
+  keys.push_back(word_key({"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",
+                           "how FFTW chooses its algorithms: by rule, or by trying them once"},
+                          [](Scene& s, std::string_view v) {
+                            s.planner =
+                                v == "measure" ? PlannerRigor::measure : PlannerRigor::estimate;
+                            return v == "measure" || v == "estimate";
+                          }));
   keys.push_back(number_key({"solve.near_tolerance", "0.1", "0 to 10 mm",
                              "further contacts listed whose distance is less at the first touch"},
                             0.0, 10.0, [](Scene& s, double v) { s.near_tolerance = v; }));

@@ -6,19 +6,22 @@
 #include <limits>
 
 #include "error.hpp"
+#include "mechanics/displacement_bound.hpp"
 #include "mechanics/displacement_operator.hpp"
 
 namespace wrc {
 namespace {
 
-/// Elements of the coarse solutions: about 30 across the contact.
-constexpr std::size_t coarse_lateral_count = 48;
-constexpr std::size_t coarse_longitudinal_count = 40;
-constexpr double coarse_tolerance = 1e-4;
+/// Elements across the contact of the coarse solutions before a grid given by hand.
+constexpr double coarse_resolution = 24.0;
 constexpr int coarse_limit = 60;
 constexpr int final_limit = 20;
-/// Contact should fill at least this share of the coarse area in each direction.
-constexpr double least_fill = 0.5;
+/// Share of the elements across that coarse solutions must reach of those aimed at.
+constexpr double least_fill = 0.6;
+/// Hertzian contact takes 1/sqrt(2) of the width of virtual penetration.
+constexpr double contact_share = 0.7;
+/// Room around the place where the last contact lay, in widths of virtual penetration.
+constexpr double memory_margin = 0.08;
 /// Room left around the contact found on a grid, in that grid's elements.
 constexpr double margin_elements = 1.5;
 /// By how much an edge that contact touches moves out, in widths of the area.
@@ -35,9 +38,17 @@ constexpr double greatest_slide_share = 2e-3;
 constexpr double coarse_depth_share = 0.02;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 constexpr double vertical_convention_limit = 0.15;
-/// Elements across the contact with which an accuracy starts, and at which it gives up.
-constexpr double first_resolution = 24.0;
+/// Elements across the contact with which an accuracy of 1e-2 starts; more with the cube root of a
+/// smaller one (the square root would do for smooth bodies, but most scenes are not quite smooth).
+constexpr double first_resolution = 12.0;
+/// Elements across the contact at which it gives up.
 constexpr double last_resolution = 400.0;
+/// An estimate below this share of the accuracy lets the next call start with half the elements.
+constexpr double generous_share = 0.1;
+/// Steps of element aspect ratios in an octave.
+constexpr double ladder_steps = 4.0;
+/// Share of the accuracy that the iteration may take.
+constexpr double iteration_share = 0.1;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
 /// once on a grid that should resolve any smooth contact, is no convergence (a kink of a profile in
 /// the contact has no bounded pressure): further grids would be wasted.
@@ -53,6 +64,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Grids of an area: steps aimed at and, if these count, the numbers of elements given by hand.
+struct Mesh {
+  double lateral_step = 0.0;
+  double longitudinal_step = 0.0;
+  std::optional<std::array<std::size_t, 2>> counts;
+};
+
 /// A grid, its solution, and what the next one needs of it.
 struct Trial {
   ContactFrame frame;
@@ -61,6 +79,7 @@ struct Trial {
   double depth = 0.0;
   std::vector<double> distance;
   NormalSolution normal;
+  std::optional<double> normal_load;
   PressureRegion contact;  ///< all elements under pressure together
   double next_depth = 0.0; ///< the depth that the solution asks for
 
@@ -93,40 +112,85 @@ struct Trial {
             grid.longitudinal(contact.box.longitudinal_first) - reach * grid.longitudinal_step,
             grid.longitudinal(contact.box.longitudinal_last) + reach * grid.longitudinal_step};
   }
+  /// Steps that put this many elements across the contact in both directions.
+  [[nodiscard]] Mesh mesh_across(double elements) const {
+    return {
+        rows() * grid.lateral_step / elements, columns() * grid.longitudinal_step / elements, {}};
+  }
   /// Elements across the contact in its coarser direction.
   [[nodiscard]] double resolution() const { return std::min(rows(), columns()); }
 };
 
+/// Elements no larger than aimed at, with an aspect ratio of the ladder, centred over the area.
+Grid ladder_grid(const PlaneArea& area, const Mesh& mesh) {
+  double lateral_step = mesh.lateral_step;
+  double longitudinal_step = mesh.longitudinal_step;
+  const double aimed = std::log2(lateral_step / longitudinal_step) * ladder_steps;
+  const double aspect = std::exp2(std::round(aimed) / ladder_steps);
+  longitudinal_step = std::min(longitudinal_step, lateral_step / aspect);
+  // Times a power of two for whole octaves: the quotient of the steps is the same on every call.
+  lateral_step = longitudinal_step * aspect;
+  const auto count_over = [](double length, double step) {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / step)));
+  };
+  const std::size_t lateral_count = count_over(area.width(), lateral_step);
+  const std::size_t longitudinal_count = count_over(area.length(), longitudinal_step);
+  const auto half = [](double step, std::size_t count) {
+    return 0.5 * step * static_cast<double>(count);
+  };
+  const double lateral_middle = 0.5 * (area.lateral_first + area.lateral_last);
+  const double longitudinal_middle = 0.5 * (area.longitudinal_first + area.longitudinal_last);
+  Grid grid = grid_over({lateral_middle - half(lateral_step, lateral_count),
+                         lateral_middle + half(lateral_step, lateral_count),
+                         longitudinal_middle - half(longitudinal_step, longitudinal_count),
+                         longitudinal_middle + half(longitudinal_step, longitudinal_count)},
+                        lateral_count, longitudinal_count);
+  grid.lateral_step = lateral_step;
+  grid.longitudinal_step = longitudinal_step;
+  return grid;
+}
+
 class SideSolver {
 public:
   SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
-             const SideRequest& request)
-      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request) {}
+             const SideRequest& request, NormalSolver& solver, SideMemory& memory)
+      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), solver_(solver),
+        memory_(memory) {}
 
   SideSolution solve();
 
 private:
   [[nodiscard]] bool position_is_prescribed() const { return request_.vertical.has_value(); }
+  [[nodiscard]] double prescribed_load() const {
+    return request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(0.0);
+  }
   [[nodiscard]] ContactFrame frame_at(double depth) const;
   [[nodiscard]] double first_depth() const;
-  Trial try_area(const ContactFrame& frame, const PlaneArea& area, std::size_t lateral_count,
-                 std::size_t longitudinal_count, double depth, double tolerance);
+  /// The rectangle that holds all penetration at a depth.
+  [[nodiscard]] PlaneArea penetrated_area(double depth, const ContactFrame& frame) const {
+    return area_of(find_penetration_region(equilibrium_.scan, depth), rail_, frame);
+  }
+  Trial try_area(const ContactFrame& frame, const PlaneArea& area, const Mesh& mesh, double depth,
+                 double tolerance);
+  [[nodiscard]] NormalSolution solve_normal(const NormalProblem& problem);
   /// The same rectangle of the track, seen in the plane of another frame.
   [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
                                        const ContactFrame& to) const;
-  Trial settle_on_coarse_grids(double depth);
-  Trial solve_on_final_grid(const Trial& coarse);
-  void choose_counts(const Trial& last, const PlaneArea& area, double resolution,
-                     std::size_t& lateral_count, std::size_t& longitudinal_count) const;
+  [[nodiscard]] double start_resolution() const;
+  Trial settle_on_coarse_grids(double depth, double resolution);
+  Trial solve_on_final_grid(const Trial& coarse, double resolution);
   [[nodiscard]] double estimate_error(const Trial& coarser, const Trial& finer) const;
   /// The area that also holds contact which a solution has left out; none if there is none.
   [[nodiscard]] std::optional<PlaneArea> area_with_missed_contact(const Trial& trial) const;
   void warn_about(const Trial& trial);
+  void remember(const Trial& trial);
 
   const WheelSurface& wheel_;
   const RailSurface& rail_;
   const SideEquilibrium& equilibrium_;
   const SideRequest& request_;
+  NormalSolver& solver_;
+  SideMemory& memory_;
   SideSolution result_;
 };
 
@@ -144,19 +208,29 @@ double SideSolver::first_depth() const {
   if (position_is_prescribed()) {
     return equilibrium_.vertical - *request_.vertical;
   }
+  if (memory_.valid) {
+    // Hertz: the approach goes with the load to the power of 2/3.
+    const double ratio = prescribed_load() / memory_.load;
+    return memory_.depth * std::cbrt(ratio * ratio);
+  }
   const double angle = equilibrium_.scan.candidates.front().rail_angle;
   const double load =
       request_.normal_load ? *request_.normal_load : *request_.vertical_load / std::cos(angle);
   return estimate_depth(equilibrium_.scan, request_.combined_modulus, load);
 }
 
-Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area,
-                           std::size_t lateral_count, std::size_t longitudinal_count, double depth,
-                           double tolerance) {
+NormalSolution SideSolver::solve_normal(const NormalProblem& problem) {
+  return request_.solver == SolverChoice::paper ? solve_with_polonsky_keer(problem)
+                                                : solver_.solve(problem);
+}
+
+Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area, const Mesh& mesh,
+                           double depth, double tolerance) {
   Trial trial;
   trial.frame = frame;
   trial.area = area;
-  trial.grid = grid_over(area, lateral_count, longitudinal_count);
+  trial.grid =
+      mesh.counts ? grid_over(area, (*mesh.counts)[0], (*mesh.counts)[1]) : ladder_grid(area, mesh);
   trial.depth = depth;
   const auto remesh_start = Clock::now();
   trial.distance = sample_undeformed_distance(
@@ -177,7 +251,8 @@ Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area,
   }
   problem.tolerance = tolerance;
   problem.maximum_iterations = request_.maximum_iterations;
-  trial.normal = solve_with_polonsky_keer(problem);
+  trial.normal_load = problem.normal_load;
+  trial.normal = solve_normal(problem);
   result_.iterations += trial.normal.iterations;
   trial.contact = summarise_pressure(trial.grid, trial.normal.pressure);
   trial.next_depth = depth + trial.normal.approach / cosine;
@@ -202,29 +277,55 @@ PlaneArea SideSolver::carried_over(const PlaneArea& area, const ContactFrame& fr
   return area_of(region, rail_, to);
 }
 
+double SideSolver::start_resolution() const {
+  if (request_.grid) {
+    return 2.0 * coarse_resolution;
+  }
+  const double usual = first_resolution * std::cbrt(1e-2 / request_.accuracy);
+  return memory_.valid && memory_.accuracy == request_.accuracy
+             ? std::max(usual, memory_.resolution)
+             : usual;
+}
+
 /// Coarse solutions until depth, plane and extent agree with each other.
-Trial SideSolver::settle_on_coarse_grids(double depth) {
+Trial SideSolver::settle_on_coarse_grids(double depth, double resolution) {
   ContactFrame frame = frame_at(depth);
-  PlaneArea area =
-      area_of(find_penetration_region(equilibrium_.scan, depth), rail_, frame).widened(0.05);
+  const PlaneArea penetrated = penetrated_area(depth, frame);
+  PlaneArea area = penetrated.widened(0.05);
+  Mesh mesh{contact_share * penetrated.width() / resolution,
+            contact_share * penetrated.length() / resolution,
+            {}};
+  if (memory_.valid) {
+    const double width = penetrated.width();
+    const double length = penetrated.length();
+    mesh.lateral_step = (memory_.lateral_last - memory_.lateral_first) * width / resolution;
+    mesh.longitudinal_step =
+        (memory_.longitudinal_last - memory_.longitudinal_first) * length / resolution;
+    area = {penetrated.lateral_first + (memory_.lateral_first - memory_margin) * width,
+            penetrated.lateral_first + (memory_.lateral_last + memory_margin) * width,
+            penetrated.longitudinal_first + (memory_.longitudinal_first - memory_margin) * length,
+            penetrated.longitudinal_first + (memory_.longitudinal_last + memory_margin) * length};
+  }
+  const double tolerance = iteration_share * coarse_depth_share;
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
-    trial = try_area(frame, area, coarse_lateral_count, coarse_longitudinal_count, depth,
-                     coarse_tolerance);
+    trial = try_area(frame, area, mesh, depth,
+                     std::min(tolerance, iteration_share * request_.accuracy));
     if (trial.no_contact()) {
       area = area.widened(-0.25); // a contact smaller than an element: look closer
+      mesh.lateral_step *= 0.5;
+      mesh.longitudinal_step *= 0.5;
       continue;
     }
     const bool depth_settled =
         position_is_prescribed() ||
         std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth;
-    const bool filled =
-        trial.rows() >= least_fill * static_cast<double>(coarse_lateral_count) &&
-        trial.columns() >= least_fill * static_cast<double>(coarse_longitudinal_count);
+    const bool filled = trial.resolution() >= least_fill * resolution;
     if (depth_settled && filled && !trial.touches_edge()) {
       break;
     }
     area = trial.touches_edge() ? trial.grown(coarse_growth) : trial.contact_area(margin_elements);
+    mesh = trial.mesh_across(resolution);
     if (!depth_settled && trial.next_depth > 0.0) {
       depth = trial.next_depth;
       const ContactFrame next = frame_at(depth);
@@ -233,19 +334,6 @@ Trial SideSolver::settle_on_coarse_grids(double depth) {
     }
   }
   return trial;
-}
-
-void SideSolver::choose_counts(const Trial& last, const PlaneArea& area, double resolution,
-                               std::size_t& lateral_count, std::size_t& longitudinal_count) const {
-  if (request_.grid) {
-    lateral_count = (*request_.grid)[0];
-    longitudinal_count = (*request_.grid)[1];
-    return;
-  }
-  const double width = last.rows() * last.grid.lateral_step;
-  const double length = last.columns() * last.grid.longitudinal_step;
-  lateral_count = static_cast<std::size_t>(std::ceil(resolution * area.width() / width));
-  longitudinal_count = static_cast<std::size_t>(std::ceil(resolution * area.length() / length));
 }
 
 /// Relative error of pmax and approach on the finer of two grids: both fall with the square of the
@@ -263,7 +351,7 @@ double SideSolver::estimate_error(const Trial& coarser, const Trial& finer) cons
   } else {
     other = std::abs(finer.next_depth - coarser.next_depth) / finer.next_depth;
   }
-  return estimate_safety * std::max(peak, other) / divisor + finer.normal.residuals.complementarity;
+  return estimate_safety * std::max(peak, other) / divisor + finer.normal.pressure_error;
 }
 
 /// Contact can be missing where the bodies penetrate beyond the area. Every sample of the scan
@@ -271,8 +359,9 @@ double SideSolver::estimate_error(const Trial& coarser, const Trial& finer) cons
 std::optional<PlaneArea> SideSolver::area_with_missed_contact(const Trial& trial) const {
   const PenetrationRegion region = find_penetration_region(equilibrium_.scan, trial.depth);
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - trial.depth};
+  const DisplacementBound bound(trial.grid, trial.normal.pressure, request_.combined_modulus);
   const double largest_displacement =
-      *std::max_element(trial.normal.displacement.begin(), trial.normal.displacement.end());
+      bound.at(trial.contact.centroid_longitudinal, trial.contact.centroid_lateral);
   PlaneArea larger = trial.area;
   bool missed = false;
   for (const DistanceSample& sample : equilibrium_.scan.samples) {
@@ -295,10 +384,14 @@ std::optional<PlaneArea> SideSolver::area_with_missed_contact(const Trial& trial
       continue;
     }
     const double distance = dot(surfaces.wheel - surfaces.rail, trial.frame.normal);
+    const double limit = -missed_overlap * largest_displacement;
+    if (distance - trial.normal.approach + bound.at(longitudinal, lateral) >= limit) {
+      continue;
+    }
     const double gap = distance - trial.normal.approach +
                        displacement_at(trial.grid, trial.normal.pressure, request_.combined_modulus,
                                        longitudinal, lateral);
-    if (gap < -missed_overlap * largest_displacement) {
+    if (gap < limit) {
       missed = true;
       const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
       larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);
@@ -310,19 +403,20 @@ std::optional<PlaneArea> SideSolver::area_with_missed_contact(const Trial& trial
   return missed ? std::optional(larger) : std::nullopt;
 }
 
-Trial SideSolver::solve_on_final_grid(const Trial& coarse) {
+Trial SideSolver::solve_on_final_grid(const Trial& coarse, double resolution) {
   double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
   ContactFrame frame = frame_at(depth);
   PlaneArea area = carried_over(coarse.contact_area(margin_elements), coarse.frame, frame);
-  double resolution = first_resolution;
+  const double tolerance = request_.grid
+                               ? request_.tolerance
+                               : std::min(request_.tolerance, iteration_share * request_.accuracy);
   int failures = 0;
   Trial coarser = coarse;
   Trial trial;
   for (int attempt = 0; attempt < final_limit; ++attempt) {
-    std::size_t lateral_count = 0;
-    std::size_t longitudinal_count = 0;
-    choose_counts(coarser, area, resolution, lateral_count, longitudinal_count);
-    trial = try_area(frame, area, lateral_count, longitudinal_count, depth, request_.tolerance);
+    Mesh mesh = coarser.mesh_across(resolution);
+    mesh.counts = request_.grid;
+    trial = try_area(frame, area, mesh, depth, tolerance);
     if (trial.no_contact()) {
       return trial;
     }
@@ -373,8 +467,8 @@ void SideSolver::warn_about(const Trial& trial) {
   if (trial.normal.stop_reason != StopReason::tolerance_met) {
     warnings.push_back("not converged: " + std::string(name_of(trial.normal.stop_reason)) +
                        " after " + std::to_string(trial.normal.iterations) +
-                       " iterations, complementarity " +
-                       text_of(trial.normal.residuals.complementarity));
+                       " iterations, error of the pressures " +
+                       text_of(trial.normal.pressure_error));
   }
   if (trial.touches_edge()) {
     warnings.emplace_back("contact touches the edge of the potential contact area");
@@ -416,11 +510,13 @@ SideSolution SideSolver::solve() {
                                                            : "no load");
     return std::move(result_);
   }
-  const Trial coarse = settle_on_coarse_grids(depth);
+  const double resolution = start_resolution();
+  const Trial coarse = settle_on_coarse_grids(depth, 0.5 * resolution);
   if (coarse.no_contact()) {
     throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
   }
-  Trial trial = solve_on_final_grid(coarse);
+  Trial trial = solve_on_final_grid(coarse, resolution);
+  remember(trial);
   warn_about(trial);
   result_.in_contact = !trial.no_contact();
   result_.frame = trial.frame;
@@ -432,14 +528,52 @@ SideSolution SideSolver::solve() {
   result_.regions = pressure_regions(trial.grid, trial.normal.pressure);
   result_.undeformed_distance = std::move(trial.distance);
   result_.normal = std::move(trial.normal);
+  result_.combined_modulus = request_.combined_modulus;
+  if (!position_is_prescribed()) {
+    result_.normal_load = trial.normal_load;
+  }
   return std::move(result_);
+}
+
+void SideSolver::remember(const Trial& trial) {
+  memory_.valid = !trial.no_contact() && !position_is_prescribed();
+  if (!memory_.valid) {
+    return;
+  }
+  memory_.depth = trial.next_depth;
+  memory_.load = prescribed_load();
+  memory_.accuracy = request_.accuracy;
+  const bool generous =
+      result_.error_estimate && *result_.error_estimate < generous_share * request_.accuracy;
+  memory_.resolution = generous ? 0.5 * trial.resolution() : trial.resolution();
+  const PlaneArea penetrated = penetrated_area(trial.next_depth, trial.frame);
+  const PlaneArea contact = trial.contact_area(0.0);
+  memory_.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
+  memory_.lateral_last = (contact.lateral_last - penetrated.lateral_first) / penetrated.width();
+  memory_.longitudinal_first =
+      (contact.longitudinal_first - penetrated.longitudinal_first) / penetrated.length();
+  memory_.longitudinal_last =
+      (contact.longitudinal_last - penetrated.longitudinal_first) / penetrated.length();
 }
 
 } // namespace
 
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
-                        const SideEquilibrium& equilibrium, const SideRequest& request) {
-  return SideSolver(wheel, rail, equilibrium, request).solve();
+                        const SideEquilibrium& equilibrium, const SideRequest& request,
+                        NormalSolver& solver, SideMemory& memory) {
+  return SideSolver(wheel, rail, equilibrium, request, solver, memory).solve();
+}
+
+NormalProblem problem_of(const SideSolution& solution) {
+  NormalProblem problem;
+  problem.grid = solution.grid;
+  problem.undeformed_distance = solution.undeformed_distance;
+  problem.combined_modulus = solution.combined_modulus;
+  problem.normal_load = solution.normal_load;
+  if (!solution.normal_load) {
+    problem.approach = 0.0;
+  }
+  return problem;
 }
 
 } // namespace wrc

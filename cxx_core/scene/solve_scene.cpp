@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <type_traits>
 
 #include "error.hpp"
 #include "profile/readers.hpp"
@@ -94,49 +95,11 @@ PatchResult patch_of(const PressureRegion& region, const SideSolution& solution,
   return patch;
 }
 
-SideFields fields_of(SideSolution& solution, double side) {
-  SideFields fields;
-  const Grid& grid = solution.grid;
-  fields.x.reserve(grid.element_count());
-  fields.y.reserve(grid.element_count());
-  fields.z.reserve(grid.element_count());
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
-      const Vector3 place =
-          solution.frame.to_track(grid.longitudinal(column), grid.lateral(row), 0.0);
-      fields.x.push_back(place.x);
-      fields.y.push_back(side * place.y);
-      fields.z.push_back(place.z);
-    }
-  }
-  fields.undeformed_distance = std::move(solution.undeformed_distance);
-  fields.pressure = std::move(solution.normal.pressure);
-  fields.displacement = std::move(solution.normal.displacement);
-  return fields;
-}
-
-CrossSection section_of(const WheelSurface& wheel, const RailSurface& rail,
-                        const SideEquilibrium& equilibrium, double vertical, double side) {
-  CrossSection section;
-  const Curve& rail_curve = rail.graph().curve();
-  for (const double arc : rail_curve.starts()) {
-    const CurvePoint point = rail_curve.at(arc);
-    section.rail_y.push_back(side * point.lateral);
-    section.rail_z.push_back(point.height);
-  }
-  const Rotation rotation(equilibrium.pose);
-  const Curve& wheel_curve = wheel.graph().curve();
-  for (const double arc : wheel_curve.starts()) {
-    if (const auto locus = wheel.locus(wheel_curve.at(arc), equilibrium.pose, rotation)) {
-      section.wheel_y.push_back(side * locus->position.y);
-      section.wheel_z.push_back(locus->position.z + vertical);
-    }
-  }
-  return section;
-}
-
-SideResult result_of(SideSolution solution, const WheelSurface& wheel, const RailSurface& rail,
+SideResult result_of(SideSolution solution, const std::shared_ptr<const WheelSurface>& wheel_owner,
+                     const std::shared_ptr<const RailSurface>& rail_owner,
                      const SideEquilibrium& equilibrium, double side) {
+  const WheelSurface& wheel = *wheel_owner;
+  const RailSurface& rail = *rail_owner;
   SideResult result;
   result.vertical = equilibrium.vertical;
   const auto& candidates = equilibrium.scan.candidates;
@@ -146,7 +109,11 @@ SideResult result_of(SideSolution solution, const WheelSurface& wheel, const Rai
         place_of(candidates[i], wheel, rail, equilibrium.vertical, side));
   }
   result.warnings = std::move(solution.warnings);
-  result.section = section_of(wheel, rail, equilibrium, solution.vertical, side);
+  result.details.mirror = side;
+  result.details.pose = equilibrium.pose;
+  result.details.vertical = solution.vertical;
+  result.details.wheel = wheel_owner;
+  result.details.rail = rail_owner;
   result.iterations = solution.iterations;
   result.regrown = solution.regrown;
   result.angle = result.rigid_contact.angle;
@@ -162,7 +129,6 @@ SideResult result_of(SideSolution solution, const WheelSurface& wheel, const Rai
   result.depth = solution.approach / solution.frame.normal.z;
   result.error_estimate = solution.error_estimate;
   result.stop_reason = solution.normal.stop_reason;
-  result.residuals = solution.normal.residuals;
   result.grid = solution.grid;
   const PosedPair pair{wheel, rail, equilibrium.pose, solution.vertical};
   std::size_t in_contact = 0;
@@ -174,26 +140,125 @@ SideResult result_of(SideSolution solution, const WheelSurface& wheel, const Rai
   }
   result.fill =
       static_cast<double>(in_contact) / static_cast<double>(solution.grid.element_count());
-  result.fields = fields_of(solution, side);
+  SideDetails& details = result.details;
+  details.frame = solution.frame;
+  details.undeformed_distance = std::move(solution.undeformed_distance);
+  details.pressure = std::move(solution.normal.pressure);
+  details.combined_modulus = solution.combined_modulus;
+  details.normal_load = solution.normal_load;
+  details.problem_approach = solution.normal.approach;
   return result;
+}
+
+/// What a profile was made from.
+template <class Dimensions> struct SurfaceKey {
+  std::string name;
+  double smoothing = 0.0;
+  Dimensions dimensions;
+
+  bool operator==(const SurfaceKey&) const = default;
+};
+
+/// The surfaces last used, with the corrections their files needed.
+template <class Surface, class Dimensions> class SurfaceCache {
+public:
+  struct Entry {
+    SurfaceKey<Dimensions> key;
+    std::shared_ptr<const Surface> surface;
+    std::vector<std::string> corrections;
+  };
+
+  template <class Make> const Entry& get(const SurfaceKey<Dimensions>& key, Make&& make) {
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [&key](const Entry& entry) { return entry.key == key; });
+    if (found != entries_.end()) {
+      std::rotate(entries_.begin(), found, found + 1);
+    } else {
+      entries_.insert(entries_.begin(), make());
+      entries_.resize(std::min(entries_.size(), kept_surfaces));
+    }
+    return entries_.front();
+  }
+  void clear() { entries_.clear(); }
+
+private:
+  static constexpr std::size_t kept_surfaces = 8;
+  std::vector<Entry> entries_; ///< last used first
+};
+
+/// What one wheel keeps.
+struct SideState {
+  std::optional<NormalSolver> solver;
+  SideMemory memory;
+};
+
+/// Whether the last contact says anything about the next one.
+bool is_comparable(const Scene& one, const Scene& other) {
+  return one.wheel == other.wheel && one.rail == other.rail &&
+         one.wheel_smoothing == other.wheel_smoothing &&
+         one.rail_smoothing == other.rail_smoothing && one.wheelset == other.wheelset &&
+         one.track == other.track && one.wheel_material == other.wheel_material &&
+         one.rail_material == other.rail_material && one.gap == other.gap &&
+         one.vertical.has_value() == other.vertical.has_value() &&
+         one.normal_load.has_value() == other.normal_load.has_value();
 }
 
 } // namespace
 
-SceneResult solve_scene(const Scene& scene) {
+struct SceneSolver::State {
+  SurfaceCache<WheelSurface, WheelsetDimensions> wheels;
+  SurfaceCache<RailSurface, TrackDimensions> rails;
+  SideState left;
+  SideState right;
+  std::optional<Scene> last;
+
+  SceneResult solve(const Scene& scene);
+};
+
+SceneResult SceneSolver::State::solve(const Scene& scene) {
   const auto start = Clock::now();
   SceneResult result;
-  const Profile wheel_profile = load_profile(scene.wheel, ProfileKind::wheel, scene.wheel_smoothing,
-                                             "wheelset.wheel", result.corrections);
-  const Profile rail_profile = load_profile(scene.rail, ProfileKind::rail, scene.rail_smoothing,
-                                            "track.rail", result.corrections);
-  result.time.profile = milliseconds_since(start);
+  // Loads a profile and makes a surface of it; the time goes to the stage it belongs to.
+  const auto make_entry = [&](auto* cache, const auto& key, ProfileKind kind,
+                              const std::string& scene_key) {
+    using Entry = typename std::remove_pointer_t<decltype(cache)>::Entry;
+    return cache->get(key, [&] {
+      const auto profile_start = Clock::now();
+      Entry entry{key, nullptr, {}};
+      const Profile profile =
+          load_profile(key.name, kind, key.smoothing, scene_key, entry.corrections);
+      const auto surface_start = Clock::now();
+      result.time.profile +=
+          1e3 * std::chrono::duration<double>(surface_start - profile_start).count();
+      using Surface = typename decltype(entry.surface)::element_type;
+      entry.surface = std::make_shared<Surface>(profile, key.dimensions);
+      return entry;
+    });
+  };
+  const auto wheel_entry = make_entry(
+      &wheels, SurfaceKey<WheelsetDimensions>{scene.wheel, scene.wheel_smoothing, scene.wheelset},
+      ProfileKind::wheel, "wheelset.wheel");
+  const auto rail_entry =
+      make_entry(&rails, SurfaceKey<TrackDimensions>{scene.rail, scene.rail_smoothing, scene.track},
+                 ProfileKind::rail, "track.rail");
+  const std::shared_ptr<const WheelSurface> wheel = wheel_entry.surface;
+  const std::shared_ptr<const RailSurface> rail = rail_entry.surface;
+  result.corrections = wheel_entry.corrections;
+  result.corrections.insert(result.corrections.end(), rail_entry.corrections.begin(),
+                            rail_entry.corrections.end());
 
-  const auto setup_start = Clock::now();
-  const WheelSurface wheel(wheel_profile, scene.wheelset);
-  const RailSurface rail(rail_profile, scene.track);
   const double modulus = combined_modulus(scene.wheel_material, scene.rail_material);
-  result.time.setup = milliseconds_since(setup_start);
+  const bool new_solver =
+      !last || last->planner != scene.planner || last->precision != scene.precision;
+  for (SideState* side : {&left, &right}) {
+    if (new_solver || !side->solver) {
+      side->solver.emplace(scene.planner, scene.precision);
+    }
+    if (!last || !is_comparable(*last, scene)) {
+      side->memory.valid = false;
+    }
+  }
+  result.time.setup = milliseconds_since(start) - result.time.profile;
 
   const auto geometry_start = Clock::now();
   EquilibriumRequest request;
@@ -203,14 +268,15 @@ SceneResult solve_scene(const Scene& scene) {
   request.left = scene.side != SideChoice::right;
   request.right = scene.side != SideChoice::left;
   request.near_tolerance = scene.near_tolerance;
-  const WheelsetEquilibrium equilibrium = find_equilibrium(wheel, rail, request);
+  const WheelsetEquilibrium equilibrium = find_equilibrium(*wheel, *rail, request);
   result.roll = equilibrium.roll;
   result.vertical = equilibrium.vertical;
   result.time.geometry = milliseconds_since(geometry_start);
 
   result.model = "half-space";
-  result.solver = "paper";
-  const auto solve = [&](const SideEquilibrium& side, double load) {
+  result.solver = scene.solver == "paper" ? "paper" : "default";
+  const auto solve_one = [&](const SideEquilibrium& equilibrium_of_side, double load,
+                             SideState& side) {
     SideRequest side_request;
     side_request.gap = scene.gap;
     side_request.combined_modulus = modulus;
@@ -224,25 +290,26 @@ SceneResult solve_scene(const Scene& scene) {
     side_request.accuracy = scene.accuracy;
     side_request.grid = scene.grid;
     side_request.tolerance = scene.tolerance;
-    return solve_side(wheel, rail, side, side_request);
+    side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::automatic;
+    return solve_side(*wheel, *rail, equilibrium_of_side, side_request, *side.solver, side.memory);
   };
-  std::future<SideSolution> right;
+  std::future<SideSolution> other;
   if (equilibrium.right) {
     const bool beside = scene.threads > 1 && equilibrium.left;
-    right = std::async(beside ? std::launch::async : std::launch::deferred, solve,
-                       std::cref(*equilibrium.right), scene.right_load);
+    other = std::async(beside ? std::launch::async : std::launch::deferred, solve_one,
+                       std::cref(*equilibrium.right), scene.right_load, std::ref(right));
   }
   const auto add_times = [&result](const SideSolution& solution) {
     result.time.remesh += 1e3 * solution.times.remesh;
     result.time.mechanics += 1e3 * solution.times.mechanics;
   };
   if (equilibrium.left) {
-    SideSolution solution = solve(*equilibrium.left, scene.left_load);
+    SideSolution solution = solve_one(*equilibrium.left, scene.left_load, left);
     add_times(solution);
     result.left = result_of(std::move(solution), wheel, rail, *equilibrium.left, 1.0);
   }
   if (equilibrium.right) {
-    SideSolution solution = right.get();
+    SideSolution solution = other.get();
     add_times(solution);
     result.right = result_of(std::move(solution), wheel, rail, *equilibrium.right, -1.0);
   }
@@ -250,8 +317,31 @@ SceneResult solve_scene(const Scene& scene) {
     result.rolling_radius_difference =
         result.left->rigid_contact.rolling_radius - result.right->rigid_contact.rolling_radius;
   }
+  last = scene;
   result.time.total = milliseconds_since(start);
   return result;
+}
+
+SceneSolver::SceneSolver() : state_(new State) {}
+SceneSolver::~SceneSolver() = default;
+SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
+SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;
+
+SceneResult SceneSolver::solve(const Scene& scene) {
+  return state_->solve(scene);
+}
+
+void SceneSolver::forget_positions() {
+  state_->left.memory.valid = false;
+  state_->right.memory.valid = false;
+}
+
+void SceneSolver::forget() {
+  *state_ = State{};
+}
+
+SceneResult solve_scene(const Scene& scene) {
+  return SceneSolver().solve(scene);
 }
 
 } // namespace wrc

@@ -2,11 +2,12 @@
 ///
 /// Results are in the track frame (geometry/frames.hpp), both sides alike; only along a profile
 /// (`s_wheel`, `t_rail`) and across a patch (`lateral`) positive means to the field side.
-/// Units mm, N, MPa, rad; times in ms. Thread rule: solve_scene is a pure function.
+/// Units mm, N, MPa, rad; times in ms. Thread rule: functions of the results are pure, but for
+/// residuals_of.
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,18 +42,19 @@ struct PatchResult {
   double semi_axis_lateral = 0.0;
 };
 
-/// Fields on the grid of a side; one value per element, longitudinal index fastest.
-struct SideFields {
-  std::vector<double> x, y, z; ///< element centres in the track frame
+/// What fields and outlines are computed from when they are asked for.
+struct SideDetails {
+  double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
+  ContactFrame frame;    ///< left-hand frame of the side
+  Pose pose;             ///< likewise
+  double vertical = 0.0; ///< height of the wheelset's centre under load
   std::vector<double> undeformed_distance;
   std::vector<double> pressure;
-  std::vector<double> displacement;
-};
-
-/// Wheel and rail in the plane x = x of the contact, for a picture: y and z of the track frame.
-struct CrossSection {
-  std::vector<double> rail_y, rail_z;
-  std::vector<double> wheel_y, wheel_z; ///< contact locus of the wheel at its final height
+  double combined_modulus = 0.0;
+  std::optional<double> normal_load; ///< of the normal contact problem; or approach 0 is given
+  double problem_approach = 0.0;     ///< answer to that problem
+  std::shared_ptr<const WheelSurface> wheel;
+  std::shared_ptr<const RailSurface> rail;
 };
 
 struct SideResult {
@@ -73,12 +75,11 @@ struct SideResult {
   int regrown = 0;
   double fill = 0.0; ///< share of the elements under pressure
   StopReason stop_reason = StopReason::tolerance_met;
-  Residuals residuals;
-  Grid grid;
-  std::vector<PatchResult> patches; ///< largest normal force first
+  std::optional<Residuals> residuals; ///< once asked for, see residuals_of
+  Grid grid;                          ///< no elements without contact
+  std::vector<PatchResult> patches;   ///< largest normal force first
   std::vector<std::string> warnings;
-  SideFields fields;
-  CrossSection section;
+  SideDetails details;
 };
 
 /// Milliseconds by stage; a stage's threads are added up, the total is wall time.
@@ -103,15 +104,48 @@ struct SceneResult {
   std::vector<std::string> corrections; ///< made to profiles read from files
 };
 
+/// A scene by itself: a pure function.
 SceneResult solve_scene(const Scene& scene);
 
+/// Solves scenes one after the other and keeps what the next one can use.
+///
+/// Profiles, influence coefficients, transform plans and memory are kept; they change no bit of a
+/// result. Positions, depths and extents of the last contact are kept too and serve as the start of
+/// the next solution; results then agree with those of solve_scene within the accuracy asked. Every
+/// contact search is global all the same, so a jump of the contact is never missed.
+/// A profile read from a file is kept by its name: forget() after the file has changed.
+/// Thread rule: one object serves one thread at a time.
+class SceneSolver {
+public:
+  SceneSolver();
+  ~SceneSolver();
+  SceneSolver(SceneSolver&&) noexcept;
+  SceneSolver& operator=(SceneSolver&&) noexcept;
+
+  /// On failure what is kept from earlier scenes stays usable.
+  SceneResult solve(const Scene& scene);
+  /// The next solution starts without positions of earlier ones: bit for bit that of solve_scene.
+  void forget_positions();
+  /// Drops everything, profiles included.
+  void forget();
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// KKT residuals of a side in double precision, by a convolution of its own; computed once.
+const Residuals& residuals_of(SideResult& side);
+
 /// All scalar results by name ("left.pmax", "left.patches.0.angle", ...), in a fixed order.
-std::vector<std::pair<std::string, double>> number_values(const SceneResult& result);
+std::vector<std::string> number_names(const SceneResult& result);
+/// One of them; residuals are computed when they are first asked for. None of that name: nothing.
+std::optional<double> number_value(SceneResult& result, std::string_view name);
 /// All texts by name ("model", "left.warnings.0", ...).
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result);
-/// A field by name ("left.pressure", "right.rail_y", ...); empty if there is none of that name.
-std::span<const double> field_values(const SceneResult& result, std::string_view name);
-/// The names that field_values knows, without the side.
-std::span<const std::string_view> field_names();
+/// A field by name ("left.pressure", "right.rail_y", ...), computed now: per element of the side's
+/// grid, or along an outline (wheel and rail in the plane of the contact, for a picture). Nothing
+/// if there is none of that name.
+std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name);
 
 } // namespace wrc

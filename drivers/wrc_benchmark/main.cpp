@@ -80,7 +80,7 @@ driver::Scene scene_of(const Case& chosen, const Grid& grid, const std::string& 
   }
   scene.set("solve.grid", std::vector<double>{static_cast<double>(grid.lateral),
                                               static_cast<double>(grid.longitudinal)});
-  scene.set("solve.solver", method == "default" ? "auto" : method);
+  scene.set("solve.solver", method);
   scene.set("solve.tolerance", tolerance);
   return scene;
 }

@@ -189,6 +189,7 @@ TEST_F(Solving, NotConvergedComesWithUsableResults) {
   for (wrc_scene* s : {converged.get(), scene.get()}) {
     ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 3.0), WRC_OK);
     ASSERT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);
+    ASSERT_EQ(wrc_scene_set_text(s, "solve.solver", "paper"), WRC_OK);
   }
   ASSERT_EQ(wrc_scene_set_number(converged.get(), "solve.tolerance", 1e-10), WRC_OK);
   ASSERT_EQ(wrc_scene_set_number(scene.get(), "solve.tolerance", 1e-13), WRC_OK);

@@ -231,7 +231,7 @@ TEST_F(WrcCase, RefusesFilesThatCannotBeWritten) {
 
 TEST_F(WrcCase, NotConvergedPrintsResultsAndHasItsOwnExitCode) {
   const Outcome outcome = solve("--set pose.lateral=3 --set solve.grid=[200,100] --set "
-                                "solve.tolerance=1e-13 --json");
+                                "solve.tolerance=1e-13 --set solve.solver=paper --json");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.error.find("not converged"), std::string::npos);
   EXPECT_GT(json::parse(outcome.out).at("left").at("pmax").get<double>(), 0.0);

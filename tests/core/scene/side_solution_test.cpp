@@ -13,6 +13,18 @@ namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
 
+/// A side by itself: nothing kept from earlier ones.
+SideSolution solve_alone(const WheelSurface& wheel, const RailSurface& rail,
+                         const SideEquilibrium& equilibrium, const SideRequest& request) {
+  NormalSolver solver;
+  SideMemory memory;
+  SideSolution solution = solve_side(wheel, rail, equilibrium, request, solver, memory);
+  if (solution.in_contact) {
+    complete_solution(problem_of(solution), solution.normal);
+  }
+  return solution;
+}
+
 struct Fixture {
   WheelSurface wheel;
   RailSurface rail;
@@ -45,7 +57,7 @@ TEST(SideSolution, WholeWayMeetsHertzForSmoothBodies) {
     SideRequest request;
     request.combined_modulus = modulus;
     request.normal_load = load;
-    const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
     const HertzContact hertz = solve_hertz(1.0 / 460.0, 1.0 / 300.0, modulus, load);
     EXPECT_NEAR(solution.peak_pressure, hertz.peak_pressure, tolerance * hertz.peak_pressure);
     EXPECT_NEAR(solution.approach, hertz.approach, tolerance * hertz.approach);
@@ -67,7 +79,7 @@ TEST(SideSolution, SignorinisConditionsHoldOnTheFinalGrid) {
     SideRequest request;
     request.combined_modulus = modulus;
     request.vertical_load = 80000.0;
-    const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
     double force = 0.0;
     double largest_displacement = 0.0;
     for (const double u : solution.normal.displacement) {
@@ -98,13 +110,13 @@ TEST(SideSolution, PositionThatALoadGaveGivesTheLoadBack) {
     request.combined_modulus = modulus;
     request.vertical_load = 60000.0;
     request.grid = {{160, 100}};
-    const SideSolution loaded = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    const SideSolution loaded = solve_alone(made.wheel, made.rail, made.equilibrium, request);
     const double sunk = loaded.approach / loaded.frame.normal.z;
     SideRequest position;
     position.combined_modulus = modulus;
     position.vertical = made.equilibrium.vertical - sunk;
     position.grid = request.grid;
-    const SideSolution placed = solve_side(made.wheel, made.rail, made.equilibrium, position);
+    const SideSolution placed = solve_alone(made.wheel, made.rail, made.equilibrium, position);
     // Plane and grid follow from slightly different coarse solutions.
     EXPECT_NEAR(placed.normal.normal_force * placed.frame.normal.z, 60000.0, 2e-3 * 60000.0);
     EXPECT_NEAR(placed.approach / placed.frame.normal.z, sunk, 1e-12);
@@ -116,7 +128,7 @@ TEST(SideSolution, WheelAboveTheRailBearsNothing) {
   SideRequest request;
   request.combined_modulus = modulus;
   request.vertical = made.equilibrium.vertical + 0.01;
-  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
   EXPECT_FALSE(solution.in_contact);
   ASSERT_EQ(solution.warnings.size(), 1u);
   EXPECT_EQ(solution.warnings[0], "no contact at this height");
@@ -127,7 +139,7 @@ TEST(SideSolution, NoLoadIsAResult) {
   SideRequest request;
   request.combined_modulus = modulus;
   request.vertical_load = 0.0;
-  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
   EXPECT_FALSE(solution.in_contact);
   EXPECT_EQ(solution.peak_pressure, 0.0);
 }
@@ -137,7 +149,7 @@ TEST(SideSolution, TwoLobesComeOutAsTwoPatches) {
   SideRequest request;
   request.combined_modulus = modulus;
   request.vertical_load = 80000.0;
-  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
   EXPECT_EQ(solution.regions.size(), 2u);
 }
 
@@ -148,7 +160,7 @@ TEST(SideSolution, ContactThatTheCoarseGridMissedIsFound) {
   request.combined_modulus = modulus;
   request.vertical_load = 80000.0;
   request.accuracy = 3e-3;
-  const SideSolution solution = solve_side(made.wheel, made.rail, made.equilibrium, request);
+  const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
   EXPECT_GE(solution.regrown, 1);
   ASSERT_EQ(solution.regions.size(), 2u);
   EXPECT_LT(solution.regions[1].normal_force, 0.01 * solution.regions[0].normal_force);
@@ -166,11 +178,11 @@ TEST(SideSolution, ErrorEstimateBoundsTheErrorAgainstAFinerGrid) {
     request.combined_modulus = modulus;
     request.vertical_load = 80000.0;
     request.accuracy = 1e-2;
-    const SideSolution asked = solve_side(made.wheel, made.rail, made.equilibrium, request);
+    const SideSolution asked = solve_alone(made.wheel, made.rail, made.equilibrium, request);
     SideRequest fine = request;
     fine.grid = {{4 * asked.grid.lateral_count, 4 * asked.grid.longitudinal_count}};
     fine.tolerance = 1e-8;
-    const SideSolution truth = solve_side(made.wheel, made.rail, made.equilibrium, fine);
+    const SideSolution truth = solve_alone(made.wheel, made.rail, made.equilibrium, fine);
     const double error = std::max(std::abs(asked.peak_pressure / truth.peak_pressure - 1.0),
                                   std::abs(asked.approach / truth.approach - 1.0));
     EXPECT_LE(error, request.accuracy) << lateral;

@@ -26,7 +26,7 @@ TEST(SolveScene, MirroredSceneSwapsTheSidesToTheLastBit) {
   EXPECT_EQ(one.left->lateral_force, -other.right->lateral_force);
   EXPECT_EQ(one.left->angle, -other.right->angle);
   EXPECT_EQ(one.left->patches.at(0).centre.y, -other.right->patches.at(0).centre.y);
-  EXPECT_EQ(one.left->fields.pressure, other.right->fields.pressure);
+  EXPECT_EQ(one.left->details.pressure, other.right->details.pressure);
 }
 
 TEST(SolveScene, ThreadsDoNotChangeABit) {
@@ -34,8 +34,8 @@ TEST(SolveScene, ThreadsDoNotChangeABit) {
   const SceneResult one = solve_scene(scene);
   scene.threads = 2;
   const SceneResult two = solve_scene(scene);
-  EXPECT_EQ(one.left->fields.pressure, two.left->fields.pressure);
-  EXPECT_EQ(one.right->fields.pressure, two.right->fields.pressure);
+  EXPECT_EQ(one.left->details.pressure, two.left->details.pressure);
+  EXPECT_EQ(one.right->details.pressure, two.right->details.pressure);
   EXPECT_EQ(one.right->approach, two.right->approach);
 }
 
@@ -46,7 +46,7 @@ TEST(SolveScene, OneSideIsTheSameAloneAsBesideTheOther) {
   const SceneResult right = solve_scene(scene);
   EXPECT_FALSE(right.left);
   EXPECT_EQ(both.roll, right.roll);
-  EXPECT_EQ(both.right->fields.pressure, right.right->fields.pressure);
+  EXPECT_EQ(both.right->details.pressure, right.right->details.pressure);
   EXPECT_FALSE(right.rolling_radius_difference);
 }
 
@@ -79,23 +79,32 @@ TEST(SolveScene, ForcesAndPlacesAreConsistent) {
 }
 
 TEST(SolveScene, ValuesByNameAreComplete) {
-  const SceneResult result = solve_scene(small_scene(1.0));
-  const auto numbers = number_values(result);
-  const auto find = [&](const std::string& name) {
-    for (const auto& [key, value] : numbers) {
-      if (key == name) {
-        return value;
-      }
-    }
-    ADD_FAILURE() << name;
-    return 0.0;
-  };
-  EXPECT_EQ(find("left.pmax"), result.left->pmax);
-  EXPECT_EQ(find("right.patches.0.semi_axes.1"), result.right->patches[0].semi_axis_lateral);
-  EXPECT_EQ(find("roll"), result.roll);
-  EXPECT_EQ(field_values(result, "left.pressure").size(), 60u * 48u);
-  EXPECT_EQ(field_values(result, "left.nothing").size(), 0u);
-  EXPECT_EQ(field_values(result, "top.pressure").size(), 0u);
+  SceneResult result = solve_scene(small_scene(1.0));
+  EXPECT_EQ(number_value(result, "left.pmax"), result.left->pmax);
+  EXPECT_EQ(number_value(result, "right.patches.0.semi_axes.1"),
+            result.right->patches[0].semi_axis_lateral);
+  EXPECT_EQ(number_value(result, "roll"), result.roll);
+  for (const std::string& name : number_names(result)) {
+    EXPECT_TRUE(number_value(result, name)) << name;
+  }
+  for (const char* name : {"", "left", "left.", "left.nothing", "left.patches", "left.patches.9.x",
+                           "left.patches.x.x", "left.patches.0", "left.residuals.", "top.pmax"}) {
+    EXPECT_FALSE(number_value(result, name)) << name;
+  }
+  ASSERT_TRUE(field_values(result, "left.pressure"));
+  EXPECT_EQ(field_values(result, "left.pressure")->size(), 60u * 48u);
+  EXPECT_FALSE(field_values(result, "left.nothing"));
+  EXPECT_FALSE(field_values(result, "left"));
+  EXPECT_FALSE(field_values(result, "top.pressure"));
+}
+
+TEST(SolveScene, ResidualsAreRecomputedOnlyWhenAskedFor) {
+  SceneResult result = solve_scene(small_scene(1.0));
+  EXPECT_FALSE(result.left->residuals);
+  const double complementarity = *number_value(result, "left.residuals.complementarity");
+  ASSERT_TRUE(result.left->residuals);
+  EXPECT_GT(complementarity, 0.0);
+  EXPECT_LT(complementarity, 1e-5);
 }
 
 TEST(SolveSceneErrors, UnknownProfileListsTheKnownOnes) {

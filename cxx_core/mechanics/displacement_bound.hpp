@@ -1,0 +1,34 @@
+/// A lower bound of the displacement that pressures cause, cheap at any place.
+///
+/// The mean of 1/distance over the pressures of a row of elements is at least 1/sqrt of the mean
+/// squared distance (Jensen's inequality), so with force F, mean m and variance v of a row
+///   u(x, y) >= 1/(pi E*) sum_rows F / sqrt((x - m)^2 + v + dx^2/12 + (y - y_row)^2 + dy^2/12).
+/// It lies close to u some elements away from the pressures, and is enough to tell that no contact
+/// was left out there. Units mm, N, MPa; frame of remesh/grid.hpp. Thread rule: immutable.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "remesh/grid.hpp"
+
+namespace wrc {
+
+class DisplacementBound {
+public:
+  DisplacementBound(const Grid& grid, std::span<const double> pressure, double combined_modulus);
+
+  /// A lower bound of u in mm.
+  [[nodiscard]] double at(double longitudinal, double lateral) const;
+
+private:
+  struct Row {
+    double lateral;
+    double mean;         ///< longitudinal
+    double mean_square;  ///< of the distance from the mean and from the row, with the elements'
+    double displacement; ///< F / (pi E*)
+  };
+  std::vector<Row> rows_;
+};
+
+} // namespace wrc
