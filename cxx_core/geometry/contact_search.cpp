@@ -1,8 +1,6 @@
 #include "geometry/contact_search.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "error.hpp"
 
@@ -13,179 +11,332 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A node of the scan can lie this much above the least place next to it: nodes are at most 0.5 mm
 /// apart, and relative curvatures up to 1 / (4 mm) are covered.
 constexpr double scan_slack = 0.01;
+/// Places are found to this, mm of arc: the rounding of positions of some hundred mm, times ten.
+constexpr double place_tolerance = 1e-12;
+/// Contacts this near to the end of a profile, mm of arc, are at its end.
+constexpr double end_tolerance = 1e-6;
 
-/// Wheel and rail at one place of the wheel profile.
-struct Meeting {
-  LocusPoint wheel;
-  CurvePoint rail;
-  double rail_arc = 0.0;
-  double distance = infinity;
-  bool exists = false;
-
-  /// Sine of the angle from the rail's to the wheel's tangent; its rising root is a least distance.
-  [[nodiscard]] double sine() const {
-    return rail.tangent_lateral * wheel.tangent_z - rail.tangent_height * wheel.tangent_y;
-  }
+/// A place with the value of the function whose sign changes.
+struct Valued {
+  double place;
+  double value;
 };
 
-class Search {
-public:
-  Search(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
-      : wheel_(wheel), rail_(rail.graph()), pose_(pose), rotation_(pose) {}
-
-  [[nodiscard]] Meeting at(double arc) const { return meet(wheel_.graph().curve().at(arc)); }
-
-  [[nodiscard]] Meeting meet(const CurvePoint& profile_point) const {
-    Meeting meeting;
-    const auto locus = wheel_.locus(profile_point, pose_, rotation_);
-    if (!locus || !rail_.covers(locus->position.y)) {
-      return meeting;
+/// Closes in on a change of sign between two places by the Illinois rule, with a bisection now and
+/// then; both keep the bracket, so that kinks are found too. `function` gives a value, or none to
+/// stop. If a zero is hit, both places are there.
+template <class Function> void close_in(Valued& low, Valued& high, const Function& function) {
+  double weighted_low = low.value;
+  double weighted_high = high.value;
+  int kept = 0;
+  for (int iteration = 0; iteration < 200 && std::abs(high.place - low.place) > place_tolerance;
+       ++iteration) {
+    const double bisected = 0.5 * (low.place + high.place);
+    const double drawn =
+        (low.place * weighted_high - high.place * weighted_low) / (weighted_high - weighted_low);
+    const bool within =
+        drawn > std::min(low.place, high.place) && drawn < std::max(low.place, high.place);
+    const double place = iteration % 8 == 7 || !within ? bisected : drawn;
+    const std::optional<double> value = function(place);
+    if (!value) {
+      break;
     }
-    meeting.wheel = *locus;
-    meeting.rail = rail_.at_lateral(locus->position.y, meeting.rail_arc);
-    meeting.distance = locus->position.z - meeting.rail.height;
-    meeting.exists = true;
-    return meeting;
+    if (*value == 0.0) {
+      low = high = {place, 0.0};
+      return;
+    }
+    if ((*value < 0.0) == (low.value < 0.0)) {
+      low = {place, *value};
+      weighted_low = *value;
+      weighted_high = kept == -1 ? 0.5 * weighted_high : high.value;
+      kept = -1;
+    } else {
+      high = {place, *value};
+      weighted_high = *value;
+      weighted_low = kept == 1 ? 0.5 * weighted_low : low.value;
+      kept = 1;
+    }
   }
-
-  /// The last place towards `outside` at which wheel and rail still face each other.
-  [[nodiscard]] double edge_between(double inside, double outside) const {
-    while (true) {
-      const double middle = 0.5 * (inside + outside);
-      if (middle == inside || middle == outside) {
-        return inside;
-      }
-      (at(middle).exists ? inside : outside) = middle;
-    }
-  }
-
-  /// Least distance between two places that both exist, around a node that is lower than either.
-  [[nodiscard]] ContactCandidate refine(double low, double high) const {
-    Meeting at_low = at(low);
-    Meeting at_high = at(high);
-    if (at_low.sine() >= 0.0) {
-      return candidate(low, at_low);
-    }
-    if (at_high.sine() <= 0.0) {
-      return candidate(high, at_high);
-    }
-    // The Illinois rule with a bisection now and then; both keep the bracket, so kinks are found.
-    double sine_low = at_low.sine();
-    double sine_high = at_high.sine();
-    int kept = 0;
-    for (int iteration = 0; iteration < 200 && high - low > 1e-13 * (1.0 + high); ++iteration) {
-      const bool bisect = iteration % 8 == 7;
-      const double place =
-          bisect
-              ? 0.5 * (low + high)
-              : std::clamp((low * sine_high - high * sine_low) / (sine_high - sine_low), low, high);
-      const Meeting meeting = at(place);
-      if (!meeting.exists) {
-        break;
-      }
-      const double sine = meeting.sine();
-      if (sine == 0.0) {
-        return candidate(place, meeting);
-      }
-      if (sine < 0.0) {
-        low = place;
-        at_low = meeting;
-        sine_low = sine;
-        sine_high = kept == -1 ? 0.5 * sine_high : at_high.sine();
-        kept = -1;
-      } else {
-        high = place;
-        at_high = meeting;
-        sine_high = sine;
-        sine_low = kept == 1 ? 0.5 * sine_low : at_low.sine();
-        kept = 1;
-      }
-    }
-    return at_low.distance <= at_high.distance ? candidate(low, at_low) : candidate(high, at_high);
-  }
-
-  [[nodiscard]] ContactCandidate candidate(double arc, const Meeting& meeting) const {
-    ContactCandidate result;
-    result.wheel = meeting.wheel;
-    result.distance = meeting.distance;
-    result.rail_angle = std::atan2(meeting.rail.tangent_height, meeting.rail.tangent_lateral);
-    constexpr double end_tolerance = 1e-6;
-    const auto& graph = wheel_.graph();
-    result.at_profile_end = arc <= graph.arc_begin() + end_tolerance ||
-                            arc >= graph.arc_end() - end_tolerance ||
-                            meeting.rail_arc <= rail_.arc_begin() + end_tolerance ||
-                            meeting.rail_arc >= rail_.arc_end() - end_tolerance;
-    return result;
-  }
-
-private:
-  const WheelSurface& wheel_;
-  const CurveGraph& rail_;
-  const Pose pose_;
-  const Rotation rotation_;
-};
+}
 
 } // namespace
 
-ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
-                            double near_tolerance, bool with_samples) {
-  const Search search(wheel, rail, pose);
-  const CurveGraph& graph = wheel.graph();
-  const auto starts = graph.curve().starts();
-  // Wheel and rail at all nodes of the wheel profile, and where the rail begins and ends below it.
-  std::vector<double> arcs;
-  std::vector<Meeting> meetings;
-  double least = infinity;
-  const auto add = [&](double arc, const Meeting& meeting) {
-    arcs.push_back(arc);
-    meetings.push_back(meeting);
-    least = std::min(least, meeting.distance);
-  };
-  for (const double arc : starts) {
-    if (arc < graph.arc_begin() || arc > graph.arc_end()) {
+SideSearch::SideSearch(const WheelSurface& wheel, const RailSurface& rail)
+    : wheel_(wheel), rail_(rail.graph().heights()), scan_(wheel, rail), pose_(Pose{}) {}
+
+CurvePoint SideSearch::profile_at(std::size_t piece, double along) const {
+  return wheel_.graph().curve().at(wheel_.graph().first_piece() + piece, along);
+}
+
+double SideSearch::length_of(std::size_t piece) const {
+  const auto starts = wheel_.graph().curve().starts();
+  const std::size_t index = wheel_.graph().first_piece() + piece;
+  return starts[index + 1] - starts[index];
+}
+
+SideSearch::Meeting SideSearch::meet(std::size_t piece, double along) const {
+  const CurvePoint point = profile_at(piece, along);
+  bool exists = false;
+  const LocusAngle angle = pose_.angle_at(point.slope(), exists);
+  const double rho = wheel_.radius() + point.height;
+  const Vector3 place = pose_.rotation.to_track(
+      {rho * angle.sine, wheel_.taping_line() + point.lateral, -rho * angle.cosine});
+  const double y = place.y + pose_.lateral;
+  if (!exists || !rail_.covers(y)) {
+    return {};
+  }
+  const double radial = point.tangent_lateral;
+  const Vector3 normal =
+      pose_.rotation.to_track({radial * angle.sine, -point.tangent_height, -radial * angle.cosine});
+  const HeightPoint rail = rail_.at(rail_.piece_at(y), y);
+  return {(normal.y + rail.slope * normal.z) / std::sqrt(1.0 + rail.slope * rail.slope),
+          place.z - rail.height, true};
+}
+
+/// How far the locus is inside the rail's ends, mm; negative outside.
+double SideSearch::inside_by(std::size_t piece, double along) const {
+  const CurvePoint point = profile_at(piece, along);
+  bool exists = false;
+  const LocusAngle angle = pose_.angle_at(point.slope(), exists);
+  if (!exists) {
+    return -1.0;
+  }
+  const double rho = wheel_.radius() + point.height;
+  const Vector3 place = pose_.rotation.to_track(
+      {rho * angle.sine, wheel_.taping_line() + point.lateral, -rho * angle.cosine});
+  const double y = place.y + pose_.lateral;
+  return std::min(y - rail_.begin(), rail_.end() - y);
+}
+
+/// The last place towards `outside` at which wheel and rail still face each other.
+double SideSearch::edge_along(std::size_t piece, double inside, double outside) const {
+  Valued in{inside, inside_by(piece, inside)};
+  Valued out{outside, inside_by(piece, outside)};
+  if (!(in.value > 0.0 && out.value < 0.0)) {
+    return inside;
+  }
+  close_in(in, out, [&](double along) { return std::optional(inside_by(piece, along)); });
+  return in.place;
+}
+
+/// Least distance on a part of a piece.
+LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
+  const Meeting at_low = meet(piece, low);
+  const Meeting at_high = meet(piece, high);
+  if (at_low.sine >= 0.0) {
+    return {piece, low, at_low.distance};
+  }
+  if (at_high.sine <= 0.0) {
+    return {piece, high, at_high.distance};
+  }
+  Valued below{low, at_low.sine};
+  Valued above{high, at_high.sine};
+  close_in(below, above, [&](double along) -> std::optional<double> {
+    const Meeting meeting = meet(piece, along);
+    return meeting.exists ? std::optional(meeting.sine) : std::nullopt;
+  });
+  const double distance_below = meet(piece, below.place).distance;
+  const double distance_above = meet(piece, above.place).distance;
+  return distance_below <= distance_above ? LocusSpot{piece, below.place, distance_below}
+                                          : LocusSpot{piece, above.place, distance_above};
+}
+
+/// Least distances next to a node that is lower than its neighbours: to its left, to its right, or
+/// at the node itself if the profile has a kink there.
+void SideSearch::refine_around(std::size_t node, std::vector<LocusSpot>& spots) const {
+  bool found = false;
+  LocusSpot here{0, 0.0, infinity};
+  if (node > 0) {
+    const std::size_t piece = node - 1;
+    const double length = length_of(piece);
+    const Meeting end = meet(piece, length);
+    const Edge* edge = edge_at(node, piece);
+    if (end.exists) {
+      here = {piece, length, end.distance};
+      if (end.sine > 0.0 && (edge != nullptr || scan_.over_rail(node - 1))) {
+        spots.push_back(refine(piece, edge != nullptr ? edge->spot.along : 0.0, length));
+        found = true;
+      }
+    }
+  }
+  if (node < wheel_.graph().piece_count()) {
+    const Meeting begin = meet(node, 0.0);
+    const Edge* edge = edge_at(node, node);
+    if (begin.exists) {
+      if (begin.distance <= here.distance) {
+        here = {node, 0.0, begin.distance};
+      }
+      if (begin.sine < 0.0 && (edge != nullptr || scan_.over_rail(node + 1))) {
+        spots.push_back(refine(node, 0.0, edge != nullptr ? edge->spot.along : length_of(node)));
+        found = true;
+      }
+    }
+  }
+  if (!found) {
+    spots.push_back(here);
+  }
+}
+
+const SideSearch::Edge* SideSearch::edge_at(std::size_t node, std::size_t piece) const {
+  for (const Edge& edge : edges_) {
+    if (edge.node == node && edge.spot.piece == piece) {
+      return &edge;
+    }
+  }
+  return nullptr;
+}
+
+void SideSearch::find_edges() {
+  edges_.clear();
+  least_ = scan_.least();
+  for (std::size_t node = scan_.first(); node + 1 < scan_.last(); ++node) {
+    const bool here = scan_.over_rail(node);
+    if (here == scan_.over_rail(node + 1)) {
       continue;
     }
-    const Meeting here = search.at(arc);
-    if (!meetings.empty() && meetings.back().exists != here.exists) {
-      const double edge = here.exists ? search.edge_between(arc, arcs.back())
-                                      : search.edge_between(arcs.back(), arc);
-      add(edge, search.at(edge));
+    const double length = length_of(node);
+    const double along = here ? edge_along(node, 0.0, length) : edge_along(node, length, 0.0);
+    const Meeting meeting = meet(node, along);
+    if (meeting.exists) {
+      edges_.push_back({here ? node : node + 1, {node, along, meeting.distance}});
+      least_ = std::min(least_, meeting.distance);
     }
-    add(arc, here);
   }
-  if (!(least < infinity)) {
+}
+
+void SideSearch::scan(const Pose& pose) {
+  pose_ = LocusPose(pose);
+  scan_.run(pose_);
+  if (!(scan_.least() < infinity)) {
     throw Error(
         ErrorCode::no_contact,
         "wheel off the rail: no part of the wheel profile lies over the rail at pose.lateral = " +
             text_of(pose.lateral) + " mm (left side; mirrored for the right)");
   }
+  find_edges();
+}
 
-  ContactScan scan;
-  const std::size_t count = arcs.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Meeting& here = meetings[i];
-    if (!here.exists) {
+std::vector<LocusSpot> SideSearch::least_spots(double near_tolerance) const {
+  std::vector<LocusSpot> spots;
+  const double highest = least_ + near_tolerance + scan_slack;
+  for (std::size_t node = scan_.first(); node < scan_.last(); ++node) {
+    const double here = scan_.distance(node);
+    if (!(here <= highest)) {
       continue;
     }
-    if (with_samples) {
-      scan.samples.push_back({here.wheel, here.distance,
-                              std::atan2(here.rail.tangent_height, here.rail.tangent_lateral)});
+    const auto towards = [&](std::size_t neighbour, std::size_t piece) {
+      const Edge* edge = edge_at(node, piece);
+      return edge != nullptr ? edge->spot.distance : scan_.distance(neighbour);
+    };
+    if (here <= towards(node - 1, node - 1) && here < towards(node + 1, node)) {
+      refine_around(node, spots);
     }
-    const double before = i > 0 ? meetings[i - 1].distance : infinity;
-    const double after = i + 1 < count ? meetings[i + 1].distance : infinity;
-    if (here.distance > before || here.distance >= after ||
-        here.distance > least + near_tolerance + scan_slack) {
-      continue;
-    }
-    const double low = i > 0 && meetings[i - 1].exists ? arcs[i - 1] : arcs[i];
-    const double high = i + 1 < count && meetings[i + 1].exists ? arcs[i + 1] : arcs[i];
-    scan.candidates.push_back(search.refine(low, high));
   }
-  std::stable_sort(scan.candidates.begin(), scan.candidates.end(),
+  for (const Edge& edge : edges_) {
+    const bool edge_first = edge.spot.piece < edge.node;
+    const double inside = scan_.distance(edge.node);
+    const bool least = edge_first ? edge.spot.distance < inside : edge.spot.distance <= inside;
+    if (least && edge.spot.distance <= highest) {
+      const double length = length_of(edge.spot.piece);
+      spots.push_back(edge_first ? refine(edge.spot.piece, edge.spot.along, length)
+                                 : refine(edge.spot.piece, 0.0, edge.spot.along));
+    }
+  }
+  std::stable_sort(spots.begin(), spots.end(),
                    [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  const double limit = scan.candidates.front().distance + near_tolerance;
-  std::erase_if(scan.candidates, [limit](const auto& c) { return c.distance > limit; });
+  const double limit = spots.front().distance + near_tolerance;
+  std::erase_if(spots, [limit](const auto& spot) { return spot.distance > limit; });
+  return spots;
+}
+
+std::optional<LocusSpot> SideSearch::follow(const Pose& pose, const LocusSpot& from) {
+  pose_ = LocusPose(pose);
+  std::size_t piece = from.piece;
+  int direction = 0;
+  while (true) {
+    const double length = length_of(piece);
+    const Meeting begin = meet(piece, 0.0);
+    const Meeting end = meet(piece, length);
+    if (!begin.exists || !end.exists) {
+      return std::nullopt;
+    }
+    if (begin.sine < 0.0 && end.sine > 0.0) {
+      return refine(piece, 0.0, length);
+    }
+    const int next = begin.sine >= 0.0 ? -1 : 1;
+    if (direction == -next) {
+      // Down from both sides to the node between two pieces: a kink of the wheel.
+      return next < 0 ? LocusSpot{piece, 0.0, begin.distance}
+                      : LocusSpot{piece, length, end.distance};
+    }
+    direction = next;
+    if (next < 0 ? piece == 0 : piece + 1 == wheel_.graph().piece_count()) {
+      return std::nullopt;
+    }
+    piece = next < 0 ? piece - 1 : piece + 1;
+  }
+}
+
+DistanceSample SideSearch::sample(const LocusSpot& spot) const {
+  const ContactCandidate whole = candidate(spot);
+  return {whole.wheel, whole.distance, std::tan(whole.rail_angle)};
+}
+
+std::vector<DistanceSample> SideSearch::samples() const {
+  std::vector<DistanceSample> samples;
+  samples.reserve(scan_.last() - scan_.first() + edges_.size());
+  const ProfileNodes& nodes = wheel_.nodes();
+  auto edge = edges_.begin();
+  for (std::size_t node = scan_.first(); node < scan_.last(); ++node) {
+    for (; edge != edges_.end() && edge->spot.piece < node; ++edge) {
+      samples.push_back(sample(edge->spot));
+    }
+    if (scan_.over_rail(node)) {
+      const double slope = nodes.slope[node];
+      const double rho = wheel_.radius() + nodes.height[node];
+      samples.push_back({{scan_.position(node), nodes.lateral[node],
+                          1.0 / (rho * std::sqrt(1.0 + slope * slope))},
+                         scan_.distance(node),
+                         scan_.rail_slope(node)});
+    }
+  }
+  return samples;
+}
+
+ContactCandidate SideSearch::candidate(const LocusSpot& spot) const {
+  const CurvePoint profile_point = profile_at(spot.piece, spot.along);
+  bool exists = false;
+  ContactCandidate result;
+  result.wheel = wheel_.locus(profile_point, pose_.angle_at(profile_point.slope(), exists), pose_);
+  result.distance = spot.distance;
+  const double y = result.wheel.position.y;
+  const double rail_slope = rail_.at(y).slope;
+  result.rail_angle = std::atan(rail_slope);
+  const CurveGraph& graph = wheel_.graph();
+  const double wheel_arc = graph.curve().starts()[graph.first_piece() + spot.piece] + spot.along;
+  const double rail_reach = end_tolerance / std::sqrt(1.0 + rail_slope * rail_slope);
+  result.at_profile_end = wheel_arc <= graph.arc_begin() + end_tolerance ||
+                          wheel_arc >= graph.arc_end() - end_tolerance ||
+                          y <= rail_.begin() + rail_reach || y >= rail_.end() - rail_reach;
+  return result;
+}
+
+ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples) {
+  ContactScan scan;
+  for (const LocusSpot& spot : search.least_spots(near_tolerance)) {
+    scan.candidates.push_back(search.candidate(spot));
+  }
+  if (with_samples) {
+    scan.samples = search.samples();
+  }
   return scan;
+}
+
+ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
+                            double near_tolerance, bool with_samples) {
+  SideSearch search(wheel, rail);
+  search.scan(pose);
+  return contacts_of(search, near_tolerance, with_samples);
 }
 
 } // namespace wrc

@@ -2,15 +2,21 @@
 ///
 /// The vertical distance between the wheel's contact locus and the rail,
 ///   d(s) = z_locus(s) - z_rail(y_locus(s)),
-/// is scanned over all nodes of the wheel profile; each local least place is then refined to the
-/// root of the sine of the angle between wheel and rail tangent (the paper, equations 1 to 8, here
-/// one-dimensional). The scan is global: no contact is missed that is wider than the node distance
-/// of the profile curve (at most 0.5 mm).
-/// Units mm and rad; track frame, left side (geometry/frames.hpp). Thread rule: pure functions.
+/// is scanned over all nodes of the wheel profile (geometry/locus_scan.hpp) and where the rail
+/// begins and ends below it; each local least place is then refined to the root of the sine of the
+/// angle between wheel and rail tangent (the paper, equations 1 to 8, here one-dimensional). The
+/// scan is global: no contact is missed that is wider than the node distance of the profile curve
+/// (at most 0.5 mm). Between two scans a contact can be followed to a pose nearby, which costs
+/// little but sees nothing else.
+/// Units mm and rad; track frame, left side (geometry/frames.hpp).
+/// Thread rule: search_contacts is a pure function; one SideSearch, one thread.
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
+#include "geometry/locus_scan.hpp"
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
 
@@ -26,9 +32,11 @@ struct ContactCandidate {
 
 /// One sample of the scan.
 struct DistanceSample {
-  LocusPoint wheel;
+  LocusPlace wheel;
   double distance = 0.0;   ///< vertical
-  double rail_angle = 0.0; ///< rad
+  double rail_slope = 0.0; ///< tangent of the rail's angle about x
+
+  [[nodiscard]] double rail_angle() const { return std::atan(rail_slope); }
 };
 
 struct ContactScan {
@@ -36,10 +44,71 @@ struct ContactScan {
   std::vector<ContactCandidate> candidates; ///< least distance first
 };
 
+/// A place between the nodes of the wheel's profile.
+struct LocusSpot {
+  std::size_t piece = 0; ///< of the wheel's graph
+  double along = 0.0;    ///< arc from the piece's begin
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+class SideSearch {
+public:
+  /// Both surfaces must outlive the search. Buffers are kept from one pose to the next.
+  SideSearch(const WheelSurface& wheel, const RailSurface& rail);
+
+  /// Scans all nodes. Throws Error(no_contact) if no part of the wheel is over the rail.
+  void scan(const Pose& pose);
+  /// All locally least places of the pose scanned last that exceed the least one by no more than
+  /// `near_tolerance` (mm, >= 0), least first.
+  [[nodiscard]] std::vector<LocusSpot> least_spots(double near_tolerance) const;
+  /// All nodes over the rail and the ends of the rail, at the pose scanned last.
+  [[nodiscard]] std::vector<DistanceSample> samples() const;
+
+  /// Goes to another pose without a scan, and from a spot down to the nearest least distance; none
+  /// if that leaves the profile or the rail.
+  std::optional<LocusSpot> follow(const Pose& pose, const LocusSpot& from);
+
+  /// All that is known of a spot, at the pose of the last scan or follow.
+  [[nodiscard]] ContactCandidate candidate(const LocusSpot& spot) const;
+
+private:
+  /// Wheel and rail at one place of the wheel profile.
+  struct Meeting {
+    double sine = 0.0; ///< of the angle from the rail's to the wheel's tangent; rising root: least
+    double distance = std::numeric_limits<double>::infinity();
+    bool exists = false;
+  };
+  /// The end of a piece's part that is over the rail.
+  struct Edge {
+    std::size_t node; ///< the one over the rail
+    LocusSpot spot;
+  };
+
+  [[nodiscard]] CurvePoint profile_at(std::size_t piece, double along) const;
+  [[nodiscard]] double length_of(std::size_t piece) const;
+  [[nodiscard]] Meeting meet(std::size_t piece, double along) const;
+  [[nodiscard]] double inside_by(std::size_t piece, double along) const;
+  [[nodiscard]] double edge_along(std::size_t piece, double inside, double outside) const;
+  [[nodiscard]] LocusSpot refine(std::size_t piece, double low, double high) const;
+  void refine_around(std::size_t node, std::vector<LocusSpot>& spots) const;
+  void find_edges();
+  [[nodiscard]] const Edge* edge_at(std::size_t node, std::size_t piece) const;
+  [[nodiscard]] DistanceSample sample(const LocusSpot& spot) const;
+
+  const WheelSurface& wheel_;
+  const HeightFunction& rail_;
+  LocusScan scan_;
+  LocusPose pose_;
+  std::vector<Edge> edges_; ///< ascending
+  double least_ = 0.0;      ///< of nodes and edges
+};
+
 /// Scans and refines. `near_tolerance` (mm, >= 0): a candidate is kept if its distance exceeds the
 /// least one by no more. `with_samples` also keeps the scan itself.
 /// Throws Error(no_contact) if no part of the wheel is over the rail.
 ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
                             double near_tolerance, bool with_samples);
+/// The result of a search whose pose has been scanned.
+ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples);
 
 } // namespace wrc

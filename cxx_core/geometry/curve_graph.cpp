@@ -21,26 +21,31 @@ bool is_graph_piece(const Curve& curve, std::size_t piece) {
 
 } // namespace
 
-CurveGraph::CurveGraph(Curve curve, double seed_arc) : curve_(std::move(curve)) {
-  const std::size_t seed = curve_.piece_at(seed_arc);
-  if (!is_graph_piece(curve_, seed)) {
+CurveGraph::Pieces CurveGraph::grow(const Curve& curve, double seed_arc) {
+  const std::size_t seed = curve.piece_at(seed_arc);
+  if (!is_graph_piece(curve, seed)) {
     throw_invalid_argument("profile", "lateral coordinate does not grow at its reference place",
                            "a profile that is not vertical there");
   }
-  first_piece_ = seed;
-  std::size_t last_piece = seed;
-  while (first_piece_ > 0 && is_graph_piece(curve_, first_piece_ - 1)) {
-    --first_piece_;
+  Pieces pieces{seed, seed};
+  while (pieces.first > 0 && is_graph_piece(curve, pieces.first - 1)) {
+    --pieces.first;
   }
-  while (last_piece + 1 < curve_.piece_count() && is_graph_piece(curve_, last_piece + 1)) {
-    ++last_piece;
+  while (pieces.last + 1 < curve.piece_count() && is_graph_piece(curve, pieces.last + 1)) {
+    ++pieces.last;
   }
-  laterals_.reserve(last_piece - first_piece_ + 2);
-  for (std::size_t piece = first_piece_; piece <= last_piece; ++piece) {
+  return pieces;
+}
+
+CurveGraph::CurveGraph(Curve curve, double seed_arc)
+    : curve_(std::move(curve)), pieces_(grow(curve_, seed_arc)),
+      heights_(curve_, pieces_.first, pieces_.last) {
+  laterals_.reserve(pieces_.last - pieces_.first + 2);
+  for (std::size_t piece = pieces_.first; piece <= pieces_.last; ++piece) {
     laterals_.push_back(curve_.at(piece, 0.0).lateral);
   }
-  const double last_length = curve_.starts()[last_piece + 1] - curve_.starts()[last_piece];
-  laterals_.push_back(curve_.at(last_piece, last_length).lateral);
+  const double last_length = curve_.starts()[pieces_.last + 1] - curve_.starts()[pieces_.last];
+  laterals_.push_back(curve_.at(pieces_.last, last_length).lateral);
 }
 
 CurvePoint CurveGraph::at_lateral(double lateral) const {
@@ -52,7 +57,7 @@ CurvePoint CurveGraph::at_lateral(double lateral, double& arc) const {
   lateral = std::clamp(lateral, lateral_begin(), lateral_end());
   const auto above = std::upper_bound(laterals_.begin() + 1, laterals_.end() - 1, lateral);
   const auto index = static_cast<std::size_t>(above - laterals_.begin()) - 1;
-  const std::size_t piece = first_piece_ + index;
+  const std::size_t piece = pieces_.first + index;
   const double start = curve_.starts()[piece];
   const double length = curve_.starts()[piece + 1] - start;
   const double width = laterals_[index + 1] - laterals_[index];

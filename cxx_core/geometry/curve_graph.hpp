@@ -3,14 +3,16 @@
 /// A wheel pressed down on a rail sees of the rail only what is visible from above, and a wheel's
 /// radius is a function of its lateral coordinate only where the profile does not overhang. This
 /// class holds that part of a curve, grown from a seed place to both sides until the curve turns
-/// steeper than 89.4 degrees, and finds the curve over a given lateral coordinate by Newton's
-/// method on the curve's own polynomials.
+/// steeper than 89.4 degrees. The curve over a given lateral coordinate is found in two ways: by
+/// Newton's method on the curve's own polynomials (at_lateral), and from a table of the height
+/// that meets the curve to 1e-12 mm (heights), which is what searches and rays use.
 /// Units and frame are those of the curve. Thread rule: immutable, safe to share.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
+#include "geometry/height_function.hpp"
 #include "profile/curve.hpp"
 
 namespace wrc {
@@ -22,12 +24,14 @@ public:
   CurveGraph(Curve curve, double seed_arc);
 
   [[nodiscard]] const Curve& curve() const { return curve_; }
+  [[nodiscard]] const HeightFunction& heights() const { return heights_; }
+  /// The pieces of the curve that belong to the graph.
+  [[nodiscard]] std::size_t first_piece() const { return pieces_.first; }
+  [[nodiscard]] std::size_t piece_count() const { return laterals_.size() - 1; }
   [[nodiscard]] double lateral_begin() const { return laterals_.front(); }
   [[nodiscard]] double lateral_end() const { return laterals_.back(); }
-  [[nodiscard]] double arc_begin() const { return curve_.starts()[first_piece_]; }
-  [[nodiscard]] double arc_end() const {
-    return curve_.starts()[first_piece_ + laterals_.size() - 1];
-  }
+  [[nodiscard]] double arc_begin() const { return curve_.starts()[pieces_.first]; }
+  [[nodiscard]] double arc_end() const { return curve_.starts()[pieces_.last + 1]; }
   [[nodiscard]] bool covers(double lateral) const {
     return lateral >= lateral_begin() && lateral <= lateral_end();
   }
@@ -37,9 +41,16 @@ public:
   [[nodiscard]] CurvePoint at_lateral(double lateral, double& arc) const;
 
 private:
+  struct Pieces {
+    std::size_t first;
+    std::size_t last;
+  };
+  static Pieces grow(const Curve& curve, double seed_arc);
+
   Curve curve_;
-  std::size_t first_piece_ = 0;
+  Pieces pieces_;
   std::vector<double> laterals_; ///< at the nodes of the graph's pieces, ascending
+  HeightFunction heights_;
 };
 
 /// Arc length of the highest point of a curve (of its first one, if several are equally high).

@@ -44,8 +44,16 @@ inline Pose mirrored(Pose pose) {
 class Rotation {
 public:
   explicit Rotation(const Pose& pose);
-  [[nodiscard]] Vector3 to_track(Vector3 body) const;
-  [[nodiscard]] Vector3 to_body(Vector3 track) const;
+  [[nodiscard]] Vector3 to_track(Vector3 body) const {
+    const double y = cos_roll * body.y - sin_roll * body.z;
+    const double z = sin_roll * body.y + cos_roll * body.z;
+    return {cos_yaw * body.x - sin_yaw * y, sin_yaw * body.x + cos_yaw * y, z};
+  }
+  [[nodiscard]] Vector3 to_body(Vector3 track) const {
+    const double x = cos_yaw * track.x + sin_yaw * track.y;
+    const double y = cos_yaw * track.y - sin_yaw * track.x;
+    return {x, cos_roll * y + sin_roll * track.z, cos_roll * track.z - sin_roll * y};
+  }
 
   double sin_yaw;
   double cos_yaw;

@@ -1,5 +1,6 @@
 #include "geometry/wheel_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "error.hpp"
@@ -30,36 +31,53 @@ WheelSurface::WheelSurface(const Profile& profile, const WheelsetDimensions& dim
                              "large enough that the whole wheel profile has a positive radius, mm");
     }
   }
+  const std::size_t first = graph_.first_piece();
+  const Curve& curve = graph_.curve();
+  for (std::size_t node = 0; node <= graph_.piece_count(); ++node) {
+    const bool last = node == graph_.piece_count();
+    const std::size_t piece = first + node - (last ? 1 : 0);
+    const double length = curve.starts()[piece + 1] - curve.starts()[piece];
+    const CurvePoint point = curve.at(piece, last ? length : 0.0);
+    nodes_.lateral.push_back(point.lateral);
+    nodes_.height.push_back(point.height);
+    nodes_.slope.push_back(point.slope());
+    largest_radius_ = std::max(largest_radius_, radius_ + point.height);
+  }
 }
+
+LocusPose::LocusPose(const Pose& pose, const Rotation& rotation_of_pose)
+    : rotation(rotation_of_pose), lateral(pose.lateral), a(rotation.cos_yaw),
+      b(rotation.sin_yaw * rotation.sin_roll), along(-rotation.sin_yaw * rotation.cos_roll),
+      amplitude_square(a * a + b * b), inverse_square(1.0 / amplitude_square) {}
 
 std::optional<LocusPoint> WheelSurface::locus(const CurvePoint& profile_point, const Pose& pose,
                                               const Rotation& rotation) const {
-  const double normal_radial = profile_point.tangent_lateral;
-  const double normal_lateral = -profile_point.tangent_height;
-  const double a = normal_radial * rotation.cos_yaw;
-  const double b = normal_radial * rotation.sin_yaw * rotation.sin_roll;
-  const double c = normal_lateral * rotation.sin_yaw * rotation.cos_roll;
-  const double amplitude = std::sqrt(a * a + b * b);
-  if (!(std::abs(c) < amplitude)) {
+  bool exists = false;
+  const LocusPose locus_pose(pose, rotation);
+  const LocusAngle angle = locus_pose.angle_at(profile_point.slope(), exists);
+  if (!exists) {
     return std::nullopt;
   }
-  const double angle = std::asin(c / amplitude) + std::atan2(b, a);
+  return locus(profile_point, angle, locus_pose);
+}
+
+LocusPoint WheelSurface::locus(const CurvePoint& profile_point, const LocusAngle& angle,
+                               const LocusPose& pose) const {
   const double rho = radius_ + profile_point.height;
-  const double sin_angle = std::sin(angle);
-  const double cos_angle = std::cos(angle);
+  const double radial = profile_point.tangent_lateral;
   LocusPoint point;
-  point.position =
-      rotation.to_track({rho * sin_angle, taping_line_ + profile_point.lateral, -rho * cos_angle});
+  point.position = pose.rotation.to_track(
+      {rho * angle.sine, taping_line_ + profile_point.lateral, -rho * angle.cosine});
   point.position.y += pose.lateral;
-  const Vector3 normal =
-      rotation.to_track({normal_radial * sin_angle, normal_lateral, -normal_radial * cos_angle});
-  const double length = std::hypot(normal.y, normal.z);
+  const Vector3 normal = pose.rotation.to_track(
+      {radial * angle.sine, -profile_point.tangent_height, -radial * angle.cosine});
+  const double length = std::sqrt(normal.y * normal.y + normal.z * normal.z);
   point.tangent_y = -normal.z / length;
   point.tangent_z = normal.y / length;
   point.lateral = profile_point.lateral;
   point.height = profile_point.height;
-  point.wheel_angle = angle;
-  point.normal_curvature = normal_radial / rho;
+  point.wheel_angle = std::atan2(angle.sine, angle.cosine);
+  point.normal_curvature = radial / rho;
   return point;
 }
 

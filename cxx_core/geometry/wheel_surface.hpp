@@ -8,14 +8,23 @@
 ///   A sin t - B cos t = C,  A = n_rho cos(yaw),  B = n_rho sin(yaw) sin(roll),
 ///   C = n_y sin(yaw) cos(roll),
 /// which is closed form (compare Wang 1984, the "trace line" of the wheel, there without roll).
+/// Divided by n_rho, with the profile's slope m = w'(s) and c = -m sin(yaw) cos(roll):
+///   a = cos(yaw), b = sin(yaw) sin(roll), D = a^2 + b^2, r = sqrt(D - c^2),
+///   sin t = (a c + b r) / D, cos t = (a r - b c) / D,
+/// so that no angle has to be known; c^2 >= D is a wheel too steep for this yaw.
 /// Units mm and rad; track frame of geometry/frames.hpp. Thread rule: immutable, safe to share.
+/// Not known here: at a ridge of the profile the locus jumps under yaw, from the angle t of one
+/// flank to that of the other; places of the ridge between the two are left out.
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "geometry/curve_graph.hpp"
 #include "geometry/frames.hpp"
 #include "profile/profile.hpp"
+#include "vector_clones.hpp"
 
 namespace wrc {
 
@@ -26,15 +35,55 @@ struct WheelsetDimensions {
   bool operator==(const WheelsetDimensions&) const = default;
 };
 
-/// A point of the contact locus, with the wheelset's centre at height 0.
-struct LocusPoint {
-  Vector3 position;       ///< track frame
+/// A place of the contact locus, with the wheelset's centre at height 0.
+struct LocusPlace {
+  Vector3 position;            ///< track frame
+  double lateral = 0.0;        ///< s on the wheel profile
+  double normal_curvature = 0; ///< of the wheel in its rolling direction, 1/mm
+};
+
+/// A point of the contact locus with all that is known of it.
+struct LocusPoint : LocusPlace {
   double tangent_y = 1.0; ///< unit tangent in the y-z plane, towards the field side
   double tangent_z = 0.0;
-  double lateral = 0.0;        ///< s on the wheel profile
-  double height = 0.0;         ///< w on the wheel profile
-  double wheel_angle = 0.0;    ///< t, rad, positive ahead of the axle
-  double normal_curvature = 0; ///< of the wheel in its rolling direction, 1/mm
+  double height = 0.0;      ///< w on the wheel profile
+  double wheel_angle = 0.0; ///< t, rad, positive ahead of the axle
+};
+
+/// The angle t of the locus.
+struct LocusAngle {
+  double sine;
+  double cosine;
+};
+
+/// What the contact locus needs of a pose, taken once.
+struct LocusPose {
+  explicit LocusPose(const Pose& pose) : LocusPose(pose, Rotation(pose)) {}
+  LocusPose(const Pose& pose, const Rotation& rotation_of_pose);
+
+  /// Of a place with this slope of the profile; `exists` tells whether there is one.
+  [[nodiscard]] WRC_VECTOR_BODY LocusAngle angle_at(double slope, bool& exists) const {
+    const double c = slope * along;
+    const double square = amplitude_square - c * c;
+    exists = square > 0.0;
+    const double root = std::sqrt(exists ? square : 0.0);
+    return {(a * c + b * root) * inverse_square, (a * root - b * c) * inverse_square};
+  }
+
+  Rotation rotation;
+  double lateral;
+  double a;
+  double b;
+  double along; ///< c of a slope of 1
+  double amplitude_square;
+  double inverse_square;
+};
+
+/// The nodes of a wheel's profile curve, from flange to field side, as arrays.
+struct ProfileNodes {
+  std::vector<double> lateral; ///< s
+  std::vector<double> height;  ///< w
+  std::vector<double> slope;   ///< w', towards the field side
 };
 
 class WheelSurface {
@@ -50,11 +99,20 @@ public:
   /// The locus at a place of the profile; none where the wheel is too steep for this yaw.
   [[nodiscard]] std::optional<LocusPoint> locus(const CurvePoint& profile_point, const Pose& pose,
                                                 const Rotation& rotation) const;
+  /// The locus at a place of the profile whose angle is known.
+  [[nodiscard]] LocusPoint locus(const CurvePoint& profile_point, const LocusAngle& angle,
+                                 const LocusPose& pose) const;
+  /// The nodes of the graph: piece i of the graph runs from node i to node i + 1.
+  [[nodiscard]] const ProfileNodes& nodes() const { return nodes_; }
+  /// Largest radius of the graph's nodes.
+  [[nodiscard]] double largest_radius() const { return largest_radius_; }
 
 private:
   CurveGraph graph_;
   double taping_line_;
   double radius_;
+  double largest_radius_ = 0.0;
+  ProfileNodes nodes_;
 };
 
 } // namespace wrc

@@ -14,65 +14,114 @@ constexpr double distance_tolerance = 1e-12;
 /// ... and accepts this where rounding allows no better.
 constexpr double acceptable_distance = 1e-9;
 constexpr int iteration_limit = 100;
+/// Newton's method on contacts followed ends at this, mm, or after some steps.
+constexpr double followed_tolerance = 2e-13;
+constexpr int follow_limit = 12;
+/// Every so many global searches the interval is halved, whatever Newton's method says.
+constexpr int halving_period = 5;
 
-/// Least distance of a side and its derivative with respect to the side's own roll.
-struct LeastDistance {
-  double value;
-  double derivative;
-};
-
-LeastDistance least_distance(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose) {
-  const ContactCandidate contact =
-      search_contacts(wheel, rail, pose, 0.0, false).candidates.front();
-  // A point fixed in the wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z')
-  // its place before the yaw is applied.
-  const Rotation rotation(pose);
-  const Vector3 from_centre{contact.wheel.position.x, contact.wheel.position.y - pose.lateral,
-                            contact.wheel.position.z};
-  const double y = rotation.cos_yaw * from_centre.y - rotation.sin_yaw * from_centre.x;
-  const double derivative_y = -rotation.cos_yaw * from_centre.z;
-  return {contact.distance, y - std::tan(contact.rail_angle) * derivative_y};
+/// Derivative of a side's least distance with respect to the side's own roll. A point fixed in the
+/// wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z') its place before the yaw
+/// is applied.
+double roll_derivative(const SideSearch& search, const LocusSpot& spot, const Pose& pose,
+                       const Rotation& rotation) {
+  const ContactCandidate contact = search.candidate(spot);
+  const Vector3 place = contact.wheel.position;
+  const double y = rotation.cos_yaw * (place.y - pose.lateral) - rotation.sin_yaw * place.x;
+  return y + std::tan(contact.rail_angle) * rotation.cos_yaw * place.z;
 }
 
-/// Root of min d_left - min d_right. Odd under the mirror, so that mirrored scenes give -roll.
-double solve_roll(const WheelSurface& wheel, const RailSurface& rail, double lateral, double yaw) {
-  double low = -largest_roll;
-  double high = largest_roll;
-  double roll = 0.0;
-  for (int iteration = 0; iteration < iteration_limit; ++iteration) {
-    const Pose pose{lateral, yaw, roll};
-    const LeastDistance left = least_distance(wheel, rail, pose);
-    const LeastDistance right = least_distance(wheel, rail, mirrored(pose));
-    const double difference = left.value - right.value;
-    if (std::abs(difference) <= distance_tolerance) {
-      return roll;
-    }
-    (difference < 0.0 ? low : high) = roll;
-    const double slope = left.derivative + right.derivative;
-    double next = roll - difference / slope;
-    if (!(next > low && next < high)) {
-      next = 0.5 * (low + high);
-    }
-    if (next == roll || !(high - low > 1e-18) || iteration + 1 == iteration_limit) {
-      // No double lies closer to the root, or there is no root within the limits.
-      if (std::abs(difference) <= acceptable_distance) {
+/// The two wheels in search of the roll at which their least distances agree.
+class RollSearch {
+public:
+  RollSearch(SideSearch& left, SideSearch& right, double lateral, double yaw)
+      : left_(left), right_(right), lateral_(lateral), yaw_(yaw) {}
+
+  /// Root of min d_left - min d_right; both sides have then been scanned there. Odd under the
+  /// mirror, so that mirrored scenes give -roll.
+  double solve(double start) {
+    double roll = start > -largest_roll && start < largest_roll ? start : 0.0;
+    for (int iteration = 1; iteration <= iteration_limit; ++iteration) {
+      const Pose pose{lateral_, yaw_, roll};
+      left_.scan(pose);
+      right_.scan(mirrored(pose));
+      const Pair found{left_.least_spots(0.0).front(), right_.least_spots(0.0).front()};
+      if (std::abs(found.difference()) <= distance_tolerance) {
         return roll;
       }
-      break;
+      (found.difference() < 0.0 ? low_ : high_) = roll;
+      const double middle = 0.5 * (low_ + high_);
+      const double next = iteration % halving_period == 0 ? middle : follow(roll, found, middle);
+      if (next == roll || !(high_ - low_ > 1e-18) || iteration == iteration_limit) {
+        // No double lies closer to the root, or there is no root within the limits.
+        if (std::abs(found.difference()) <= acceptable_distance) {
+          return roll;
+        }
+        break;
+      }
+      roll = next;
     }
-    roll = next;
+    throw Error(ErrorCode::no_contact,
+                "no roll within +-" + text_of(largest_roll) +
+                    " rad sets both wheels on the rails at pose.lateral = " + text_of(lateral_) +
+                    " mm, pose.yaw = " + text_of(yaw_) + " rad");
   }
-  throw Error(ErrorCode::no_contact,
-              "no roll within +-" + text_of(largest_roll) +
-                  " rad sets both wheels on the rails at pose.lateral = " + text_of(lateral) +
-                  " mm, pose.yaw = " + text_of(yaw) + " rad");
-}
 
-SideEquilibrium settle(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
-                       double near_tolerance) {
+private:
+  struct Pair {
+    LocusSpot left;
+    LocusSpot right;
+    [[nodiscard]] double difference() const { return left.distance - right.distance; }
+  };
+
+  [[nodiscard]] double newton_step(double roll, const Pair& spots) const {
+    const Pose pose{lateral_, yaw_, roll};
+    const Rotation rotation(pose);
+    const Pose other = mirrored(pose);
+    const double slope = roll_derivative(left_, spots.left, pose, rotation) +
+                         roll_derivative(right_, spots.right, other, Rotation(other));
+    return roll - spots.difference() / slope;
+  }
+
+  /// Newton's method on the contacts followed; what is left of them where they are lost.
+  [[nodiscard]] double follow(double roll, Pair spots, double middle) {
+    double next = newton_step(roll, spots);
+    if (!(next > low_ && next < high_)) {
+      return middle;
+    }
+    for (int step = 0; step < follow_limit; ++step) {
+      const Pose pose{lateral_, yaw_, next};
+      const auto left = left_.follow(pose, spots.left);
+      const auto right = right_.follow(mirrored(pose), spots.right);
+      if (!left || !right) {
+        return next;
+      }
+      spots = {*left, *right};
+      if (std::abs(spots.difference()) <= followed_tolerance) {
+        return next;
+      }
+      const double after = newton_step(next, spots);
+      if (!(after > low_ && after < high_) || after == next) {
+        return next;
+      }
+      next = after;
+    }
+    return next;
+  }
+
+  SideSearch& left_;
+  SideSearch& right_;
+  double lateral_;
+  double yaw_;
+  double low_ = -largest_roll;
+  double high_ = largest_roll;
+};
+
+/// A side whose pose has been scanned.
+SideEquilibrium settle(const SideSearch& search, const Pose& pose, double near_tolerance) {
   SideEquilibrium side;
   side.pose = pose;
-  side.scan = search_contacts(wheel, rail, pose, near_tolerance, true);
+  side.scan = contacts_of(search, near_tolerance, true);
   side.vertical = -side.scan.candidates.front().distance;
   return side;
 }
@@ -82,14 +131,26 @@ SideEquilibrium settle(const WheelSurface& wheel, const RailSurface& rail, const
 WheelsetEquilibrium find_equilibrium(const WheelSurface& wheel, const RailSurface& rail,
                                      const EquilibriumRequest& request) {
   WheelsetEquilibrium result;
-  result.roll =
-      request.roll ? *request.roll : solve_roll(wheel, rail, request.lateral, request.yaw);
+  SideSearch left(wheel, rail);
+  SideSearch right(wheel, rail);
+  if (request.roll) {
+    result.roll = *request.roll;
+  } else {
+    RollSearch search(left, right, request.lateral, request.yaw);
+    result.roll = search.solve(request.start_roll.value_or(0.0));
+  }
   const Pose pose{request.lateral, request.yaw, result.roll};
+  const auto settle_side = [&](SideSearch& search, const Pose& side_pose) {
+    if (request.roll) {
+      search.scan(side_pose);
+    }
+    return settle(search, side_pose, request.near_tolerance);
+  };
   if (request.left) {
-    result.left = settle(wheel, rail, pose, request.near_tolerance);
+    result.left = settle_side(left, pose);
   }
   if (request.right) {
-    result.right = settle(wheel, rail, mirrored(pose), request.near_tolerance);
+    result.right = settle_side(right, mirrored(pose));
   }
   if (result.left && result.right) {
     result.vertical = std::max(result.left->vertical, result.right->vertical);

@@ -4,7 +4,10 @@
 /// equation 1). The height enters both distances alike, so the roll is the root of
 ///   f(roll) = min d_left - min d_right,
 /// whose derivative is the difference of the contacts' lever arms (envelope theorem); safeguarded
-/// Newton. With a prescribed roll each wheel stands by itself at a height of its own.
+/// Newton. The global search of both wheels is costly, so Newton's method first runs on the two
+/// contacts found last, followed from roll to roll; its result stands only if the global search at
+/// that roll confirms it, so no contact is missed, however far it jumps. With a prescribed roll
+/// each wheel stands by itself at a height of its own.
 /// Units mm and rad; track frame. Thread rule: pure functions.
 #pragma once
 
@@ -33,7 +36,10 @@ struct EquilibriumRequest {
   double lateral = 0.0;
   double yaw = 0.0;
   std::optional<double> roll; ///< prescribed; solved if not set
-  bool left = true;           ///< sides asked for; a solved roll needs both all the same
+  /// Where the search for the roll starts, rad, such as the roll of the last call; 0 if not set. It
+  /// decides nothing but the time taken (and which of several solutions is found, if there are).
+  std::optional<double> start_roll;
+  bool left = true; ///< sides asked for; a solved roll needs both all the same
   bool right = true;
   double near_tolerance = 0.1; ///< mm
 };

@@ -351,6 +351,8 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
     refresh_displacement(false);
   }
   outcome.approach = load_given ? displacement_.data()[0] + distance_[0] : request.approach;
+  // The same as a pressure: pressures may fall by orders of magnitude, rounding in u does not.
+  double rounding = drift * outcome.largest_pressure;
 
   double last_z_r = 0.0;
   double best_error = std::numeric_limits<double>::infinity();
@@ -359,6 +361,8 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
     const ContactMean mean = scale_and_average(pressure_, displacement_.data(), distance_, factor,
                                                outcome.approach, count_);
     outcome.largest_pressure *= factor;
+    rounding *= factor;
+    drift = rounding / std::max(outcome.largest_pressure, 1e-300);
     factor = 1.0;
     if (load_given) {
       outcome.approach += mean.sum / mean.count;
@@ -388,7 +392,7 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
     if ((met || stuck) && drift > permitted_drift && drift > 2.0 * least_drift) {
       // Rounding in u may hide what is left: compute it anew and go on from here.
       refresh_displacement(is_single);
-      drift = least_drift;
+      rounding = least_drift * outcome.largest_pressure;
       best_error = std::numeric_limits<double>::infinity();
       best_iteration = outcome.iterations;
       last_z_r = 0.0;
@@ -422,7 +426,7 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
     if (moved.negative_count > 0.0) {
       cut_negative(static_cast<std::size_t>(moved.negative_count));
     }
-    drift += drift_rate * moved.largest_change / std::max(moved.largest, 1e-300);
+    rounding += drift_rate * moved.largest_change;
     outcome.largest_pressure = moved.largest;
     if (load_given) {
       factor = *request.pressure_sum / moved.pressure;

@@ -9,42 +9,6 @@
 namespace wrc {
 namespace {
 
-struct Values {
-  double value;
-  double first;
-  double second;
-};
-
-/// Value and two derivatives of a quintic, in one Horner pass.
-Values evaluate(const std::array<double, 6>& c, double s) {
-  double value = c[5];
-  double first = 0.0;
-  double half_second = 0.0;
-  for (std::size_t power = 5; power-- > 0;) {
-    half_second = half_second * s + first;
-    first = first * s + value;
-    value = value * s + c[power];
-  }
-  return {value, first, 2.0 * half_second};
-}
-
-/// Ascending coefficients of the quintic with given end values and derivatives. What the second
-/// order Taylor polynomial of the begin leaves over at the end sets the upper three, so that the
-/// rounding of large positions does not enter twice.
-std::array<double, 6> quintic(const Values& begin, const Values& end, double length) {
-  const double h = length;
-  const double value = (end.value - begin.value) - h * (begin.first + 0.5 * h * begin.second);
-  const double first = ((end.first - begin.first) - h * begin.second) * h;
-  const double second = (end.second - begin.second) * h * h;
-  const double cube = 1.0 / (h * h * h);
-  return {begin.value,
-          begin.first,
-          0.5 * begin.second,
-          (10.0 * value - 4.0 * first + 0.5 * second) * cube,
-          (-15.0 * value + 7.0 * first - second) * cube / h,
-          (6.0 * value - 3.0 * first + 0.5 * second) * cube / (h * h)};
-}
-
 bool is_finite(const Curve::End& end) {
   return std::isfinite(end.lateral) && std::isfinite(end.height) &&
          std::isfinite(end.tangent_lateral) && std::isfinite(end.tangent_height) &&
@@ -90,13 +54,9 @@ CurvePoint Curve::at(double arc) const {
   return at(piece, inside - starts_[piece]);
 }
 
-CurvePoint Curve::at(std::size_t piece, double distance) const {
-  if (piece >= coefficients_.size())
-    throw Error(ErrorCode::internal, "curve piece " + std::to_string(piece) + ": the curve has " +
-                                         std::to_string(coefficients_.size()) + " pieces");
-  const Values lateral = evaluate(coefficients_[piece].lateral, distance);
-  const Values height = evaluate(coefficients_[piece].height, distance);
-  return {lateral.value, height.value, lateral.first, height.first, lateral.second, height.second};
+void Curve::throw_no_piece(std::size_t piece) const {
+  throw Error(ErrorCode::internal, "curve piece " + std::to_string(piece) + ": the curve has " +
+                                       std::to_string(coefficients_.size()) + " pieces");
 }
 
 Curve Curve::moved(double angle, double lateral_shift, double height_shift) const {

@@ -15,10 +15,11 @@
 /// Thread rule: immutable after construction, safe to share.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
+
+#include "profile/quintic.hpp"
 
 namespace wrc {
 
@@ -62,7 +63,15 @@ public:
   /// The curve at an arc length, which is clamped to [0, length()].
   [[nodiscard]] CurvePoint at(double arc) const;
   /// The curve on a given piece, at a distance from the piece's begin (not clamped).
-  [[nodiscard]] CurvePoint at(std::size_t piece, double distance) const;
+  [[nodiscard]] CurvePoint at(std::size_t piece, double distance) const {
+    if (piece >= coefficients_.size()) {
+      throw_no_piece(piece);
+    }
+    const QuinticValues lateral = evaluate(coefficients_[piece].lateral, distance);
+    const QuinticValues height = evaluate(coefficients_[piece].height, distance);
+    return {lateral.value, height.value,   lateral.first,
+            height.first,  lateral.second, height.second};
+  }
   /// Index of the piece that holds an arc length (clamped).
   [[nodiscard]] std::size_t piece_at(double arc) const;
 
@@ -72,9 +81,11 @@ public:
 
 private:
   struct Coefficients {
-    std::array<double, 6> lateral;
-    std::array<double, 6> height;
+    Quintic lateral;
+    Quintic height;
   };
+  [[noreturn]] void throw_no_piece(std::size_t piece) const;
+
   std::vector<double> starts_{0.0}; ///< a curve without pieces has no length
   std::vector<Coefficients> coefficients_;
 };

@@ -84,8 +84,8 @@ std::vector<Interval> penetration_intervals(const ContactScan& scan, double dept
       continue;
     }
     const double y = sample.wheel.position.y;
-    const double half_length =
-        std::sqrt(2.0 * penetration * std::cos(sample.rail_angle) / sample.wheel.normal_curvature);
+    const double half_length = std::sqrt(2.0 * penetration * std::cos(sample.rail_angle()) /
+                                         sample.wheel.normal_curvature);
     const double spacing = i > 0 ? std::abs(y - samples[i - 1].wheel.position.y) : 0.0;
     // Penetration integrated along the rail: 4/3 of its depth times the half length.
     const double weight = penetration * half_length * std::max(spacing, 1e-12);
@@ -97,7 +97,7 @@ std::vector<Interval> penetration_intervals(const ContactScan& scan, double dept
                         penetration,
                         sample.wheel.lateral,
                         weight,
-                        weight * sample.rail_angle,
+                        weight * sample.rail_angle(),
                         weight * y};
     if (!open) {
       intervals.push_back(here);

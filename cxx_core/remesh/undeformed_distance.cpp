@@ -4,138 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "remesh/ray_rows.hpp"
+
 namespace wrc {
 namespace {
-
-constexpr int newton_limit = 50;
-/// Rays are solved to this, mm: a tenth of a thousandth of the smallest approach of interest.
-constexpr double ray_tolerance = 1e-12;
-/// At a step of a profile, as the rounding of a standard's coefficients leaves it, Newton's method
-/// has no root to find: a place this near, mm, is taken.
-constexpr double step_tolerance = 2e-3;
-/// A rail seen from the ray at a flatter angle than this (its cosine) no longer faces it.
-constexpr double least_facing_cosine = 0.02;
-
-/// Intersection of rays with the rail's curve; keeps the last place as the next start.
-class RailRay {
-public:
-  RailRay(const RailSurface& rail, const ContactFrame& frame)
-      : curve_(rail.graph().curve()), frame_(frame) {
-    point_ = rail.graph().at_lateral(frame.origin.y, start_);
-    arc_ = start_;
-  }
-
-  void restart() { arc_ = start_; }
-  [[nodiscard]] const CurvePoint& point() const { return point_; }
-
-  /// Position along the normal at which the ray through the place meets the rail.
-  std::optional<double> solve(double longitudinal, double lateral) {
-    const Vector3 base = frame_.to_track(longitudinal, lateral, 0.0);
-    const double ny = frame_.normal.y;
-    const double nz = frame_.normal.z;
-    double arc = arc_;
-    double largest_step = 4.0;
-    for (int iteration = 0; iteration < newton_limit; ++iteration) {
-      point_ = curve_.at(arc);
-      const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
-      const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
-      if (facing < least_facing_cosine) {
-        return std::nullopt;
-      }
-      const double step = std::clamp(offset / facing, -largest_step, largest_step);
-      const double next = std::clamp(arc + step, 0.0, curve_.length());
-      const bool at_step = iteration + 1 == newton_limit && std::abs(offset) <= step_tolerance;
-      if (std::abs(step) <= ray_tolerance || at_step) {
-        arc_ = arc;
-        // In a yawed and rolled frame the normal also leans along the rail: (ny, nz) is no unit.
-        return (ny * (point_.lateral - base.y) + nz * (point_.height - base.z)) /
-               (ny * ny + nz * nz);
-      }
-      if (next == arc) {
-        return std::nullopt; // beyond the profile's end
-      }
-      arc = next;
-      if (iteration > 10) {
-        largest_step *= 0.5; // at a kink or a step Newton's method may alternate: close in
-      }
-    }
-    return std::nullopt;
-  }
-
-private:
-  const Curve& curve_;
-  const ContactFrame& frame_;
-  double start_ = 0.0;
-  double arc_ = 0.0;
-  CurvePoint point_;
-};
-
-/// Intersection of rays with the wheel's surface of revolution.
-class WheelRay {
-public:
-  WheelRay(const PosedPair& pair, const ContactFrame& frame)
-      : wheel_(pair.wheel), rotation_(pair.pose),
-        frame_(frame), centre_{0.0, pair.pose.lateral, pair.vertical},
-        normal_(rotation_.to_body(frame.normal)),
-        lateral_(rotation_.to_body(frame.origin - centre_).y - wheel_.taping_line()),
-        height_(wheel_.graph().at_lateral(lateral_).height) {}
-
-  [[nodiscard]] double lateral() const { return lateral_; }
-  /// Of the wheel profile where the last ray met it; the next ray starts from there.
-  [[nodiscard]] double height() const { return height_; }
-  void start_from(double height) { height_ = height; }
-
-  /// Position along the normal at which the ray meets the wheel from below.
-  std::optional<double> solve(double longitudinal, double lateral) {
-    const Vector3 base = rotation_.to_body(frame_.to_track(longitudinal, lateral, 0.0) - centre_);
-    // Start: where the ray enters the cylinder of the radius last met.
-    const double radius = wheel_.radius() + height_;
-    const double a = normal_.x * normal_.x + normal_.z * normal_.z;
-    const double b = base.x * normal_.x + base.z * normal_.z;
-    const double c = base.x * base.x + base.z * base.z - radius * radius;
-    const double discriminant = b * b - a * c;
-    if (!(discriminant > 0.0)) {
-      return std::nullopt;
-    }
-    double position = (-b - std::sqrt(discriminant)) / a;
-    double largest_step = 4.0;
-    for (int iteration = 0; iteration < newton_limit; ++iteration) {
-      const Vector3 body = base + position * normal_;
-      lateral_ = body.y - wheel_.taping_line();
-      const CurvePoint profile = wheel_.graph().at_lateral(lateral_);
-      const double distance_to_axis = std::hypot(body.x, body.z);
-      const double excess = distance_to_axis - (wheel_.radius() + profile.height);
-      const double derivative = (body.x * normal_.x + body.z * normal_.z) / distance_to_axis -
-                                profile.slope() * normal_.y;
-      if (!(derivative < -least_facing_cosine)) {
-        return std::nullopt;
-      }
-      const double step = std::clamp(-excess / derivative, -largest_step, largest_step);
-      const bool at_step = iteration + 1 == newton_limit && std::abs(excess) <= step_tolerance;
-      if (std::abs(step) <= ray_tolerance || at_step) {
-        if (!wheel_.graph().covers(lateral_)) {
-          return std::nullopt;
-        }
-        height_ = profile.height;
-        return position;
-      }
-      position += step;
-      if (iteration > 10) {
-        largest_step *= 0.5;
-      }
-    }
-    return std::nullopt;
-  }
-
-private:
-  const WheelSurface& wheel_;
-  const Rotation rotation_;
-  const ContactFrame& frame_;
-  const Vector3 centre_;
-  const Vector3 normal_;
-  double lateral_;
-  double height_;
-};
 
 /// Index of the element whose centre is nearest to the frame's origin.
 std::size_t nearest_index(double first, double step, std::size_t count) {
@@ -143,62 +15,157 @@ std::size_t nearest_index(double first, double step, std::size_t count) {
   return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
 }
 
-} // namespace
+/// Rays of one element at a time where a row could not be met at once. They go outwards from the
+/// middle of the row, each from the height that its neighbour met.
+class RowSampler {
+public:
+  RowSampler(const PosedPair& pair, const ContactFrame& frame, const Grid& grid)
+      : pair_(pair), frame_(frame), grid_(grid),
+        rail_constant_along_rows_(frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0),
+        middle_column_(nearest_index(grid.longitudinal_first, grid.longitudinal_step,
+                                     grid.longitudinal_count)),
+        rail_(pair.rail, frame), wheel_(pair, frame),
+        rail_row_(pair.rail.graph().heights(), std::nullopt,
+                  rail_constant_along_rows_ ? 0 : grid.longitudinal_count),
+        wheel_row_(pair.wheel.graph().heights(), pair.wheel.radius(), grid.longitudinal_count),
+        first_height_(wheel_.height()), row_height_(first_height_) {
+    longitudinal_.reserve(grid.longitudinal_count);
+    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
+      longitudinal_.push_back(grid.longitudinal(column));
+    }
+  }
 
-std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
-                                               const Grid& grid) {
-  std::vector<double> distance(grid.element_count(), no_material_distance);
-  const bool rail_constant_along_rows = frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0;
-  RailRay rail(pair.rail, frame);
-  WheelRay wheel(pair, frame);
-  const std::size_t middle_row =
-      nearest_index(grid.lateral_first, grid.lateral_step, grid.lateral_count);
-  const std::size_t middle_column =
-      nearest_index(grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count);
-  const double first_height = wheel.height();
-  double row_start = first_height; // height of the wheel profile in the middle of the row before
+  /// Back to the frame's origin, to go the other way.
+  void restart() {
+    rail_.restart();
+    row_height_ = first_height_;
+  }
 
-  const auto sample_row = [&](std::size_t row) {
-    const double lateral = grid.lateral(row);
-    double* values = distance.data() + row * grid.longitudinal_count;
+  /// The distances of a row, which must be next to the row before.
+  void sample(std::size_t row, double* values) {
+    const double lateral = grid_.lateral(row);
     std::optional<double> rail_position;
-    if (rail_constant_along_rows) {
-      rail_position = rail.solve(0.0, lateral);
+    if (rail_constant_along_rows_) {
+      rail_position = rail_.solve(0.0, lateral);
       if (!rail_position) {
+        std::fill_n(values, longitudinal_.size(), no_material_distance);
         return;
       }
     }
-    wheel.start_from(row_start);
-    const auto sample_element = [&](std::size_t column) {
-      const double longitudinal = grid.longitudinal(column);
-      if (!rail_constant_along_rows) {
-        rail_position = rail.solve(longitudinal, lateral);
+    bool all_met = meet_wheel(lateral);
+    if (!rail_constant_along_rows_) {
+      all_met = meet_rail(lateral) && all_met;
+    }
+    if (!all_met) {
+      sample_singly(lateral, rail_position, values);
+    } else if (rail_position) {
+      for (std::size_t column = 0; column < longitudinal_.size(); ++column) {
+        values[column] = wheel_row_.position(column) - *rail_position;
       }
-      const auto wheel_position = wheel.solve(longitudinal, lateral);
-      if (wheel_position && rail_position) {
-        values[column] = *wheel_position - *rail_position;
-      }
-    };
-    for (std::size_t column = middle_column; column < grid.longitudinal_count; ++column) {
-      sample_element(column);
-      if (column == middle_column) {
-        row_start = wheel.height();
+    } else {
+      for (std::size_t column = 0; column < longitudinal_.size(); ++column) {
+        values[column] = wheel_row_.position(column) - rail_row_.position(column);
       }
     }
-    wheel.start_from(row_start);
-    for (std::size_t column = middle_column; column-- > 0;) {
-      sample_element(column);
-    }
-  };
+  }
 
-  for (std::size_t row = middle_row; row < grid.lateral_count; ++row) {
-    sample_row(row);
+private:
+  bool meet_wheel(double lateral) {
+    wheel_.start_from(row_height_);
+    if (!wheel_.solve(longitudinal_[middle_column_], lateral)) {
+      wheel_row_.meet_none(longitudinal_.size());
+      return false;
+    }
+    row_height_ = wheel_.height();
+    return wheel_row_.meet({wheel_.base(0.0, lateral), wheel_.longitudinal(), wheel_.normal(),
+                            longitudinal_.data(), longitudinal_.size()},
+                           wheel_.lateral());
   }
-  row_start = first_height;
-  rail.restart();
-  for (std::size_t row = middle_row; row-- > 0;) {
-    sample_row(row);
+
+  bool meet_rail(double lateral) {
+    if (!rail_.solve(longitudinal_[middle_column_], lateral) || !rail_.on_graph()) {
+      rail_row_.meet_none(longitudinal_.size());
+      return false;
+    }
+    return rail_row_.meet({frame_.to_track(0.0, lateral, 0.0), frame_.longitudinal, frame_.normal,
+                           longitudinal_.data(), longitudinal_.size()},
+                          rail_.point().lateral);
   }
+
+  /// Height of the wheel profile where a ray of the row, which is met, meets it.
+  [[nodiscard]] double height_met(std::size_t column, double lateral) const {
+    const Vector3 met =
+        wheel_.base(longitudinal_[column], lateral) + wheel_row_.position(column) * wheel_.normal();
+    return std::sqrt(met.x * met.x + met.z * met.z) - pair_.wheel.radius();
+  }
+
+  void sample_singly(double lateral, std::optional<double> rail_position, double* values) {
+    // The column next to it on the side of the middle has been there before.
+    const auto sample_element = [&](std::size_t column, std::size_t before) {
+      std::optional<double> wheel_position;
+      if (wheel_row_.met(column)) {
+        wheel_position = wheel_row_.position(column);
+      } else {
+        if (wheel_row_.met(before)) {
+          wheel_.start_from(height_met(before, lateral));
+        }
+        wheel_position = wheel_.solve(longitudinal_[column], lateral);
+      }
+      if (!rail_constant_along_rows_) {
+        rail_position = rail_row_.met(column) ? std::optional(rail_row_.position(column))
+                                              : rail_.solve(longitudinal_[column], lateral);
+      }
+      values[column] =
+          wheel_position && rail_position ? *wheel_position - *rail_position : no_material_distance;
+    };
+    wheel_.start_from(row_height_);
+    for (std::size_t column = middle_column_; column < longitudinal_.size(); ++column) {
+      sample_element(column, column > middle_column_ ? column - 1 : column);
+    }
+    wheel_.start_from(row_height_);
+    for (std::size_t column = middle_column_; column-- > 0;) {
+      sample_element(column, column + 1);
+    }
+  }
+
+  const PosedPair& pair_;
+  const ContactFrame& frame_;
+  const Grid& grid_;
+  const bool rail_constant_along_rows_;
+  const std::size_t middle_column_;
+  RailRay rail_;
+  WheelRay wheel_;
+  RaySurface rail_row_;
+  RaySurface wheel_row_;
+  const double first_height_;
+  double row_height_; ///< of the wheel profile in the middle of the row before
+  std::vector<double> longitudinal_;
+};
+
+} // namespace
+
+void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
+                                std::vector<double>& distance) {
+  distance.resize(grid.element_count());
+  RowSampler sampler(pair, frame, grid);
+  const std::size_t middle =
+      nearest_index(grid.lateral_first, grid.lateral_step, grid.lateral_count);
+  const auto values_of = [&](std::size_t row) {
+    return distance.data() + row * grid.longitudinal_count;
+  };
+  for (std::size_t row = middle; row < grid.lateral_count; ++row) {
+    sampler.sample(row, values_of(row));
+  }
+  sampler.restart();
+  for (std::size_t row = middle; row-- > 0;) {
+    sampler.sample(row, values_of(row));
+  }
+}
+
+std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
+                                               const Grid& grid) {
+  std::vector<double> distance;
+  sample_undeformed_distance(pair, frame, grid, distance);
   return distance;
 }
 

@@ -38,15 +38,12 @@ constexpr double greatest_slide_share = 2e-3;
 constexpr double coarse_depth_share = 0.02;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 constexpr double vertical_convention_limit = 0.15;
-/// Elements across the contact with which an accuracy of 1e-2 starts; more with the cube root of a
-/// smaller one (the square root would do for smooth bodies, but most scenes are not quite smooth).
-constexpr double first_resolution = 12.0;
+/// Elements across the contact with which an accuracy of 1e-2 starts. Along the rail contact is
+/// smooth, with errors that fall with the square of the elements; across the rail most profiles are
+/// not: their curvature jumps.
+constexpr Resolution first_resolution{12.0, 8.0};
 /// Elements across the contact at which it gives up.
 constexpr double last_resolution = 400.0;
-/// An estimate below this share of the accuracy lets the next call start with half the elements.
-constexpr double generous_share = 0.1;
-/// Steps of element aspect ratios in an octave.
-constexpr double ladder_steps = 4.0;
 /// Share of the accuracy that the iteration may take.
 constexpr double iteration_share = 0.1;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
@@ -55,99 +52,11 @@ constexpr double iteration_share = 0.1;
 constexpr double least_gain = 1.4;
 constexpr double resolving_resolution = 90.0;
 constexpr int most_failures = 2;
-/// Factor on the estimated discretisation error, for its own uncertainty.
-constexpr double estimate_safety = 2.0;
 
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Grids of an area: steps aimed at and, if these count, the numbers of elements given by hand.
-struct Mesh {
-  double lateral_step = 0.0;
-  double longitudinal_step = 0.0;
-  std::optional<std::array<std::size_t, 2>> counts;
-};
-
-/// A grid, its solution, and what the next one needs of it.
-struct Trial {
-  ContactFrame frame;
-  PlaneArea area;
-  Grid grid;
-  double depth = 0.0;
-  std::vector<double> distance;
-  NormalSolution normal;
-  std::optional<double> normal_load;
-  PressureRegion contact;  ///< all elements under pressure together
-  double next_depth = 0.0; ///< the depth that the solution asks for
-
-  [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
-  [[nodiscard]] bool touches_edge() const { return contact.touches_edge.any(); }
-  /// Elements across the contact.
-  [[nodiscard]] double rows() const {
-    return static_cast<double>(contact.box.lateral_last - contact.box.lateral_first + 1);
-  }
-  /// Elements along the contact.
-  [[nodiscard]] double columns() const {
-    return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
-  }
-  /// The area with each edge that contact touches moved out.
-  [[nodiscard]] PlaneArea grown(double share) const {
-    PlaneArea larger = area;
-    const double width = share * area.width();
-    const double length = share * area.length();
-    larger.lateral_first -= contact.touches_edge.lateral_first ? width : 0.0;
-    larger.lateral_last += contact.touches_edge.lateral_last ? width : 0.0;
-    larger.longitudinal_first -= contact.touches_edge.longitudinal_first ? length : 0.0;
-    larger.longitudinal_last += contact.touches_edge.longitudinal_last ? length : 0.0;
-    return larger;
-  }
-  /// The area around the contact found, with some room.
-  [[nodiscard]] PlaneArea contact_area(double margin) const {
-    const double reach = 0.5 + margin;
-    return {grid.lateral(contact.box.lateral_first) - reach * grid.lateral_step,
-            grid.lateral(contact.box.lateral_last) + reach * grid.lateral_step,
-            grid.longitudinal(contact.box.longitudinal_first) - reach * grid.longitudinal_step,
-            grid.longitudinal(contact.box.longitudinal_last) + reach * grid.longitudinal_step};
-  }
-  /// Steps that put this many elements across the contact in both directions.
-  [[nodiscard]] Mesh mesh_across(double elements) const {
-    return {
-        rows() * grid.lateral_step / elements, columns() * grid.longitudinal_step / elements, {}};
-  }
-  /// Elements across the contact in its coarser direction.
-  [[nodiscard]] double resolution() const { return std::min(rows(), columns()); }
-};
-
-/// Elements no larger than aimed at, with an aspect ratio of the ladder, centred over the area.
-Grid ladder_grid(const PlaneArea& area, const Mesh& mesh) {
-  double lateral_step = mesh.lateral_step;
-  double longitudinal_step = mesh.longitudinal_step;
-  const double aimed = std::log2(lateral_step / longitudinal_step) * ladder_steps;
-  const double aspect = std::exp2(std::round(aimed) / ladder_steps);
-  longitudinal_step = std::min(longitudinal_step, lateral_step / aspect);
-  // Times a power of two for whole octaves: the quotient of the steps is the same on every call.
-  lateral_step = longitudinal_step * aspect;
-  const auto count_over = [](double length, double step) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / step)));
-  };
-  const std::size_t lateral_count = count_over(area.width(), lateral_step);
-  const std::size_t longitudinal_count = count_over(area.length(), longitudinal_step);
-  const auto half = [](double step, std::size_t count) {
-    return 0.5 * step * static_cast<double>(count);
-  };
-  const double lateral_middle = 0.5 * (area.lateral_first + area.lateral_last);
-  const double longitudinal_middle = 0.5 * (area.longitudinal_first + area.longitudinal_last);
-  Grid grid = grid_over({lateral_middle - half(lateral_step, lateral_count),
-                         lateral_middle + half(lateral_step, lateral_count),
-                         longitudinal_middle - half(longitudinal_step, longitudinal_count),
-                         longitudinal_middle + half(longitudinal_step, longitudinal_count)},
-                        lateral_count, longitudinal_count);
-  grid.lateral_step = lateral_step;
-  grid.longitudinal_step = longitudinal_step;
-  return grid;
 }
 
 class SideSolver {
@@ -176,14 +85,15 @@ private:
   /// The same rectangle of the track, seen in the plane of another frame.
   [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
                                        const ContactFrame& to) const;
-  [[nodiscard]] double start_resolution() const;
-  Trial settle_on_coarse_grids(double depth, double resolution);
-  Trial solve_on_final_grid(const Trial& coarse, double resolution);
-  [[nodiscard]] double estimate_error(const Trial& coarser, const Trial& finer) const;
+  [[nodiscard]] Resolution usual_resolution() const;
+  [[nodiscard]] Resolution start_resolution() const;
+  Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
+  /// `resolution` is what to begin with, and then what was needed.
+  Trial solve_on_final_grid(const Trial& coarse, Resolution& resolution);
   /// The area that also holds contact which a solution has left out; none if there is none.
   [[nodiscard]] std::optional<PlaneArea> area_with_missed_contact(const Trial& trial) const;
   void warn_about(const Trial& trial);
-  void remember(const Trial& trial);
+  void remember(const Trial& trial, const Resolution& resolution);
 
   const WheelSurface& wheel_;
   const RailSurface& rail_;
@@ -229,8 +139,7 @@ Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area, con
   Trial trial;
   trial.frame = frame;
   trial.area = area;
-  trial.grid =
-      mesh.counts ? grid_over(area, (*mesh.counts)[0], (*mesh.counts)[1]) : ladder_grid(area, mesh);
+  trial.grid = mesh_grid(area, mesh);
   trial.depth = depth;
   const auto remesh_start = Clock::now();
   trial.distance = sample_undeformed_distance(
@@ -277,30 +186,36 @@ PlaneArea SideSolver::carried_over(const PlaneArea& area, const ContactFrame& fr
   return area_of(region, rail_, to);
 }
 
-double SideSolver::start_resolution() const {
+Resolution SideSolver::start_resolution() const {
   if (request_.grid) {
-    return 2.0 * coarse_resolution;
+    return {2.0 * coarse_resolution, 2.0 * coarse_resolution};
   }
-  const double usual = first_resolution * std::cbrt(1e-2 / request_.accuracy);
-  return memory_.valid && memory_.accuracy == request_.accuracy
-             ? std::max(usual, memory_.resolution)
-             : usual;
+  if (memory_.valid && memory_.accuracy == request_.accuracy) {
+    return memory_.resolution;
+  }
+  return usual_resolution();
+}
+
+Resolution SideSolver::usual_resolution() const {
+  const double ratio = 1e-2 / request_.accuracy;
+  return {first_resolution.lateral * std::cbrt(ratio),
+          first_resolution.longitudinal * std::sqrt(std::max(1.0, ratio))};
 }
 
 /// Coarse solutions until depth, plane and extent agree with each other.
-Trial SideSolver::settle_on_coarse_grids(double depth, double resolution) {
+Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolution) {
   ContactFrame frame = frame_at(depth);
   const PlaneArea penetrated = penetrated_area(depth, frame);
   PlaneArea area = penetrated.widened(0.05);
-  Mesh mesh{contact_share * penetrated.width() / resolution,
-            contact_share * penetrated.length() / resolution,
+  Mesh mesh{contact_share * penetrated.width() / resolution.lateral,
+            contact_share * penetrated.length() / resolution.longitudinal,
             {}};
   if (memory_.valid) {
     const double width = penetrated.width();
     const double length = penetrated.length();
-    mesh.lateral_step = (memory_.lateral_last - memory_.lateral_first) * width / resolution;
+    mesh.lateral_step = (memory_.lateral_last - memory_.lateral_first) * width / resolution.lateral;
     mesh.longitudinal_step =
-        (memory_.longitudinal_last - memory_.longitudinal_first) * length / resolution;
+        (memory_.longitudinal_last - memory_.longitudinal_first) * length / resolution.longitudinal;
     area = {penetrated.lateral_first + (memory_.lateral_first - memory_margin) * width,
             penetrated.lateral_first + (memory_.lateral_last + memory_margin) * width,
             penetrated.longitudinal_first + (memory_.longitudinal_first - memory_margin) * length,
@@ -320,7 +235,8 @@ Trial SideSolver::settle_on_coarse_grids(double depth, double resolution) {
     const bool depth_settled =
         position_is_prescribed() ||
         std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth;
-    const bool filled = trial.resolution() >= least_fill * resolution;
+    const bool filled = trial.rows() >= least_fill * resolution.lateral &&
+                        trial.columns() >= least_fill * resolution.longitudinal;
     if (depth_settled && filled && !trial.touches_edge()) {
       break;
     }
@@ -334,24 +250,6 @@ Trial SideSolver::settle_on_coarse_grids(double depth, double resolution) {
     }
   }
   return trial;
-}
-
-/// Relative error of pmax and approach on the finer of two grids: both fall with the square of the
-/// element size, so the difference of the two is (n_fine / n_coarse)^2 - 1 times the error of the
-/// finer one. What the iteration left is added.
-double SideSolver::estimate_error(const Trial& coarser, const Trial& finer) const {
-  const double ratio = finer.resolution() / coarser.resolution();
-  const double divisor = std::max(ratio * ratio - 1.0, 0.1);
-  const double peak = std::abs(finer.contact.peak_pressure - coarser.contact.peak_pressure) /
-                      finer.contact.peak_pressure;
-  double other = 0.0;
-  if (position_is_prescribed()) {
-    other = std::abs(finer.normal.normal_force - coarser.normal.normal_force) /
-            finer.normal.normal_force;
-  } else {
-    other = std::abs(finer.next_depth - coarser.next_depth) / finer.next_depth;
-  }
-  return estimate_safety * std::max(peak, other) / divisor + finer.normal.pressure_error;
 }
 
 /// Contact can be missing where the bodies penetrate beyond the area. Every sample of the scan
@@ -403,7 +301,7 @@ std::optional<PlaneArea> SideSolver::area_with_missed_contact(const Trial& trial
   return missed ? std::optional(larger) : std::nullopt;
 }
 
-Trial SideSolver::solve_on_final_grid(const Trial& coarse, double resolution) {
+Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolution) {
   double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
   ContactFrame frame = frame_at(depth);
   PlaneArea area = carried_over(coarse.contact_area(margin_elements), coarse.frame, frame);
@@ -411,6 +309,7 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, double resolution) {
                                ? request_.tolerance
                                : std::min(request_.tolerance, iteration_share * request_.accuracy);
   int failures = 0;
+  double along_error = 0.0;
   Trial coarser = coarse;
   Trial trial;
   for (int attempt = 0; attempt < final_limit; ++attempt) {
@@ -443,21 +342,34 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, double resolution) {
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    if (trial.resolution() > coarser.resolution()) {
-      result_.error_estimate = estimate_error(coarser, trial);
-    }
-    const bool reached = result_.error_estimate && *result_.error_estimate <= request_.accuracy;
+    // What the coarser grid had left along the rail stays if only the rows were refined.
+    const bool along_too = trial.columns() > 1.2 * coarser.columns();
+    double across_error = estimate_error(coarser, trial, position_is_prescribed());
+    result_.error_estimate = across_error + (along_too ? 0.0 : along_error);
+    const bool reached = *result_.error_estimate <= request_.accuracy;
     const bool failed = before && *result_.error_estimate * least_gain > *before;
     failures = failed ? failures + 1 : 0;
     const bool hopeless =
-        failures >= most_failures || (failed && trial.resolution() > resolving_resolution);
-    if (request_.grid || reached || hopeless || 2.0 * trial.resolution() > last_resolution) {
+        failures >= most_failures || (failed && trial.rows() > resolving_resolution);
+    if (request_.grid || reached || hopeless || 2.0 * trial.rows() > last_resolution) {
       return trial;
     }
-    // Refine by two, around the contact now known better.
-    resolution = 2.0 * trial.resolution();
+    // Which direction is too coarse? A grid with half the columns tells.
+    const Resolution reached_resolution = trial.resolution();
+    if (along_too) {
+      const Trial half = try_area(
+          frame, area,
+          trial.mesh_across({reached_resolution.lateral, 0.5 * reached_resolution.longitudinal}),
+          depth, tolerance);
+      along_error = estimate_error(half, trial, position_is_prescribed());
+      across_error = estimate_error(coarser, half, position_is_prescribed());
+    }
+    resolution = reached_resolution;
+    const bool along = along_error > 0.5 * request_.accuracy;
+    resolution.longitudinal *= along ? 2.0 : 1.0;
+    resolution.lateral *= !along || across_error > 0.5 * request_.accuracy ? 2.0 : 1.0;
     area = trial.contact_area(margin_elements);
-    coarser = trial;
+    coarser = std::move(trial);
   }
   return trial;
 }
@@ -510,13 +422,14 @@ SideSolution SideSolver::solve() {
                                                            : "no load");
     return std::move(result_);
   }
-  const double resolution = start_resolution();
-  const Trial coarse = settle_on_coarse_grids(depth, 0.5 * resolution);
+  Resolution resolution = start_resolution();
+  const Trial coarse =
+      settle_on_coarse_grids(depth, {0.5 * resolution.lateral, 0.5 * resolution.longitudinal});
   if (coarse.no_contact()) {
     throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
   }
   Trial trial = solve_on_final_grid(coarse, resolution);
-  remember(trial);
+  remember(trial, resolution);
   warn_about(trial);
   result_.in_contact = !trial.no_contact();
   result_.frame = trial.frame;
@@ -535,7 +448,7 @@ SideSolution SideSolver::solve() {
   return std::move(result_);
 }
 
-void SideSolver::remember(const Trial& trial) {
+void SideSolver::remember(const Trial& trial, const Resolution& resolution) {
   memory_.valid = !trial.no_contact() && !position_is_prescribed();
   if (!memory_.valid) {
     return;
@@ -543,9 +456,14 @@ void SideSolver::remember(const Trial& trial) {
   memory_.depth = trial.next_depth;
   memory_.load = prescribed_load();
   memory_.accuracy = request_.accuracy;
-  const bool generous =
-      result_.error_estimate && *result_.error_estimate < generous_share * request_.accuracy;
-  memory_.resolution = generous ? 0.5 * trial.resolution() : trial.resolution();
+  // Errors fall with the square of the elements: begin the next time with as many as half of the
+  // accuracy needs, but not with less than half of today's.
+  const double surplus =
+      std::sqrt(result_.error_estimate.value_or(request_.accuracy) / (0.5 * request_.accuracy));
+  const double factor = std::clamp(surplus, 0.5, 1.0);
+  const Resolution least = usual_resolution();
+  memory_.resolution = {std::max(factor * resolution.lateral, least.lateral),
+                        std::max(factor * resolution.longitudinal, least.longitudinal)};
   const PlaneArea penetrated = penetrated_area(trial.next_depth, trial.frame);
   const PlaneArea contact = trial.contact_area(0.0);
   memory_.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();

@@ -32,6 +32,7 @@
 #include "remesh/contact_frame.hpp"
 #include "remesh/potential_contact_area.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "scene/trial.hpp"
 
 namespace wrc {
 
@@ -55,8 +56,8 @@ struct SideRequest {
 struct SideMemory {
   bool valid = false;
   double depth = 0.0;
-  double load = 0.0;       ///< the one prescribed, N
-  double resolution = 0.0; ///< elements across the contact that met the accuracy
+  double load = 0.0;     ///< the one prescribed, N
+  Resolution resolution; ///< that met the accuracy
   double accuracy = 0.0;
   /// Where contact lay in the rectangle of virtual penetration, as shares of its sides.
   double lateral_first = 0.0, lateral_last = 1.0;

@@ -185,7 +185,7 @@ TEST_F(Solving, NotConvergedComesWithUsableResults) {
   constexpr double usable = 1e-9;
   const ScenePointer converged = make_scene();
   const ScenePointer scene = make_scene();
-  const double grid[] = {200.0, 100.0};
+  const double grid[] = {256.0, 128.0};
   for (wrc_scene* s : {converged.get(), scene.get()}) {
     ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 3.0), WRC_OK);
     ASSERT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);

@@ -177,7 +177,7 @@ contains
     call scene%create()
     call scene%set('pose.lateral', 3.0_real64)
     call scene%set('solve.side', 'left')
-    call scene%set('solve.grid', [200.0_real64, 100.0_real64])
+    call scene%set('solve.grid', [256.0_real64, 128.0_real64])
     ! Below what rounding permits on this grid.
     call scene%set('solve.solver', 'paper')
     call scene%set('solve.tolerance', 1.0e-13_real64)

@@ -1,11 +1,14 @@
 #include "geometry/contact_search.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "error.hpp"
 #include "geometry/brute_force.hpp"
+#include "simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {
@@ -85,6 +88,46 @@ TEST(ContactSearchNearContacts, NearToleranceOfZeroLeavesOneContact) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
   EXPECT_EQ(search_contacts(wheel, rail, {5.0, 0.0, 3.4e-4}, 0.0, false).candidates.size(), 1u);
+}
+
+TEST(ContactSearchKinks, RidgeOfTheWheelIsTheContact) {
+  // Cones of 1:10 that meet in a ridge at s = 4: it touches wherever the rail is flatter than that.
+  const std::array<Segment, 2> segments{
+      Segment{"inner", LineSegment{{{-66.0, -7.0}}, {{4.0, 0.0}}}},
+      Segment{"outer", LineSegment{{{4.0, 0.0}}, {{54.0, -5.0}}}}};
+  const Profile ridge{"ridge", ProfileKind::wheel, "", "", "", curve_of(segments)};
+  const WheelSurface wheel(ridge, {1360.0, 70.0, 460.0});
+  const RailSurface rail(circular_rail(300.0), {1435.0, 14.0, 0.0});
+  const ContactScan scan = search_contacts(wheel, rail, {1.5, 0.0, 1e-3}, 0.0, false);
+  EXPECT_NEAR(scan.candidates.front().wheel.lateral, 4.0, 1e-9);
+  const BruteForceContact reference = brute_force_contact(wheel, rail, {1.5, 0.0, 1e-3});
+  EXPECT_NEAR(scan.candidates.front().distance, reference.distance, distance_tolerance);
+  // Followed from another roll it is the same.
+  SideSearch search(wheel, rail);
+  search.scan({1.5, 0.0, 1e-3});
+  const LocusSpot found = search.least_spots(0.0).front();
+  search.scan({1.5, 0.0, -4e-3});
+  const auto followed = search.follow({1.5, 0.0, 1e-3}, search.least_spots(0.0).front());
+  ASSERT_TRUE(followed.has_value());
+  EXPECT_NEAR(followed->distance, found.distance, 1e-12);
+}
+
+TEST(ContactSearchFollow, FindsTheLeastPlaceNearbyAtAnotherPose) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
+  SideSearch search(wheel, rail);
+  for (const double yaw : {0.0, 0.02}) {
+    search.scan({3.0, yaw, 2e-3});
+    const LocusSpot from = search.least_spots(0.0).front();
+    const auto followed = search.follow({3.0, yaw, 5e-4}, from);
+    ASSERT_TRUE(followed.has_value());
+    const ContactScan all = search_contacts(wheel, rail, {3.0, yaw, 5e-4}, 10.0, false);
+    const bool known =
+        std::any_of(all.candidates.begin(), all.candidates.end(), [&](const auto& candidate) {
+          return std::abs(candidate.distance - followed->distance) < 1e-12;
+        });
+    EXPECT_TRUE(known) << yaw;
+  }
 }
 
 TEST(ContactSearchErrors, WheelOffTheRail) {

@@ -1,0 +1,61 @@
+/// Parallel rays of a whole row of elements, met with a profile's surface all at once.
+///
+/// A ray is base + x along + p normal, with x the element's longitudinal coordinate and p sought.
+/// The surface is z = h(y), a prism, or X^2 + Z^2 = (R + h(Y))^2, a surface of revolution, with h
+/// the profile's table of heights (geometry/height_function.hpp).
+/// Start: the profile's tangent line in the middle of the row in place of h gives a linear or a
+/// quadratic equation. Then Newton's method on the table's own polynomials, in loops over stretches
+/// of a row that meet one polynomial, so that its coefficients stay in registers. As many steps as
+/// the distance of the profile from its tangent line asks for: the error e after a step of size d
+/// is K d^2 / (2 F) with K the curvature and F the derivative along the ray, which bounds the
+/// number of steps before and checks the result after. A ray that is not below the tolerance, left
+/// its polynomial, or sees the surface at too flat an angle, is reported as not met: single rays
+/// (remesh/surface_rays.hpp) decide about it.
+/// Units mm. Thread rule: one object, one thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/frames.hpp"
+#include "geometry/height_function.hpp"
+
+namespace wrc {
+
+/// Rays of a row, in a frame in which y is the lateral coordinate of the profile.
+struct RowOfRays {
+  Vector3 base;
+  Vector3 along;
+  Vector3 normal;
+  const double* longitudinal;
+  std::size_t count;
+};
+
+class RaySurface {
+public:
+  /// A prism without radius, else a surface of revolution. The heights must outlive the object.
+  RaySurface(const HeightFunction& heights, std::optional<double> radius, std::size_t row_length);
+
+  /// Meets all rays of a row, of which one near the middle meets the profile at `lateral`.
+  /// Returns false if some are not met.
+  bool meet(const RowOfRays& rays, double lateral);
+  /// Meets no ray: all are left to be decided by single rays.
+  void meet_none(std::size_t count);
+
+  [[nodiscard]] bool met(std::size_t column) const { return error_[column] <= ray_error; }
+  /// p of a ray that is met.
+  [[nodiscard]] double position(std::size_t column) const { return position_[column]; }
+  [[nodiscard]] std::span<const double> positions() const { return position_; }
+
+private:
+  /// Greatest estimated error of a ray that counts as met, mm.
+  static constexpr double ray_error = 3e-13;
+
+  const HeightFunction& heights_;
+  std::optional<double> radius_;
+  std::vector<double> position_, lateral_, error_;
+};
+
+} // namespace wrc

@@ -1,0 +1,131 @@
+#include "remesh/surface_rays.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrc {
+namespace {
+
+constexpr int newton_limit = 50;
+/// Rays are solved to this, mm: a tenth of a thousandth of the smallest approach of interest.
+constexpr double ray_tolerance = 1e-12;
+/// At a step of a profile, as the rounding of a standard's coefficients leaves it, Newton's method
+/// has no root to find: a place this near, mm, is taken.
+constexpr double step_tolerance = 2e-3;
+constexpr double first_largest_step = 4.0;
+/// At a kink or a step Newton's method may alternate: after this many steps it closes in.
+constexpr int free_steps = 10;
+
+} // namespace
+
+RailRay::RailRay(const RailSurface& rail, const ContactFrame& frame)
+    : graph_(rail.graph()), frame_(frame) {
+  point_ = graph_.at_lateral(frame.origin.y, start_);
+  restart();
+}
+
+void RailRay::restart() {
+  arc_ = start_;
+  piece_ = graph_.curve().piece_at(arc_);
+}
+
+bool RailRay::on_graph() const {
+  return arc_ >= graph_.arc_begin() && arc_ <= graph_.arc_end();
+}
+
+CurvePoint RailRay::at(double arc) {
+  const auto starts = graph_.curve().starts();
+  if (!(arc >= starts[piece_] && arc < starts[piece_ + 1])) {
+    piece_ = graph_.curve().piece_at(arc);
+  }
+  return graph_.curve().at(piece_, arc - starts[piece_]);
+}
+
+std::optional<double> RailRay::solve(double longitudinal, double lateral) {
+  const Vector3 base = frame_.to_track(longitudinal, lateral, 0.0);
+  const double ny = frame_.normal.y;
+  const double nz = frame_.normal.z;
+  double arc = arc_;
+  double largest_step = first_largest_step;
+  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+    point_ = at(arc);
+    const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
+    const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
+    if (facing < least_facing_cosine) {
+      return std::nullopt;
+    }
+    const double step = std::clamp(offset / facing, -largest_step, largest_step);
+    const double next = std::clamp(arc + step, 0.0, graph_.curve().length());
+    const bool at_step = iteration + 1 == newton_limit && std::abs(offset) <= step_tolerance;
+    if (std::abs(step) <= ray_tolerance || at_step) {
+      arc_ = arc;
+      // In a yawed and rolled frame the normal also leans along the rail: (ny, nz) is no unit.
+      return (ny * (point_.lateral - base.y) + nz * (point_.height - base.z)) / (ny * ny + nz * nz);
+    }
+    if (next == arc) {
+      return std::nullopt; // beyond the profile's end
+    }
+    arc = next;
+    if (iteration > free_steps) {
+      largest_step *= 0.5;
+    }
+  }
+  return std::nullopt;
+}
+
+WheelRay::WheelRay(const PosedPair& pair, const ContactFrame& frame)
+    : wheel_(pair.wheel), rotation_(pair.pose),
+      frame_(frame), centre_{0.0, pair.pose.lateral, pair.vertical},
+      longitudinal_(rotation_.to_body(frame.longitudinal)),
+      normal_(rotation_.to_body(frame.normal)), lateral_(base(0.0, 0.0).y),
+      height_(wheel_.graph().heights().at(lateral_).height) {}
+
+Vector3 WheelRay::base(double longitudinal, double lateral) const {
+  Vector3 base = rotation_.to_body(frame_.to_track(longitudinal, lateral, 0.0) - centre_);
+  base.y -= wheel_.taping_line();
+  return base;
+}
+
+std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
+  const Vector3 from = base(longitudinal, lateral);
+  // Start: where the ray enters the cylinder of the radius last met.
+  const double radius = wheel_.radius() + height_;
+  const double a = normal_.x * normal_.x + normal_.z * normal_.z;
+  const double b = from.x * normal_.x + from.z * normal_.z;
+  const double c = from.x * from.x + (from.z - radius) * (from.z + radius);
+  const double discriminant = b * b - a * c;
+  if (!(discriminant > 0.0)) {
+    return std::nullopt;
+  }
+  double position = (-b - std::sqrt(discriminant)) / a;
+  double largest_step = first_largest_step;
+  const HeightFunction& heights = wheel_.graph().heights();
+  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+    const Vector3 body = from + position * normal_;
+    lateral_ = body.y;
+    const HeightPoint profile = heights.at(lateral_);
+    const double rho = wheel_.radius() + profile.height;
+    const double excess = 0.5 * (body.x * body.x + (body.z - rho) * (body.z + rho));
+    const double derivative =
+        body.x * normal_.x + body.z * normal_.z - rho * profile.slope * normal_.y;
+    if (!(derivative < -least_facing_cosine * rho)) {
+      return std::nullopt;
+    }
+    const double step = std::clamp(-excess / derivative, -largest_step, largest_step);
+    const bool at_step = iteration + 1 == newton_limit && std::abs(excess) <= step_tolerance * rho;
+    if (std::abs(step) <= ray_tolerance || at_step) {
+      if (!heights.covers(lateral_)) {
+        return std::nullopt;
+      }
+      height_ = profile.height;
+      return position;
+    }
+    position += step;
+    if (iteration > free_steps) {
+      largest_step *= 0.5;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace wrc

@@ -1,0 +1,85 @@
+/// Where a single ray along a contact frame's normal meets the rail and the wheel.
+///
+/// The rail is a plane curve, so its ray is solved on the profile's arc length, overhanging parts
+/// included. The wheel's ray meets the surface of revolution X^2 + Z^2 = rho(Y)^2 in the wheelset
+/// frame; the form X^2 + (Z - rho)(Z + rho) does not cancel, and needs no root. Both by Newton's
+/// method from the place met last, to 1e-12 mm. At a kink or a step steps are halved after a while,
+/// and a place within the step is taken.
+/// Units mm; track frame, left-hand side. Thread rule: one object, one thread.
+#pragma once
+
+#include <optional>
+
+#include "geometry/rail_surface.hpp"
+#include "geometry/wheel_surface.hpp"
+#include "remesh/contact_frame.hpp"
+
+namespace wrc {
+
+/// A surface seen from the ray at a flatter angle than this (its cosine) no longer faces it.
+constexpr double least_facing_cosine = 0.02;
+
+/// Wheel and rail as posed: everything the undeformed distance depends on.
+struct PosedPair {
+  const WheelSurface& wheel;
+  const RailSurface& rail;
+  Pose pose;
+  double vertical = 0.0; ///< z of the wheelset's centre
+};
+
+class RailRay {
+public:
+  /// The frame must outlive the ray.
+  RailRay(const RailSurface& rail, const ContactFrame& frame);
+
+  /// Start from below the frame's origin again.
+  void restart();
+  /// Position along the normal at which the ray through a place of the plane meets the rail; the
+  /// next ray starts from there.
+  std::optional<double> solve(double longitudinal, double lateral);
+  /// Of the rail, where the last ray met it.
+  [[nodiscard]] const CurvePoint& point() const { return point_; }
+  /// True if that is a place seen from above.
+  [[nodiscard]] bool on_graph() const;
+
+private:
+  [[nodiscard]] CurvePoint at(double arc);
+
+  const CurveGraph& graph_;
+  const ContactFrame& frame_;
+  double start_ = 0.0;
+  double arc_ = 0.0;
+  std::size_t piece_ = 0;
+  CurvePoint point_;
+};
+
+class WheelRay {
+public:
+  /// The frame must outlive the ray.
+  WheelRay(const PosedPair& pair, const ContactFrame& frame);
+
+  /// Of the wheel profile, where the last ray met it; the next ray starts from its height.
+  [[nodiscard]] double lateral() const { return lateral_; }
+  [[nodiscard]] double height() const { return height_; }
+  void start_from(double height) { height_ = height; }
+  /// Position along the normal at which the ray meets the wheel from below.
+  std::optional<double> solve(double longitudinal, double lateral);
+
+  /// A place of the plane in the wheelset frame, with Y from the taping line: that of the profile.
+  [[nodiscard]] Vector3 base(double longitudinal, double lateral) const;
+  /// Directions of the frame in the wheelset frame.
+  [[nodiscard]] Vector3 longitudinal() const { return longitudinal_; }
+  [[nodiscard]] Vector3 normal() const { return normal_; }
+
+private:
+  const WheelSurface& wheel_;
+  const Rotation rotation_;
+  const ContactFrame& frame_;
+  const Vector3 centre_;
+  const Vector3 longitudinal_;
+  const Vector3 normal_;
+  double lateral_;
+  double height_;
+};
+
+} // namespace wrc
