@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <thread>
 
@@ -169,7 +170,7 @@ std::vector<Row> measure_vehicle_steps(const MotionPlan& plan) {
 
 /// Wall time of as many transforms on each of some threads.
 double measure_busy_threads(int threads) {
-  constexpr std::int32_t pairs = 100;
+  constexpr std::int32_t pairs = 400;
   const auto work = [] {
     const GridSize grid;
     double milliseconds = 0.0;
@@ -197,14 +198,17 @@ Batch measure_batch(int repeat) {
              {-3.0 + 6.0 * share, 2.4e-3 * (1.0 - 2.0 * share)});
     handles.push_back(scenes[static_cast<std::size_t>(i)].handle());
   }
+  double processor_ms = 0.0;
   // Stages are added up over scenes and threads, the total is wall time.
   const auto solve = [&](int threads) {
+    const std::clock_t start = std::clock();
     Stopwatch watch;
     if (wrc_solve_batch(handles.data(), scene_count, threads, nullptr) != WRC_OK) {
       throw driver::Failure("batch: a scene could not be solved");
     }
     Times sum;
     sum.total = watch.lap();
+    processor_ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     for (const driver::Scene& scene : scenes) {
       const Times times = times_of(scene, scene.number("time_ms.total"));
       sum.setup += times.setup;
@@ -228,16 +232,20 @@ Batch measure_batch(int repeat) {
   std::vector<Times> two;
   std::vector<double> alone;
   std::vector<double> together;
+  std::vector<double> work_ratios;
   Batch batch;
   batch.bitwise_equal = true;
   for (int i = 0; i < repeat; ++i) {
     alone.push_back(measure_busy_threads(1));
     together.push_back(measure_busy_threads(2));
     one.push_back(solve(1));
+    const double processor_of_one = processor_ms;
     const auto expected = pressures();
     two.push_back(solve(2));
+    work_ratios.push_back(processor_ms / processor_of_one);
     batch.bitwise_equal = batch.bitwise_equal && pressures() == expected;
   }
+  batch.work_ratio = median(work_ratios);
   batch.machine_speedup = 2.0 * median(alone) / median(together);
   const double pair = Yardstick(GridSize()).milliseconds();
   batch.speedup = median(one).total / median(two).total;

@@ -25,6 +25,7 @@ struct Batch {
   /// Of two threads that only transform, each on memory of its own: what this machine, with
   /// whatever else goes on in it, has to give.
   double machine_speedup = 0.0;
+  double work_ratio = 0.0; ///< processor time of two threads over that of one
   bool bitwise_equal = false;
 };
 

@@ -278,6 +278,7 @@ void print_json(const Report& report) {
   if (report.batch) {
     json["batch"] = {{"speedup", report.batch->speedup},
                      {"machine_speedup", report.batch->machine_speedup},
+                     {"work_ratio", report.batch->work_ratio},
                      {"bitwise_equal", report.batch->bitwise_equal}};
   }
   std::cout << json.dump(2) << '\n';
@@ -297,9 +298,10 @@ void print_tables(const Report& report) {
     }
     std::cout << ": " << fixed(report.batch->speedup, 2) << " times faster, results "
               << (report.batch->bitwise_equal ? "equal bit for bit" : "NOT EQUAL")
-              << "\n  (two threads that only transform, in turns with it: "
+              << ".\n  Two threads took " << fixed(report.batch->work_ratio, 2)
+              << " times the processor time of one. Two that only transform, in turns with it, did "
               << fixed(report.batch->machine_speedup, 2)
-              << " times the work of one, which is what the machine has to give)\n";
+              << " times\n  the work of one in the same time: that much the machine had to give.\n";
   }
 }
 
