@@ -1,6 +1,7 @@
 /// What stands behind the opaque handles, and the guard every entry point runs in.
 #pragma once
 
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -8,6 +9,9 @@
 #include <vector>
 
 #include "error.hpp"
+#include "mechanics/normal_contact.hpp"
+#include "mechanics/normal_solver.hpp"
+#include "mechanics/pressure_field.hpp"
 #include "profile/profile.hpp"
 #include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"
@@ -34,6 +38,26 @@ struct wrc_solver {
 struct wrc_profile {
   std::optional<wrc::Profile> profile;
   std::vector<std::string> corrections;
+  std::string error;
+};
+
+/// What was asked at the last solve of a wrc_normal, and what came out.
+struct wrc_normal_result {
+  std::shared_ptr<const std::vector<double>> distance; ///< what the problem's span refers to
+  wrc::NormalProblem problem;
+  wrc::NormalSolution solution; ///< displacement: empty until it is asked for
+  wrc::PressureRegion summary;
+  std::optional<wrc::Residuals> residuals;
+};
+
+struct wrc_normal {
+  std::shared_ptr<const std::vector<double>> distance;
+  wrc::NormalProblem problem; ///< its span is set at each solve
+  bool paper_method = false;
+  wrc::Precision precision = wrc::Precision::mixed;
+  wrc::PlannerRigor rigor = wrc::PlannerRigor::estimate;
+  std::optional<wrc::NormalSolver> solver; ///< none until first used with these settings
+  std::optional<wrc_normal_result> result;
   std::string error;
 };
 

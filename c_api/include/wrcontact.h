@@ -47,7 +47,7 @@ typedef int32_t wrc_status;
 #define WRC_INTERNAL 7         /* a fault of the library itself */
 #define WRC_NOT_CONVERGED 8    /* results are there, but not to the tolerance; see stop_reason */
 #define WRC_TOO_SMALL 9        /* the caller's array is too small; the length needed is returned */
-#define WRC_NO_RESULT 10       /* the scene has not been solved yet */
+#define WRC_NO_RESULT 10       /* the handle has not been solved or loaded yet */
 
 /* Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
 WRC_API const char* wrc_status_name(wrc_status status);
@@ -145,6 +145,89 @@ WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
 WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
                                    wrc_status* statuses);
 
+/* ---- Normal contact of a gap given by the caller ------------------------------------------- */
+
+/*
+ * One problem on an equally spaced grid, and the solver that keeps plans, tables and memory between
+ * its calls: pressures p >= 0 and gaps g = h + u - approach >= 0 with p g = 0, where u are the
+ * displacements of an elastic half-space. Changing the problem does not touch the results: they
+ * are those of the last wrc_normal_solve. Answers do not depend on earlier calls.
+ */
+typedef struct wrc_normal wrc_normal;
+
+/* An empty problem. On failure *normal is NULL. Since 0.1. */
+WRC_API wrc_status wrc_normal_create(wrc_normal** normal);
+/* Does nothing with NULL. Since 0.1. */
+WRC_API void wrc_normal_destroy(wrc_normal* normal);
+/* Text of the last failure, "" if there was none. Since 0.1. */
+WRC_API const char* wrc_normal_error(const wrc_normal* normal);
+
+/*
+ * The grid: numbers of elements (at least 1, at most 2^26 in all) and their sides in mm (> 0).
+ * WRC_INVALID_ARGUMENT. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
+                                       int64_t longitudinal_count, double lateral_step,
+                                       double longitudinal_step);
+/*
+ * The undeformed distance h at the element centres, mm, finite, positive when apart; `count` values
+ * with the longitudinal index fastest, which are copied. wrc_normal_solve asks for as many as the
+ * grid has elements. WRC_INVALID_ARGUMENT. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count);
+/*
+ * Numbers by key:
+ *   "combined_modulus"    MPa, > 0; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on steel if not
+ *                         set: 210000/(2 (1 - 0.3^2))
+ *   "normal_load"         N, >= 0; replaces the approach
+ *   "approach"            mm; replaces the normal load
+ *   "tolerance"           > 0 to 0.1, 1e-6 if not set. Solver "default": largest error of the
+ *                         pressures relative to their largest, against the exact solution on this
+ *                         grid, by measurement. Solver "paper": update of the pressures and
+ *                         complementarity
+ *   "maximum_iterations"  a whole number, 1 to 1e9; 5000 if not set
+ * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value);
+/*
+ * Texts by key; the first is taken if not set:
+ *   "solver"     "default", or "paper" (Polonsky & Keer 1999, always in double precision)
+ *   "precision"  "mixed": directions of the iteration in single precision; or "double"
+ *   "planner"    "estimate": plans of transforms at once; or "measure": faster ones after seconds
+ * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value);
+
+/*
+ * Solves the problem. WRC_NOT_CONVERGED comes with usable results; on any other failure the results
+ * of the last success remain. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
+
+/*
+ * A scalar result by name:
+ *   "approach"      mm; "normal_force" N; "area" mm^2, counted in elements
+ *   "pmax"          MPa, peak of a quadratic surface through the elements around the largest
+ *   "pmax_element"  MPa, largest element
+ *   "fill"          share of the elements under pressure, 0 to 1
+ *   "iterations"    of all grids the solver went through
+ *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
+ *                   how well the problem is solved, recomputed in double precision when first asked
+ *                   for: |force - load|/load (0 for a given approach), least gap without pressure
+ *                   (< 0: overlap) and largest |gap| under pressure, both over the largest
+ *                   displacement
+ * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value);
+/* "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
+WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
+/*
+ * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first asked for), one
+ * value per element with the longitudinal index fastest; copied as by wrc_scene_field. Since 0.1.
+ */
+WRC_API wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values,
+                                    int64_t capacity, int64_t* count);
+
 /* ---- Profiles ------------------------------------------------------------------------------ */
 
 typedef struct wrc_profile wrc_profile;
@@ -200,6 +283,33 @@ WRC_API wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t
  */
 WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, double* height,
                                   double* angle, double* curvature);
+
+/* ---- The whole process --------------------------------------------------------------------- */
+
+/*
+ * Fast Fourier transforms are planned one at a time in the whole process, under a lock of the
+ * library. A program that plans with FFTW itself sets its own lock here, which is then held around
+ * all planning too; both functions are called with `context` and must not throw. Both NULL takes it
+ * away again. To be called while no other thread uses the library. WRC_INVALID_ARGUMENT for one
+ * function without the other. Since 0.1.
+ */
+WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlock)(void* context),
+                                        void* context);
+/*
+ * Wisdom: what the planner "measure" has found out in this process. The file is read or written by
+ * these calls and at no other time. WRC_INVALID_ARGUMENT, WRC_FILE_UNREADABLE,
+ * WRC_FILE_MALFORMED. Since 0.1.
+ */
+WRC_API wrc_status wrc_load_wisdom(const char* path);
+WRC_API wrc_status wrc_save_wisdom(const char* path);
+/*
+ * The benchmark's yardstick: the median time in ms of `repeats` (1 to 1000) pairs of a real
+ * transform of rows x columns values in double precision and its inverse, by FFTW's own
+ * two-dimensional transform with estimated plans. Planning and one pair beforehand are not timed.
+ * Sizes from 1, at most 2^28 values in all. WRC_INVALID_ARGUMENT, WRC_OUT_OF_MEMORY. Since 0.1.
+ */
+WRC_API wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats,
+                                         double* median_ms);
 
 #ifdef __cplusplus
 }

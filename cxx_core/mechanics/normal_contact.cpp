@@ -18,21 +18,6 @@ void check_positive(const std::string& argument, double value) {
   }
 }
 
-void check_grid(const Grid& grid) {
-  if (grid.lateral_count < 1 || grid.lateral_count > maximum_element_count) {
-    throw_invalid_argument("grid.lateral_count", static_cast<double>(grid.lateral_count),
-                           "must lie in 1 to 2^26");
-  }
-  // The quotient keeps the product from overflowing.
-  if (grid.longitudinal_count < 1 ||
-      grid.longitudinal_count > maximum_element_count / grid.lateral_count) {
-    throw_invalid_argument("grid.longitudinal_count", static_cast<double>(grid.longitudinal_count),
-                           "must be at least 1, with at most 2^26 elements in all");
-  }
-  check_positive("grid.lateral_step", grid.lateral_step);
-  check_positive("grid.longitudinal_step", grid.longitudinal_step);
-}
-
 void check_size(const std::string& argument, std::size_t size, std::size_t expected) {
   if (size != expected) {
     throw_invalid_argument(argument + ".size", static_cast<double>(size),
@@ -52,6 +37,21 @@ std::string_view name_of(StopReason reason) {
     return "stagnation";
   }
   throw Error(ErrorCode::internal, "stop reason without a name");
+}
+
+void check_grid(const Grid& grid) {
+  if (grid.lateral_count < 1 || grid.lateral_count > maximum_element_count) {
+    throw_invalid_argument("grid.lateral_count", static_cast<double>(grid.lateral_count),
+                           "must lie in 1 to 2^26");
+  }
+  // The quotient keeps the product from overflowing.
+  if (grid.longitudinal_count < 1 ||
+      grid.longitudinal_count > maximum_element_count / grid.lateral_count) {
+    throw_invalid_argument("grid.longitudinal_count", static_cast<double>(grid.longitudinal_count),
+                           "must be at least 1, with at most 2^26 elements in all");
+  }
+  check_positive("grid.lateral_step", grid.lateral_step);
+  check_positive("grid.longitudinal_step", grid.longitudinal_step);
 }
 
 void check_problem(const NormalProblem& problem) {

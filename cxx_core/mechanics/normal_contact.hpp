@@ -62,6 +62,9 @@ struct NormalSolution {
 /// Largest number of elements a problem may have.
 inline constexpr std::size_t maximum_element_count = std::size_t{1} << 26;
 
+/// Throws Error(invalid_argument) for a grid outside its permitted ranges; names the argument.
+void check_grid(const Grid& grid);
+
 /// Throws Error(invalid_argument) for a problem outside its permitted ranges; names the argument.
 void check_problem(const NormalProblem& problem);
 

@@ -3,6 +3,14 @@
 namespace driver {
 namespace {
 
+wrc_solver* create_solver() {
+  wrc_solver* handle = nullptr;
+  if (wrc_solver_create(&handle) != WRC_OK) {
+    throw Failure("out of memory");
+  }
+  return handle;
+}
+
 wrc_scene* create_scene() {
   wrc_scene* handle = nullptr;
   if (wrc_scene_create(&handle) != WRC_OK) {
@@ -12,6 +20,16 @@ wrc_scene* create_scene() {
 }
 
 } // namespace
+
+Solver::Solver() : handle_(create_solver(), wrc_solver_destroy) {}
+
+bool Solver::solve(Scene& scene) {
+  const wrc_status status = wrc_solver_solve(handle_.get(), scene.handle());
+  if (status != WRC_NOT_CONVERGED) {
+    scene.check(status);
+  }
+  return status == WRC_OK;
+}
 
 Scene::Scene() : handle_(create_scene(), wrc_scene_destroy) {}
 

@@ -17,6 +17,19 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+class Scene;
+
+/// What is kept from one scene to the next (wrc_solver).
+class Solver {
+public:
+  Solver();
+  /// Solves like Scene::solve, with what is kept.
+  bool solve(Scene& scene);
+
+private:
+  std::unique_ptr<wrc_solver, void (*)(wrc_solver*)> handle_;
+};
+
 class Scene {
 public:
   Scene();
@@ -41,7 +54,10 @@ public:
   /// Number of entries of a list of results, for example "left.patches".
   [[nodiscard]] int count_of(const std::string& list) const;
 
+  [[nodiscard]] wrc_scene* handle() const { return handle_.get(); }
+
 private:
+  friend class Solver;
   void check(wrc_status status) const;
   std::unique_ptr<wrc_scene, void (*)(wrc_scene*)> handle_;
 };

@@ -1,298 +1,243 @@
-// wrc_benchmark: times whole scenes by stage, each time beside the error of what was computed.
-#include <sys/resource.h>
-#include <unistd.h>
-
+// wrc_benchmark: times the solvers and whole scenes, each time beside the error of what was solved.
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iomanip>
 #include <iostream>
-#include <map>
-#include <optional>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
-#include "benchmark_commit.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
+#include "wrc_benchmark/child.hpp"
+#include "wrc_benchmark/measure.hpp"
+#include "wrc_benchmark/motion_cases.hpp"
+#include "wrc_benchmark/report.hpp"
 
 namespace {
 
-/// What the paper names for one case of 256 x 128 elements, its three modules together: the
-/// program in Fortran on a laptop with an Intel Core i5-3230 at 2.60 GHz.
-constexpr double paper_total_ms = 8250.0;
-/// Tolerance of the solution that the iteration's error is measured against.
-constexpr double truth_tolerance = 1e-11;
-/// The grid's error is measured against a grid this much finer in both directions.
-constexpr std::size_t truth_refinement = 3;
+using benchmark::GridSize;
 
-struct Case {
-  std::string name;
-  std::string meaning;
-  std::map<std::string, double> numbers;
-  std::map<std::string, std::string> texts;
+struct Options {
+  std::vector<std::string> cases;
+  std::string grid = "256x128";
+  std::optional<double> accuracy;
+  std::string method;
+  int repeat = 15;
+  int steps = 200;
+  bool json = false;
+  bool first_solve = false;
+  bool both_wheels = false;
 };
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all{
-      {"table1", "S1002 on 60E1, centred, 80 kN, left wheel", {}, {{"solve.side", "left"}}},
-      {"manchester-5",
-       "S1002 on the Manchester UIC60, y = 5 mm without roll: two lobes, left wheel",
-       {{"pose.lateral", 5.0}, {"pose.roll", 0.0}},
-       {{"solve.side", "left"}, {"track.rail", "UIC60-Manchester"}}}};
+enum class Kind { gap, scene, vehicle, batch };
+
+struct Case {
+  benchmark::CaseDescription description;
+  Kind kind;
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> all;
+  for (const auto& description : benchmark::normal_cases()) {
+    all.push_back({description, Kind::gap});
+  }
+  for (const auto& description : benchmark::scene_cases()) {
+    all.push_back({description, Kind::scene});
+  }
+  all.push_back(
+      {{"vehicle-step", "scene: a hunting wheelset, both wheels, step by step"}, Kind::vehicle});
+  all.push_back({{"batch", "scene: 64 of them on one and on two threads"}, Kind::batch});
   return all;
 }
 
-struct Grid {
-  std::size_t lateral = 256;
-  std::size_t longitudinal = 128;
-};
-
-struct Row {
-  std::string case_name;
-  Grid grid;
-  std::string method;
-  std::string state;
-  double accuracy = 0.0;
-  double fill = 0.0;
-  double iterations = 0.0;
-  double error_p = 0.0;
-  double error_pmax = 0.0;
-  double complementarity = 0.0;
-  double setup_ms = 0.0;
-  double geometry_ms = 0.0;
-  double remesh_ms = 0.0;
-  double mechanics_ms = 0.0;
-  double total_ms = 0.0;
-  double min_ms = 0.0;
-  double memory_mb = 0.0;
-};
-
-driver::Scene scene_of(const Case& chosen, const Grid& grid, const std::string& method,
-                       double tolerance) {
-  driver::Scene scene;
-  for (const auto& [key, value] : chosen.numbers) {
-    scene.set(key, value);
-  }
-  for (const auto& [key, value] : chosen.texts) {
-    scene.set(key, value);
-  }
-  scene.set("solve.grid", std::vector<double>{static_cast<double>(grid.lateral),
-                                              static_cast<double>(grid.longitudinal)});
-  scene.set("solve.solver", method);
-  scene.set("solve.tolerance", tolerance);
-  return scene;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-void set_times(Row& row, const std::map<std::string, std::vector<double>>& times) {
-  const auto at = [&times](const char* stage) { return median(times.at(stage)); };
-  row.setup_ms = at("profile") + at("setup");
-  row.geometry_ms = at("geometry");
-  row.remesh_ms = at("remesh");
-  row.mechanics_ms = at("mechanics");
-  row.total_ms = at("total");
-  row.min_ms = *std::min_element(times.at("total").begin(), times.at("total").end());
-}
-
-/// Rows of one case: the first solution in the process, and the median of those that follow.
-std::vector<Row> measure(const Case& chosen, const Grid& grid, const std::string& method,
-                         double tolerance, int repetitions) {
-  const char* stages[] = {"profile", "setup", "geometry", "remesh", "mechanics", "total"};
-  std::map<std::string, std::vector<double>> first;
-  std::map<std::string, std::vector<double>> following;
-  driver::Scene scene = scene_of(chosen, grid, method, tolerance);
-  for (int i = 0; i <= repetitions; ++i) {
-    scene.solve();
-    for (const char* stage : stages) {
-      (i == 0 ? first : following)[stage].push_back(scene.number(std::string("time_ms.") + stage));
-    }
-  }
-  Row row;
-  row.case_name = chosen.name;
-  row.grid = grid;
-  row.method = method;
-  row.accuracy = tolerance;
-  row.fill = scene.number("left.fill");
-  row.iterations = scene.number("left.iterations");
-  row.complementarity = scene.number("left.residuals.complementarity");
-  row.memory_mb = peak_memory_mb();
-
-  driver::Scene truth = scene_of(chosen, grid, method, truth_tolerance);
-  truth.solve();
-  const auto pressure = scene.field("left.pressure");
-  const auto true_pressure = truth.field("left.pressure");
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
-    row.error_p = std::max(row.error_p, std::abs(pressure[i] - true_pressure[i]));
-  }
-  row.error_p /= truth.number("left.pmax");
-  driver::Scene fine =
-      scene_of(chosen, {truth_refinement * grid.lateral, truth_refinement * grid.longitudinal},
-               method, tolerance);
-  fine.solve();
-  row.error_pmax = std::abs(scene.number("left.pmax") / fine.number("left.pmax") - 1.0);
-
-  std::vector<Row> rows(2, row);
-  rows[0].state = "cold";
-  set_times(rows[0], first);
-  rows[1].state = "warm";
-  set_times(rows[1], following);
-  return rows;
-}
-
-std::string cpu_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) {
-      return line.substr(line.find(':') + 2);
-    }
-  }
-  return "unknown";
-}
-
-void print_json(const std::vector<Row>& rows) {
-  nlohmann::json json;
-  json["machine"] = {{"cpu", cpu_name()},
-                     {"cores", sysconf(_SC_NPROCESSORS_ONLN)},
-                     {"compiler", WRC_BENCHMARK_COMPILER},
-                     {"flags", WRC_BENCHMARK_FLAGS},
-                     {"threads", 1},
-                     {"commit", WRC_BENCHMARK_COMMIT},
-                     {"version", wrc_version()}};
-  json["paper_total_ms"] = paper_total_ms;
-  json["rows"] = nlohmann::json::array();
-  for (const Row& row : rows) {
-    json["rows"].push_back({{"case", row.case_name},
-                            {"grid", {row.grid.lateral, row.grid.longitudinal}},
-                            {"method", row.method},
-                            {"state", row.state},
-                            {"accuracy", row.accuracy},
-                            {"fill", row.fill},
-                            {"iterations", row.iterations},
-                            {"error_p", row.error_p},
-                            {"error_pmax", row.error_pmax},
-                            {"complementarity", row.complementarity},
-                            {"setup_ms", row.setup_ms},
-                            {"geometry_ms", row.geometry_ms},
-                            {"remesh_ms", row.remesh_ms},
-                            {"mechanics_ms", row.mechanics_ms},
-                            {"total_ms", row.total_ms},
-                            {"min_ms", row.min_ms},
-                            {"memory_mb", row.memory_mb}});
-  }
-  std::cout << json.dump(2) << '\n';
-}
-
-void print_table(const std::vector<Row>& rows) {
-  std::cout << cpu_name() << ", " << WRC_BENCHMARK_COMPILER << " " << WRC_BENCHMARK_FLAGS
-            << ", 1 thread, commit " << WRC_BENCHMARK_COMMIT << "\n\n"
-            << "case          grid       method   state  fill iter   error p error pmax  setup  "
-               "geometry  remesh  mechanics    total      min ms  MB\n";
-  for (const Row& row : rows) {
-    std::ostringstream grid;
-    grid << row.grid.lateral << 'x' << row.grid.longitudinal;
-    std::cout << std::left << std::setw(14) << row.case_name << std::setw(11) << grid.str()
-              << std::setw(9) << row.method << std::setw(6) << row.state << std::right << std::fixed
-              << std::setprecision(2) << std::setw(5) << row.fill << std::setprecision(0)
-              << std::setw(5) << row.iterations << std::scientific << std::setprecision(1)
-              << std::setw(10) << row.error_p << std::setw(11) << row.error_pmax << std::fixed
-              << std::setprecision(2) << std::setw(7) << row.setup_ms << std::setw(10)
-              << row.geometry_ms << std::setw(8) << row.remesh_ms << std::setw(11)
-              << row.mechanics_ms << std::setw(9) << row.total_ms << std::setw(12) << row.min_ms
-              << std::setprecision(0) << std::setw(4) << row.memory_mb << '\n';
-  }
-  std::cout << "\nThe paper's program took 8250 ms for a case of 256 x 128 (Fortran, Intel Core "
-               "i5-3230 at 2.60 GHz).\n";
-  for (const Row& row : rows) {
-    if (row.grid.lateral == 256 && row.grid.longitudinal == 128 && row.state == "warm") {
-      std::cout << "  " << row.case_name << ": " << std::fixed << std::setprecision(1)
-                << row.total_ms << " ms here, " << std::setprecision(0)
-                << paper_total_ms / row.total_ms << " times less, on another machine\n";
-    }
-  }
-  std::cout
-      << "\nTimes are medians. error p: largest difference from the solution of the same grid "
-         "at tolerance 1e-11, over pmax.\nerror pmax: difference from a grid three times "
-         "finer. cold: first solution of the case; warm: those after it, same handle.\n"
-         "MB: peak memory of the process so far.\n";
-}
-
-Grid parse_grid(const std::string& text) {
+GridSize parse_grid(const std::string& text) {
+  constexpr std::int64_t greatest = 8192;
   std::istringstream stream(text);
-  Grid grid;
+  GridSize grid;
   char cross = ' ';
   char rest = ' ';
   if (!(stream >> grid.lateral >> cross >> grid.longitudinal) || cross != 'x' || stream >> rest ||
-      grid.lateral < 1 || grid.longitudinal < 1 || grid.lateral > 2048 ||
-      grid.longitudinal > 2048) {
-    throw driver::Failure("--grid " + text + ": allowed is NxM with N and M from 1 to 2048");
+      grid.lateral < 1 || grid.longitudinal < 1 || grid.lateral > greatest ||
+      grid.longitudinal > greatest) {
+    throw driver::Failure("--grid " + text +
+                          ": allowed is NxM with N and M from 1 to 8192, or \"all\"");
   }
   return grid;
+}
+
+std::vector<GridSize> grids_of(const Options& options) {
+  if (options.grid != "all") {
+    return {parse_grid(options.grid)};
+  }
+  std::vector<GridSize> grids;
+  for (std::int64_t lateral = 32; lateral <= 4096; lateral *= 2) {
+    grids.push_back({lateral, lateral / 2});
+  }
+  return grids;
+}
+
+std::vector<Case> chosen_cases(const Options& options) {
+  std::vector<Case> all = all_cases();
+  std::vector<Case> chosen;
+  for (const std::string& name : options.cases) {
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&](const Case& known) { return known.description.name == name; });
+    if (found == all.end()) {
+      std::string text = "--case " + name + ": allowed is one of";
+      for (const Case& known : all) {
+        text += ' ' + known.description.name;
+      }
+      throw driver::Failure(text);
+    }
+    chosen.push_back(*found);
+  }
+  if (chosen.empty() && options.grid == "all") {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Case& known) {
+      return known.description.name == "hertz-circle" || known.description.name == "two-lobes";
+    });
+  }
+  return chosen.empty() ? all : chosen;
+}
+
+void check_grid(const Case& chosen, const GridSize& grid) {
+  constexpr std::int64_t greatest = 2048; // a grid three times finer is solved too
+  if (chosen.kind == Kind::scene && std::max(grid.lateral, grid.longitudinal) > greatest) {
+    throw driver::Failure("--grid " + grid.text() + ": allowed is 1 to 2048 with --case " +
+                          chosen.description.name);
+  }
+}
+
+void measure_on_grid(const Case& chosen, const GridSize& grid, const Options& options,
+                     benchmark::Report& report) {
+  // Beyond this the paper's method takes minutes.
+  constexpr std::int64_t large = 1024 * 512;
+  benchmark::Plan plan;
+  plan.accuracy = options.accuracy.value_or(plan.accuracy);
+  plan.repeat = options.repeat;
+  if (!options.method.empty()) {
+    plan.methods = {options.method};
+  } else if (grid.count() > large) {
+    plan.methods = {"default"};
+  }
+  const bool table1 = chosen.description.name == "table1";
+  for (const int wheels : chosen.kind == Kind::gap ? std::vector{0}
+                          : table1                 ? std::vector{1, 2}
+                                                   : std::vector{1}) {
+    std::cerr << "wrc_benchmark: " << chosen.description.name << ", " << grid.text()
+              << (wheels == 2 ? ", both wheels" : "") << " ...\n";
+    for (benchmark::Row& row : benchmark::measure(chosen.description.name, grid, wheels, plan)) {
+      report.rows.push_back(std::move(row));
+    }
+  }
+}
+
+benchmark::Report measure(const std::vector<Case>& cases, const std::vector<GridSize>& grids,
+                          const Options& options) {
+  benchmark::Report report;
+  for (const Case& chosen : cases) {
+    if (chosen.kind == Kind::gap || chosen.kind == Kind::scene) {
+      for (const GridSize& grid : grids) {
+        measure_on_grid(chosen, grid, options, report);
+      }
+      continue;
+    }
+    std::cerr << "wrc_benchmark: " << chosen.description.name << " ...\n";
+    if (chosen.kind == Kind::vehicle) {
+      benchmark::MotionPlan plan;
+      plan.steps = options.steps;
+      if (options.accuracy) {
+        plan.accuracies = {*options.accuracy};
+      }
+      if (!options.method.empty()) {
+        plan.methods = {options.method};
+      }
+      for (benchmark::Row& row : benchmark::measure_vehicle_steps(plan)) {
+        report.rows.push_back(std::move(row));
+      }
+    } else {
+      report.batch = benchmark::measure_batch(std::min(options.repeat, 5));
+      report.rows.insert(report.rows.end(), report.batch->rows.begin(), report.batch->rows.end());
+    }
+  }
+  return report;
+}
+
+int run(const Options& options) {
+  const std::vector<Case> cases = chosen_cases(options);
+  const std::vector<GridSize> grids = grids_of(options);
+  for (const Case& chosen : cases) {
+    for (const GridSize& grid : grids) {
+      check_grid(chosen, grid);
+    }
+  }
+  if (options.first_solve) {
+    const Case& chosen = cases.front();
+    const bool scene = chosen.kind == Kind::scene;
+    if (cases.size() != 1 || grids.size() != 1 || (chosen.kind != Kind::gap && !scene)) {
+      throw driver::Failure(
+          "--first-solve: allowed is with one case that has a grid, and one grid");
+    }
+    const auto problem = benchmark::make_problem(chosen.description.name, grids.front(),
+                                                 scene ? (options.both_wheels ? 2 : 1) : 0);
+    benchmark::print_first_solve(*problem, {options.method.empty() ? "default" : options.method,
+                                            options.accuracy.value_or(1e-4)});
+    return 0;
+  }
+  const benchmark::Report report = measure(cases, grids, options);
+  if (options.json) {
+    benchmark::print_json(report);
+  } else {
+    benchmark::print_tables(report);
+  }
+  return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Times wheel/rail scenes by stage, each time beside the error of what was "
-               "computed.\nOne thread; the times of one run may be compared, those of two "
-               "machines may not.",
-               "wrc_benchmark");
-  std::string case_name;
-  std::string grid_text = "256x128";
-  double tolerance = 1e-6;
-  std::string method = "default";
-  int repetitions = 9;
-  bool json = false;
-  std::string case_list = "case to run; all if not given:";
-  for (const Case& known : cases()) {
-    case_list += "\n" + known.name + ": " + known.meaning;
+  CLI::App app(
+      "Times the contact solver and whole wheel/rail scenes, each time beside the true error of\n"
+      "what was solved, and compares the default method with the paper's (Polonsky & Keer 1999).\n"
+      "One thread, but for batch. Times of one run may be compared with each other, those of two\n"
+      "machines may not: read the ratios, and times in transforms of the same size (pairs).",
+      "wrc_benchmark");
+  Options options;
+  std::string case_list = "case to run, may be repeated; all if not given:";
+  for (const Case& known : all_cases()) {
+    case_list += "\n" + known.description.name + ": " + known.description.meaning;
   }
-  app.add_option("--case", case_name, case_list)->type_name("NAME");
-  app.add_option("--grid", grid_text, "elements across x along (default 256x128)")
+  app.add_option("--case", options.cases, case_list)->type_name("NAME")->allow_extra_args(false);
+  app.add_option(
+         "--grid", options.grid,
+         "elements across x along the rail (default 256x128), or \"all\": 32x16 to 4096x2048, "
+         "for hertz-circle and two-lobes if no case is given; vehicle-step and batch choose "
+         "their own")
       ->type_name("NxM");
-  app.add_option("--accuracy", tolerance, "tolerance of the iteration (default 1e-6)")
-      ->type_name("EPS");
-  app.add_option("--method", method, "default or paper (Polonsky & Keer 1999)")
+  app.add_option(
+         "--accuracy", options.accuracy,
+         "error asked: of all pressures relative to pmax (default 1e-4); with vehicle-step of "
+         "pmax (default 1e-2 and 1e-3)")
+      ->type_name("EPS")
+      ->check(CLI::Range(1e-9, 0.1));
+  app.add_option("--method", options.method,
+                 "default or paper; both side by side if not given, paper only up to 1024x512")
       ->type_name("NAME")
       ->check(CLI::IsMember({"default", "paper"}));
-  app.add_option("--repetitions", repetitions, "solutions timed after the first (default 9)")
+  app.add_option("--repeat", options.repeat,
+                 "warm solutions a row (default 15; fewer if they take more than 1.5 s)")
+      ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  app.add_flag("--json", json, "print one JSON object instead of the table");
-  return driver::run_program(app, argc, argv, [&] {
-    const Grid grid = parse_grid(grid_text);
-    std::vector<Row> rows;
-    std::string names;
-    for (const Case& known : cases()) {
-      names += ' ' + known.name;
-      if (!case_name.empty() && case_name != known.name) {
-        continue;
-      }
-      std::cerr << "wrc_benchmark: " << known.name << ", " << grid_text << ", method " << method
-                << " ...\n";
-      for (const Row& row : measure(known, grid, method, tolerance, repetitions)) {
-        rows.push_back(row);
-      }
-    }
-    if (rows.empty()) {
-      throw driver::Failure("--case " + case_name + ": allowed is one of" + names);
-    }
-    if (json) {
-      print_json(rows);
-    } else {
-      print_table(rows);
-    }
-    return 0;
-  });
+  app.add_option("--steps", options.steps, "steps of vehicle-step (default 200: one wave)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  app.add_flag("--json", options.json, "print one JSON object instead of the tables");
+  app.add_flag("--first-solve", options.first_solve,
+               "only solve the one case given, once, to --accuracy as the solver's tolerance, and "
+               "print times and memory as JSON; the benchmark starts itself so for cold-process");
+  app.add_flag("--both-wheels", options.both_wheels, "with --first-solve and table1");
+  app.footer("\nExamples:\n"
+             "  wrc_benchmark                                  everything at 256x128, under a "
+             "minute\n"
+             "  wrc_benchmark --case table1 --method default   where the time of a scene goes\n"
+             "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
+             "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
+             "docs/performance.md explains the columns.");
+  return driver::run_program(app, argc, argv, [&] { return run(options); });
 }

@@ -1,5 +1,7 @@
 /// Every allocation of a call fails once: the status is WRC_OUT_OF_MEMORY, nothing escapes, and the
 /// handle is as it was. Memory is refused by this program's own operator new.
+#include <vector>
+
 #include "failing_allocator.hpp"
 #include "owned_handles.hpp"
 
@@ -17,6 +19,9 @@ TEST(OutOfMemory, NoHandleIsMade) {
   wrc_scene* scene = nullptr;
   EXPECT_EQ(with_allocations(0, [&] { return wrc_scene_create(&scene); }), WRC_OUT_OF_MEMORY);
   EXPECT_EQ(scene, nullptr);
+  wrc_normal* normal = nullptr;
+  EXPECT_EQ(with_allocations(0, [&] { return wrc_normal_create(&normal); }), WRC_OUT_OF_MEMORY);
+  EXPECT_EQ(normal, nullptr);
   wrc_profile* profile = nullptr;
   EXPECT_EQ(with_allocations(0, [&] { return wrc_profile_create(&profile); }), WRC_OUT_OF_MEMORY);
   EXPECT_EQ(profile, nullptr);
@@ -66,6 +71,52 @@ TEST(OutOfMemory, ASceneKeepsItsResults) {
   }
   EXPECT_GT(failures, 10);
   EXPECT_NE(number_of(scene.get(), "left.pmax"), before);
+}
+
+TEST(OutOfMemory, ANormalContactKeepsItsResults) {
+  constexpr int side = 40;
+  std::vector<double> gap;
+  for (int i = 0; i < side * side; ++i) {
+    const int x = i % side - side / 2;
+    const int y = i / side - side / 2;
+    gap.push_back(1e-4 * (x * x + y * y));
+  }
+  const auto prepare = [&](wrc_normal* normal, double load) {
+    ASSERT_EQ(wrc_normal_set_grid(normal, side, side, 0.1, 0.1), WRC_OK);
+    ASSERT_EQ(wrc_normal_set_distance(normal, gap.data(), side * side), WRC_OK);
+    ASSERT_EQ(wrc_normal_set_number(normal, "normal_load", load), WRC_OK);
+  };
+  const auto pmax_of = [](wrc_normal* normal) {
+    double value = -1.0;
+    EXPECT_EQ(wrc_normal_number(normal, "pmax", &value), WRC_OK);
+    return value;
+  };
+  const NormalPointer untouched = make_normal();
+  prepare(untouched.get(), 900.0);
+  ASSERT_EQ(wrc_normal_solve(untouched.get()), WRC_OK);
+
+  const NormalPointer normal = make_normal();
+  prepare(normal.get(), 500.0);
+  ASSERT_EQ(wrc_normal_solve(normal.get()), WRC_OK);
+  const double before = pmax_of(normal.get());
+  ASSERT_EQ(wrc_normal_set_text(normal.get(), "precision", "double"), WRC_OK);
+  ASSERT_EQ(wrc_normal_set_text(normal.get(), "precision", "mixed"), WRC_OK); // a new solver
+  EXPECT_EQ(with_allocations(
+                0, [&] { return wrc_normal_set_distance(normal.get(), gap.data() + 1, side); }),
+            WRC_OUT_OF_MEMORY);
+  ASSERT_EQ(wrc_normal_set_number(normal.get(), "normal_load", 900.0), WRC_OK);
+  wrc_status status = WRC_OUT_OF_MEMORY;
+  long failures = 0;
+  for (long count = 0; status != WRC_OK; ++count) {
+    status = with_allocations(count, [&] { return wrc_normal_solve(normal.get()); });
+    if (status != WRC_OK) {
+      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_normal_error(normal.get());
+      ASSERT_EQ(pmax_of(normal.get()), before) << count;
+      ++failures;
+    }
+  }
+  EXPECT_GT(failures, 10);
+  EXPECT_EQ(pmax_of(normal.get()), pmax_of(untouched.get())) << "failures have left traces";
 }
 
 } // namespace

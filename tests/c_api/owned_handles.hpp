@@ -15,6 +15,7 @@
 #include "wrcontact.h"
 
 using ScenePointer = std::unique_ptr<wrc_scene, void (*)(wrc_scene*)>;
+using NormalPointer = std::unique_ptr<wrc_normal, void (*)(wrc_normal*)>;
 using ProfilePointer = std::unique_ptr<wrc_profile, void (*)(wrc_profile*)>;
 
 inline ScenePointer make_scene() {
@@ -29,6 +30,12 @@ inline ScenePointer make_small_scene() {
   const double grid[] = {24.0, 20.0};
   EXPECT_EQ(wrc_scene_set_numbers(scene.get(), "solve.grid", grid, 2), WRC_OK);
   return scene;
+}
+
+inline NormalPointer make_normal() {
+  wrc_normal* normal = nullptr;
+  EXPECT_EQ(wrc_normal_create(&normal), WRC_OK);
+  return {normal, wrc_normal_destroy};
 }
 
 inline ProfilePointer make_profile() {

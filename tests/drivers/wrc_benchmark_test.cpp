@@ -8,41 +8,154 @@ using nlohmann::json;
 
 class WrcBenchmark : public Driver {};
 
-TEST_F(WrcBenchmark, EveryRowHasTimesAndTheirErrors) {
-  const Outcome outcome = run(WRC_BENCHMARK_PROGRAM, "--grid 24x16 --repetitions 1 --json");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  const json result = json::parse(outcome.out);
+const char* const row_keys[] = {
+    "case",         "grid",        "method",     "state",       "accuracy",    "fill",
+    "iterations",   "error_p",     "error_pmax", "setup_ms",    "geometry_ms", "remesh_ms",
+    "mechanics_ms", "total_ms",    "min_ms",     "fft_pair_ms", "memory_mb",   "tolerance",
+    "pairs",        "total_pairs", "wheels",     "threads",     "repeats"};
+
+void expect_complete(const json& result) {
   for (const char* key : {"cpu", "compiler", "flags", "threads", "commit"}) {
     EXPECT_TRUE(result.at("machine").contains(key)) << key;
   }
   EXPECT_EQ(result.at("paper_total_ms"), 8250.0);
-  ASSERT_EQ(result.at("rows").size(), 4U); // two cases, cold and warm
   for (const json& row : result.at("rows")) {
-    EXPECT_EQ(row.at("grid"), json({24, 16}));
+    for (const char* key : row_keys) {
+      EXPECT_TRUE(row.contains(key)) << key;
+    }
+    for (const char* key : {"total_ms", "min_ms", "mechanics_ms", "fft_pair_ms", "fill"}) {
+      EXPECT_GT(row.at(key).get<double>(), 0.0) << key;
+    }
+    EXPECT_LE(row.at("min_ms"), row.at("total_ms"));
+    EXPECT_DOUBLE_EQ(row.at("pairs").get<double>(),
+                     row.at("mechanics_ms").get<double>() / row.at("fft_pair_ms").get<double>());
+  }
+}
+
+/// Rows are three states of each method, in the order of the help.
+void expect_states(const json& rows) {
+  const char* const states[] = {"cold-process", "cold", "warm"};
+  const char* const methods[] = {"default", "paper"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows.at(i).at("state"), states[i % 3]);
+    EXPECT_EQ(rows.at(i).at("method"), methods[i / 3 % 2]);
+  }
+}
+
+TEST_F(WrcBenchmark, GapsAreSolvedToTheAccuracyAsked) {
+  const json result =
+      run_json(WRC_BENCHMARK_PROGRAM,
+               "--case hertz-circle --case hertz-ellipse --case two-lobes --grid 48x32 --repeat 2");
+  expect_complete(result);
+  const json& rows = result.at("rows");
+  ASSERT_EQ(rows.size(), 18U);
+  expect_states(rows);
+  for (const json& row : rows) {
+    EXPECT_EQ(row.at("grid"), json({48, 32}));
+    EXPECT_EQ(row.at("accuracy"), 1e-4);
+    EXPECT_EQ(row.at("wheels"), 0);
+    EXPECT_GT(row.at("error_p").get<double>(), 0.0);
+    EXPECT_LE(row.at("error_p").get<double>(), 1e-4) << row.at("case") << row.at("method");
+    EXPECT_GT(row.at("error_pmax").get<double>(), 0.0);
+    EXPECT_LT(row.at("error_pmax").get<double>(), 5e-3); // 20 elements across the contact
+    EXPECT_GT(row.at("memory_mb").get<double>(), 0.0);
+    // Ellipses of 0.6 of both sides; two lobes leave a space.
+    const double ellipse = 0.25 * 3.14159 * 0.36;
+    EXPECT_NEAR(row.at("fill").get<double>(), row.at("case") == "two-lobes" ? 0.19 : ellipse, 0.02);
+  }
+  EXPECT_EQ(result.at("paper_over_default").size(), 3U);
+}
+
+TEST_F(WrcBenchmark, ScenesShowTheirStages) {
+  const json result =
+      run_json(WRC_BENCHMARK_PROGRAM,
+               "--case table1 --case manchester-5 --grid 24x16 --repeat 1 --method default");
+  expect_complete(result);
+  const json& rows = result.at("rows");
+  ASSERT_EQ(rows.size(), 9U); // table1 with one wheel and with both
+  EXPECT_EQ(rows.at(0).at("wheels"), 1);
+  EXPECT_EQ(rows.at(3).at("wheels"), 2);
+  for (const json& row : rows) {
     for (const char* stage : {"setup_ms", "geometry_ms", "remesh_ms", "mechanics_ms"}) {
       EXPECT_GT(row.at(stage).get<double>(), 0.0) << stage;
       EXPECT_LT(row.at(stage).get<double>(), row.at("total_ms").get<double>()) << stage;
     }
+    EXPECT_LT(row.at("error_p").get<double>(), 2e-4); // the accuracy asked is 1e-4
     EXPECT_GT(row.at("error_pmax").get<double>(), 0.0);
-    EXPECT_LT(row.at("error_p").get<double>(), 1e-3); // of the iteration at tolerance 1e-6
-    EXPECT_GT(row.at("fill").get<double>(), 0.2);
+  }
+  EXPECT_TRUE(result.at("paper_over_default").empty());
+}
+
+TEST_F(WrcBenchmark, VehicleStepsTellTheirSpread) {
+  const json result =
+      run_json(WRC_BENCHMARK_PROGRAM, "--case vehicle-step --steps 4 --accuracy 1e-2");
+  expect_complete(result);
+  const json& rows = result.at("rows");
+  ASSERT_EQ(rows.size(), 4U); // three motions, and paper in the hunting
+  EXPECT_EQ(rows.at(0).at("motion"), "hunting");
+  EXPECT_EQ(rows.at(1).at("method"), "paper");
+  EXPECT_EQ(rows.at(2).at("motion"), "1 %");
+  EXPECT_EQ(rows.at(3).at("motion"), "0.1 %");
+  for (const json& row : rows) {
+    EXPECT_EQ(row.at("wheels"), 2);
+    EXPECT_EQ(row.at("accuracy"), 1e-2);
+    EXPECT_LE(row.at("total_ms"), row.at("percentile_90_ms"));
+    EXPECT_LE(row.at("percentile_90_ms"), row.at("worst_ms"));
+    EXPECT_GT(row.at("error_pmax").get<double>(), 0.0);
+    EXPECT_LT(row.at("error_pmax").get<double>(), 2e-2);
   }
 }
 
-TEST_F(WrcBenchmark, TableNamesMachineAndErrors) {
-  const Outcome outcome = run(WRC_BENCHMARK_PROGRAM, "--case table1 --grid 24x16 --repetitions 1");
+TEST_F(WrcBenchmark, ABatchIsEqualOnAnyNumberOfThreads) {
+  const json result = run_json(WRC_BENCHMARK_PROGRAM, "--case batch --repeat 1");
+  expect_complete(result);
+  EXPECT_EQ(result.at("rows").size(), 2U);
+  EXPECT_EQ(result.at("batch").at("bitwise_equal"), true);
+  EXPECT_GT(result.at("batch").at("speedup").get<double>(), 0.0);
+  EXPECT_GT(result.at("batch").at("machine_speedup").get<double>(), 0.0);
+}
+
+TEST_F(WrcBenchmark, SolvesOnceForAProcessOfItsOwn) {
+  const Outcome outcome =
+      run(WRC_BENCHMARK_PROGRAM, "--first-solve --case two-lobes --grid 24x16 --accuracy 1e-3");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  for (const char* part : {"commit", "error pmax", "8250 ms", "table1"}) {
+  const json result = json::parse(outcome.out);
+  for (const char* key : {"setup", "mechanics", "total", "memory_mb"}) {
+    EXPECT_GT(result.at(key).get<double>(), 0.0) << key;
+  }
+  run(WRC_BENCHMARK_PROGRAM, "--first-solve").expect_refusal({"--first-solve", "one case"});
+  run(WRC_BENCHMARK_PROGRAM, "--first-solve --case batch").expect_refusal({"--first-solve"});
+}
+
+TEST_F(WrcBenchmark, TableNamesMachineErrorsAndColumns) {
+  const Outcome outcome =
+      run(WRC_BENCHMARK_PROGRAM, "--case hertz-circle --case table1 --grid 24x16 --repeat 1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  for (const char* part : {"commit", "error pmax", "cold-process", "table1, both", "24x16",
+                           "pairs: ", "MB: ", "Times of paper over default"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+  }
+}
+
+TEST_F(WrcBenchmark, HelpTeaches) {
+  const Outcome outcome = run(WRC_BENCHMARK_PROGRAM, "--help");
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* part : {"hertz-circle", "hertz-ellipse", "two-lobes", "table1", "manchester-5",
+                           "vehicle-step", "batch", "256x128", "Examples", "--repeat", "--json"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
   }
 }
 
 TEST_F(WrcBenchmark, RefusesWhatItDoesNotKnow) {
   run(WRC_BENCHMARK_PROGRAM, "--case nothing").expect_refusal({"--case nothing", "table1"});
-  for (const char* grid : {"3", "0x4", "4x", "axb", "4x4x4", "5000x4", "-1x4"}) {
+  for (const char* grid : {"3", "0x4", "4x", "axb", "4x4x4", "9000x4", "-1x4"}) {
     run(WRC_BENCHMARK_PROGRAM, std::string("--grid=") + grid).expect_refusal({"--grid", "NxM"});
   }
+  run(WRC_BENCHMARK_PROGRAM, "--case table1 --grid all").expect_refusal({"--grid", "2048"});
   run(WRC_BENCHMARK_PROGRAM, "--method fast").expect_refusal({"--method", "paper"});
+  run(WRC_BENCHMARK_PROGRAM, "--accuracy 2").expect_refusal({"--accuracy"});
+  run(WRC_BENCHMARK_PROGRAM, "--repeat 0").expect_refusal({"--repeat"});
+  run(WRC_BENCHMARK_PROGRAM, "--steps 0").expect_refusal({"--steps"});
 }
 
 } // namespace

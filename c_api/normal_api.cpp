@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "handles.hpp"
+#include "mechanics/displacement_operator.hpp"
+
+namespace {
+
+constexpr double steel_modulus = 210000.0 / (2.0 * (1.0 - 0.3 * 0.3));
+constexpr double most_iterations = 1e9;
+
+[[noreturn]] void refuse_name(const char* what, const std::string& name, const char* known) {
+  throw wrc::Error(wrc::ErrorCode::unknown_name, std::string("no ") + what +
+                                                     " of a normal contact is named \"" + name +
+                                                     "\"; there are " + known);
+}
+
+/// True for `second`, false for `first`; throws Error(invalid_argument) for any other.
+bool is_second(const char* key, std::string_view value, std::string_view first,
+               std::string_view second) {
+  if (value != first && value != second) {
+    wrc::throw_invalid_argument(key, '"' + std::string(value) + '"',
+                                "allowed is \"" + std::string(first) + "\" or \"" +
+                                    std::string(second) + '"');
+  }
+  return value == second;
+}
+
+void set_number(wrc::NormalProblem& problem, const std::string& key, double value) {
+  const auto check = [&](bool permitted, const char* allowed) {
+    if (!permitted || !std::isfinite(value)) {
+      wrc::throw_invalid_argument(key, value, allowed);
+    }
+  };
+  if (key == "combined_modulus") {
+    check(value > 0.0, "allowed is more than 0, MPa");
+    problem.combined_modulus = value;
+  } else if (key == "normal_load") {
+    check(value >= 0.0, "allowed is 0 or more, N");
+    problem.normal_load = value;
+    problem.approach.reset();
+  } else if (key == "approach") {
+    check(true, "allowed is a finite number, mm");
+    problem.approach = value;
+    problem.normal_load.reset();
+  } else if (key == "tolerance") {
+    check(value > 0.0 && value <= 0.1, "allowed is more than 0, at most 0.1");
+    problem.tolerance = value;
+  } else if (key == "maximum_iterations") {
+    check(value >= 1.0 && value <= most_iterations && value == std::floor(value),
+          "allowed is a whole number, 1 to 1e9");
+    problem.maximum_iterations = static_cast<int>(value);
+  } else {
+    refuse_name("number", key,
+                "combined_modulus, normal_load, approach, tolerance, maximum_iterations");
+  }
+}
+
+/// Runs a body that needs results.
+template <class Body> wrc_status with_result(wrc_normal* normal, Body&& body) {
+  return wrc::guard(normal, [&]() -> wrc_status {
+    if (!normal->result) {
+      normal->error = "the normal contact has not been solved yet";
+      return WRC_NO_RESULT;
+    }
+    return body(*normal->result);
+  });
+}
+
+const std::vector<double>& displacement_of(wrc_normal_result& result) {
+  if (result.solution.displacement.empty()) {
+    std::vector<double> displacement(result.solution.pressure.size());
+    wrc::DisplacementOperator(result.problem.grid, result.problem.combined_modulus)
+        .apply(result.solution.pressure, displacement);
+    result.solution.displacement.swap(displacement);
+  }
+  return result.solution.displacement;
+}
+
+const wrc::Residuals& residuals_of(wrc_normal_result& result) {
+  if (!result.residuals) {
+    result.residuals =
+        wrc::compute_residuals(result.problem, result.solution.pressure, result.solution.approach);
+  }
+  return *result.residuals;
+}
+
+double number_of(wrc_normal_result& result, const std::string& name) {
+  if (name == "approach") {
+    return result.solution.approach;
+  }
+  if (name == "normal_force") {
+    return result.solution.normal_force;
+  }
+  if (name == "pmax") {
+    return result.summary.peak_pressure;
+  }
+  if (name == "pmax_element") {
+    return result.summary.largest_element_pressure;
+  }
+  if (name == "area") {
+    return result.summary.area;
+  }
+  if (name == "fill") {
+    return static_cast<double>(result.summary.element_count) /
+           static_cast<double>(result.problem.grid.element_count());
+  }
+  if (name == "iterations") {
+    return result.solution.iterations;
+  }
+  if (name == "residuals.load_balance") {
+    return residuals_of(result).load_balance;
+  }
+  if (name == "residuals.least_gap") {
+    return residuals_of(result).least_gap;
+  }
+  if (name == "residuals.complementarity") {
+    return residuals_of(result).complementarity;
+  }
+  refuse_name("number", name,
+              "approach, normal_force, pmax, pmax_element, area, fill, iterations, "
+              "residuals.load_balance, residuals.least_gap, residuals.complementarity");
+}
+
+} // namespace
+
+extern "C" {
+
+wrc_status wrc_normal_create(wrc_normal** normal) {
+  const wrc_status status = wrc::create(normal);
+  if (status == WRC_OK) {
+    (*normal)->problem.combined_modulus = steel_modulus;
+  }
+  return status;
+}
+
+void wrc_normal_destroy(wrc_normal* normal) {
+  delete normal;
+}
+
+const char* wrc_normal_error(const wrc_normal* normal) {
+  return normal == nullptr ? "normal = NULL: a handle must be given" : normal->error.c_str();
+}
+
+wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
+                               int64_t longitudinal_count, double lateral_step,
+                               double longitudinal_step) {
+  return wrc::guard(normal, [&] {
+    wrc::Grid grid;
+    // A negative number becomes 0, which check_grid refuses too.
+    grid.lateral_count = static_cast<std::size_t>(std::max<int64_t>(lateral_count, 0));
+    grid.longitudinal_count = static_cast<std::size_t>(std::max<int64_t>(longitudinal_count, 0));
+    grid.lateral_step = lateral_step;
+    grid.longitudinal_step = longitudinal_step;
+    wrc::check_grid(grid);
+    normal->problem.grid = grid;
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count) {
+  return wrc::guard(normal, [&] {
+    wrc::require_pointer(values, "values");
+    if (count < 1 || count > static_cast<int64_t>(wrc::maximum_element_count)) {
+      wrc::throw_invalid_argument("count", std::to_string(count), "allowed is 1 to 2^26");
+    }
+    const double* end = values + count;
+    const double* bad =
+        std::find_if(values, end, [](double value) { return !std::isfinite(value); });
+    if (bad != end) {
+      wrc::throw_invalid_argument("values[" + std::to_string(bad - values) + ']', *bad,
+                                  "a distance must be finite, mm");
+    }
+    normal->distance = std::make_shared<const std::vector<double>>(values, end);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value) {
+  return wrc::guard(normal, [&] {
+    wrc::require_pointer(key, "key");
+    set_number(normal->problem, key, value);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value) {
+  return wrc::guard(normal, [&] {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(value, "value");
+    const std::string_view asked = key;
+    if (asked == "solver") {
+      normal->paper_method = is_second(key, value, "default", "paper");
+    } else if (asked == "precision") {
+      const auto precision = is_second(key, value, "mixed", "double") ? wrc::Precision::double_only
+                                                                      : wrc::Precision::mixed;
+      if (precision != normal->precision) {
+        normal->precision = precision;
+        normal->solver.reset();
+      }
+    } else if (asked == "planner") {
+      const auto rigor = is_second(key, value, "estimate", "measure") ? wrc::PlannerRigor::measure
+                                                                      : wrc::PlannerRigor::estimate;
+      if (rigor != normal->rigor) {
+        normal->rigor = rigor;
+        normal->solver.reset();
+      }
+    } else {
+      refuse_name("text", key, "solver, precision, planner");
+    }
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_normal_solve(wrc_normal* normal) {
+  return wrc::guard(normal, [&]() -> wrc_status {
+    if (normal->problem.grid.element_count() == 0) {
+      wrc::throw_invalid_argument("grid", "none", "wrc_normal_set_grid must be called first");
+    }
+    if (!normal->distance) {
+      wrc::throw_invalid_argument("undeformed_distance", "none",
+                                  "wrc_normal_set_distance must be called first");
+    }
+    wrc_normal_result result;
+    result.distance = normal->distance;
+    result.problem = normal->problem;
+    result.problem.undeformed_distance = *result.distance;
+    if (normal->paper_method) {
+      result.solution = wrc::solve_with_polonsky_keer(result.problem);
+    } else {
+      if (!normal->solver) {
+        normal->solver.emplace(normal->rigor, normal->precision);
+      }
+      result.solution = normal->solver->solve(result.problem);
+    }
+    result.summary = wrc::summarise_pressure(result.problem.grid, result.solution.pressure);
+    const bool converged = result.solution.stop_reason == wrc::StopReason::tolerance_met;
+    std::string error = converged ? "" : "not converged: see stop_reason";
+    // From here on nothing fails: the handle has the old results or all of the new ones.
+    normal->result = std::move(result);
+    normal->error.swap(error);
+    return converged ? WRC_OK : WRC_NOT_CONVERGED;
+  });
+}
+
+wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value) {
+  return with_result(normal, [&](wrc_normal_result& result) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(value, "value");
+    *value = number_of(result, name);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value) {
+  return with_result(normal, [&](wrc_normal_result& result) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(value, "value");
+    if (std::string_view(name) != "stop_reason") {
+      refuse_name("text", name, "stop_reason");
+    }
+    // The name is a string literal, so the view ends with a zero byte.
+    *value = wrc::name_of(result.solution.stop_reason).data();
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values, int64_t capacity,
+                            int64_t* count) {
+  return with_result(normal, [&](wrc_normal_result& result) {
+    wrc::require_pointer(name, "name");
+    const std::string_view asked = name;
+    if (asked != "pressure" && asked != "displacement") {
+      refuse_name("field", name, "pressure, displacement");
+    }
+    const std::size_t length = result.solution.pressure.size();
+    const double* from = result.solution.pressure.data();
+    if (asked == "displacement" && capacity >= static_cast<int64_t>(length)) {
+      from = displacement_of(result).data();
+    }
+    return wrc::copy_values(from, length, values, capacity, count, normal->error);
+  });
+}
+}

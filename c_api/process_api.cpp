@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "handles.hpp"
+#include "mechanics/fft.hpp"
+
+namespace {
+
+constexpr int64_t most_values = int64_t{1} << 28;
+constexpr int32_t most_repeats = 1000;
+
+/// Runs a body that belongs to no handle, so that only the status can tell of a failure.
+template <class Body> wrc_status guard_process(Body&& body) noexcept {
+  try {
+    std::forward<Body>(body)();
+    return WRC_OK;
+  } catch (...) {
+    std::string error;
+    return wrc::status_of_current_exception(error);
+  }
+}
+
+double time_pair(wrc::RealFft& transform) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  transform.forward();
+  transform.backward();
+  return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+} // namespace
+
+extern "C" {
+
+wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlock)(void* context),
+                                void* context) {
+  return guard_process([&] { wrc::set_planner_lock({lock, unlock, context}); });
+}
+
+wrc_status wrc_load_wisdom(const char* path) {
+  return guard_process([&] {
+    wrc::require_pointer(path, "path");
+    wrc::load_wisdom(path);
+  });
+}
+
+wrc_status wrc_save_wisdom(const char* path) {
+  return guard_process([&] {
+    wrc::require_pointer(path, "path");
+    wrc::save_wisdom(path);
+  });
+}
+
+wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats,
+                                 double* median_ms) {
+  return guard_process([&] {
+    wrc::require_pointer(median_ms, "median_ms");
+    if (rows < 1 || columns < 1 || rows > most_values || columns > most_values / rows) {
+      wrc::throw_invalid_argument("rows x columns",
+                                  std::to_string(rows) + " x " + std::to_string(columns),
+                                  "allowed is 1 to 2^28 values");
+    }
+    if (repeats < 1 || repeats > most_repeats) {
+      wrc::throw_invalid_argument("repeats", repeats, "allowed is 1 to 1000");
+    }
+    wrc::RealFft transform(static_cast<std::size_t>(rows), static_cast<std::size_t>(columns));
+    const auto fill = [&transform] { // again for each pair, which multiplies by the size
+      std::fill(transform.field().begin(), transform.field().end(), 1.0);
+    };
+    fill();
+    time_pair(transform);
+    std::vector<double> times(static_cast<std::size_t>(repeats));
+    for (double& time : times) {
+      fill();
+      time = time_pair(transform);
+    }
+    std::sort(times.begin(), times.end());
+    const std::size_t middle = times.size() / 2;
+    *median_ms = times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
+  });
+}
+}

@@ -1,0 +1,275 @@
+#include "wrc_benchmark/motion_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <thread>
+
+#include "support/scene.hpp"
+#include "wrc_benchmark/timing.hpp"
+
+namespace benchmark {
+namespace {
+
+struct Pose {
+  double lateral = 0.0;
+  double yaw = 0.0;
+};
+
+/// How the scene changes from step to step.
+struct Motion {
+  std::string name;
+  std::vector<Pose> poses;
+};
+
+/// Lateral 3 mm sin(phase) over a wave of 8 m; the wheelset stands along its path, so that the yaw
+/// is the path's slope, 2.4 mrad at the most. Steps of 40 mm: 1 ms at 40 m/s.
+Motion hunting(int steps) {
+  constexpr double amplitude = 3.0;
+  constexpr double wavelength = 8000.0;
+  constexpr double distance = 40.0;
+  Motion motion{"hunting", {}};
+  for (int i = 0; i < steps; ++i) {
+    const double number = 2.0 * std::numbers::pi / wavelength;
+    const double phase = number * distance * i;
+    motion.poses.push_back({amplitude * std::sin(phase), amplitude * number * std::cos(phase)});
+  }
+  return motion;
+}
+
+/// Even steps to the left, from the centre on.
+Motion shift(const std::string& name, double step, int steps) {
+  Motion motion{name, {}};
+  for (int i = 0; i < steps; ++i) {
+    motion.poses.push_back({i * step, 0.0});
+  }
+  return motion;
+}
+
+void set_pose(driver::Scene& scene, const Pose& pose) {
+  scene.set("pose.lateral", pose.lateral);
+  scene.set("pose.yaw", pose.yaw);
+}
+
+double patch_width() {
+  driver::Scene scene;
+  scene.solve();
+  return 2.0 * scene.number("left.patches.0.semi_axes.1");
+}
+
+/// Errors are judged at about this many steps, evenly spread.
+std::size_t judging_stride(const Motion& motion) {
+  constexpr std::size_t judged = 10;
+  return std::max<std::size_t>(1, motion.poses.size() / judged);
+}
+
+std::vector<double> pmax_of(const driver::Scene& scene) {
+  return {scene.number("left.pmax"), scene.number("right.pmax")};
+}
+
+/// pmax of both wheels at the steps that are judged, on a grid fine enough for errors of some 1e-6.
+std::vector<std::vector<double>> fine_pmax(const Motion& motion) {
+  driver::Scene scene;
+  scene.set("solve.grid", std::vector<double>{384.0, 384.0});
+  scene.set("solve.tolerance", 1e-7);
+  std::vector<std::vector<double>> pmax;
+  for (std::size_t i = 0; i < motion.poses.size(); i += judging_stride(motion)) {
+    set_pose(scene, motion.poses[i]);
+    scene.solve();
+    pmax.push_back(pmax_of(scene));
+  }
+  return pmax;
+}
+
+/// Of the last solution; what takes time beside the three stages is set-up.
+Times times_of(const driver::Scene& scene, double total) {
+  Times times;
+  times.total = total;
+  times.geometry = scene.number("time_ms.geometry");
+  times.remesh = scene.number("time_ms.remesh");
+  times.mechanics = scene.number("time_ms.mechanics");
+  times.setup = std::max(0.0, total - times.geometry - times.remesh - times.mechanics);
+  return times;
+}
+
+/// The paper's method takes a second a step and gains next to nothing from the step before, so that
+/// it goes through every other judged step only.
+Row run(const Motion& motion, const std::string& method, double accuracy,
+        const std::vector<std::vector<double>>& true_pmax) {
+  const std::size_t stride = method == "paper" ? 2 * judging_stride(motion) : 1;
+  driver::Scene scene;
+  driver::Solver solver;
+  scene.set("solve.accuracy", accuracy);
+  scene.set("solve.solver", method);
+  set_pose(scene, motion.poses.front());
+  solver.solve(scene);
+  std::vector<Times> times;
+  std::vector<double> fills;
+  std::vector<double> iterations;
+  double error = 0.0;
+  for (std::size_t i = 0; i < motion.poses.size(); i += stride) {
+    Stopwatch watch;
+    set_pose(scene, motion.poses[i]);
+    solver.solve(scene);
+    times.push_back(times_of(scene, watch.lap()));
+    fills.push_back(scene.number("left.fill"));
+    iterations.push_back(scene.number("left.iterations"));
+    if (i % judging_stride(motion) == 0) {
+      const auto pmax = pmax_of(scene);
+      const auto& truth = true_pmax[i / judging_stride(motion)];
+      for (std::size_t side = 0; side < pmax.size(); ++side) {
+        error = std::max(error, std::abs(pmax[side] / truth[side] - 1.0));
+      }
+    }
+  }
+  Row row;
+  row.case_name = "vehicle-step";
+  row.motion = motion.name;
+  row.grid = {static_cast<std::int64_t>(scene.number("left.grid.0")),
+              static_cast<std::int64_t>(scene.number("left.grid.1"))};
+  row.method = method;
+  row.state = "warm";
+  row.wheels = 2;
+  row.accuracy = accuracy;
+  row.fill = median(fills);
+  row.iterations = median(iterations);
+  row.times = median(times);
+  row.min_ms = quantile(totals(times), 0.0);
+  row.percentile_90_ms = quantile(totals(times), 0.9);
+  row.worst_ms = quantile(totals(times), 1.0);
+  row.repeats = static_cast<int>(times.size());
+  row.error_pmax = error;
+  return row;
+}
+
+} // namespace
+
+std::vector<Row> measure_vehicle_steps(const MotionPlan& plan) {
+  const double width = patch_width();
+  const Motion motions[] = {hunting(plan.steps), shift("1 %", 0.01 * width, plan.steps / 4 + 1),
+                            shift("0.1 %", 0.001 * width, plan.steps / 4 + 1)};
+  Yardstick yardstick{GridSize()};
+  std::vector<Row> rows;
+  for (const Motion& motion : motions) {
+    const auto true_pmax = fine_pmax(motion);
+    for (const double accuracy : plan.accuracies) {
+      for (const std::string& method : plan.methods) {
+        if (method == "default" || motion.name == "hunting" || plan.methods.size() == 1) {
+          yardstick.sample();
+          rows.push_back(run(motion, method, accuracy, true_pmax));
+        }
+      }
+    }
+  }
+  for (Row& row : rows) {
+    row.fft_pair_ms = yardstick.milliseconds();
+  }
+  return rows;
+}
+
+/// Wall time of as many transforms on each of some threads.
+double measure_busy_threads(int threads) {
+  constexpr std::int32_t pairs = 400;
+  const auto work = [] {
+    const GridSize grid;
+    double milliseconds = 0.0;
+    wrc_measure_transform(2 * grid.lateral, 2 * grid.longitudinal, pairs, &milliseconds);
+  };
+  Stopwatch watch;
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) {
+    others.emplace_back(work);
+  }
+  work();
+  for (std::thread& other : others) {
+    other.join();
+  }
+  return watch.lap();
+}
+
+Batch measure_batch(int repeat) {
+  constexpr int scene_count = 64;
+  std::vector<driver::Scene> scenes(scene_count);
+  std::vector<wrc_scene*> handles;
+  for (int i = 0; i < scene_count; ++i) {
+    const double share = static_cast<double>(i) / (scene_count - 1);
+    set_pose(scenes[static_cast<std::size_t>(i)],
+             {-3.0 + 6.0 * share, 2.4e-3 * (1.0 - 2.0 * share)});
+    handles.push_back(scenes[static_cast<std::size_t>(i)].handle());
+  }
+  double processor_ms = 0.0;
+  // Stages are added up over scenes and threads, the total is wall time.
+  const auto solve = [&](int threads) {
+    const std::clock_t start = std::clock();
+    Stopwatch watch;
+    if (wrc_solve_batch(handles.data(), scene_count, threads, nullptr) != WRC_OK) {
+      throw driver::Failure("batch: a scene could not be solved");
+    }
+    Times sum;
+    sum.total = watch.lap();
+    processor_ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    for (const driver::Scene& scene : scenes) {
+      const Times times = times_of(scene, scene.number("time_ms.total"));
+      sum.setup += times.setup;
+      sum.geometry += times.geometry;
+      sum.remesh += times.remesh;
+      sum.mechanics += times.mechanics;
+    }
+    return sum;
+  };
+  const auto pressures = [&scenes] {
+    std::vector<double> all;
+    for (const driver::Scene& scene : scenes) {
+      for (const std::string& side : scene.sides()) {
+        const auto field = scene.field(side + ".pressure");
+        all.insert(all.end(), field.begin(), field.end());
+      }
+    }
+    return all;
+  };
+  std::vector<Times> one;
+  std::vector<Times> two;
+  std::vector<double> alone;
+  std::vector<double> together;
+  std::vector<double> work_ratios;
+  Batch batch;
+  batch.bitwise_equal = true;
+  for (int i = 0; i < repeat; ++i) {
+    alone.push_back(measure_busy_threads(1));
+    together.push_back(measure_busy_threads(2));
+    one.push_back(solve(1));
+    const double processor_of_one = processor_ms;
+    const auto expected = pressures();
+    two.push_back(solve(2));
+    work_ratios.push_back(processor_ms / processor_of_one);
+    batch.bitwise_equal = batch.bitwise_equal && pressures() == expected;
+  }
+  batch.work_ratio = median(work_ratios);
+  batch.machine_speedup = 2.0 * median(alone) / median(together);
+  const double pair = Yardstick(GridSize()).milliseconds();
+  batch.speedup = median(one).total / median(two).total;
+  const driver::Scene& middle = scenes[scene_count / 2];
+  for (const int threads : {1, 2}) {
+    const auto& times = threads == 1 ? one : two;
+    Row row;
+    row.case_name = "batch";
+    row.grid = {static_cast<std::int64_t>(middle.number("left.grid.0")),
+                static_cast<std::int64_t>(middle.number("left.grid.1"))};
+    row.method = "default";
+    row.state = "cold";
+    row.wheels = 2 * scene_count;
+    row.threads = threads;
+    row.accuracy = 1e-3;
+    row.fill = middle.number("left.fill");
+    row.iterations = middle.number("left.iterations");
+    row.times = median(times);
+    row.min_ms = quantile(totals(times), 0.0);
+    row.fft_pair_ms = pair;
+    row.repeats = repeat;
+    batch.rows.push_back(row);
+  }
+  return batch;
+}
+
+} // namespace benchmark

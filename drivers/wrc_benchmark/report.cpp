@@ -1,0 +1,308 @@
+#include "wrc_benchmark/report.hpp"
+
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "benchmark_commit.hpp"
+#include "wrcontact.h"
+
+namespace benchmark {
+namespace {
+
+/// What the paper names for one case of 256 x 128 elements, its three modules together: a program
+/// in Fortran on a laptop with an Intel Core i5-3230 at 2.60 GHz.
+constexpr double paper_total_ms = 8250.0;
+
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) {
+      return line.substr(line.find(':') + 2);
+    }
+  }
+  return "unknown";
+}
+
+/// The paper's method beside the default one in the same state.
+struct Ratio {
+  const Row& row; ///< of the default method
+  double mechanics = 0.0;
+  double total = 0.0;
+};
+
+std::vector<Ratio> ratios(const std::vector<Row>& rows) {
+  std::vector<Ratio> found;
+  for (const Row& fast : rows) {
+    for (const Row& slow : rows) {
+      if (fast.method == "default" && slow.method == "paper" && fast.state == "warm" &&
+          slow.state == "warm" && fast.case_name == slow.case_name && fast.motion == slow.motion &&
+          (!fast.motion.empty() || fast.grid.text() == slow.grid.text()) &&
+          fast.wheels == slow.wheels && fast.accuracy == slow.accuracy) {
+        found.push_back({fast, slow.times.mechanics / fast.times.mechanics,
+                         slow.times.total / fast.times.total});
+      }
+    }
+  }
+  return found;
+}
+
+nlohmann::json json_of(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+nlohmann::json json_of(const Row& row) {
+  nlohmann::json json{{"case", row.case_name},
+                      {"grid", {row.grid.lateral, row.grid.longitudinal}},
+                      {"method", row.method},
+                      {"state", row.state},
+                      {"wheels", row.wheels},
+                      {"threads", row.threads},
+                      {"accuracy", row.accuracy},
+                      {"tolerance", json_of(row.tolerance)},
+                      {"fill", row.fill},
+                      {"iterations", row.iterations},
+                      {"error_p", json_of(row.error_p)},
+                      {"error_pmax", json_of(row.error_pmax)},
+                      {"setup_ms", row.times.setup},
+                      {"geometry_ms", row.times.geometry},
+                      {"remesh_ms", row.times.remesh},
+                      {"mechanics_ms", row.times.mechanics},
+                      {"total_ms", row.times.total},
+                      {"min_ms", row.min_ms},
+                      {"fft_pair_ms", row.fft_pair_ms},
+                      {"pairs", row.pairs()},
+                      {"total_pairs", row.total_pairs()},
+                      {"memory_mb", json_of(row.memory_mb)},
+                      {"repeats", row.repeats}};
+  if (!row.motion.empty()) {
+    json["motion"] = row.motion;
+    json["percentile_90_ms"] = json_of(row.percentile_90_ms);
+    json["worst_ms"] = json_of(row.worst_ms);
+  }
+  return json;
+}
+
+/// Cells of a table, each column as wide as it needs; the first `left` columns start at the left.
+class Table {
+public:
+  Table(std::vector<std::string> header, std::size_t left)
+      : lines_{std::move(header)}, left_(left) {}
+  void add(std::vector<std::string> line) { lines_.push_back(std::move(line)); }
+  [[nodiscard]] bool empty() const { return lines_.size() == 1; }
+
+  void print() const {
+    std::vector<std::size_t> widths(lines_.front().size());
+    for (const auto& line : lines_) {
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        widths[i] = std::max(widths[i], line[i].size());
+      }
+    }
+    for (const auto& line : lines_) {
+      std::ostringstream text;
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        text << (i < left_ ? std::left : std::right) << (i == 0 ? "" : "  ")
+             << std::setw(static_cast<int>(widths[i])) << line[i];
+      }
+      std::cout << text.str() << '\n';
+    }
+  }
+
+private:
+  std::vector<std::vector<std::string>> lines_;
+  std::size_t left_;
+};
+
+std::string fixed(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/// Three digits or so, whatever the size.
+std::string time_text(double value) {
+  return fixed(value, value < 9.995 ? 3 : value < 99.95 ? 2 : value < 999.5 ? 1 : 0);
+}
+
+std::string power_text(const std::optional<double>& value, int digits) {
+  if (!value) {
+    return "-";
+  }
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(digits) << *value;
+  return text.str();
+}
+
+std::string asked_text(const std::optional<double>& value) {
+  return power_text(value, 0);
+}
+
+std::string error_text(const std::optional<double>& value) {
+  return power_text(value, 1);
+}
+
+/// The wheels stand beside the case where there are two.
+std::string case_text(const Row& row) {
+  return row.case_name + (row.wheels == 2 ? ", both" : "");
+}
+
+void print_cases(const std::vector<Row>& rows) {
+  Table table({"case",       "grid", "method", "state", "asked",      "toler.", "error p",
+               "error pmax", "fill", "iter",   "setup", "geom",       "remesh", "mechan",
+               "total",      "min",  "pair",   "pairs", "total/pair", "MB"},
+              4);
+  for (const Row& row : rows) {
+    if (row.motion.empty() && row.case_name != "batch") {
+      table.add({case_text(row),
+                 row.grid.text(),
+                 row.method,
+                 row.state,
+                 asked_text(row.accuracy),
+                 asked_text(row.tolerance),
+                 error_text(row.error_p),
+                 error_text(row.error_pmax),
+                 fixed(row.fill, 2),
+                 fixed(row.iterations, 0),
+                 time_text(row.times.setup),
+                 time_text(row.times.geometry),
+                 time_text(row.times.remesh),
+                 time_text(row.times.mechanics),
+                 time_text(row.times.total),
+                 time_text(row.min_ms),
+                 time_text(row.fft_pair_ms),
+                 fixed(row.pairs(), 1),
+                 fixed(row.total_pairs(), 1),
+                 row.memory_mb ? fixed(*row.memory_mb, 1) : "-"});
+    }
+  }
+  if (!table.empty()) {
+    table.print();
+    std::cout
+        << "\n  asked: largest error of p over pmax. toler.: what the solver was given for it; for "
+           "paper the loosest one that\n  gives an error p no larger than asked, or than that of "
+           "default. error p: true largest error of p over pmax, against\n  the same grid solved "
+           "to 1e-10 (above 1024x512: 1e-8). error pmax: against the closed form, or a grid 2 to 3 "
+           "times finer.\n  fill: share of elements under pressure. iter: of one wheel, all grids. "
+           "Times in ms, medians; min: least total.\n  pair: one FFTW transform of twice the grid "
+           "in each direction and back, same run. pairs: mechan/pair; total/pair.\n  cold-process: "
+           "first solution of a process; cold: new handle; warm: same handle again. MB: peak "
+           "memory "
+           "of a process\n  that solves once, over that before, with gap and results.\n\n";
+  }
+}
+
+void print_motions(const std::vector<Row>& rows) {
+  Table table({"case", "motion", "method", "grid", "asked", "error pmax", "iter", "setup", "geom",
+               "remesh", "mechan", "median", "90 %", "worst", "pair"},
+              4);
+  for (const Row& row : rows) {
+    if (!row.motion.empty()) {
+      table.add({row.case_name, row.motion, row.method, row.grid.text(), asked_text(row.accuracy),
+                 error_text(row.error_pmax), fixed(row.iterations, 0), time_text(row.times.setup),
+                 time_text(row.times.geometry), time_text(row.times.remesh),
+                 time_text(row.times.mechanics), time_text(row.times.total),
+                 time_text(*row.percentile_90_ms), time_text(*row.worst_ms),
+                 time_text(row.fft_pair_ms)});
+    }
+  }
+  if (!table.empty()) {
+    table.print();
+    std::cout
+        << "\n  Table 1 scene, both wheels, one solver handle. hunting: 3 mm sideways over a wave "
+           "of "
+           "8 m, steps of 40 mm, with yaw;\n  1 %, 0.1 %: steps sideways by that share of the "
+           "patch's width. Times in ms a step. asked: error of pmax; error pmax:\n  largest of "
+           "both "
+           "wheels at ten steps, against 384x384 elements. grid: of the left wheel at the last "
+           "step.\n  pair: that of 256x128. paper goes through five steps of the hunting only.\n\n";
+  }
+}
+
+void print_ratios(const std::vector<Row>& rows) {
+  const auto found = ratios(rows);
+  if (!found.empty()) {
+    std::cout << "Times of paper over default, warm, one run:\n";
+    Table table({"  case", "grid", "asked", "mechanics", "total"}, 2);
+    for (const Ratio& ratio : found) {
+      table.add(
+          {"  " + case_text(ratio.row) + (ratio.row.motion.empty() ? "" : ", " + ratio.row.motion),
+           ratio.row.grid.text(), asked_text(ratio.row.accuracy), fixed(ratio.mechanics, 1),
+           fixed(ratio.total, 1)});
+    }
+    table.print();
+    std::cout << '\n';
+  }
+  for (const Row& row : rows) {
+    if (row.case_name == "table1" && row.grid.text() == "256x128" && row.state == "warm" &&
+        row.method == "default") {
+      std::cout
+          << case_text(row) << ": " << fixed(row.times.total, 2) << " ms, "
+          << fixed(paper_total_ms / row.times.total, 0)
+          << " times less than the 8250 ms of the paper's program (Fortran, Intel Core i5-3230 "
+             "at 2.60 GHz)\n";
+    }
+  }
+}
+
+} // namespace
+
+void print_json(const Report& report) {
+  nlohmann::json json;
+  json["machine"] = {{"cpu", cpu_name()},
+                     {"cores", sysconf(_SC_NPROCESSORS_ONLN)},
+                     {"compiler", WRC_BENCHMARK_COMPILER},
+                     {"flags", WRC_BENCHMARK_FLAGS},
+                     {"threads", 1},
+                     {"commit", WRC_BENCHMARK_COMMIT},
+                     {"version", wrc_version()}};
+  json["paper_total_ms"] = paper_total_ms;
+  json["rows"] = nlohmann::json::array();
+  for (const Row& row : report.rows) {
+    json["rows"].push_back(json_of(row));
+  }
+  json["paper_over_default"] = nlohmann::json::array();
+  for (const Ratio& ratio : ratios(report.rows)) {
+    json["paper_over_default"].push_back(
+        {{"case", ratio.row.case_name},
+         {"motion", ratio.row.motion},
+         {"grid", {ratio.row.grid.lateral, ratio.row.grid.longitudinal}},
+         {"wheels", ratio.row.wheels},
+         {"accuracy", ratio.row.accuracy},
+         {"mechanics", ratio.mechanics},
+         {"total", ratio.total}});
+  }
+  if (report.batch) {
+    json["batch"] = {{"speedup", report.batch->speedup},
+                     {"machine_speedup", report.batch->machine_speedup},
+                     {"work_ratio", report.batch->work_ratio},
+                     {"bitwise_equal", report.batch->bitwise_equal}};
+  }
+  std::cout << json.dump(2) << '\n';
+}
+
+void print_tables(const Report& report) {
+  std::cout << cpu_name() << ", " << WRC_BENCHMARK_COMPILER << " " << WRC_BENCHMARK_FLAGS
+            << ", 1 thread, commit " << WRC_BENCHMARK_COMMIT << "\n\n";
+  print_cases(report.rows);
+  print_motions(report.rows);
+  print_ratios(report.rows);
+  if (report.batch) {
+    std::cout << "batch: 64 scenes at accuracy 1e-3";
+    for (const Row& row : report.batch->rows) {
+      std::cout << ", " << fixed(row.times.total, 1) << " ms on " << row.threads
+                << (row.threads == 1 ? " thread" : " threads");
+    }
+    std::cout << ": " << fixed(report.batch->speedup, 2) << " times faster, results "
+              << (report.batch->bitwise_equal ? "equal bit for bit" : "NOT EQUAL")
+              << ".\n  Two threads took " << fixed(report.batch->work_ratio, 2)
+              << " times the processor time of one. Two that only transform, in turns with it, did "
+              << fixed(report.batch->machine_speedup, 2)
+              << " times\n  the work of one in the same time: that much the machine had to give.\n";
+  }
+}
+
+} // namespace benchmark

@@ -1,0 +1,20 @@
+/// What the benchmark prints: one JSON object, or tables with a legend.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "wrc_benchmark/motion_cases.hpp"
+#include "wrc_benchmark/row.hpp"
+
+namespace benchmark {
+
+struct Report {
+  std::vector<Row> rows;      ///< of all cases
+  std::optional<Batch> batch; ///< its rows are among those above
+};
+
+void print_json(const Report& report);
+void print_tables(const Report& report);
+
+} // namespace benchmark
