@@ -56,17 +56,6 @@ public:
     const auto slot = static_cast<std::size_t>(std::clamp(interval, 0.0, last));
     return walk(first_in_interval_[slot], lateral);
   }
-  /// The same, searched from a piece nearby.
-  [[nodiscard]] std::size_t walk(std::size_t piece, double lateral) const {
-    while (piece + 1 < piece_count() && lateral >= pieces_[piece].end) {
-      ++piece;
-    }
-    while (piece > 0 && lateral < pieces_[piece].start) {
-      --piece;
-    }
-    return piece;
-  }
-
   /// The polynomial of a piece, also beyond its ends.
   [[nodiscard]] HeightPoint at(std::size_t piece, double lateral) const {
     const QuinticValues values =
@@ -80,6 +69,17 @@ public:
   }
 
 private:
+  /// The piece over a lateral coordinate, searched from a piece nearby.
+  [[nodiscard]] std::size_t walk(std::size_t piece, double lateral) const {
+    while (piece + 1 < piece_count() && lateral >= pieces_[piece].end) {
+      ++piece;
+    }
+    while (piece > 0 && lateral < pieces_[piece].start) {
+      --piece;
+    }
+    return piece;
+  }
+
   void add(const Curve& curve, std::size_t curve_piece, double from, double to, int halvings);
 
   std::vector<Piece> pieces_;
