@@ -39,14 +39,16 @@ void place_nodes(const LocusPose& locus_pose, double taping_line, double radius,
 double subtract_rail(const HeightFunction::Piece* __restrict pieces,
                      const std::int32_t* __restrict piece, const double* __restrict y,
                      const double* __restrict z, double* __restrict distance, std::size_t count) {
-  double least = std::numeric_limits<double>::infinity();
-#pragma omp simd reduction(min : least)
   for (std::size_t i = 0; i < count; ++i) {
     const HeightFunction::Piece& under = pieces[piece[i]];
     const double s = y[i] - under.start;
     const Quintic& c = under.coefficients;
     const double height = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
     distance[i] = z[i] - height;
+  }
+  double least = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : least)
+  for (std::size_t i = 0; i < count; ++i) {
     least = distance[i] < least ? distance[i] : least;
   }
   return least;
