@@ -49,11 +49,13 @@ public:
   [[nodiscard]] std::span<const Piece> pieces() const { return {pieces_.data(), piece_count()}; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_.size() - 1; }
 
-  /// Index of the piece over a lateral coordinate; the first or last one beyond the ends.
+  /// Index of the piece over a lateral coordinate; the first or last one beyond the ends, the first
+  /// one for what is not a number.
   [[nodiscard]] std::size_t piece_at(double lateral) const {
     const double interval = (lateral - begin_) * intervals_per_length_;
     const double last = static_cast<double>(first_in_interval_.size() - 1);
-    const auto slot = static_cast<std::size_t>(std::clamp(interval, 0.0, last));
+    const auto slot =
+        interval > 0.0 ? static_cast<std::size_t>(std::min(interval, last)) : std::size_t{0};
     return walk(first_in_interval_[slot], lateral);
   }
   /// The polynomial of a piece, also beyond its ends.

@@ -51,7 +51,9 @@ double subtract_rail(const HeightFunction::Piece* __restrict pieces,
   for (std::size_t i = 0; i < count; ++i) {
     least = distance[i] < least ? distance[i] : least;
   }
-  return least;
+  // A reduction may start from the largest finite number.
+  return least < std::numeric_limits<double>::max() ? least
+                                                    : std::numeric_limits<double>::infinity();
 }
 
 } // namespace

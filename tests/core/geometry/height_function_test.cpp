@@ -1,6 +1,7 @@
 #include "geometry/height_function.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,7 @@ TEST(HeightFunction, FindsThePieceOfAnyPlace) {
   }
   EXPECT_EQ(heights.piece_at(-1e6), 0u);
   EXPECT_EQ(heights.piece_at(1e6), pieces.size() - 1);
+  EXPECT_EQ(heights.piece_at(std::numeric_limits<double>::quiet_NaN()), 0u);
 }
 
 TEST(HeightFunction, BeyondTheEndsItStaysAtTheEnd) {
