@@ -49,24 +49,15 @@ public:
   [[nodiscard]] std::span<const Piece> pieces() const { return {pieces_.data(), piece_count()}; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_.size() - 1; }
 
-  /// Index of the piece over a lateral coordinate; the first or last one beyond the ends.
+  /// Index of the piece over a lateral coordinate; the first or last one beyond the ends, the first
+  /// one for what is not a number.
   [[nodiscard]] std::size_t piece_at(double lateral) const {
     const double interval = (lateral - begin_) * intervals_per_length_;
     const double last = static_cast<double>(first_in_interval_.size() - 1);
-    const auto slot = static_cast<std::size_t>(std::clamp(interval, 0.0, last));
+    const auto slot =
+        interval > 0.0 ? static_cast<std::size_t>(std::min(interval, last)) : std::size_t{0};
     return walk(first_in_interval_[slot], lateral);
   }
-  /// The same, searched from a piece nearby.
-  [[nodiscard]] std::size_t walk(std::size_t piece, double lateral) const {
-    while (piece + 1 < piece_count() && lateral >= pieces_[piece].end) {
-      ++piece;
-    }
-    while (piece > 0 && lateral < pieces_[piece].start) {
-      --piece;
-    }
-    return piece;
-  }
-
   /// The polynomial of a piece, also beyond its ends.
   [[nodiscard]] HeightPoint at(std::size_t piece, double lateral) const {
     const QuinticValues values =
@@ -80,6 +71,17 @@ public:
   }
 
 private:
+  /// The piece over a lateral coordinate, searched from a piece nearby.
+  [[nodiscard]] std::size_t walk(std::size_t piece, double lateral) const {
+    while (piece + 1 < piece_count() && lateral >= pieces_[piece].end) {
+      ++piece;
+    }
+    while (piece > 0 && lateral < pieces_[piece].start) {
+      --piece;
+    }
+    return piece;
+  }
+
   void add(const Curve& curve, std::size_t curve_piece, double from, double to, int halvings);
 
   std::vector<Piece> pieces_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vector_clones.hpp"
-
 namespace wrc {
 namespace {
 
@@ -17,7 +15,6 @@ struct Nodes {
   const double* slope;
 };
 
-WRC_VECTOR_CLONES
 void place_nodes(const LocusPose& locus_pose, double taping_line, double radius, const Nodes& nodes,
                  double* __restrict x, double* __restrict y, double* __restrict z,
                  std::size_t count) {
@@ -39,21 +36,24 @@ void place_nodes(const LocusPose& locus_pose, double taping_line, double radius,
 }
 
 /// Heights above the rail, whose pieces are known; the least of them is returned.
-WRC_VECTOR_CLONES
 double subtract_rail(const HeightFunction::Piece* __restrict pieces,
                      const std::int32_t* __restrict piece, const double* __restrict y,
                      const double* __restrict z, double* __restrict distance, std::size_t count) {
-  double least = std::numeric_limits<double>::infinity();
-#pragma omp simd reduction(min : least)
   for (std::size_t i = 0; i < count; ++i) {
     const HeightFunction::Piece& under = pieces[piece[i]];
     const double s = y[i] - under.start;
     const Quintic& c = under.coefficients;
     const double height = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
     distance[i] = z[i] - height;
+  }
+  double least = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : least)
+  for (std::size_t i = 0; i < count; ++i) {
     least = distance[i] < least ? distance[i] : least;
   }
-  return least;
+  // A reduction may start from the largest finite number.
+  return least < std::numeric_limits<double>::max() ? least
+                                                    : std::numeric_limits<double>::infinity();
 }
 
 } // namespace
@@ -90,13 +90,10 @@ void LocusScan::run(const LocusPose& pose) {
       pose, wheel_.taping_line(), wheel_.radius(),
       {nodes.lateral.data() + first_, nodes.height.data() + first_, nodes.slope.data() + first_},
       x_.data() + first_, y_.data() + first_, z_.data() + first_, count);
-  // Nodes follow each other across the rail, and so do their pieces.
-  std::size_t piece = count > 0 ? rail_.piece_at(y_[first_]) : 0;
   for (std::size_t node = first_; node < last_; ++node) {
     const double y = y_[node];
     if (rail_.covers(y)) {
-      piece = rail_.walk(piece, y);
-      piece_[node] = static_cast<std::int32_t>(piece);
+      piece_[node] = static_cast<std::int32_t>(rail_.piece_at(y));
     } else {
       piece_[node] = static_cast<std::int32_t>(rail_.piece_count()); // nothing there
     }

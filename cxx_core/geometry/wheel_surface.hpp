@@ -24,7 +24,6 @@
 #include "geometry/curve_graph.hpp"
 #include "geometry/frames.hpp"
 #include "profile/profile.hpp"
-#include "vector_clones.hpp"
 
 namespace wrc {
 
@@ -62,7 +61,7 @@ struct LocusPose {
   LocusPose(const Pose& pose, const Rotation& rotation_of_pose);
 
   /// Of a place with this slope of the profile; `exists` tells whether there is one.
-  [[nodiscard]] WRC_VECTOR_BODY LocusAngle angle_at(double slope, bool& exists) const {
+  [[nodiscard]] LocusAngle angle_at(double slope, bool& exists) const {
     const double c = slope * along;
     const double square = amplitude_square - c * c;
     exists = square > 0.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace wrc {
@@ -16,6 +17,14 @@ constexpr double same_plane_angle = 0.2;
 constexpr double same_plane_distance = 20.0;
 /// Share of the approach at which virtual penetration has about the contact's axis ratio.
 constexpr double virtual_penetration_share = 0.55;
+/// The depth to a load is a start for coarse solutions: one per cent is enough. Depths outside the
+/// limits, mm, are not searched.
+constexpr double depth_accuracy = 0.01;
+constexpr double first_depth = 0.05;
+constexpr double smallest_depth = 1e-300;
+constexpr double greatest_depth = 50.0;
+constexpr double largest_depth_factor = 1e4;
+constexpr int depth_iterations = 400;
 
 /// An uninterrupted stretch of penetration along the locus.
 struct Interval {
@@ -84,8 +93,9 @@ std::vector<Interval> penetration_intervals(const ContactScan& scan, double dept
       continue;
     }
     const double y = sample.wheel.position.y;
-    const double half_length = std::sqrt(2.0 * penetration * std::cos(sample.rail_angle()) /
-                                         sample.wheel.normal_curvature);
+    const double cosine = 1.0 / std::sqrt(1.0 + sample.rail_slope * sample.rail_slope);
+    const double half_length =
+        std::sqrt(2.0 * penetration * cosine / sample.wheel.normal_curvature);
     const double spacing = i > 0 ? std::abs(y - samples[i - 1].wheel.position.y) : 0.0;
     // Penetration integrated along the rail: 4/3 of its depth times the half length.
     const double weight = penetration * half_length * std::max(spacing, 1e-12);
@@ -178,23 +188,44 @@ PenetrationRegion find_penetration_region(const ContactScan& scan, double depth)
 }
 
 double estimate_depth(const ContactScan& scan, double combined_modulus, double normal_load) {
-  // The load grows with the depth: bracket by doubling from a depth that carries too little.
-  double low = 1e-12;
-  while (low > 1e-300 && estimate_load(scan, combined_modulus, low) > normal_load) {
-    low *= 1e-3;
+  // The load grows about with the power 1.5 of the depth: steps by that power until the load is
+  // bracketed, then a secant in logarithms, with a bisection now and then since the load may jump.
+  struct Loaded {
+    double depth;
+    double load;
+  };
+  std::optional<Loaded> low;
+  std::optional<Loaded> high;
+  double depth = first_depth;
+  for (int iteration = 1; iteration <= depth_iterations; ++iteration) {
+    const double load = estimate_load(scan, combined_modulus, depth);
+    if (std::abs(load - normal_load) <= depth_accuracy * normal_load) {
+      break;
+    }
+    (load < normal_load ? low : high) = Loaded{depth, load};
+    if (!low || !high) {
+      const double factor = std::cbrt(normal_load / load);
+      depth *= std::clamp(factor * factor, 1.0 / largest_depth_factor, largest_depth_factor);
+      if (depth >= greatest_depth && low) {
+        return greatest_depth;
+      }
+      if (depth <= smallest_depth) {
+        return smallest_depth;
+      }
+      continue;
+    }
+    const double ratio = high->depth / low->depth;
+    if (ratio <= 1.0 + depth_accuracy) {
+      return std::sqrt(low->depth * high->depth);
+    }
+    const double share =
+        iteration % 4 == 0
+            ? 0.5
+            : std::clamp(std::log(normal_load / low->load) / std::log(high->load / low->load), 0.1,
+                         0.9);
+    depth = low->depth * std::pow(ratio, share);
   }
-  double high = 2.0 * low;
-  constexpr double greatest_depth = 50.0;
-  while (high < greatest_depth && estimate_load(scan, combined_modulus, high) < normal_load) {
-    low = high;
-    high *= 2.0;
-  }
-  // A start needs no more than one per cent.
-  while (high > 1.01 * low) {
-    const double middle = std::sqrt(low * high);
-    (estimate_load(scan, combined_modulus, middle) < normal_load ? low : high) = middle;
-  }
-  return std::sqrt(low * high);
+  return depth;
 }
 
 PlaneArea PlaneArea::widened(double share) const {

@@ -34,7 +34,8 @@ struct PenetrationRegion {
 /// `depth` > 0: how far the wheel is lowered vertically from the first touch.
 PenetrationRegion find_penetration_region(const ContactScan& scan, double depth);
 
-/// Rough depth at which the patch carries the normal load (see above); load > 0.
+/// Rough depth, to about one per cent of this estimate and at most 50 mm, at which the patch
+/// carries the normal load (see above); load > 0.
 double estimate_depth(const ContactScan& scan, double combined_modulus, double normal_load);
 
 /// A rectangle in the plane of a contact frame.

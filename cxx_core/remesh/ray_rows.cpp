@@ -138,7 +138,7 @@ WRC_VECTOR_BODY double error_of(const Approach& ray, double lateral, const Stret
   const double error = ray.step * ray.step * on.half_curvature * ray.facing / ray.derivative;
   const bool faces = ray.derivative > least_facing_cosine * ray.facing;
   const bool on_piece = (lateral >= on.piece.start) & (lateral <= on.piece.end);
-  return faces & on_piece ? error : infinity;
+  return (faces & on_piece) ? error : infinity;
 }
 
 /// `steps` is 1 or 2: a loop of unknown length would not vectorise.

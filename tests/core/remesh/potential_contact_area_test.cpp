@@ -75,6 +75,21 @@ TEST(EstimateDepth, IsNearHertzForSmoothBodies) {
   }
 }
 
+TEST(EstimateDepth, GrowsWithTheLoadOverAllMagnitudes) {
+  for (const double lateral : {0.0, 5.0, 5.5}) {
+    const ContactScan scan = scan_of(standard_profile("S1002"), standard_profile("60E1"), lateral);
+    double before = 0.0;
+    for (double load = 1e-12; load < 1e9; load *= 10.0) {
+      const double depth = estimate_depth(scan, 115384.6, load);
+      EXPECT_GT(depth, before) << lateral << ' ' << load;
+      EXPECT_LE(depth, 50.0);
+      before = depth;
+    }
+    // More than any wheel carries: the search ends at its limit.
+    EXPECT_EQ(estimate_depth(scan, 115384.6, 1e20), 50.0);
+  }
+}
+
 TEST(PlaneArea, GridFillsTheAreaWithEqualElements) {
   const Grid grid = grid_over({-3.0, 5.0, 1.0, 2.0}, 4, 10);
   EXPECT_DOUBLE_EQ(grid.lateral_step, 2.0);
