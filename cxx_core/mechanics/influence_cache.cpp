@@ -30,11 +30,6 @@ const Fft& fft_of(std::map<std::size_t, std::unique_ptr<Fft>>& kept, std::size_t
 } // namespace
 
 template <typename Real>
-const RealLineFft<Real>& InfluenceCache::real_line_fft(std::size_t length) {
-  return fft_of(store<Real>().real_line_ffts, length, rigor_);
-}
-
-template <typename Real>
 const ComplexLineFft<Real>& InfluenceCache::complex_line_fft(std::size_t length) {
   return fft_of(store<Real>().complex_line_ffts, length, rigor_);
 }
@@ -193,8 +188,6 @@ void InfluenceCache::trim(std::size_t bytes) {
   }
 }
 
-template const RealLineFft<float>& InfluenceCache::real_line_fft<float>(std::size_t);
-template const RealLineFft<double>& InfluenceCache::real_line_fft<double>(std::size_t);
 template const ComplexLineFft<float>& InfluenceCache::complex_line_fft<float>(std::size_t);
 template const ComplexLineFft<double>& InfluenceCache::complex_line_fft<double>(std::size_t);
 template std::shared_ptr<const KernelSpectrum<float>>
