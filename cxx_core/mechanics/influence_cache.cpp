@@ -46,7 +46,9 @@ const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std
       fill_influence_row(static_cast<double>(row) * aspect, aspect,
                          {table.values.data() + row * table.columns, table.columns});
     }
+    held_bytes_ -= kept.bytes;
     kept.bytes = table.values.size() * sizeof(double);
+    held_bytes_ += kept.bytes;
   }
   return table;
 }
@@ -132,6 +134,7 @@ std::shared_ptr<const KernelSpectrum<Real>> InfluenceCache::spectrum_of(const Sp
   if (found == spectra.end()) {
     auto spectrum = compute_spectrum<Real>(key);
     const std::size_t bytes = spectrum->values.size() * sizeof(Real);
+    held_bytes_ += bytes;
     found = spectra
                 .emplace(key, Kept<std::shared_ptr<const KernelSpectrum<Real>>>{std::move(spectrum),
                                                                                 bytes, 0})
@@ -154,16 +157,7 @@ InfluenceCache::inverse_spectrum(double aspect, std::size_t rows, std::size_t co
 }
 
 void InfluenceCache::trim(std::size_t bytes) {
-  std::size_t held = 0;
-  const auto add_up = [&held](const auto& kept) {
-    for (const auto& [key, entry] : kept) {
-      held += entry.bytes;
-    }
-  };
-  add_up(tables_);
-  add_up(single_.spectra);
-  add_up(double_.spectra);
-  while (held > bytes) {
+  while (held_bytes_ > bytes) {
     std::uint64_t oldest = std::numeric_limits<std::uint64_t>::max();
     const auto look = [&oldest](const auto& kept) {
       for (const auto& [key, entry] : kept) {
@@ -178,7 +172,7 @@ void InfluenceCache::trim(std::size_t bytes) {
         if (entry.second.last_use != oldest) {
           return false;
         }
-        held -= entry.second.bytes;
+        held_bytes_ -= entry.second.bytes;
         return true;
       });
     };

@@ -88,6 +88,7 @@ private:
 
   PlannerRigor rigor_;
   std::uint64_t clock_ = 0;
+  std::size_t held_bytes_ = 0;
   Store<float> single_;
   Store<double> double_;
   std::map<double, Kept<InfluenceTable>> tables_;
