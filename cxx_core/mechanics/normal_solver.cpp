@@ -175,6 +175,7 @@ struct NormalSolver::State {
   std::vector<double> box_pressure;
   std::vector<double> box_distance;
   std::vector<double> exterior_out;
+  std::vector<double> column_reach;
 };
 
 /// Iterates on the box until contact keeps off its open sides; writes the pressures back.
@@ -228,22 +229,27 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
                                               const BoxOutcome& outcome, double tolerance,
                                               ElementBox& larger) {
   const LevelSize& size = level.size;
-  double load = 0.0;
   copy_box(size, box, level.pressure, box_pressure);
-  load = sum_of(box_pressure) * aspect;
+  const double load = sum_of(box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
     const double before = static_cast<double>(last) - static_cast<double>(place);
     const double after = static_cast<double>(place) - static_cast<double>(first);
     return std::max(before, after) + 0.5;
   };
+  // Squares of the reach along the rail, by column; the longest is that of the outer columns.
+  column_reach.resize(size.columns);
+  for (std::size_t column = 0; column < size.columns; ++column) {
+    const double reach = farthest(column, box.first_column, box.last_column);
+    column_reach[column] = reach * reach;
+  }
+  const double longest_column = std::max(column_reach.front(), column_reach.back());
   ElementBox candidates{size.rows, 0, size.columns, 0};
   for (std::size_t row = 0; row < size.rows; ++row) {
     const double* distance = level.distance.data() + row * size.columns;
     const double row_reach = aspect * farthest(row, box.first_row, box.last_row);
-    const double longest = std::hypot(
-        row_reach, std::max(farthest(0, box.first_column, box.last_column),
-                            farthest(size.columns - 1, box.first_column, box.last_column)));
-    if (count_below(distance, outcome.approach - load / longest, size.columns) == 0.0) {
+    const double row_square = row_reach * row_reach;
+    if (count_below(distance, outcome.approach - load / std::sqrt(row_square + longest_column),
+                    size.columns) == 0.0) {
       continue;
     }
     const bool row_in_box = row >= box.first_row && row <= box.last_row;
@@ -252,9 +258,9 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
         column = box.last_column;
         continue;
       }
-      const double reach =
-          std::hypot(row_reach, farthest(column, box.first_column, box.last_column));
-      if ((outcome.approach - distance[column]) * reach > load) {
+      const double penetration = outcome.approach - distance[column];
+      if (penetration > 0.0 &&
+          penetration * penetration * (row_square + column_reach[column]) > load * load) {
         include(candidates, {row, row, column, column});
       }
     }

@@ -1,6 +1,7 @@
 #include "mechanics/projected_cg.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -242,21 +243,30 @@ template <typename Real> void BoxIteration<Real>::refresh_displacement(bool in_d
 /// Sets negative pressures to 0 and takes their displacement out of u.
 template <typename Real> void BoxIteration<Real>::cut_negative(std::size_t negative_count) {
   // About what a convolution costs in additions.
-  constexpr std::size_t most_single_additions = 48;
+  constexpr std::size_t most_single_additions = 32;
   if (negative_count <= most_single_additions) {
+    struct Cut {
+      std::size_t row;
+      std::size_t column;
+      double pressure;
+    };
+    std::array<Cut, most_single_additions> cuts{};
+    std::size_t cut_count = 0;
+    for (std::size_t index = 0; index < count_; ++index) {
+      if (pressure_[index] < 0.0) {
+        cuts[cut_count++] = {index / request_->columns, index % request_->columns,
+                             pressure_[index]};
+        pressure_[index] = 0.0;
+      }
+    }
     const InfluenceTable& kernel =
         cache_.table(request_->aspect, request_->rows, request_->columns);
-    for (std::size_t index = 0; index < count_; ++index) {
-      const double p = pressure_[index];
-      if (!(p < 0.0)) {
-        continue;
-      }
-      pressure_[index] = 0.0;
-      const std::size_t row = index / request_->columns;
-      const std::size_t column = index % request_->columns;
-      for (std::size_t i = 0; i < request_->rows; ++i) {
-        add_to_row(displacement_.data() + i * request_->columns,
-                   kernel.row(i > row ? i - row : row - i), -p, column, request_->columns);
+    for (std::size_t i = 0; i < request_->rows; ++i) {
+      double* displacement = displacement_.data() + i * request_->columns;
+      for (std::size_t k = 0; k < cut_count; ++k) {
+        const Cut& cut = cuts[k];
+        add_to_row(displacement, kernel.row(i > cut.row ? i - cut.row : cut.row - i), -cut.pressure,
+                   cut.column, request_->columns);
       }
     }
     return;
