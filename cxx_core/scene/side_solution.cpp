@@ -44,7 +44,9 @@ constexpr double first_lateral_resolution = 12.0;
 /// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
 constexpr double longitudinal_share = 0.25;
 /// Elements across the contact at which it gives up.
-constexpr double last_resolution = 400.0;
+constexpr double last_resolution = 600.0;
+/// Refining by less tells too little about the error.
+constexpr double least_refinement = 1.4;
 /// Share of the accuracy that estimates aim at when the number of elements is chosen.
 constexpr double aimed_share = 0.4;
 /// Share of the accuracy that the iteration may take.
@@ -361,12 +363,13 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolutio
     failures = failed ? failures + 1 : 0;
     const bool hopeless =
         failures >= most_failures || (failed && trial.rows() > resolving_resolution);
-    if (request_.grid || reached || hopeless || 2.0 * trial.rows() > last_resolution) {
+    if (request_.grid || reached || hopeless || least_refinement * trial.rows() > last_resolution) {
       return trial;
     }
     // Errors fall with the square of the elements, or more slowly.
     const auto finer = [this](double error) {
-      return std::clamp(std::sqrt(error / (aimed_share * request_.accuracy)), 1.4, 2.0);
+      return std::clamp(std::sqrt(error / (aimed_share * request_.accuracy)), least_refinement,
+                        2.0);
     };
     resolution = trial.resolution();
     resolution.longitudinal *=
