@@ -1,13 +1,13 @@
 /// Convolution with the influence coefficients between two rectangles of elements, pruned.
 ///
 ///   out[i, j] = sum_{k, l} K[i + row_offset - k, j + column_offset - l] in[k, l]
-/// by transforms of lines: rows first (only those with data), then columns, each multiplied with
-/// the kernel's spectrum and transformed back while it is in cache, then the rows asked for. A
-/// line's length is at least twice the largest offset + 1, which makes the convolution exact and
-/// linear (Liu, Wang & Liu, Wear 243 (2000) 101-111), or, for `periodic`, the rectangle itself.
-/// In units of influence_cache.hpp: lengths in longitudinal steps, u = K p. Errors are those of the
-/// precision, relative to the largest value. Knows nothing of gaps or contact.
-/// Thread rule: one workspace serves one thread at a time; convolutions hold no state.
+/// by transforms of lines: rows first, two at a time as one complex line, then columns, each
+/// multiplied with the kernel's spectrum and transformed back while it is in cache, then the rows
+/// asked for. A line's length is at least twice the largest offset + 1, which makes the convolution
+/// exact and linear (Liu, Wang & Liu, Wear 243 (2000) 101-111), or, for `periodic`, the rectangle
+/// itself. In units of influence_cache.hpp: lengths in longitudinal steps, u = K p. Errors are
+/// those of the precision, relative to the largest value. Knows nothing of gaps or contact. Thread
+/// rule: one workspace serves one thread at a time; convolutions hold no state.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace wrc {
 /// Buffers for the lines of one convolution; grow to the largest one and are kept.
 template <typename Real> struct ConvolutionWorkspace {
   using Complex = std::complex<Real>;
-  AlignedArray<Real> real_lines;
+  AlignedArray<Complex> lines;
   AlignedArray<Complex> spectral_lines;
   AlignedArray<Complex> columns;
   AlignedArray<Complex> column_line;
@@ -52,7 +52,7 @@ public:
 
 private:
   ConvolutionShape shape_;
-  const RealLineFft<Real>* row_fft_ = nullptr;
+  const ComplexLineFft<Real>* row_fft_ = nullptr;
   const ComplexLineFft<Real>* column_fft_ = nullptr;
   std::shared_ptr<const KernelSpectrum<Real>> spectrum_;
 };

@@ -30,11 +30,6 @@ const Fft& fft_of(std::map<std::size_t, std::unique_ptr<Fft>>& kept, std::size_t
 } // namespace
 
 template <typename Real>
-const RealLineFft<Real>& InfluenceCache::real_line_fft(std::size_t length) {
-  return fft_of(store<Real>().real_line_ffts, length, rigor_);
-}
-
-template <typename Real>
 const ComplexLineFft<Real>& InfluenceCache::complex_line_fft(std::size_t length) {
   return fft_of(store<Real>().complex_line_ffts, length, rigor_);
 }
@@ -51,7 +46,9 @@ const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std
       fill_influence_row(static_cast<double>(row) * aspect, aspect,
                          {table.values.data() + row * table.columns, table.columns});
     }
+    held_bytes_ -= kept.bytes;
     kept.bytes = table.values.size() * sizeof(double);
+    held_bytes_ += kept.bytes;
   }
   return table;
 }
@@ -137,6 +134,7 @@ std::shared_ptr<const KernelSpectrum<Real>> InfluenceCache::spectrum_of(const Sp
   if (found == spectra.end()) {
     auto spectrum = compute_spectrum<Real>(key);
     const std::size_t bytes = spectrum->values.size() * sizeof(Real);
+    held_bytes_ += bytes;
     found = spectra
                 .emplace(key, Kept<std::shared_ptr<const KernelSpectrum<Real>>>{std::move(spectrum),
                                                                                 bytes, 0})
@@ -159,16 +157,7 @@ InfluenceCache::inverse_spectrum(double aspect, std::size_t rows, std::size_t co
 }
 
 void InfluenceCache::trim(std::size_t bytes) {
-  std::size_t held = 0;
-  const auto add_up = [&held](const auto& kept) {
-    for (const auto& [key, entry] : kept) {
-      held += entry.bytes;
-    }
-  };
-  add_up(tables_);
-  add_up(single_.spectra);
-  add_up(double_.spectra);
-  while (held > bytes) {
+  while (held_bytes_ > bytes) {
     std::uint64_t oldest = std::numeric_limits<std::uint64_t>::max();
     const auto look = [&oldest](const auto& kept) {
       for (const auto& [key, entry] : kept) {
@@ -183,7 +172,7 @@ void InfluenceCache::trim(std::size_t bytes) {
         if (entry.second.last_use != oldest) {
           return false;
         }
-        held -= entry.second.bytes;
+        held_bytes_ -= entry.second.bytes;
         return true;
       });
     };
@@ -193,8 +182,6 @@ void InfluenceCache::trim(std::size_t bytes) {
   }
 }
 
-template const RealLineFft<float>& InfluenceCache::real_line_fft<float>(std::size_t);
-template const RealLineFft<double>& InfluenceCache::real_line_fft<double>(std::size_t);
 template const ComplexLineFft<float>& InfluenceCache::complex_line_fft<float>(std::size_t);
 template const ComplexLineFft<double>& InfluenceCache::complex_line_fft<double>(std::size_t);
 template std::shared_ptr<const KernelSpectrum<float>>

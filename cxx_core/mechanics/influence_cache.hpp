@@ -52,7 +52,6 @@ public:
 
   [[nodiscard]] PlannerRigor rigor() const { return rigor_; }
 
-  template <typename Real> const RealLineFft<Real>& real_line_fft(std::size_t length);
   template <typename Real> const ComplexLineFft<Real>& complex_line_fft(std::size_t length);
   /// At least rows x columns offsets; valid until the next call for the same aspect ratio.
   const InfluenceTable& table(double aspect, std::size_t rows, std::size_t columns);
@@ -77,7 +76,6 @@ private:
     std::uint64_t last_use;
   };
   template <typename Real> struct Store {
-    std::map<std::size_t, std::unique_ptr<RealLineFft<Real>>> real_line_ffts;
     std::map<std::size_t, std::unique_ptr<ComplexLineFft<Real>>> complex_line_ffts;
     std::map<SpectrumKey, Kept<std::shared_ptr<const KernelSpectrum<Real>>>> spectra;
   };
@@ -90,6 +88,7 @@ private:
 
   PlannerRigor rigor_;
   std::uint64_t clock_ = 0;
+  std::size_t held_bytes_ = 0;
   Store<float> single_;
   Store<double> double_;
   std::map<double, Kept<InfluenceTable>> tables_;

@@ -20,9 +20,10 @@ constexpr std::size_t box_margin = 2;
 /// The free step leaves an error of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts
 /// up to 1.9 (at loose tolerances): less than 1 is needed for the tolerance to hold.
 constexpr double stop_share = 0.75;
-/// Overlap outside the rectangle that counts as contact left out, in largest displacements. It
-/// stands above the rounding of single precision and does not depend on the tolerance.
-constexpr double missed_overlap = 2e-6;
+/// Overlap outside the rectangle that counts as contact left out, as a share of the approach: a
+/// little above the rounding of single precision. Where the tolerance asks for less, double
+/// precision is used.
+constexpr double missed_overlap = 5e-7;
 /// The same for double precision.
 constexpr double double_overlap = 1e-13;
 /// A start serves grids whose elements have at least this share of the area of its own.
@@ -125,6 +126,15 @@ ElementBox grown(const ElementBox& box, const BoxOutcome& outcome, const LevelSi
   return larger;
 }
 
+/// An aspect ratio without its last bits, so that grids whose steps were multiplied out with
+/// different roundings share their influence coefficients.
+double rounded_aspect(double aspect) {
+  constexpr double bits = 0x1p48;
+  int exponent = 0;
+  const double fraction = std::frexp(aspect, &exponent);
+  return std::ldexp(std::nearbyint(fraction * bits) / bits, exponent);
+}
+
 /// Number of entries of a row that are below a limit.
 WRC_VECTOR_CLONES double count_below(const double* values, double limit, std::size_t count) {
   double below = 0.0;
@@ -151,8 +161,8 @@ struct NormalSolver::State {
   bool find_missed_contact(const Level& level, const ElementBox& box, const BoxOutcome& outcome,
                            double tolerance, ElementBox& larger);
   template <typename Real>
-  double displace(const ElementBox& box, const ElementBox& rectangle,
-                  ConvolutionWorkspace<Real>& workspace);
+  void displace(const ElementBox& box, const ElementBox& rectangle,
+                ConvolutionWorkspace<Real>& workspace);
   bool take_start(const StartPressure& start, const Grid& finest, double pressure_scale);
   NormalSolution solve(const NormalProblem& problem);
 
@@ -197,10 +207,10 @@ BoxOutcome NormalSolver::State::solve_level(Level& level, ElementBox& box, doubl
   }
 }
 
-/// Displacements on a rectangle from the pressures of the box; the largest of them.
+/// Displacements on a rectangle from the pressures of the box.
 template <typename Real>
-double NormalSolver::State::displace(const ElementBox& box, const ElementBox& rectangle,
-                                     ConvolutionWorkspace<Real>& workspace) {
+void NormalSolver::State::displace(const ElementBox& box, const ElementBox& rectangle,
+                                   ConvolutionWorkspace<Real>& workspace) {
   const BoxConvolution<Real> convolution = BoxConvolution<Real>::linear(
       {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
        -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
@@ -210,7 +220,6 @@ double NormalSolver::State::displace(const ElementBox& box, const ElementBox& re
   std::vector<Real> out(rectangle.rows() * rectangle.columns());
   convolution.apply(in.data(), out.data(), workspace);
   exterior_out.assign(out.begin(), out.end());
-  return *std::max_element(exterior_out.begin(), exterior_out.end());
 }
 
 /// Looks for overlap outside the box. Displacements are positive, and at least those of the whole
@@ -256,13 +265,15 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
 
   ElementBox rectangle = box;
   include(rectangle, candidates);
-  double overlap = missed_overlap * displace(box, rectangle, single_iteration.workspace());
-  // An element left out lacks about overlap / K[0, 0] of pressure.
+  // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
   const double permitted =
       0.5 * tolerance * outcome.largest_pressure * cache.table(aspect, 1, 1).row(0)[0];
-  if (permitted < overlap) {
-    overlap = std::max(permitted,
-                       double_overlap * displace(box, rectangle, double_iteration.workspace()));
+  double overlap = missed_overlap * outcome.approach;
+  if (overlap <= permitted) {
+    displace(box, rectangle, single_iteration.workspace());
+  } else {
+    overlap = std::max(permitted, double_overlap * outcome.approach);
+    displace(box, rectangle, double_iteration.workspace());
   }
   const double limit = outcome.approach - overlap;
   bool missed = false;
@@ -325,7 +336,7 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
   // Without dimensions: lengths in longitudinal steps, u = K p, mean pressure 1 over the grid if
   // the load is given, approach 1 if that is given.
   const double step = grid.longitudinal_step;
-  aspect = grid.lateral_step / step;
+  aspect = rounded_aspect(grid.lateral_step / step);
   std::size_t level_count = 1;
   // The cascade begins where elements are about as large as those of the start, if there is one.
   const double largest_element = problem.start

@@ -46,7 +46,7 @@ constexpr double longitudinal_share = 0.25;
 /// Elements across the contact at which it gives up.
 constexpr double last_resolution = 400.0;
 /// Share of the accuracy that estimates aim at when the number of elements is chosen.
-constexpr double aimed_share = 0.6;
+constexpr double aimed_share = 0.4;
 /// Share of the accuracy that the iteration may take.
 constexpr double iteration_share = 0.2;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
@@ -106,6 +106,7 @@ private:
   NormalSolver& solver_;
   SideMemory& memory_;
   SideSolution result_;
+  double lateral_error_ = 0.0; ///< of the last trial: what elements across the rail leave
 };
 
 /// The plane at a depth: through the penetration-weighted place of the rail, at the weighted angle.
@@ -352,9 +353,9 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolutio
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    const double across_error = estimate_error(coarser, trial, position_is_prescribed());
+    lateral_error_ = estimate_error(coarser, trial, position_is_prescribed());
     const double along_error = longitudinal_error(trial);
-    result_.error_estimate = across_error + along_error;
+    result_.error_estimate = lateral_error_ + along_error;
     const bool reached = *result_.error_estimate <= request_.accuracy;
     const bool failed = before && *result_.error_estimate * least_gain > *before;
     failures = failed ? failures + 1 : 0;
@@ -370,7 +371,7 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolutio
     resolution = trial.resolution();
     resolution.longitudinal *=
         along_error > 0.5 * request_.accuracy ? finer(2.0 * along_error) : 1.0;
-    resolution.lateral *= across_error > 0.5 * request_.accuracy ? finer(across_error) : 1.0;
+    resolution.lateral *= lateral_error_ > 0.5 * request_.accuracy ? finer(lateral_error_) : 1.0;
     area = trial.contact_area(margin_elements);
     last = trial;
     coarser = std::move(trial);
@@ -460,8 +461,7 @@ void SideSolver::remember(const Trial& trial, const Resolution& resolution) {
   memory_.load = prescribed_load();
   memory_.accuracy = request_.accuracy;
   // Begin the next time with as many elements as are enough, but not with less than half of these.
-  const double surplus = std::sqrt(result_.error_estimate.value_or(request_.accuracy) /
-                                   (aimed_share * request_.accuracy));
+  const double surplus = std::sqrt(lateral_error_ / (aimed_share * request_.accuracy));
   const double factor = std::clamp(surplus, 0.5, 1.0);
   const Resolution least = usual_resolution();
   memory_.resolution = {std::max(factor * resolution.lateral, least.lateral), least.longitudinal};

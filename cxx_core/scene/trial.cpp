@@ -7,14 +7,14 @@
 namespace wrc {
 namespace {
 
-/// Steps of element aspect ratios in an octave: few enough to meet again, with less than a tenth
-/// more elements than aimed at.
-constexpr double ladder_steps = 4.0;
+/// Steps of element aspect ratios in an octave: few enough to meet again, with at most five
+/// per cent more elements than aimed at, or as much smaller ones than given.
+constexpr double ladder_steps = 8.0;
 /// Factor on the estimated discretisation error, for its own uncertainty.
 constexpr double estimate_safety = 2.0;
 /// Weight of the load per length against pmax and approach: it is there for what they miss by
 /// chance, and differs by several times as much as they do where nothing is missed.
-constexpr double load_share = 0.25;
+constexpr double load_share = 0.1;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
 /// Times 1/n^2: error of pmax for Hertzian contact n elements across in both directions.
@@ -73,34 +73,45 @@ double load_difference(const Trial& coarser, const Trial& finer) {
 
 } // namespace
 
+namespace {
+
+/// The step of the ladder nearest to an aspect ratio. Powers of two are exact, so that the same
+/// step gives the same bits on every call.
+double on_ladder(double aspect) {
+  return std::exp2(std::round(std::log2(aspect) * ladder_steps) / ladder_steps);
+}
+
+/// Elements of one size, centred over an area.
+Grid centred_grid(const PlaneArea& area, std::size_t lateral_count, std::size_t longitudinal_count,
+                  double lateral_step, double longitudinal_step) {
+  Grid grid{lateral_count, longitudinal_count, lateral_step, longitudinal_step, 0.0, 0.0};
+  const auto first = [](double begin, double end, double step, std::size_t count) {
+    return 0.5 * (begin + end) - 0.5 * step * static_cast<double>(count - 1);
+  };
+  grid.lateral_first = first(area.lateral_first, area.lateral_last, lateral_step, lateral_count);
+  grid.longitudinal_first =
+      first(area.longitudinal_first, area.longitudinal_last, longitudinal_step, longitudinal_count);
+  return grid;
+}
+
+} // namespace
+
 Grid mesh_grid(const PlaneArea& area, const Mesh& mesh) {
   if (mesh.counts) {
-    return grid_over(area, (*mesh.counts)[0], (*mesh.counts)[1]);
+    const auto [lateral_count, longitudinal_count] = *mesh.counts;
+    const double lateral_step = area.width() / static_cast<double>(lateral_count);
+    const double longitudinal_step = area.length() / static_cast<double>(longitudinal_count);
+    const double aspect = on_ladder(lateral_step / longitudinal_step);
+    const double step = std::max(longitudinal_step, lateral_step / aspect);
+    return centred_grid(area, lateral_count, longitudinal_count, step * aspect, step);
   }
-  double lateral_step = mesh.lateral_step;
-  double longitudinal_step = mesh.longitudinal_step;
-  const double aimed = std::log2(lateral_step / longitudinal_step) * ladder_steps;
-  const double aspect = std::exp2(std::round(aimed) / ladder_steps);
-  longitudinal_step = std::min(longitudinal_step, lateral_step / aspect);
-  lateral_step = longitudinal_step * aspect;
-  const auto count_over = [](double length, double step) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / step)));
+  const double aspect = on_ladder(mesh.lateral_step / mesh.longitudinal_step);
+  const double step = std::min(mesh.longitudinal_step, mesh.lateral_step / aspect);
+  const auto count_over = [](double length, double size) {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / size)));
   };
-  const std::size_t lateral_count = count_over(area.width(), lateral_step);
-  const std::size_t longitudinal_count = count_over(area.length(), longitudinal_step);
-  const auto half = [](double step, std::size_t count) {
-    return 0.5 * step * static_cast<double>(count);
-  };
-  const double lateral_middle = 0.5 * (area.lateral_first + area.lateral_last);
-  const double longitudinal_middle = 0.5 * (area.longitudinal_first + area.longitudinal_last);
-  Grid grid = grid_over({lateral_middle - half(lateral_step, lateral_count),
-                         lateral_middle + half(lateral_step, lateral_count),
-                         longitudinal_middle - half(longitudinal_step, longitudinal_count),
-                         longitudinal_middle + half(longitudinal_step, longitudinal_count)},
-                        lateral_count, longitudinal_count);
-  grid.lateral_step = lateral_step;
-  grid.longitudinal_step = longitudinal_step;
-  return grid;
+  return centred_grid(area, count_over(area.width(), step * aspect),
+                      count_over(area.length(), step), step * aspect, step);
 }
 
 double longitudinal_error(const Trial& trial) {
