@@ -289,9 +289,10 @@ WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* late
 /*
  * Fast Fourier transforms are planned one at a time in the whole process, under a lock of the
  * library. A program that plans with FFTW itself sets its own lock here, which is then held around
- * all planning too; both functions are called with `context` and must not throw. Both NULL takes it
- * away again. To be called while no other thread uses the library. WRC_INVALID_ARGUMENT for one
- * function without the other. Since 0.1.
+ * all planning too; both functions are called with `context` and must not throw. A program that
+ * calls the library while it holds its lock needs a recursive one. Both NULL takes it away again.
+ * To be called while no other thread uses the library. WRC_INVALID_ARGUMENT for one function
+ * without the other. Since 0.1.
  */
 WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlock)(void* context),
                                         void* context);

@@ -22,17 +22,18 @@ namespace {
 /// precision FFTW has tables of its own; one lock for both is enough.
 class Planner {
 public:
+  // The host's lock first: a host that holds it (recursively) while it calls must find ours free.
   void lock() {
-    own_.lock();
     if (host_.lock != nullptr) {
       host_.lock(host_.context);
     }
+    own_.lock();
   }
   void unlock() {
+    own_.unlock();
     if (host_.unlock != nullptr) {
       host_.unlock(host_.context);
     }
-    own_.unlock();
   }
   void set_host_lock(const PlannerLock& host) {
     const std::lock_guard<std::mutex> guard(own_);
@@ -221,7 +222,7 @@ std::size_t fast_line_length(std::size_t least) {
   }
   constexpr std::size_t longest_of_odd_factors = 400;
   std::size_t best = std::numeric_limits<std::size_t>::max();
-  for (const std::size_t odd : {1, 3, 5, 9, 15, 25}) {
+  for (const std::size_t odd : {1U, 3U, 5U, 9U, 15U, 25U}) {
     std::size_t length = odd * vector_length;
     while (length < least) {
       length *= 2;

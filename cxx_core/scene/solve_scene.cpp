@@ -210,7 +210,7 @@ struct SceneSolver::State {
   SurfaceCache<RailSurface, TrackDimensions> rails;
   SideState left;
   SideState right;
-  std::optional<Scene> last;
+  std::optional<Scene> last; ///< whose solvers and positions these are
 
   SceneResult solve(const Scene& scene);
 };
@@ -250,14 +250,17 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const double modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   const bool new_solver =
       !last || last->planner != scene.planner || last->precision != scene.precision;
+  const bool comparable = last && is_comparable(*last, scene);
+  last.reset(); // until the solvers are those of this scene, which may fail after all
   for (SideState* side : {&left, &right}) {
     if (new_solver || !side->solver) {
       side->solver.emplace(scene.planner, scene.precision);
     }
-    if (!last || !is_comparable(*last, scene)) {
+    if (!comparable) {
       side->memory.valid = false;
     }
   }
+  last = scene;
   result.time.setup = milliseconds_since(start) - result.time.profile;
 
   const auto geometry_start = Clock::now();
@@ -317,7 +320,6 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     result.rolling_radius_difference =
         result.left->rigid_contact.rolling_radius - result.right->rigid_contact.rolling_radius;
   }
-  last = scene;
   result.time.total = milliseconds_since(start);
   return result;
 }

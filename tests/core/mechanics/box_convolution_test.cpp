@@ -100,7 +100,7 @@ TYPED_TEST_SUITE(BoxConvolutionTest, Precisions, );
 
 TYPED_TEST(BoxConvolutionTest, EqualsTheDenseSumOnARectangle) {
   for (std::size_t rows = 1; rows <= 40; rows += rows < 10 ? 1 : 5) {
-    for (const std::size_t columns : {1, 2, 3, 7, 8, 9, 16, 31, 40}) {
+    for (const std::size_t columns : {1U, 2U, 3U, 7U, 8U, 9U, 16U, 31U, 40U}) {
       expect_dense_sum<TypeParam>({rows, columns, rows, columns, 0, 0}, 1.7, this->cache,
                                   this->workspace);
     }
@@ -132,7 +132,7 @@ TYPED_TEST(BoxConvolutionTest, EqualsTheDenseSumBetweenTwoRectangles) {
 }
 
 TYPED_TEST(BoxConvolutionTest, WorksInPlace) {
-  for (const std::size_t rows : {1, 7, 8, 24, 37}) {
+  for (const std::size_t rows : {1U, 7U, 8U, 24U, 37U}) {
     const std::size_t columns = 19;
     const std::vector<TypeParam> in = random_field<TypeParam>(rows * columns, 5);
     std::vector<TypeParam> apart(in.size());

@@ -21,7 +21,7 @@ namespace {
 constexpr double roundings = 10.0;
 
 bool has_small_factors(std::size_t length) {
-  for (const std::size_t factor : {2, 3, 5}) {
+  for (const std::size_t factor : {2U, 3U, 5U}) {
     while (length % factor == 0) {
       length /= factor;
     }
@@ -88,7 +88,7 @@ TYPED_TEST_SUITE(LineFftTest, Precisions, );
 
 TYPED_TEST(LineFftTest, ThereAndBackIsTheLengthTimesTheLine) {
   using Complex = std::complex<TypeParam>;
-  for (const std::size_t length : {1, 2, 6, 16, 30, 37, 80, 144, 400, 1024}) {
+  for (const std::size_t length : {1U, 2U, 6U, 16U, 30U, 37U, 80U, 144U, 400U, 1024U}) {
     const LineFft<TypeParam> fft(length, PlannerRigor::estimate);
     const std::vector<TypeParam> line = this->random_line(length);
     AlignedArray<TypeParam> real(length);
@@ -118,7 +118,7 @@ TYPED_TEST(LineFftTest, ThereAndBackIsTheLengthTimesTheLine) {
 TYPED_TEST(LineFftTest, IsTheFourierSum) {
   using Complex = std::complex<TypeParam>;
   const double pi = std::acos(-1.0);
-  for (const std::size_t length : {1, 2, 10, 16, 21, 48}) {
+  for (const std::size_t length : {1U, 2U, 10U, 16U, 21U, 48U}) {
     const LineFft<TypeParam> fft(length, PlannerRigor::estimate);
     const std::vector<TypeParam> line = this->random_line(length);
     AlignedArray<TypeParam> real(length);

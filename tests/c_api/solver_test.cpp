@@ -1,0 +1,257 @@
+/// The solver handle: results with what it keeps, without it, and after failures.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "all_results.hpp"
+
+namespace {
+
+TEST(SolverHandle, RefusesNull) {
+  EXPECT_EQ(wrc_solver_create(nullptr), WRC_INVALID_ARGUMENT);
+  wrc_solver_destroy(nullptr);
+  const ScenePointer scene = make_small_scene();
+  EXPECT_EQ(wrc_solver_solve(nullptr, scene.get()), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solver_forget(nullptr, 0), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solver_forget(nullptr, 1), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_solver_error(nullptr), "NULL"));
+  EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
+
+  const SolverPointer solver = make_solver();
+  EXPECT_STREQ(wrc_solver_error(solver.get()), "");
+  EXPECT_EQ(wrc_solver_solve(solver.get(), nullptr), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_solver_error(solver.get()), "scene = NULL"));
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  EXPECT_STREQ(wrc_solver_error(solver.get()), "");
+}
+
+TEST(SolverHandle, MayBeForgottenAndDestroyedUnused) {
+  const SolverPointer solver = make_solver();
+  EXPECT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
+  EXPECT_EQ(wrc_solver_forget(solver.get(), 1), WRC_OK);
+}
+
+struct Step {
+  double lateral = 0.0; ///< mm
+  double yaw = 0.0;     ///< rad
+  double load = 80e3;   ///< N
+};
+
+ScenePointer make_scene_at(const Step& step, double accuracy) {
+  ScenePointer scene = make_scene();
+  EXPECT_EQ(wrc_scene_set_number(scene.get(), "solve.accuracy", accuracy), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", step.lateral), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.yaw", step.yaw), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", step.load), WRC_OK);
+  return scene;
+}
+
+/// The same scene with what the solver keeps and by itself: peak pressures and approaches are the
+/// same within the accuracy asked, places of the first touch to the last bit.
+void expect_agreement(wrc_solver* solver, wrc_scene* warm, wrc_scene* cold, double accuracy,
+                      const std::string& where) {
+  SCOPED_TRACE(where);
+  ASSERT_EQ(wrc_solver_solve(solver, warm), WRC_OK) << wrc_scene_error(warm);
+  ASSERT_EQ(wrc_scene_solve(cold), WRC_OK) << wrc_scene_error(cold);
+  EXPECT_EQ(number_of(warm, "roll"), number_of(cold, "roll"));
+  EXPECT_EQ(number_of(warm, "vertical"), number_of(cold, "vertical"));
+  for (const std::string side : {"left", "right"}) {
+    for (const char* name : {".rigid_contact.y", ".rigid_contact.angle", ".vertical"}) {
+      EXPECT_EQ(number_of(warm, (side + name).c_str()), number_of(cold, (side + name).c_str()))
+          << side << name;
+    }
+    for (const char* name : {".pmax", ".approach"}) {
+      const double expected = number_of(cold, (side + name).c_str());
+      const double found = number_of(warm, (side + name).c_str());
+      EXPECT_NEAR(found, expected, accuracy * expected) << side << name;
+    }
+  }
+}
+
+constexpr std::array accuracies{1e-2, 1e-3};
+
+TEST(Solver, FollowsAHuntingMotion) {
+  constexpr int steps = 24;
+  constexpr double amplitude = 5.0;
+  for (const double accuracy : accuracies) {
+    const SolverPointer solver = make_solver();
+    for (int i = 0; i <= steps; ++i) {
+      const double phase = 2.0 * std::numbers::pi * i / steps;
+      const Step step{amplitude * std::sin(phase), 0.004 * std::cos(phase),
+                      80e3 * (1.0 + 0.2 * std::sin(3.0 * phase))};
+      const ScenePointer warm = make_scene_at(step, accuracy);
+      const ScenePointer cold = make_scene_at(step, accuracy);
+      expect_agreement(solver.get(), warm.get(), cold.get(), accuracy, "step " + std::to_string(i));
+    }
+  }
+}
+
+TEST(Solver, FollowsAJumpToTheFlangeAndBack) {
+  for (const double accuracy : accuracies) {
+    const SolverPointer solver = make_solver();
+    for (const double lateral : {4.0, 4.0, 8.0, 8.0, 4.0, -8.0, 8.0, 0.0}) {
+      const ScenePointer warm = make_scene_at({lateral}, accuracy);
+      const ScenePointer cold = make_scene_at({lateral}, accuracy);
+      expect_agreement(solver.get(), warm.get(), cold.get(), accuracy,
+                       "lateral " + std::to_string(lateral));
+    }
+  }
+}
+
+TEST(Solver, FollowsChangesOfLoad) {
+  for (const double accuracy : accuracies) {
+    const SolverPointer solver = make_solver();
+    for (const double load : {80e3, 8e3, 80e3, 800e3, 80e3, 8e3, 800e3, 0.8}) {
+      const ScenePointer warm = make_scene_at({1.0, 0.002, load}, accuracy);
+      const ScenePointer cold = make_scene_at({1.0, 0.002, load}, accuracy);
+      expect_agreement(solver.get(), warm.get(), cold.get(), accuracy,
+                       "load " + std::to_string(load));
+    }
+  }
+}
+
+TEST(Solver, FollowsChangesOfProfilesAndYaw) {
+  constexpr double accuracy = 1e-3;
+  const SolverPointer solver = make_solver();
+  for (const double yaw : {0.0, 0.02, -0.05}) {
+    for (const auto& [wheel, rail] :
+         {std::pair{"S1002", "60E1"}, std::pair{"LMA", "60E1"}, std::pair{"LMA", "CHN60"},
+          std::pair{"S1002", "54E1"}, std::pair{"S1002", "60E1"}}) {
+      const ScenePointer warm = make_scene_at({2.0, yaw}, accuracy);
+      const ScenePointer cold = make_scene_at({2.0, yaw}, accuracy);
+      for (wrc_scene* scene : {warm.get(), cold.get()}) {
+        ASSERT_EQ(wrc_scene_set_text(scene, "wheelset.wheel", wheel), WRC_OK);
+        ASSERT_EQ(wrc_scene_set_text(scene, "track.rail", rail), WRC_OK);
+      }
+      expect_agreement(solver.get(), warm.get(), cold.get(), accuracy,
+                       std::string(wheel) + " on " + rail + ", yaw " + std::to_string(yaw));
+    }
+  }
+}
+
+TEST(Solver, FollowsPrescribedHeightsAndLossOfContact) {
+  constexpr double accuracy = 1e-3;
+  const SolverPointer solver = make_solver();
+  const ScenePointer first = make_scene_at({2.0}, accuracy);
+  ASSERT_EQ(wrc_solver_solve(solver.get(), first.get()), WRC_OK);
+  const double touch =
+      std::min(number_of(first.get(), "left.vertical"), number_of(first.get(), "right.vertical"));
+  for (const double depth : {0.05, 0.1, -1.0, 0.02, 0.0, 0.3}) {
+    const ScenePointer warm = make_scene_at({2.0}, accuracy);
+    const ScenePointer cold = make_scene_at({2.0}, accuracy);
+    for (wrc_scene* scene : {warm.get(), cold.get()}) {
+      ASSERT_EQ(wrc_scene_set_number(scene, "pose.vertical", touch - depth), WRC_OK);
+    }
+    expect_agreement(solver.get(), warm.get(), cold.get(), accuracy,
+                     "depth " + std::to_string(depth));
+    EXPECT_EQ(number_of(warm.get(), "left.pmax") > 0.0, depth > 0.0);
+    const ScenePointer loaded = make_scene_at({2.0}, accuracy);
+    const ScenePointer alone = make_scene_at({2.0}, accuracy);
+    expect_agreement(solver.get(), loaded.get(), alone.get(), accuracy,
+                     "loaded after depth " + std::to_string(depth));
+  }
+}
+
+TEST(Solver, FollowsAWheelsetWithoutLoad) {
+  constexpr double accuracy = 1e-3;
+  const SolverPointer solver = make_solver();
+  for (const double load : {80e3, 0.0, 80e3}) {
+    const ScenePointer warm = make_scene_at({1.0, 0.0, load}, accuracy);
+    const ScenePointer cold = make_scene_at({1.0, 0.0, load}, accuracy);
+    expect_agreement(solver.get(), warm.get(), cold.get(), accuracy,
+                     "load " + std::to_string(load));
+    EXPECT_EQ(number_of(warm.get(), "right.pmax") > 0.0, load > 0.0);
+  }
+}
+
+TEST(Solver, IsBitForBitASingleSolutionOncePositionsAreForgotten) {
+  for (const std::int32_t profiles : {0, 1}) {
+    const SolverPointer solver = make_solver();
+    for (int i = 0; i < 12; ++i) {
+      const ScenePointer other = make_varied_scene(i + 5);
+      ASSERT_EQ(wrc_solver_solve(solver.get(), other.get()), WRC_OK);
+      ASSERT_EQ(wrc_solver_forget(solver.get(), profiles), WRC_OK);
+      const ScenePointer scene = make_varied_scene(i);
+      ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+      const ScenePointer single = make_varied_scene(i);
+      ASSERT_EQ(wrc_scene_solve(single.get()), WRC_OK);
+      expect_same_bits(scene.get(), single.get(), "scene " + std::to_string(i));
+    }
+  }
+}
+
+/// Makes a scene unsolvable; what it failed with.
+struct Failure {
+  const char* key;
+  const char* text; ///< or a number
+  double number;
+  wrc_status status;
+};
+constexpr std::array<Failure, 2> failures{{
+    {"wheelset.wheel", "no such wheel", 0.0, WRC_UNKNOWN_NAME},
+    {"pose.lateral", nullptr, 90.0, WRC_NO_CONTACT},
+}};
+
+void spoil(wrc_scene* scene, const Failure& failure) {
+  if (failure.text != nullptr) {
+    ASSERT_EQ(wrc_scene_set_text(scene, failure.key, failure.text), WRC_OK);
+  } else {
+    ASSERT_EQ(wrc_scene_set_number(scene, failure.key, failure.number), WRC_OK);
+  }
+}
+
+TEST(Solver, StaysUsableAfterAFailure) {
+  for (const Failure& failure : failures) {
+    SCOPED_TRACE(failure.key);
+    const SolverPointer solver = make_solver();
+    const ScenePointer scene = make_scene_at({1.0}, 1e-2);
+    wrc_scene* s = scene.get();
+    ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK);
+    const AllResults before(s);
+    spoil(s, failure);
+    // The failing scene also asks for other plans than those kept.
+    ASSERT_EQ(wrc_scene_set_text(s, "solve.precision", "double"), WRC_OK);
+    EXPECT_EQ(wrc_solver_solve(solver.get(), s), failure.status);
+    EXPECT_STRNE(wrc_scene_error(s), "");
+    EXPECT_EQ(AllResults(s).difference_to(before), "");
+
+    const ScenePointer next = make_scene_at({1.2}, 1e-2);
+    const ScenePointer cold = make_scene_at({1.2}, 1e-2);
+    expect_agreement(solver.get(), next.get(), cold.get(), 1e-2, "after a failure");
+    ASSERT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
+    ASSERT_EQ(wrc_solver_solve(solver.get(), next.get()), WRC_OK);
+    expect_same_bits(next.get(), cold.get(), "forgotten after a failure");
+
+    // The scene that failed is solved as soon as it can be.
+    ASSERT_EQ(wrc_scene_set_text(s, "wheelset.wheel", "S1002"), WRC_OK);
+    ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 1.0), WRC_OK);
+    ASSERT_EQ(wrc_scene_set_text(s, "solve.precision", "mixed"), WRC_OK);
+    ASSERT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
+    ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK);
+    EXPECT_STREQ(wrc_scene_error(s), "");
+    EXPECT_EQ(AllResults(s).difference_to(before), "");
+  }
+}
+
+class SolverFiles : public WithFolder {};
+
+TEST_F(SolverFiles, AreReadAgainOnceForgotten) {
+  const ProfilePointer profile = make_profile();
+  ASSERT_EQ(wrc_profile_load_standard(profile.get(), "60E1"), WRC_OK);
+  ASSERT_EQ(wrc_profile_write(profile.get(), path("rail.prr").c_str(), 0.1), WRC_OK);
+  const SolverPointer solver = make_solver();
+  const ScenePointer scene = make_scene_at({1.0}, 1e-2);
+  ASSERT_EQ(wrc_scene_set_text(scene.get(), "track.rail", path("rail.prr").c_str()), WRC_OK);
+  ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+  const AllResults before(scene.get());
+  std::filesystem::remove(path("rail.prr"));
+  ASSERT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
+  ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
+  ASSERT_EQ(wrc_solver_forget(solver.get(), 1), WRC_OK);
+  EXPECT_NE(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
+}
+
+} // namespace

@@ -1,0 +1,238 @@
+/// Many threads: batches of scenes, handles of several threads, the host's planner lock.
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "all_results.hpp"
+
+namespace {
+
+constexpr int scene_count = 64;
+
+std::vector<ScenePointer> make_varied_scenes() {
+  std::vector<ScenePointer> scenes;
+  for (int i = 0; i < scene_count; ++i) {
+    scenes.push_back(make_varied_scene(i));
+  }
+  return scenes;
+}
+
+std::vector<wrc_scene*> handles_of(const std::vector<ScenePointer>& scenes) {
+  std::vector<wrc_scene*> handles;
+  for (const ScenePointer& scene : scenes) {
+    handles.push_back(scene.get());
+  }
+  return handles;
+}
+
+/// The varied scenes, each solved by itself.
+const std::vector<AllResults>& single_results() {
+  static const std::vector<AllResults> results = [] {
+    std::vector<AllResults> list;
+    for (const ScenePointer& scene : make_varied_scenes()) {
+      EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+      list.emplace_back(scene.get());
+    }
+    return list;
+  }();
+  return results;
+}
+
+TEST(Batch, IsBitForBitTheScenesOneByOne) {
+  for (const std::int32_t threads : {1, 2, 3, 7}) {
+    const std::vector<ScenePointer> scenes = make_varied_scenes();
+    const std::vector<wrc_scene*> handles = handles_of(scenes);
+    std::vector<wrc_status> statuses(handles.size(), -1);
+    EXPECT_EQ(wrc_solve_batch(handles.data(), scene_count, threads, statuses.data()), WRC_OK);
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+      EXPECT_EQ(statuses[i], WRC_OK);
+      EXPECT_EQ(AllResults(handles[i]).difference_to(single_results()[i]), "")
+          << "scene " << i << ", threads " << threads;
+    }
+  }
+}
+
+TEST(Batch, ABadSceneSpoilsNoOther) {
+  constexpr std::size_t unknown = 4;
+  constexpr std::size_t off_the_rail = 11; // in double precision, the next one is not
+  for (const std::int32_t threads : {1, 2}) {
+    const std::vector<ScenePointer> scenes = make_varied_scenes();
+    const std::vector<wrc_scene*> handles = handles_of(scenes);
+    ASSERT_EQ(wrc_scene_set_text(handles[unknown], "track.rail", "no such rail"), WRC_OK);
+    ASSERT_EQ(wrc_scene_set_number(handles[off_the_rail], "pose.lateral", 90.0), WRC_OK);
+    ASSERT_EQ(wrc_scene_set_text(handles[off_the_rail], "solve.precision", "double"), WRC_OK);
+    std::vector<wrc_status> statuses(handles.size(), -1);
+    EXPECT_EQ(wrc_solve_batch(handles.data(), scene_count, threads, statuses.data()),
+              WRC_UNKNOWN_NAME);
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+      if (i == unknown || i == off_the_rail) {
+        EXPECT_EQ(statuses[i], i == unknown ? WRC_UNKNOWN_NAME : WRC_NO_CONTACT);
+        EXPECT_STRNE(wrc_scene_error(handles[i]), "");
+        EXPECT_EQ(wrc_scene_number_count(handles[i]), 0);
+      } else {
+        EXPECT_EQ(statuses[i], WRC_OK);
+        EXPECT_EQ(AllResults(handles[i]).difference_to(single_results()[i]), "") << "scene " << i;
+      }
+    }
+    EXPECT_EQ(wrc_solve_batch(handles.data(), scene_count, threads, nullptr), WRC_UNKNOWN_NAME);
+  }
+}
+
+TEST(Batch, RefusesWhatItCannotDo) {
+  const ScenePointer one = make_small_scene();
+  const ScenePointer other = make_small_scene();
+  const std::array<wrc_scene*, 3> twice{one.get(), other.get(), one.get()};
+  const std::array<wrc_scene*, 2> null{one.get(), nullptr};
+  const std::array<wrc_scene*, 2> good{one.get(), other.get()};
+  std::array<wrc_status, 3> statuses{-1, -1, -1};
+  EXPECT_EQ(wrc_solve_batch(twice.data(), 3, 2, statuses.data()), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solve_batch(null.data(), 2, 2, statuses.data()), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solve_batch(nullptr, 2, 2, statuses.data()), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solve_batch(good.data(), -1, 2, statuses.data()), WRC_INVALID_ARGUMENT);
+  for (const std::int32_t threads : {-1, 0, 1025}) {
+    EXPECT_EQ(wrc_solve_batch(good.data(), 2, threads, statuses.data()), WRC_INVALID_ARGUMENT);
+  }
+  EXPECT_EQ(wrc_scene_number_count(one.get()), 0);
+  EXPECT_EQ(std::count(statuses.begin(), statuses.end(), -1), 3);
+  EXPECT_EQ(wrc_solve_batch(nullptr, 0, 2, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_solve_batch(good.data(), 0, 2, statuses.data()), WRC_OK);
+  EXPECT_EQ(wrc_scene_number_count(one.get()), 0);
+  EXPECT_EQ(wrc_solve_batch(good.data(), 2, 1024, statuses.data()), WRC_OK);
+  EXPECT_EQ(statuses[1], WRC_OK);
+}
+
+TEST(Threads, WithSolversOfTheirOwnAreBitForBitASerialRun) {
+  constexpr int threads = 4;
+  constexpr int steps = 12;
+  // Warm solutions depend on what came before: the serial run has the same order.
+  const auto run = [](int thread, std::vector<AllResults>& results) {
+    const SolverPointer solver = make_solver();
+    for (int i = 0; i < steps; ++i) {
+      const ScenePointer scene = make_varied_scene(thread + 4 * (i / 3));
+      ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 0.1 * i), WRC_OK);
+      ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+      results.emplace_back(scene.get());
+    }
+  };
+  std::array<std::vector<AllResults>, threads> serial;
+  std::array<std::vector<AllResults>, threads> together;
+  std::vector<std::thread> started;
+  for (int i = 0; i < threads; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    run(i, serial[place]);
+  }
+  for (int i = 0; i < threads; ++i) {
+    started.emplace_back(run, i, std::ref(together[static_cast<std::size_t>(i)]));
+  }
+  for (std::thread& thread : started) {
+    thread.join();
+  }
+  for (std::size_t i = 0; i < threads; ++i) {
+    ASSERT_EQ(serial[i].size(), together[i].size());
+    for (std::size_t j = 0; j < serial[i].size(); ++j) {
+      EXPECT_EQ(together[i][j].difference_to(serial[i][j]), "") << "thread " << i << ", step " << j;
+    }
+  }
+}
+
+/// A lock of the host that notices when two hold it at once.
+class HostLock {
+public:
+  static void lock(void* context) { static_cast<HostLock*>(context)->enter(); }
+  static void unlock(void* context) { static_cast<HostLock*>(context)->leave(); }
+
+  void enter() {
+    mutex_.lock();
+    overlaps_ += inside_.exchange(true) ? 1 : 0;
+    ++entered_;
+  }
+  void leave() {
+    overlaps_ += inside_.exchange(false) ? 0 : 1;
+    mutex_.unlock();
+  }
+  [[nodiscard]] int overlaps() const { return overlaps_; }
+  [[nodiscard]] int entered() const { return entered_; }
+
+private:
+  std::mutex mutex_;
+  std::atomic<bool> inside_{false};
+  std::atomic<int> overlaps_{0};
+  std::atomic<int> entered_{0};
+};
+
+TEST(Threads, PlanOnlyUnderTheHostsLock) {
+  constexpr int planning_threads = 4;
+  constexpr int rounds = 8;
+  constexpr int host_sections = 200;
+  HostLock lock;
+  ASSERT_EQ(wrc_set_planner_lock(HostLock::lock, HostLock::unlock, &lock), WRC_OK);
+  std::atomic<int> host_entered{0};
+  const auto host_plans = [&] {
+    for (int i = 0; i < host_sections; ++i) {
+      lock.enter();
+      ++host_entered;
+      std::this_thread::yield();
+      lock.leave();
+      std::this_thread::yield();
+    }
+  };
+  const auto library_plans = [](int thread) {
+    for (int round = 0; round < rounds; ++round) {
+      double time = 0.0;
+      ASSERT_EQ(wrc_measure_transform(8 + thread, 10 + round, 1, &time), WRC_OK);
+      const ScenePointer scene = make_small_scene();
+      ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 0.1 * round), WRC_OK);
+      ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+    }
+  };
+  std::vector<std::thread> threads;
+  threads.emplace_back(host_plans);
+  threads.emplace_back(host_plans);
+  for (int i = 0; i < planning_threads; ++i) {
+    threads.emplace_back(library_plans, i);
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(lock.overlaps(), 0);
+  EXPECT_EQ(host_entered, 2 * host_sections);
+  // At least once for the plans of each yardstick, once for their end, and once for each scene.
+  EXPECT_GE(lock.entered() - host_entered, 3 * planning_threads * rounds);
+}
+
+/// A recursive lock that tells how often it was asked for.
+struct RecursiveLock {
+  std::recursive_mutex mutex;
+  std::atomic<int> requests{0};
+  static void lock(void* context) {
+    auto* own = static_cast<RecursiveLock*>(context);
+    ++own->requests;
+    own->mutex.lock();
+  }
+  static void unlock(void* context) { static_cast<RecursiveLock*>(context)->mutex.unlock(); }
+};
+
+TEST(Threads, MayPlanWhileTheyHoldARecursiveLock) {
+  RecursiveLock lock;
+  ASSERT_EQ(wrc_set_planner_lock(RecursiveLock::lock, RecursiveLock::unlock, &lock), WRC_OK);
+  const auto plan = [] {
+    double time = 0.0;
+    ASSERT_EQ(wrc_measure_transform(8, 10, 1, &time), WRC_OK);
+  };
+  std::thread other;
+  {
+    const std::lock_guard<std::recursive_mutex> held(lock.mutex);
+    other = std::thread(plan);
+    while (lock.requests == 0) {
+      std::this_thread::yield();
+    }
+    plan(); // the other thread is about to plan and waits; it may hold nothing we need
+  }
+  other.join();
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+}
+
+} // namespace
