@@ -89,8 +89,8 @@ struct Trial {
 };
 
 /// Relative error of pmax and approach that the elements along the rail leave. The wheel is round
-/// there, so it follows the law of Hertzian contact, 0.31/n^2 at most with n elements through the
-/// peak (docs/validation.md); `longitudinal_resolution` is its inverse.
+/// there, so it follows the law of Hertzian contact, 0.22/n^2 at most with n elements through the
+/// peak; `longitudinal_resolution` is its inverse.
 double longitudinal_error(const Trial& trial);
 double longitudinal_resolution(double error);
 
