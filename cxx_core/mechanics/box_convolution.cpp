@@ -121,12 +121,6 @@ WRC_VECTOR_CLONES void gather(const double* columns, std::size_t column_pitch, d
   gather_body(columns, column_pitch, lines, line_pitch, length, count);
 }
 
-template <typename Value> void provide(AlignedArray<Value>& array, std::size_t size) {
-  if (array.size() < size) {
-    array = AlignedArray<Value>(size);
-  }
-}
-
 /// Complex values as pairs of real ones, which the standard permits.
 template <typename Real> Real* pairs_of(std::complex<Real>* values) {
   return reinterpret_cast<Real*>(values);
@@ -152,8 +146,8 @@ BoxConvolution<Real> BoxConvolution<Real>::linear(const ConvolutionShape& shape,
   const std::size_t rows = line_length(shape.rows_in, shape.rows_out, shape.row_offset);
   const std::size_t columns = line_length(shape.columns_in, shape.columns_out, shape.column_offset);
   result.spectrum_ = cache.spectrum<Real>(aspect, rows, columns);
-  result.row_fft_ = &cache.complex_line_fft<Real>(columns);
-  result.column_fft_ = &cache.complex_line_fft<Real>(rows);
+  result.row_fft_ = &cache.line_fft<Real>(columns);
+  result.column_fft_ = &cache.line_fft<Real>(rows);
   return result;
 }
 
@@ -165,8 +159,8 @@ BoxConvolution<Real> BoxConvolution<Real>::inverse_periodic(std::size_t rows, st
   const std::size_t row_period = fast_line_length(rows);
   const std::size_t column_period = fast_line_length(columns);
   result.spectrum_ = cache.inverse_spectrum<Real>(aspect, row_period, column_period);
-  result.row_fft_ = &cache.complex_line_fft<Real>(column_period);
-  result.column_fft_ = &cache.complex_line_fft<Real>(row_period);
+  result.row_fft_ = &cache.line_fft<Real>(column_period);
+  result.column_fft_ = &cache.line_fft<Real>(row_period);
   return result;
 }
 

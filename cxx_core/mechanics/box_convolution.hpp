@@ -52,8 +52,8 @@ public:
 
 private:
   ConvolutionShape shape_;
-  const ComplexLineFft<Real>* row_fft_ = nullptr;
-  const ComplexLineFft<Real>* column_fft_ = nullptr;
+  const LineFft<Real>* row_fft_ = nullptr;
+  const LineFft<Real>* column_fft_ = nullptr;
   std::shared_ptr<const KernelSpectrum<Real>> spectrum_;
 };
 

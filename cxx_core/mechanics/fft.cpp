@@ -79,20 +79,8 @@ template <> struct Library<double> {
   using Complex = fftw_complex;
   using Plan = fftw_plan_s;
   static void destroy(Plan* plan) { fftw_destroy_plan(plan); }
-  static Plan* plan_real_forward(int length, double* from, Complex* to, unsigned flags) {
-    return fftw_plan_dft_r2c_1d(length, from, to, flags | FFTW_PRESERVE_INPUT);
-  }
-  static Plan* plan_real_backward(int length, Complex* from, double* to, unsigned flags) {
-    return fftw_plan_dft_c2r_1d(length, from, to, flags);
-  }
   static Plan* plan_complex(int length, Complex* from, Complex* to, int sign, unsigned flags) {
     return fftw_plan_dft_1d(length, from, to, sign, flags | FFTW_PRESERVE_INPUT);
-  }
-  static void run(const Plan* plan, double* from, Complex* to) {
-    fftw_execute_dft_r2c(const_cast<Plan*>(plan), from, to);
-  }
-  static void run(const Plan* plan, Complex* from, double* to) {
-    fftw_execute_dft_c2r(const_cast<Plan*>(plan), from, to);
   }
   static void run(const Plan* plan, Complex* from, Complex* to) {
     fftw_execute_dft(const_cast<Plan*>(plan), from, to);
@@ -103,20 +91,8 @@ template <> struct Library<float> {
   using Complex = fftwf_complex;
   using Plan = fftwf_plan_s;
   static void destroy(Plan* plan) { fftwf_destroy_plan(plan); }
-  static Plan* plan_real_forward(int length, float* from, Complex* to, unsigned flags) {
-    return fftwf_plan_dft_r2c_1d(length, from, to, flags | FFTW_PRESERVE_INPUT);
-  }
-  static Plan* plan_real_backward(int length, Complex* from, float* to, unsigned flags) {
-    return fftwf_plan_dft_c2r_1d(length, from, to, flags);
-  }
   static Plan* plan_complex(int length, Complex* from, Complex* to, int sign, unsigned flags) {
     return fftwf_plan_dft_1d(length, from, to, sign, flags | FFTW_PRESERVE_INPUT);
-  }
-  static void run(const Plan* plan, float* from, Complex* to) {
-    fftwf_execute_dft_r2c(const_cast<Plan*>(plan), from, to);
-  }
-  static void run(const Plan* plan, Complex* from, float* to) {
-    fftwf_execute_dft_c2r(const_cast<Plan*>(plan), from, to);
   }
   static void run(const Plan* plan, Complex* from, Complex* to) {
     fftwf_execute_dft(const_cast<Plan*>(plan), from, to);
@@ -236,45 +212,13 @@ std::size_t fast_line_length(std::size_t least) {
 
 // Lines of other memory need no more than the same alignment to be transformed by the same plan.
 
-template <typename Real> struct RealLineFft<Real>::Plans {
+template <typename Real> struct LineFft<Real>::Plans {
   Plan<Real> forward;
   Plan<Real> backward;
 };
 
 template <typename Real>
-RealLineFft<Real>::RealLineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
-  check_length("length", length);
-  AlignedArray<Real> line(length);
-  AlignedArray<Complex> spectrum(length);
-  const int count = static_cast<int>(length);
-  {
-    const PlanningGuard guard(planner());
-    plans_->forward.reset(Library<Real>::plan_real_forward(
-        count, line.data(), fftw_of(spectrum.data()), flags_of(rigor)));
-    plans_->backward.reset(Library<Real>::plan_real_backward(count, fftw_of(spectrum.data()),
-                                                             line.data(), flags_of(rigor)));
-  }
-  if (plans_->forward == nullptr || plans_->backward == nullptr) {
-    throw_no_memory(1, length);
-  }
-}
-
-template <typename Real> RealLineFft<Real>::~RealLineFft() = default;
-
-template <typename Real> void RealLineFft<Real>::forward(Real* from, Complex* to) const {
-  Library<Real>::run(plans_->forward.get(), from, fftw_of(to));
-}
-template <typename Real> void RealLineFft<Real>::backward(Complex* from, Real* to) const {
-  Library<Real>::run(plans_->backward.get(), fftw_of(from), to);
-}
-
-template <typename Real> struct ComplexLineFft<Real>::Plans {
-  Plan<Real> forward;
-  Plan<Real> backward;
-};
-
-template <typename Real>
-ComplexLineFft<Real>::ComplexLineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
+LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
   check_length("length", length);
   AlignedArray<Complex> first(length);
   AlignedArray<Complex> second(length);
@@ -291,19 +235,17 @@ ComplexLineFft<Real>::ComplexLineFft(std::size_t length, PlannerRigor rigor) : p
   }
 }
 
-template <typename Real> ComplexLineFft<Real>::~ComplexLineFft() = default;
+template <typename Real> LineFft<Real>::~LineFft() = default;
 
-template <typename Real> void ComplexLineFft<Real>::forward(Complex* from, Complex* to) const {
+template <typename Real> void LineFft<Real>::forward(Complex* from, Complex* to) const {
   Library<Real>::run(plans_->forward.get(), fftw_of(from), fftw_of(to));
 }
-template <typename Real> void ComplexLineFft<Real>::backward(Complex* from, Complex* to) const {
+template <typename Real> void LineFft<Real>::backward(Complex* from, Complex* to) const {
   Library<Real>::run(plans_->backward.get(), fftw_of(from), fftw_of(to));
 }
 
-template class RealLineFft<float>;
-template class RealLineFft<double>;
-template class ComplexLineFft<float>;
-template class ComplexLineFft<double>;
+template class LineFft<float>;
+template class LineFft<double>;
 
 struct RealFft::Resources {
   std::size_t rows;

@@ -3,8 +3,8 @@
 /// RealFft, two-dimensional, double precision:
 ///   F[k, l] = sum_{m, n} f[m, n] exp(-2 pi i (k m / rows + l n / columns)), kept for
 /// l <= columns/2; backward is its conjugate sum, so that backward(forward(f)) = rows columns f
-/// (FFTW 3 manual, "What FFTW Really Computes"). RealLineFft and ComplexLineFft: the same in one
-/// dimension, in single or double precision, on lines of the caller's memory.
+/// (FFTW 3 manual, "What FFTW Really Computes"). LineFft: of complex values in one dimension, in
+/// single or double precision, on lines of the caller's memory.
 /// Plans are made with the rigor asked for. With `estimate` they are the same on every call, unless
 /// the process has loaded wisdom; with `measure` FFTW times several algorithms, once a length, and
 /// the last bits of results may differ from one process to the next.
@@ -75,41 +75,30 @@ private:
   std::size_t size_ = 0;
 };
 
+/// Memory for at least so many values; what was there is lost if it has to grow.
+template <typename Value> void provide(AlignedArray<Value>& array, std::size_t size) {
+  if (array.size() < size) {
+    array = AlignedArray<Value>(size);
+  }
+}
+
 /// Values a line takes in an array of lines, so that each starts on an aligned place.
 template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length) {
   constexpr std::size_t unit = AlignedArray<Value>::alignment / sizeof(Value);
   return (length + unit - 1) / unit * unit;
 }
 
-/// Transforms of real lines of one length; not normalised. Lines start at aligned places
-/// (AlignedArray, aligned_pitch), `from` and `to` do not overlap.
-template <typename Real> class RealLineFft {
+/// Transforms of complex lines of one length; not normalised. Lines start at aligned places
+/// (AlignedArray, aligned_pitch), `from` and `to` do not overlap; `from` is kept.
+template <typename Real> class LineFft {
 public:
   using Complex = std::complex<Real>;
 
   /// Throws Error(out_of_memory) when plans cannot be had.
-  RealLineFft(std::size_t length, PlannerRigor rigor);
-  ~RealLineFft();
-  RealLineFft(const RealLineFft&) = delete;
-  RealLineFft& operator=(const RealLineFft&) = delete;
-
-  void forward(Real* from, Complex* to) const;  ///< length/2 + 1 values; `from` is kept
-  void backward(Complex* from, Real* to) const; ///< `from` is lost
-
-private:
-  struct Plans;
-  std::unique_ptr<Plans> plans_;
-};
-
-/// The same of complex lines; `from` is kept.
-template <typename Real> class ComplexLineFft {
-public:
-  using Complex = std::complex<Real>;
-
-  ComplexLineFft(std::size_t length, PlannerRigor rigor);
-  ~ComplexLineFft();
-  ComplexLineFft(const ComplexLineFft&) = delete;
-  ComplexLineFft& operator=(const ComplexLineFft&) = delete;
+  LineFft(std::size_t length, PlannerRigor rigor);
+  ~LineFft();
+  LineFft(const LineFft&) = delete;
+  LineFft& operator=(const LineFft&) = delete;
 
   void forward(Complex* from, Complex* to) const;
   void backward(Complex* from, Complex* to) const;

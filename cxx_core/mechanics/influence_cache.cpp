@@ -29,9 +29,8 @@ const Fft& fft_of(std::map<std::size_t, std::unique_ptr<Fft>>& kept, std::size_t
 
 } // namespace
 
-template <typename Real>
-const ComplexLineFft<Real>& InfluenceCache::complex_line_fft(std::size_t length) {
-  return fft_of(store<Real>().complex_line_ffts, length, rigor_);
+template <typename Real> const LineFft<Real>& InfluenceCache::line_fft(std::size_t length) {
+  return fft_of(store<Real>().line_ffts, length, rigor_);
 }
 
 const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std::size_t columns) {
@@ -64,7 +63,7 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
   // Lines that are even have real spectra: two of them make one complex transform, one as its real
   // and one as its imaginary part.
   using Complex = std::complex<double>;
-  const ComplexLineFft<double>& row_fft = complex_line_fft<double>(columns);
+  const LineFft<double>& row_fft = line_fft<double>(columns);
   AlignedArray<Complex> row_line(columns);
   AlignedArray<Complex> row_spectrum(columns);
   // By column: half[column * (half_rows + 1) + row].
@@ -95,7 +94,7 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
   spectrum->columns = columns;
   spectrum->pitch = aligned_pitch<Real>(rows);
   spectrum->values = AlignedArray<Real>(spectrum->pitch * (half_columns + 1));
-  const ComplexLineFft<double>& column_fft = complex_line_fft<double>(rows);
+  const LineFft<double>& column_fft = line_fft<double>(rows);
   AlignedArray<Complex> column_line(rows);
   AlignedArray<Complex> column_spectrum(rows);
   const double element_count = static_cast<double>(rows) * static_cast<double>(columns);
@@ -182,8 +181,8 @@ void InfluenceCache::trim(std::size_t bytes) {
   }
 }
 
-template const ComplexLineFft<float>& InfluenceCache::complex_line_fft<float>(std::size_t);
-template const ComplexLineFft<double>& InfluenceCache::complex_line_fft<double>(std::size_t);
+template const LineFft<float>& InfluenceCache::line_fft<float>(std::size_t);
+template const LineFft<double>& InfluenceCache::line_fft<double>(std::size_t);
 template std::shared_ptr<const KernelSpectrum<float>>
 InfluenceCache::spectrum<float>(double, std::size_t, std::size_t);
 template std::shared_ptr<const KernelSpectrum<double>>

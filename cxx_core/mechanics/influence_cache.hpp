@@ -52,7 +52,7 @@ public:
 
   [[nodiscard]] PlannerRigor rigor() const { return rigor_; }
 
-  template <typename Real> const ComplexLineFft<Real>& complex_line_fft(std::size_t length);
+  template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
   /// At least rows x columns offsets; valid until the next call for the same aspect ratio.
   const InfluenceTable& table(double aspect, std::size_t rows, std::size_t columns);
   template <typename Real>
@@ -76,7 +76,7 @@ private:
     std::uint64_t last_use;
   };
   template <typename Real> struct Store {
-    std::map<std::size_t, std::unique_ptr<ComplexLineFft<Real>>> complex_line_ffts;
+    std::map<std::size_t, std::unique_ptr<LineFft<Real>>> line_ffts;
     std::map<SpectrumKey, Kept<std::shared_ptr<const KernelSpectrum<Real>>>> spectra;
   };
 

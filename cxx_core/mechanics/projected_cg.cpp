@@ -217,12 +217,6 @@ WRC_VECTOR_CLONES void add_to_row(double* displacement, const double* kernel, do
   }
 }
 
-template <typename Value> void provide(AlignedArray<Value>& array, std::size_t size) {
-  if (array.size() < size) {
-    array = AlignedArray<Value>(size);
-  }
-}
-
 } // namespace
 
 /// u = K p. In the precision of the directions, or in double if they are single and it matters.

@@ -54,20 +54,6 @@ TEST(LineLength, GoodLengthIsTheLeastOne) {
   }
 }
 
-/// Real and complex lines of one length together.
-template <typename Real> struct LineFft {
-  using Complex = std::complex<Real>;
-
-  LineFft(std::size_t length, PlannerRigor rigor) : real(length, rigor), complex(length, rigor) {}
-  void real_forward(Real* from, Complex* to) const { real.forward(from, to); }
-  void real_backward(Complex* from, Real* to) const { real.backward(from, to); }
-  void forward(Complex* from, Complex* to) const { complex.forward(from, to); }
-  void backward(Complex* from, Complex* to) const { complex.backward(from, to); }
-
-  RealLineFft<Real> real;
-  ComplexLineFft<Real> complex;
-};
-
 template <typename Real> class LineFftTest : public testing::Test {
 protected:
   static std::vector<Real> random_line(std::size_t length) {
@@ -91,13 +77,6 @@ TYPED_TEST(LineFftTest, ThereAndBackIsTheLengthTimesTheLine) {
   for (const std::size_t length : {1U, 2U, 6U, 16U, 30U, 37U, 80U, 144U, 400U, 1024U}) {
     const LineFft<TypeParam> fft(length, PlannerRigor::estimate);
     const std::vector<TypeParam> line = this->random_line(length);
-    AlignedArray<TypeParam> real(length);
-    AlignedArray<Complex> spectrum(length / 2 + 1);
-    std::copy(line.begin(), line.end(), real.data());
-    fft.real_forward(real.data(), spectrum.data());
-    ASSERT_TRUE(std::equal(line.begin(), line.end(), real.data())) << "input is kept";
-    fft.real_backward(spectrum.data(), real.data());
-
     AlignedArray<Complex> first(length);
     AlignedArray<Complex> second(length);
     for (std::size_t i = 0; i < length; ++i) {
@@ -109,7 +88,6 @@ TYPED_TEST(LineFftTest, ThereAndBackIsTheLengthTimesTheLine) {
     fft.backward(second.data(), first.data());
     const auto scale = static_cast<TypeParam>(length);
     for (std::size_t i = 0; i < length; ++i) {
-      ASSERT_NEAR(real.data()[i], scale * line[i], this->tolerance(length));
       ASSERT_NEAR(std::abs(first.data()[i] - scale * kept[i]), 0.0, this->tolerance(length));
     }
   }
@@ -121,15 +99,11 @@ TYPED_TEST(LineFftTest, IsTheFourierSum) {
   for (const std::size_t length : {1U, 2U, 10U, 16U, 21U, 48U}) {
     const LineFft<TypeParam> fft(length, PlannerRigor::estimate);
     const std::vector<TypeParam> line = this->random_line(length);
-    AlignedArray<TypeParam> real(length);
     AlignedArray<Complex> complex_line(length);
-    AlignedArray<Complex> half(length / 2 + 1);
     AlignedArray<Complex> full(length);
     for (std::size_t i = 0; i < length; ++i) {
-      real.data()[i] = line[i];
       complex_line.data()[i] = line[i];
     }
-    fft.real_forward(real.data(), half.data());
     fft.forward(complex_line.data(), full.data());
     for (std::size_t k = 0; k < length; ++k) {
       std::complex<double> expected;
@@ -142,9 +116,6 @@ TYPED_TEST(LineFftTest, IsTheFourierSum) {
         return std::abs(std::complex<double>(value.real(), value.imag()) - expected);
       };
       ASSERT_LE(error(full.data()[k]), this->tolerance(length));
-      if (k <= length / 2) {
-        ASSERT_LE(error(half.data()[k]), this->tolerance(length));
-      }
     }
   }
 }
