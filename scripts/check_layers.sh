@@ -27,6 +27,7 @@ check cxx_core/scene 'error\.hpp|vector_clones\.hpp|profile/|geometry/|remesh/|m
 check c_api 'error\.hpp|vector_clones\.hpp|profile/|mechanics/|scene/|handles\.hpp|wrcontact\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|wrcontact\.h'
+check tests/instruction_sets 'wrcontact\.h'
 check tests/drivers 'run_driver\.hpp'
 
 # One file sees FFTW.
