@@ -40,15 +40,15 @@ constexpr double coarse_depth_share = 0.02;
 constexpr double vertical_convention_limit = 0.15;
 /// Elements across the contact with which an accuracy of 1e-2 starts, across the rail. Profiles are
 /// not smooth there, their curvature jumps.
-constexpr double first_lateral_resolution = 12.0;
+constexpr double first_lateral_resolution = 20.0;
 /// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
 constexpr double longitudinal_share = 0.25;
 /// Elements across the contact at which it gives up.
-constexpr double last_resolution = 600.0;
+constexpr double last_resolution = 800.0;
 /// Refining by less tells too little about the error.
-constexpr double least_refinement = 1.4;
+constexpr double refinement = 2.0;
 /// Share of the accuracy that estimates aim at when the number of elements is chosen.
-constexpr double aimed_share = 0.4;
+constexpr double aimed_share = 0.55;
 /// Share of the accuracy that the iteration may take.
 constexpr double iteration_share = 0.2;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
@@ -363,18 +363,18 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolutio
     failures = failed ? failures + 1 : 0;
     const bool hopeless =
         failures >= most_failures || (failed && trial.rows() > resolving_resolution);
-    if (request_.grid || reached || hopeless || least_refinement * trial.rows() > last_resolution) {
+    if (request_.grid || reached || hopeless || refinement * trial.rows() > last_resolution) {
       return trial;
     }
-    // Errors fall with the square of the elements, or more slowly.
-    const auto finer = [this](double error) {
-      return std::clamp(std::sqrt(error / (aimed_share * request_.accuracy)), least_refinement,
-                        2.0);
-    };
     resolution = trial.resolution();
-    resolution.longitudinal *=
-        along_error > 0.5 * request_.accuracy ? finer(2.0 * along_error) : 1.0;
-    resolution.lateral *= lateral_error_ > 0.5 * request_.accuracy ? finer(lateral_error_) : 1.0;
+    // The larger of the two errors always, the other one if it takes up half of the accuracy.
+    const double half = 0.5 * request_.accuracy;
+    if (along_error > half || along_error > lateral_error_) {
+      resolution.longitudinal *= refinement;
+    }
+    if (lateral_error_ > half || lateral_error_ >= along_error) {
+      resolution.lateral *= refinement;
+    }
     area = trial.contact_area(margin_elements);
     last = trial;
     coarser = std::move(trial);

@@ -14,7 +14,7 @@ constexpr double ladder_steps = 8.0;
 constexpr double estimate_safety = 2.0;
 /// Weight of the load per length against pmax and approach: it is there for what they miss by
 /// chance, and differs by several times as much as they do where nothing is missed.
-constexpr double load_share = 0.1;
+constexpr double load_share = 0.15;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
 /// Times 1/n^2: largest error of pmax and approach for Hertzian contact, n >= 8 elements along and
