@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <thread>
 
 #include "handles.hpp"
@@ -11,18 +12,17 @@ constexpr int32_t most_threads = 1024;
 /// Solves scenes as long as there are any; each by itself.
 void solve_waiting(wrc_scene* const* scenes, int64_t count, std::atomic<int64_t>& next,
                    wrc_status* statuses) noexcept {
-  wrc::SceneSolver* solver = nullptr;
+  std::optional<wrc::SceneSolver> solver; // made under the guard
   for (int64_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
     wrc_scene* scene = scenes[i];
     statuses[i] = wrc::guard(scene, [&] {
-      if (solver == nullptr) {
-        solver = new wrc::SceneSolver;
+      if (!solver) {
+        solver.emplace();
       }
       solver->forget_positions();
       return scene->take_result(solver->solve(scene->scene));
     });
   }
-  delete solver;
 }
 
 } // namespace
