@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <atomic>
-#include <memory>
+#include <optional>
 #include <thread>
 
 #include "handles.hpp"
@@ -12,12 +12,12 @@ constexpr int32_t most_threads = 1024;
 /// Solves scenes as long as there are any; each by itself.
 void solve_waiting(wrc_scene* const* scenes, int64_t count, std::atomic<int64_t>& next,
                    wrc_status* statuses) noexcept {
-  std::unique_ptr<wrc::SceneSolver> solver;
+  std::optional<wrc::SceneSolver> solver; // made under the guard
   for (int64_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
     wrc_scene* scene = scenes[i];
     statuses[i] = wrc::guard(scene, [&] {
-      if (solver == nullptr) {
-        solver = std::make_unique<wrc::SceneSolver>();
+      if (!solver) {
+        solver.emplace();
       }
       solver->forget_positions();
       return scene->take_result(solver->solve(scene->scene));
