@@ -14,7 +14,11 @@ constexpr double ladder_steps = 8.0;
 constexpr double estimate_safety = 2.0;
 /// Weight of the load per length against pmax and approach: it is there for what they miss by
 /// chance, and differs by several times as much as they do where nothing is missed.
-constexpr double load_share = 0.15;
+constexpr double load_share = 0.25;
+/// The same on grids with many rows, which agree by chance no longer; there the difference is that
+/// of the columns.
+constexpr double fine_load_share = 0.15;
+constexpr double many_rows = 80.0;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
 /// Times 1/n^2: largest error of pmax and approach for Hertzian contact, n >= 8 elements along and
@@ -153,7 +157,8 @@ double estimate_error(const Trial& coarser, const Trial& finer, bool position_is
                            ? std::abs(finer.normal.normal_force - coarser.normal.normal_force) /
                                  finer.normal.normal_force
                            : std::abs(finer.next_depth - coarser.next_depth) / finer.next_depth;
-  const double difference = std::max({peak, other, load_share * load_difference(coarser, finer)});
+  const double share = coarser.rows() < many_rows ? load_share : fine_load_share;
+  const double difference = std::max({peak, other, share * load_difference(coarser, finer)});
   return estimate_safety * difference / (ratio * ratio - 1.0) + finer.normal.pressure_error;
 }
 

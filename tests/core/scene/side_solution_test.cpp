@@ -69,7 +69,7 @@ TEST(SideSolution, WholeWayMeetsHertzForSmoothBodies) {
     ASSERT_TRUE(solution.error_estimate);
     EXPECT_LE(std::abs(solution.peak_pressure / hertz.peak_pressure - 1.0),
               *solution.error_estimate + 2e-4);
-    EXPECT_TRUE(solution.warnings.empty());
+    EXPECT_TRUE(solution.warnings.empty()) << load << ": " << solution.warnings.front();
   }
 }
 
