@@ -36,20 +36,20 @@ template <typename Real> const LineFft<Real>& InfluenceCache::line_fft(std::size
 const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std::size_t columns) {
   Kept<InfluenceTable>& kept = tables_[aspect];
   kept.last_use = ++clock_;
-  InfluenceTable& table = kept.item;
-  if (table.rows < rows || table.columns < columns) {
-    table.rows = std::max(rows, table.rows);
-    table.columns = std::max(columns, table.columns);
+  if (kept.item.rows < rows || kept.item.columns < columns) {
+    // Complete before it takes the old one's place: memory may run out.
+    InfluenceTable table{std::max(rows, kept.item.rows), std::max(columns, kept.item.columns), {}};
     table.values.resize(table.rows * table.columns);
     for (std::size_t row = 0; row < table.rows; ++row) {
       fill_influence_row(static_cast<double>(row) * aspect, aspect,
                          {table.values.data() + row * table.columns, table.columns});
     }
+    kept.item = std::move(table);
     held_bytes_ -= kept.bytes;
-    kept.bytes = table.values.size() * sizeof(double);
+    kept.bytes = kept.item.values.size() * sizeof(double);
     held_bytes_ += kept.bytes;
   }
-  return table;
+  return kept.item;
 }
 
 template <typename Real>

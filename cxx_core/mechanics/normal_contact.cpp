@@ -7,6 +7,7 @@
 
 #include "error.hpp"
 #include "mechanics/displacement_operator.hpp"
+#include "mechanics/joint_contact.hpp"
 
 namespace wrc {
 
@@ -21,7 +22,7 @@ void check_positive(const std::string& argument, double value) {
 void check_size(const std::string& argument, std::size_t size, std::size_t expected) {
   if (size != expected) {
     throw_invalid_argument(argument + ".size", static_cast<double>(size),
-                           "must be the grid's " + std::to_string(expected) + " elements");
+                           "must be " + std::to_string(expected) + " elements");
   }
 }
 
@@ -54,25 +55,29 @@ void check_grid(const Grid& grid) {
   check_positive("grid.longitudinal_step", grid.longitudinal_step);
 }
 
-void check_problem(const NormalProblem& problem) {
-  check_grid(problem.grid);
-  check_size("undeformed_distance", problem.undeformed_distance.size(),
-             problem.grid.element_count());
-  for (std::size_t index = 0; index < problem.undeformed_distance.size(); ++index) {
-    if (!std::isfinite(problem.undeformed_distance[index])) {
-      throw_invalid_argument("undeformed_distance[" + std::to_string(index) + "]",
-                             problem.undeformed_distance[index], "must be finite");
+namespace {
+
+void check_distances(std::span<const double> distance, const Grid& grid) {
+  check_size("undeformed_distance", distance.size(), grid.element_count());
+  for (std::size_t index = 0; index < distance.size(); ++index) {
+    if (!std::isfinite(distance[index])) {
+      throw_invalid_argument("undeformed_distance[" + std::to_string(index) + "]", distance[index],
+                             "must be finite");
     }
   }
+}
+
+/// What is asked of any problem, whatever it calls the load.
+template <typename Problem>
+void check_request(const Problem& problem, const std::optional<double>& load,
+                   const std::string& load_name) {
   check_positive("combined_modulus", problem.combined_modulus);
-  if (problem.normal_load.has_value() == problem.approach.has_value()) {
-    throw_invalid_argument("normal_load and approach",
-                           problem.normal_load.has_value() ? "both set" : "none set",
+  if (load.has_value() == problem.approach.has_value()) {
+    throw_invalid_argument(load_name + " and approach", load.has_value() ? "both set" : "none set",
                            "exactly one of the two must be set");
   }
-  if (problem.normal_load &&
-      (!(*problem.normal_load >= 0.0) || !std::isfinite(*problem.normal_load))) {
-    throw_invalid_argument("normal_load", *problem.normal_load, "must be finite and at least 0");
+  if (load && (!(*load >= 0.0) || !std::isfinite(*load))) {
+    throw_invalid_argument(load_name, *load, "must be finite and at least 0");
   }
   if (problem.approach && !std::isfinite(*problem.approach)) {
     throw_invalid_argument("approach", *problem.approach, "must be finite");
@@ -85,10 +90,47 @@ void check_problem(const NormalProblem& problem) {
     throw_invalid_argument("maximum_iterations", static_cast<double>(problem.maximum_iterations),
                            "must be at least 1");
   }
-  if (problem.start) {
-    check_grid(problem.start->grid);
-    check_size("start.pressure", problem.start->pressure.size(),
-               problem.start->grid.element_count());
+}
+
+void check_start(const std::optional<StartPressure>& start) {
+  if (start) {
+    check_grid(start->grid);
+    check_size("start.pressure", start->pressure.size(), start->grid.element_count());
+  }
+}
+
+} // namespace
+
+void check_problem(const NormalProblem& problem) {
+  check_grid(problem.grid);
+  check_distances(problem.undeformed_distance, problem.grid);
+  check_request(problem, problem.normal_load, "normal_load");
+  check_start(problem.start);
+}
+
+void check_problem(const JointProblem& problem) {
+  if (problem.patches.empty()) {
+    throw_invalid_argument("patches.size", 0.0, "must be at least 1");
+  }
+  for (const PatchGap& patch : problem.patches) {
+    check_grid(patch.grid);
+    check_distances(patch.undeformed_distance, patch.grid);
+    check_start(patch.start);
+    if (!(patch.approach_share > 0.0 && patch.approach_share <= 1.0)) {
+      throw_invalid_argument("approach_share", patch.approach_share,
+                             "must be greater than 0 and at most 1");
+    }
+  }
+  check_request(problem, problem.load, "load");
+  if (problem.interaction != nullptr) {
+    const std::size_t count = problem.patches.size();
+    check_size("interaction.places", problem.interaction->places.size(), count);
+    check_size("interaction.closeness", problem.interaction->closeness.size(), count * count);
+    for (const double closeness : problem.interaction->closeness) {
+      if (!(closeness >= 0.0 && closeness <= 1.0)) {
+        throw_invalid_argument("interaction.closeness", closeness, "must lie in 0 to 1");
+      }
+    }
   }
 }
 

@@ -33,13 +33,29 @@ constexpr double start_quantile = 0.2;
 /// Memory for tables and spectra kept between calls.
 constexpr std::size_t kept_bytes = std::size_t{256} << 20;
 
-/// One grid of the cascade, in its own unit of length.
+/// One grid of a patch's cascade, in its own unit of length.
 struct Level {
   LevelSize size;
+  Grid grid; ///< in mm
   std::vector<double> distance;
   std::vector<double> pressure;
-  std::optional<double> pressure_sum;
-  double approach = 0.0;
+  double share = 1.0;  ///< of the approach, in this level's unit
+  double weight = 1.0; ///< element area times unit of length, relative to the first patch's grid
+  [[nodiscard]] double load_weight() const { return share * weight; }
+};
+
+/// Grids of one patch, finest first, and the box worked on.
+struct Cascade {
+  double aspect = 1.0;
+  std::vector<Level> levels;
+  std::size_t level_count = 0; ///< of the levels, those of this problem
+  ElementBox box;
+  std::vector<double> box_pressure;
+  std::vector<double> box_distance;
+
+  /// The grid of this patch that goes with a grid of the longest cascade.
+  [[nodiscard]] Level& at(std::size_t index) { return levels[std::min(index, level_count - 1)]; }
+  [[nodiscard]] Level& finest() { return levels.front(); }
 };
 
 double sum_of(std::span<const double> values) {
@@ -50,30 +66,35 @@ double sum_of(std::span<const double> values) {
   return sum;
 }
 
-/// Pressures like Hertz's over the elements below a quantile of the distance; even ones where
-/// nothing lies below it (a punch).
-void start_pressure(Level& level) {
-  level.pressure.assign(level.size.count(), 0.0);
-  if (!level.pressure_sum) {
-    return; // the approach is given: the first residual tells where contact is
-  }
+/// The approach below which a share of the elements lies.
+double start_height(const Level& level) {
   std::vector<double> ordered = level.distance;
   const auto rank =
       static_cast<std::ptrdiff_t>(start_quantile * static_cast<double>(ordered.size() - 1));
   std::nth_element(ordered.begin(), ordered.begin() + rank, ordered.end());
-  const double height = ordered[static_cast<std::size_t>(rank)];
+  return ordered[static_cast<std::size_t>(rank)] / level.share;
+}
+
+/// Pressures like Hertz's over the elements below a height; even ones where nothing lies below it
+/// (a punch). Between patches they go like E* sqrt(height * curvature).
+void draw_pressure(Level& level, double height) {
+  const double limit = height * level.share;
+  double inside = 0.0;
+  double deepest = 0.0;
   for (std::size_t i = 0; i < level.pressure.size(); ++i) {
-    level.pressure[i] = std::sqrt(std::max(0.0, height - level.distance[i]));
+    const double depth = std::max(0.0, limit - level.distance[i]);
+    level.pressure[i] = std::sqrt(depth);
+    inside += depth > 0.0 ? 1.0 : 0.0;
+    deepest = std::max(deepest, depth);
   }
-  double sum = sum_of(level.pressure);
-  if (sum == 0.0) {
-    for (std::size_t i = 0; i < level.pressure.size(); ++i) {
-      level.pressure[i] = level.distance[i] <= height ? 1.0 : 0.0;
-    }
-    sum = sum_of(level.pressure);
-  }
+  const double curvature = std::sqrt(deepest / std::max(1.0, inside));
   for (double& value : level.pressure) {
-    value *= *level.pressure_sum / sum;
+    value *= curvature;
+  }
+  if (deepest == 0.0) {
+    for (std::size_t i = 0; i < level.pressure.size(); ++i) {
+      level.pressure[i] = level.distance[i] <= limit ? 1.0 : 0.0;
+    }
   }
 }
 
@@ -106,21 +127,21 @@ void include(ElementBox& box, const ElementBox& other) {
 }
 
 /// Moves the sides that contact has reached outwards.
-ElementBox grown(const ElementBox& box, const BoxOutcome& outcome, const LevelSize& size) {
+ElementBox grown(const ElementBox& box, const ReachedSides& reached, const LevelSize& size) {
   constexpr std::size_t least_growth = 4;
   const std::size_t by_rows = std::max(least_growth, box.rows() / 4);
   const std::size_t by_columns = std::max(least_growth, box.columns() / 4);
   ElementBox larger = box;
-  if (outcome.reached_first_row) {
+  if (reached.first_row) {
     larger.first_row -= std::min(larger.first_row, by_rows);
   }
-  if (outcome.reached_last_row) {
+  if (reached.last_row) {
     larger.last_row = std::min(larger.last_row + by_rows, size.rows - 1);
   }
-  if (outcome.reached_first_column) {
+  if (reached.first_column) {
     larger.first_column -= std::min(larger.first_column, by_columns);
   }
-  if (outcome.reached_last_column) {
+  if (reached.last_column) {
     larger.last_column = std::min(larger.last_column + by_columns, size.columns - 1);
   }
   return larger;
@@ -152,85 +173,270 @@ struct NormalSolver::State {
       : precision(precision_asked), cache(rigor), single_iteration(cache), double_iteration(cache) {
   }
 
-  BoxOutcome solve_box(const BoxRequest& request, std::span<double> pressure,
-                       std::span<const double> distance) {
-    return precision == Precision::mixed ? single_iteration.solve(request, pressure, distance)
-                                         : double_iteration.solve(request, pressure, distance);
-  }
-  BoxOutcome solve_level(Level& level, ElementBox& box, double tolerance, int iteration_limit);
-  bool find_missed_contact(const Level& level, const ElementBox& box, const BoxOutcome& outcome,
-                           double tolerance, ElementBox& larger);
+  void make_levels(const JointProblem& problem);
+  void draw_start(std::size_t index);
+  bool take_starts(const JointProblem& problem, std::size_t index);
+  void choose_box(Cascade& cascade, Level& level) const;
+  IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
+  bool find_missed_contact(Cascade& cascade, double tolerance);
   template <typename Real>
-  void displace(const ElementBox& box, const ElementBox& rectangle,
+  void displace(const Cascade& cascade, const ElementBox& rectangle,
                 ConvolutionWorkspace<Real>& workspace);
-  bool take_start(const StartPressure& start, const Grid& finest, double pressure_scale);
-  NormalSolution solve(const NormalProblem& problem);
+  JointSolution solve(const JointProblem& problem);
 
   Precision precision;
-  double aspect = 1.0;
   InfluenceCache cache;
-  BoxIteration<float> single_iteration;
-  BoxIteration<double> double_iteration;
-  std::vector<Level> levels;
-  std::vector<double> box_pressure;
-  std::vector<double> box_distance;
+  ProjectedCg<float> single_iteration;
+  ProjectedCg<double> double_iteration;
+  std::vector<Cascade> cascades; ///< at least as many as patches
+  std::size_t count = 0;         ///< of patches
+  const PatchInteraction* interaction = nullptr;
+  std::optional<double> load; ///< sum of load_weight p
+  double approach = 0.0;
+  double largest_pressure = 0.0;
+  int iteration_limit = 0;
+  double pressure_scale = 0.0; ///< MPa
+  double least_approach = 0.0; ///< mm: at which the first element touches
+  double approach_scale = 0.0; ///< mm
+  std::vector<IterationBox> boxes;
   std::vector<double> exterior_out;
   std::vector<double> column_reach;
 };
 
-/// Iterates on the box until contact keeps off its open sides; writes the pressures back.
-BoxOutcome NormalSolver::State::solve_level(Level& level, ElementBox& box, double tolerance,
-                                            int iteration_limit) {
-  int iterations = 0;
+/// Without dimensions: lengths in longitudinal steps of each grid, u = K p, approach in that of the
+/// first patch's; mean pressure 1 over the grids if the load is given, approach 1 if that is given.
+void NormalSolver::State::make_levels(const JointProblem& problem) {
+  const double step = problem.patches[0].grid.longitudinal_step;
+  const double area = problem.patches[0].grid.element_area();
+  const double modulus = std::numbers::pi * problem.combined_modulus;
+  cascades.resize(std::max(cascades.size(), count));
+  double elements = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const PatchGap& patch = problem.patches[k];
+    Level& finest = (cascades[k].levels.resize(std::max<std::size_t>(cascades[k].levels.size(), 1)),
+                     cascades[k].levels.front());
+    cascades[k].aspect = rounded_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step);
+    finest.grid = patch.grid;
+    finest.share = patch.approach_share * (step / patch.grid.longitudinal_step);
+    finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);
+    elements += finest.load_weight() * static_cast<double>(patch.grid.element_count());
+  }
+  if (problem.load) {
+    pressure_scale = *problem.load / step / problem.patches[0].grid.lateral_step / elements;
+    approach_scale = pressure_scale / modulus * step;
+    load = elements;
+  } else {
+    approach_scale = *problem.approach - least_approach;
+    pressure_scale = approach_scale / step * modulus;
+    load.reset();
+    approach = 1.0;
+  }
+  // No element farther away than the approach is in contact, and no approach is larger than that of
+  // the whole load on one element. Keeps absent bodies (any finite distance) within range.
+  double farthest = 1.0;
+  if (load) {
+    farthest = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Level& finest = cascades[k].finest();
+      farthest =
+          std::max(farthest, *load / finest.load_weight() *
+                                 cache.table(cascades[k].aspect, 1, 1).row(0)[0] / finest.share);
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const PatchGap& patch = problem.patches[k];
+    Cascade& cascade = cascades[k];
+    cascade.level_count = 1;
+    // The cascade begins where elements are about as large as those of the start, if there is one.
+    const double largest_element = patch.start ? start_coarseness * patch.start->grid.element_area()
+                                               : std::numeric_limits<double>::infinity();
+    double element = patch.grid.element_area();
+    for (LevelSize size{patch.grid.lateral_count, patch.grid.longitudinal_count};
+         can_coarsen(size) && element < largest_element; size = coarser_size(size)) {
+      element *= 4.0;
+      ++cascade.level_count;
+    }
+    cascade.levels.resize(std::max(cascade.levels.size(), cascade.level_count));
+    Level& finest = cascade.finest();
+    finest.size = {patch.grid.lateral_count, patch.grid.longitudinal_count};
+    finest.distance.resize(patch.grid.element_count());
+    const double unit = approach_scale * (patch.grid.longitudinal_step / step);
+    const double least = least_approach * patch.approach_share;
+    const double limit = 4.0 * farthest * finest.share;
+    std::transform(patch.undeformed_distance.begin(), patch.undeformed_distance.end(),
+                   finest.distance.begin(),
+                   [=](double distance) { return std::min((distance - least) / unit, limit); });
+    for (std::size_t i = 1; i < cascade.level_count; ++i) {
+      const Level& finer = cascade.levels[i - 1];
+      Level& level = cascade.levels[i];
+      level.size = coarser_size(finer.size);
+      level.grid = finer.grid;
+      level.grid.lateral_count = level.size.rows;
+      level.grid.longitudinal_count = level.size.columns;
+      level.grid.lateral_step *= 2.0;
+      level.grid.longitudinal_step *= 2.0;
+      level.grid.lateral_first += 0.5 * finer.grid.lateral_step;
+      level.grid.longitudinal_first += 0.5 * finer.grid.longitudinal_step;
+      level.share = finer.share / 2.0;
+      level.weight = finer.weight * 8.0;
+      coarsen_distance(finer.size, finer.distance, level.distance);
+    }
+  }
+}
+
+/// First pressures on grid `index` of all patches. With the approach given the first residual tells
+/// where contact is.
+void NormalSolver::State::draw_start(std::size_t index) {
+  double height = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < count && load; ++k) {
+    height = std::min(height, start_height(cascades[k].at(index)));
+  }
+  double drawn = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    Level& level = cascades[k].at(index);
+    level.pressure.assign(level.size.count(), 0.0);
+    if (load) {
+      draw_pressure(level, height);
+      drawn += level.load_weight() * sum_of(level.pressure);
+    }
+    cascades[k].box = whole(level.size);
+  }
+  for (std::size_t k = 0; k < count && load; ++k) {
+    for (double& value : cascades[k].at(index).pressure) {
+      value *= *load / drawn;
+    }
+  }
+  approach = load ? height : approach;
+}
+
+/// Puts the starts on the coarsest grids, with the load asked for. False if nothing lies there.
+bool NormalSolver::State::take_starts(const JointProblem& problem, std::size_t index) {
+  double taken = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    Level& level = cascades[k].at(index);
+    const auto& start = problem.patches[k].start;
+    if (!start) {
+      return false;
+    }
+    resample_pressure(start->grid, start->pressure, level.grid, level.pressure);
+    taken += level.load_weight() * sum_of(level.pressure);
+  }
+  if (!(taken > 0.0) || !std::isfinite(taken)) {
+    return false;
+  }
+  const double scale = load ? *load / taken : 1.0 / pressure_scale;
+  for (std::size_t k = 0; k < count; ++k) {
+    Level& level = cascades[k].at(index);
+    for (double& value : level.pressure) {
+      value *= scale;
+    }
+  }
+  return true;
+}
+
+/// The box around a patch's pressures; without any, around its penetration at the last approach, or
+/// its nearest element.
+void NormalSolver::State::choose_box(Cascade& cascade, Level& level) const {
+  if (find_pressure_box(level.size, level.pressure, box_margin, cascade.box)) {
+    return;
+  }
+  std::vector<double> depth(level.distance.size());
+  const double reach = level.share * approach;
+  std::transform(level.distance.begin(), level.distance.end(), depth.begin(),
+                 [reach](double distance) { return reach - distance; });
+  if (!find_pressure_box(level.size, depth, box_margin, cascade.box)) {
+    *std::max_element(depth.begin(), depth.end()) = 1.0;
+    find_pressure_box(level.size, depth, box_margin, cascade.box);
+  }
+}
+
+/// Iterates on the boxes until contact keeps off their open sides; writes the pressures back.
+IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tolerance,
+                                                  JointSolution& solution) {
   while (true) {
-    copy_box(level.size, box, level.pressure, box_pressure);
-    copy_box(level.size, box, level.distance, box_distance);
-    BoxRequest request;
-    request.rows = box.rows();
-    request.columns = box.columns();
-    request.aspect = aspect;
-    request.pressure_sum = level.pressure_sum;
-    request.approach = level.approach;
+    boxes.resize(count);
+    std::vector<CoupledBox> coupled;
+    for (std::size_t k = 0; k < count; ++k) {
+      Cascade& cascade = cascades[k];
+      const Level& level = cascade.at(index);
+      const ElementBox& box = cascade.box;
+      copy_box(level.size, box, level.pressure, cascade.box_pressure);
+      copy_box(level.size, box, level.distance, cascade.box_distance);
+      IterationBox& request = boxes[k];
+      request.rows = box.rows();
+      request.columns = box.columns();
+      request.aspect = cascade.aspect;
+      request.share = level.share;
+      request.weight = level.weight;
+      request.open_first_row = box.first_row > 0;
+      request.open_last_row = box.last_row + 1 < level.size.rows;
+      request.open_first_column = box.first_column > 0;
+      request.open_last_column = box.last_column + 1 < level.size.columns;
+      request.pressure = cascade.box_pressure;
+      request.distance = cascade.box_distance;
+      if (interaction != nullptr) {
+        coupled.push_back(
+            {box.rows(), box.columns(), level.grid.lateral_step, level.grid.longitudinal_step,
+             interaction->places[k].lateral + level.grid.lateral(box.first_row),
+             interaction->places[k].longitudinal + level.grid.longitudinal(box.first_column)});
+      }
+    }
+    std::optional<PatchCoupling> coupling;
+    if (interaction != nullptr) {
+      coupling.emplace(std::move(coupled), interaction->closeness);
+    }
+    IterationRequest request;
+    request.boxes = boxes;
+    request.load = load;
+    request.approach = approach;
     request.tolerance = tolerance;
-    request.maximum_iterations = std::max(0, iteration_limit - iterations);
-    request.open_first_row = box.first_row > 0;
-    request.open_last_row = box.last_row + 1 < level.size.rows;
-    request.open_first_column = box.first_column > 0;
-    request.open_last_column = box.last_column + 1 < level.size.columns;
-    BoxOutcome outcome = solve_box(request, box_pressure, box_distance);
-    put_box(level.size, box, box_pressure, level.pressure);
-    iterations += outcome.iterations;
-    outcome.iterations = iterations;
-    if (!outcome.reached_edge()) {
+    request.maximum_iterations = std::max(0, iteration_limit);
+    request.coupling = coupling ? &*coupling : nullptr;
+    IterationOutcome outcome = precision == Precision::mixed ? single_iteration.solve(request)
+                                                             : double_iteration.solve(request);
+    iteration_limit -= outcome.iterations;
+    solution.iterations += outcome.iterations;
+    solution.convolutions += outcome.convolutions;
+    for (std::size_t k = 0; k < count; ++k) {
+      Cascade& cascade = cascades[k];
+      Level& level = cascade.at(index);
+      put_box(level.size, cascade.box, cascade.box_pressure, level.pressure);
+      cascade.box = grown(cascade.box, outcome.reached[k], level.size);
+    }
+    approach = outcome.approach;
+    largest_pressure = outcome.largest_pressure;
+    if (!outcome.reached_any) {
       return outcome;
     }
-    box = grown(box, outcome, level.size);
   }
 }
 
 /// Displacements on a rectangle from the pressures of the box.
 template <typename Real>
-void NormalSolver::State::displace(const ElementBox& box, const ElementBox& rectangle,
+void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rectangle,
                                    ConvolutionWorkspace<Real>& workspace) {
+  const ElementBox& box = cascade.box;
   const BoxConvolution<Real> convolution = BoxConvolution<Real>::linear(
       {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
        -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
        -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
-      aspect, cache);
-  const std::vector<Real> in(box_pressure.begin(), box_pressure.end());
+      cascade.aspect, cache);
+  const std::vector<Real> in(cascade.box_pressure.begin(), cascade.box_pressure.end());
   std::vector<Real> out(rectangle.rows() * rectangle.columns());
   convolution.apply(in.data(), out.data(), workspace);
   exterior_out.assign(out.begin(), out.end());
 }
 
-/// Looks for overlap outside the box. Displacements are positive, and at least those of the whole
-/// load at the farthest place of the box, so most elements need no displacement of their own.
-bool NormalSolver::State::find_missed_contact(const Level& level, const ElementBox& box,
-                                              const BoxOutcome& outcome, double tolerance,
-                                              ElementBox& larger) {
+/// Looks for overlap outside the box and enlarges the box by it. Displacements are positive, and at
+/// least those of the patch's whole load at the farthest place of the box, so most elements need no
+/// displacement of their own. What other patches displace would only open the gaps further.
+bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance) {
+  const Level& level = cascade.finest();
   const LevelSize& size = level.size;
-  copy_box(size, box, level.pressure, box_pressure);
-  const double load = sum_of(box_pressure) * aspect;
+  ElementBox& box = cascade.box;
+  const double reached = level.share * approach;
+  const double aspect = cascade.aspect;
+  const double box_load = sum_of(cascade.box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
     const double before = static_cast<double>(last) - static_cast<double>(place);
     const double after = static_cast<double>(place) - static_cast<double>(first);
@@ -248,7 +454,7 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
     const double* distance = level.distance.data() + row * size.columns;
     const double row_reach = aspect * farthest(row, box.first_row, box.last_row);
     const double row_square = row_reach * row_reach;
-    if (count_below(distance, outcome.approach - load / std::sqrt(row_square + longest_column),
+    if (count_below(distance, reached - box_load / std::sqrt(row_square + longest_column),
                     size.columns) == 0.0) {
       continue;
     }
@@ -258,9 +464,9 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
         column = box.last_column;
         continue;
       }
-      const double penetration = outcome.approach - distance[column];
+      const double penetration = reached - distance[column];
       if (penetration > 0.0 &&
-          penetration * penetration * (row_square + column_reach[column]) > load * load) {
+          penetration * penetration * (row_square + column_reach[column]) > box_load * box_load) {
         include(candidates, {row, row, column, column});
       }
     }
@@ -272,18 +478,17 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
   ElementBox rectangle = box;
   include(rectangle, candidates);
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
-  const double permitted =
-      0.5 * tolerance * outcome.largest_pressure * cache.table(aspect, 1, 1).row(0)[0];
-  double overlap = missed_overlap * outcome.approach;
+  const double permitted = 0.5 * tolerance * largest_pressure * cache.table(aspect, 1, 1).row(0)[0];
+  double overlap = missed_overlap * reached;
   if (overlap <= permitted) {
-    displace(box, rectangle, single_iteration.workspace());
+    displace(cascade, rectangle, single_iteration.workspace());
   } else {
-    overlap = std::max(permitted, double_overlap * outcome.approach);
-    displace(box, rectangle, double_iteration.workspace());
+    overlap = std::max(permitted, double_overlap * reached);
+    displace(cascade, rectangle, double_iteration.workspace());
   }
-  const double limit = outcome.approach - overlap;
+  const double limit = reached - overlap;
   bool missed = false;
-  larger = box;
+  ElementBox larger = box;
   for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
     const double* displacement =
         exterior_out.data() + (row - rectangle.first_row) * rectangle.columns();
@@ -298,137 +503,93 @@ bool NormalSolver::State::find_missed_contact(const Level& level, const ElementB
       }
     }
   }
+  box = larger;
   return missed;
 }
 
-/// Puts a start on the coarsest grid, with the load asked for. False if nothing of it lies there.
-bool NormalSolver::State::take_start(const StartPressure& start, const Grid& finest,
-                                     double pressure_scale) {
-  Level& level = levels.back();
-  Grid grid = finest;
-  const auto factor = static_cast<double>(std::size_t{1} << (levels.size() - 1));
-  grid.lateral_count = level.size.rows;
-  grid.longitudinal_count = level.size.columns;
-  grid.lateral_step *= factor;
-  grid.longitudinal_step *= factor;
-  grid.lateral_first += 0.5 * (grid.lateral_step - finest.lateral_step);
-  grid.longitudinal_first += 0.5 * (grid.longitudinal_step - finest.longitudinal_step);
-  resample_pressure(start.grid, start.pressure, grid, level.pressure);
-  const double sum = sum_of(level.pressure);
-  if (!(sum > 0.0) || !std::isfinite(sum)) {
-    return false;
+JointSolution NormalSolver::State::solve(const JointProblem& problem) {
+  count = problem.patches.size();
+  approach = 0.0;
+  interaction = problem.interaction;
+  least_approach = std::numeric_limits<double>::infinity();
+  bool has_start = true;
+  for (const PatchGap& patch : problem.patches) {
+    const double least =
+        *std::min_element(patch.undeformed_distance.begin(), patch.undeformed_distance.end());
+    least_approach = std::min(least_approach, least / patch.approach_share);
+    has_start = has_start && patch.start.has_value();
   }
-  const double scale = level.pressure_sum ? *level.pressure_sum / sum : 1.0 / pressure_scale;
-  for (double& value : level.pressure) {
-    value *= scale;
-  }
-  return true;
-}
-
-NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
-  check_problem(problem);
-  const Grid& grid = problem.grid;
-  const double least_distance =
-      *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
-  NormalSolution solution;
-  const bool apart =
-      problem.normal_load ? *problem.normal_load == 0.0 : *problem.approach <= least_distance;
+  JointSolution solution;
+  solution.patches.resize(count);
+  const bool apart = problem.load ? *problem.load == 0.0 : *problem.approach <= least_approach;
   if (apart) {
-    solution.pressure.assign(grid.element_count(), 0.0);
-    solution.approach = problem.approach ? *problem.approach : least_distance;
+    for (std::size_t k = 0; k < count; ++k) {
+      solution.patches[k].pressure.assign(problem.patches[k].grid.element_count(), 0.0);
+    }
+    solution.approach = problem.approach ? *problem.approach : least_approach;
     return solution;
   }
 
-  // Without dimensions: lengths in longitudinal steps, u = K p, mean pressure 1 over the grid if
-  // the load is given, approach 1 if that is given.
-  const double step = grid.longitudinal_step;
-  aspect = rounded_aspect(grid.lateral_step / step);
+  make_levels(problem);
+  iteration_limit = problem.maximum_iterations;
   std::size_t level_count = 1;
-  // The cascade begins where elements are about as large as those of the start, if there is one.
-  const double largest_element = problem.start
-                                     ? start_coarseness * problem.start->grid.element_area()
-                                     : std::numeric_limits<double>::infinity();
-  double element = grid.element_area();
-  for (LevelSize size{grid.lateral_count, grid.longitudinal_count};
-       can_coarsen(size) && element < largest_element; size = coarser_size(size)) {
-    element *= 4.0;
-    ++level_count;
+  for (std::size_t k = 0; k < count; ++k) {
+    level_count = std::max(level_count, cascades[k].level_count);
   }
-  levels.resize(level_count);
-  Level& finest = levels.front();
-  finest.size = {grid.lateral_count, grid.longitudinal_count};
-  double pressure_scale = 0.0;
-  double normal_scale = 0.0;
-  const double modulus = std::numbers::pi * problem.combined_modulus;
-  if (problem.normal_load) {
-    const auto count = static_cast<double>(grid.element_count());
-    pressure_scale = *problem.normal_load / step / grid.lateral_step / count;
-    normal_scale = pressure_scale / modulus * step;
-    finest.pressure_sum = count;
-  } else {
-    normal_scale = *problem.approach - least_distance;
-    pressure_scale = normal_scale / step * modulus;
-    finest.pressure_sum.reset();
-    finest.approach = 1.0;
+  const bool drawn = !has_start || !take_starts(problem, level_count - 1);
+  if (drawn) {
+    draw_start(level_count - 1);
   }
-  // No element farther away than the approach is in contact, and no approach is larger than that of
-  // the whole load on one element. Keeps absent bodies (any finite distance) within range.
-  const double farthest =
-      4.0 *
-      (finest.pressure_sum ? *finest.pressure_sum * cache.table(aspect, 1, 1).row(0)[0] : 1.0);
-  finest.distance.resize(grid.element_count());
-  std::transform(problem.undeformed_distance.begin(), problem.undeformed_distance.end(),
-                 finest.distance.begin(), [=](double distance) {
-                   return std::min((distance - least_distance) / normal_scale, farthest);
-                 });
-  for (std::size_t i = 1; i < level_count; ++i) {
-    Level& level = levels[i];
-    level.size = coarser_size(levels[i - 1].size);
-    coarsen_distance(levels[i - 1].size, levels[i - 1].distance, level.distance);
-    level.pressure_sum.reset();
-    if (finest.pressure_sum) {
-      level.pressure_sum = *levels[i - 1].pressure_sum / 4.0;
-    }
-    level.approach = levels[i - 1].approach / 2.0;
-  }
-
-  if (!problem.start || !take_start(*problem.start, grid, pressure_scale)) {
-    start_pressure(levels.back());
-  }
-  BoxOutcome outcome;
+  IterationOutcome outcome;
   for (std::size_t i = level_count; i-- > 0;) {
-    Level& level = levels[i];
-    if (i + 1 < level_count) {
-      refine_pressure(levels[i + 1].size, levels[i + 1].pressure, level.size, level.pressure);
+    bool any_pressure = false;
+    for (std::size_t k = 0; k < count; ++k) {
+      Cascade& cascade = cascades[k];
+      if (i + 1 < cascade.level_count) {
+        const Level& coarser = cascade.levels[i + 1];
+        Level& level = cascade.levels[i];
+        refine_pressure(coarser.size, coarser.pressure, level.size, level.pressure);
+      }
+      const Level& level = cascade.at(i);
+      any_pressure = any_pressure || std::any_of(level.pressure.begin(), level.pressure.end(),
+                                                 [](double p) { return p > 0.0; });
     }
-    ElementBox box;
-    if (i + 1 == level_count && !problem.start) {
-      box = whole(level.size);
-    } else if (!find_pressure_box(level.size, level.pressure, box_margin, box)) {
-      start_pressure(level); // the coarser grid has lost the contact
-      box = whole(level.size);
+    if (i + 1 < level_count || !drawn) {
+      for (std::size_t k = 0; k < count && any_pressure; ++k) {
+        choose_box(cascades[k], cascades[k].at(i));
+      }
+      if (!any_pressure) {
+        draw_start(i); // the coarser grid has lost the contact
+      }
     }
     const double tolerance = i > 0 ? std::max(coarse_tolerance, stop_share * problem.tolerance)
                                    : stop_share * problem.tolerance;
-    outcome = solve_level(level, box, tolerance, problem.maximum_iterations);
-    solution.iterations += outcome.iterations;
-    ElementBox larger;
-    while (i == 0 && find_missed_contact(level, box, outcome, problem.tolerance, larger)) {
-      box = larger;
-      outcome = solve_level(level, box, tolerance, problem.maximum_iterations);
-      solution.iterations += outcome.iterations;
+    outcome = solve_level(i, tolerance, solution);
+    while (i == 0) {
+      bool missed = false;
+      for (std::size_t k = 0; k < count; ++k) {
+        missed = find_missed_contact(cascades[k], problem.tolerance) || missed;
+      }
+      if (!missed) {
+        break;
+      }
+      outcome = solve_level(i, tolerance, solution);
     }
   }
 
   solution.stop_reason = outcome.stop_reason;
   solution.pressure_error = outcome.error / stop_share;
-  solution.pressure.resize(grid.element_count());
-  std::transform(finest.pressure.begin(), finest.pressure.end(), solution.pressure.begin(),
-                 [=](double p) { return p * pressure_scale; });
+  for (std::size_t k = 0; k < count; ++k) {
+    const Grid& grid = problem.patches[k].grid;
+    JointSolution::Patch& patch = solution.patches[k];
+    patch.pressure.resize(grid.element_count());
+    const std::vector<double>& pressure = cascades[k].finest().pressure;
+    std::transform(pressure.begin(), pressure.end(), patch.pressure.begin(),
+                   [this](double p) { return p * pressure_scale; });
+    patch.normal_force = sum_of(patch.pressure) * grid.element_area();
+  }
   solution.approach =
-      problem.approach ? *problem.approach : least_distance + outcome.approach * normal_scale;
-  solution.normal_force =
-      problem.normal_load ? *problem.normal_load : sum_of(solution.pressure) * grid.element_area();
+      problem.approach ? *problem.approach : least_approach + approach * approach_scale;
   cache.trim(kept_bytes);
   return solution;
 }
@@ -439,8 +600,30 @@ NormalSolver::~NormalSolver() = default;
 NormalSolver::NormalSolver(NormalSolver&&) noexcept = default;
 NormalSolver& NormalSolver::operator=(NormalSolver&&) noexcept = default;
 
-NormalSolution NormalSolver::solve(const NormalProblem& problem) {
+JointSolution NormalSolver::solve(const JointProblem& problem) {
+  check_problem(problem);
   return state_->solve(problem);
+}
+
+NormalSolution NormalSolver::solve(const NormalProblem& problem) {
+  check_problem(problem);
+  const PatchGap patch{problem.grid, problem.undeformed_distance, 1.0, problem.start};
+  JointProblem joint;
+  joint.patches = {&patch, 1};
+  joint.combined_modulus = problem.combined_modulus;
+  joint.load = problem.normal_load;
+  joint.approach = problem.approach;
+  joint.tolerance = problem.tolerance;
+  joint.maximum_iterations = problem.maximum_iterations;
+  JointSolution solved = state_->solve(joint);
+  NormalSolution solution;
+  solution.pressure = std::move(solved.patches.front().pressure);
+  solution.approach = solved.approach;
+  solution.normal_force = problem.normal_load.value_or(solved.patches.front().normal_force);
+  solution.iterations = solved.iterations;
+  solution.stop_reason = solved.stop_reason;
+  solution.pressure_error = solved.pressure_error;
+  return solution;
 }
 
 } // namespace wrc

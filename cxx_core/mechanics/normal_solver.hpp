@@ -1,19 +1,22 @@
-/// The default solver of the normal contact problem: fast at every size, robust at the extremes.
+/// The default solver of the normal contact problem, for one patch or several that share their
+/// approach: fast at every size, robust at the extremes.
 ///
 ///  1. the problem without dimensions, pressures of the order of 1;
-///  2. a cascade of grids (cascade.hpp), each solved by projected CG (projected_cg.hpp) on the
-///     least rectangle around its contact, started from the coarser grid's pressures;
-///  3. on the finest grid a check of every element outside the rectangle, whatever the tolerance:
-///     overlap there enlarges the rectangle and the iteration goes on.
+///  2. a cascade of grids for each patch (cascade.hpp), all patches solved together by projected CG
+///     (projected_cg.hpp) on the least rectangle around each one's contact, started from the
+///     coarser grids' pressures;
+///  3. on the finest grids a check of every element outside the rectangles, whatever the
+///     tolerance: overlap there enlarges the rectangle and the iteration goes on.
 /// `tolerance` bounds the largest error of p relative to the largest p, against the exact solution
-/// on the same grid; it holds by measurement (docs/performance.md), not by proof.
-/// Units mm, N, MPa (mechanics/normal_contact.hpp). Thread rule: one object serves one thread at a
-/// time; different objects are independent.
+/// on the same grid; it holds by measurement (docs/method.md), not by proof.
+/// Units mm, N, MPa (mechanics/normal_contact.hpp, mechanics/joint_contact.hpp). Thread rule: one
+/// object serves one thread at a time; different objects are independent.
 #pragma once
 
 #include <memory>
 
 #include "mechanics/influence_cache.hpp"
+#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 
 namespace wrc {
@@ -33,6 +36,7 @@ public:
   /// kept from earlier calls (plans, tables, memory) changes no bit of the answer.
   /// `displacement` and `residuals` of the solution are left empty: see complete_solution.
   NormalSolution solve(const NormalProblem& problem);
+  JointSolution solve(const JointProblem& problem);
 
 private:
   struct State;

@@ -62,19 +62,6 @@ WRC_VECTOR_BODY void residual_body(const double* pressure, const double* displac
   }
 }
 
-/// Sums over C from which the mean of z, the coefficient beta and the error follow.
-struct CorrectionSums {
-  double contacts = 0.0;
-  double z = 0.0;
-  double r = 0.0;
-  double old_r = 0.0;
-  double z_r = 0.0;
-  double z_old_r = 0.0;
-  double v = 0.0;
-  double least_z = 0.0;
-  double largest_z = 0.0;
-};
-
 template <typename Real>
 WRC_VECTOR_BODY CorrectionSums correction_body(Real* z, const Real* r, const Real* old_r,
                                                const Real* v, const Real* contact,
@@ -218,28 +205,99 @@ WRC_VECTOR_CLONES void add_to_row(double* displacement, const double* kernel, do
   }
 }
 
+/// Sides of the box that contact has reached and beyond which there are elements.
+template <typename Real> ReachedSides reached_sides(const IterationBox& box, const Real* contact) {
+  const auto row_touched = [&](std::size_t row) {
+    return std::any_of(contact + row * box.columns, contact + (row + 1) * box.columns,
+                       [](Real value) { return value > Real{0}; });
+  };
+  const auto column_touched = [&](std::size_t column) {
+    for (std::size_t index = column; index < box.count(); index += box.columns) {
+      if (contact[index] > Real{0}) {
+        return true;
+      }
+    }
+    return false;
+  };
+  ReachedSides reached;
+  reached.first_row = box.open_first_row && row_touched(0);
+  reached.last_row = box.open_last_row && row_touched(box.rows - 1);
+  reached.first_column = box.open_first_column && column_touched(0);
+  reached.last_column = box.open_last_column && column_touched(box.columns - 1);
+  return reached;
+}
+
 } // namespace
 
-/// u = K p. In the precision of the directions, or in double if they are single and it matters.
-template <typename Real> void BoxIteration<Real>::refresh_displacement(bool in_double) {
-  if (in_double) {
-    const BoxConvolution<double> convolution = BoxConvolution<double>::linear(
-        {request_->rows, request_->columns, request_->rows, request_->columns, 0, 0},
-        request_->aspect, cache_);
-    convolution.apply(pressure_, displacement_.data(), double_workspace_);
-    return;
+template <typename Real> void ProjectedCg<Real>::prepare(const IterationBox& box, Fields& fields) {
+  fields.convolution = BoxConvolution<Real>::linear(
+      {box.rows, box.columns, box.rows, box.columns, 0, 0}, box.aspect, cache_);
+  fields.preconditioner =
+      BoxConvolution<Real>::inverse_periodic(box.rows, box.columns, box.aspect, cache_);
+  provide(fields.displacement, box.count());
+  for (AlignedArray<Real>* array : {&fields.residual, &fields.last_residual, &fields.correction,
+                                    &fields.direction, &fields.response, &fields.contact}) {
+    provide(*array, box.count());
   }
-  std::transform(pressure_, pressure_ + count_, response_.data(),
-                 [](double p) { return static_cast<Real>(p); });
-  convolution_.apply(response_.data(), response_.data(), workspace_);
-  std::copy_n(response_.data(), count_, displacement_.data());
+  std::fill_n(fields.direction.data(), box.count(), Real{0});
+  std::fill_n(fields.last_residual.data(), box.count(), Real{0});
+}
+
+/// u = K p. In the precision of the directions, or in double if they are single and it matters.
+template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_double) {
+  ++convolutions_;
+  const auto boxes = request_->boxes;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const IterationBox& box = boxes[k];
+    Fields& fields = *fields_[k];
+    if (in_double) {
+      BoxConvolution<double>::linear({box.rows, box.columns, box.rows, box.columns, 0, 0},
+                                     box.aspect, cache_)
+          .apply(box.pressure.data(), fields.displacement.data(), double_workspace_);
+    } else {
+      std::transform(box.pressure.begin(), box.pressure.end(), fields.response.data(),
+                     [](double p) { return static_cast<Real>(p); });
+      fields.convolution.apply(fields.response.data(), fields.response.data(), workspace_);
+      std::copy_n(fields.response.data(), box.count(), fields.displacement.data());
+    }
+    if (request_->coupling != nullptr) {
+      request_->coupling->gather(k, box.pressure.data());
+    }
+  }
+  if (request_->coupling != nullptr) {
+    request_->coupling->transfer();
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      request_->coupling->add(k, fields_[k]->displacement.data());
+    }
+  }
+}
+
+/// K v.
+template <typename Real> void ProjectedCg<Real>::respond() {
+  ++convolutions_;
+  const std::size_t count = request_->boxes.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    Fields& fields = *fields_[k];
+    fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
+    if (request_->coupling != nullptr) {
+      request_->coupling->gather(k, fields.direction.data());
+    }
+  }
+  if (request_->coupling != nullptr) {
+    request_->coupling->transfer();
+    for (std::size_t k = 0; k < count; ++k) {
+      request_->coupling->add(k, fields_[k]->response.data());
+    }
+  }
 }
 
 /// Sets negative pressures to 0 and takes their displacement out of u.
-template <typename Real> void BoxIteration<Real>::cut_negative(std::size_t negative_count) {
+template <typename Real>
+void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
   // About what a convolution costs in additions.
   constexpr std::size_t most_single_additions = 32;
-  if (negative_count <= most_single_additions) {
+  double* pressure = box.pressure.data();
+  if (fields.cut <= static_cast<double>(most_single_additions)) {
     struct Cut {
       std::size_t row;
       std::size_t column;
@@ -247,108 +305,112 @@ template <typename Real> void BoxIteration<Real>::cut_negative(std::size_t negat
     };
     std::array<Cut, most_single_additions> cuts{};
     std::size_t cut_count = 0;
-    for (std::size_t index = 0; index < count_; ++index) {
-      if (pressure_[index] < 0.0) {
-        cuts[cut_count++] = {index / request_->columns, index % request_->columns,
-                             pressure_[index]};
-        pressure_[index] = 0.0;
+    for (std::size_t index = 0; index < box.count(); ++index) {
+      if (pressure[index] < 0.0) {
+        cuts[cut_count++] = {index / box.columns, index % box.columns, pressure[index]};
+        pressure[index] = 0.0;
       }
     }
-    const InfluenceTable& kernel =
-        cache_.table(request_->aspect, request_->rows, request_->columns);
-    for (std::size_t i = 0; i < request_->rows; ++i) {
-      double* displacement = displacement_.data() + i * request_->columns;
+    const InfluenceTable& kernel = cache_.table(box.aspect, box.rows, box.columns);
+    for (std::size_t i = 0; i < box.rows; ++i) {
+      double* displacement = fields.displacement.data() + i * box.columns;
       for (std::size_t k = 0; k < cut_count; ++k) {
         const Cut& cut = cuts[k];
         add_to_row(displacement, kernel.row(i > cut.row ? i - cut.row : cut.row - i), -cut.pressure,
-                   cut.column, request_->columns);
+                   cut.column, box.columns);
       }
     }
     return;
   }
-  for (std::size_t index = 0; index < count_; ++index) {
-    const double p = pressure_[index];
-    response_.data()[index] = static_cast<Real>(std::max(0.0, -p));
-    pressure_[index] = std::max(0.0, p);
+  for (std::size_t index = 0; index < box.count(); ++index) {
+    const double p = pressure[index];
+    fields.response.data()[index] = static_cast<Real>(std::max(0.0, -p));
+    pressure[index] = std::max(0.0, p);
   }
-  convolution_.apply(response_.data(), response_.data(), workspace_);
-  for (std::size_t index = 0; index < count_; ++index) {
-    displacement_.data()[index] += response_.data()[index];
+  fields.convolution.apply(fields.response.data(), fields.response.data(), workspace_);
+  for (std::size_t index = 0; index < box.count(); ++index) {
+    fields.displacement.data()[index] += static_cast<double>(fields.response.data()[index]);
   }
 }
 
-template <typename Real> bool BoxIteration<Real>::note_reached_sides(BoxOutcome& outcome) const {
-  const std::size_t columns = request_->columns;
-  const Real* contact = contact_.data();
-  const auto row_touched = [&](std::size_t row) {
-    return std::any_of(contact + row * columns, contact + (row + 1) * columns,
-                       [](Real value) { return value > Real{0}; });
-  };
-  const auto column_touched = [&](std::size_t column) {
-    for (std::size_t index = column; index < count_; index += columns) {
-      if (contact[index] > Real{0}) {
-        return true;
-      }
+template <typename Real> void ProjectedCg<Real>::cut_negative() {
+  const auto boxes = request_->boxes;
+  PatchCoupling* coupling = request_->coupling;
+  if (coupling != nullptr) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      Fields& fields = *fields_[k];
+      std::transform(boxes[k].pressure.begin(), boxes[k].pressure.end(), fields.response.data(),
+                     [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
+      coupling->gather(k, fields.response.data());
     }
-    return false;
-  };
-  outcome.reached_first_row = request_->open_first_row && row_touched(0);
-  outcome.reached_last_row = request_->open_last_row && row_touched(request_->rows - 1);
-  outcome.reached_first_column = request_->open_first_column && column_touched(0);
-  outcome.reached_last_column = request_->open_last_column && column_touched(columns - 1);
-  return outcome.reached_first_row || outcome.reached_last_row || outcome.reached_first_column ||
-         outcome.reached_last_column;
+    coupling->transfer();
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      coupling->add(k, fields_[k]->displacement.data());
+    }
+  }
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (fields_[k]->cut > 0.0) {
+      cut_negative(boxes[k], *fields_[k]);
+    }
+  }
 }
 
 /// p = max(0, p + z): z estimates the error, so this removes most of what is left of it.
-template <typename Real> void BoxIteration<Real>::take_free_step(double z_mean) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double z = correction_.data()[i] - z_mean * contact_.data()[i];
-    pressure_[i] = std::max(0.0, pressure_[i] + z);
-    sum += pressure_[i];
+template <typename Real> void ProjectedCg<Real>::take_free_step(double z_mean) {
+  const auto boxes = request_->boxes;
+  double load = 0.0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const IterationBox& box = boxes[k];
+    const Fields& fields = *fields_[k];
+    const double shift = z_mean * box.share;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < box.count(); ++i) {
+      const double z = fields.correction.data()[i] - shift * fields.contact.data()[i];
+      box.pressure[i] = std::max(0.0, box.pressure[i] + z);
+      sum += box.pressure[i];
+    }
+    load += box.weight * box.share * sum;
   }
-  if (request_->pressure_sum) {
-    const double factor = *request_->pressure_sum / sum;
-    for (std::size_t i = 0; i < count_; ++i) {
-      pressure_[i] *= factor;
+  if (request_->load) {
+    const double factor = *request_->load / load;
+    for (const IterationBox& box : boxes) {
+      for (double& pressure : box.pressure) {
+        pressure *= factor;
+      }
     }
   }
 }
 
 template <typename Real>
-BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double> pressure,
-                                     std::span<const double> distance) {
+IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
   request_ = &request;
-  count_ = pressure.size();
-  pressure_ = pressure.data();
-  distance_ = distance.data();
-  const std::size_t rows = request.rows;
-  const std::size_t columns = request.columns;
-  convolution_ =
-      BoxConvolution<Real>::linear({rows, columns, rows, columns, 0, 0}, request.aspect, cache_);
-  preconditioner_ = BoxConvolution<Real>::inverse_periodic(rows, columns, request.aspect, cache_);
-  provide(displacement_, count_);
-  for (AlignedArray<Real>* array :
-       {&residual_, &last_residual_, &correction_, &direction_, &response_, &contact_}) {
-    provide(*array, count_);
+  convolutions_ = 0;
+  const auto boxes = request.boxes;
+  const std::size_t count = boxes.size();
+  while (fields_.size() < count) {
+    fields_.push_back(std::make_unique<Fields>());
   }
-  std::fill_n(direction_.data(), count_, Real{0});
-  std::fill_n(last_residual_.data(), count_, Real{0});
-
-  const bool load_given = request.pressure_sum.has_value();
+  const bool load_given = request.load.has_value();
   constexpr bool is_single = sizeof(Real) < sizeof(double);
-  const double amplification =
-      std::pow(static_cast<double>(std::max(rows, columns)), drift_exponent);
+  IterationOutcome outcome;
+  outcome.reached.resize(count);
+  std::size_t longest = 1;
+  double load = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const IterationBox& box = boxes[k];
+    prepare(box, *fields_[k]);
+    longest = std::max({longest, box.rows, box.columns});
+    double sum = 0.0;
+    for (const double p : box.pressure) {
+      sum += p;
+      outcome.largest_pressure = std::max(outcome.largest_pressure, p);
+    }
+    load += box.weight * box.share * sum;
+  }
+  const double amplification = std::pow(static_cast<double>(longest), drift_exponent);
   const double least_drift = double_drift * amplification;
   const double drift_rate = is_single ? single_drift * amplification : least_drift;
-  BoxOutcome outcome;
-  outcome.largest_pressure = *std::max_element(pressure.begin(), pressure.end());
-  double sum = 0.0;
-  for (const double p : pressure) {
-    sum += p;
-  }
-  double factor = load_given ? *request.pressure_sum / sum : 1.0;
+  double factor = load_given ? *request.load / load : 1.0;
   // The error of p that rounding in u stands for, relative to the largest pressure.
   double drift = drift_rate;
   const double permitted_drift = drift_share * request.tolerance;
@@ -358,7 +420,9 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
   } else {
     refresh_displacement(false);
   }
-  outcome.approach = load_given ? displacement_.data()[0] + distance_[0] : request.approach;
+  outcome.approach =
+      load_given ? (fields_[0]->displacement.data()[0] + boxes[0].distance[0]) / boxes[0].share
+                 : request.approach;
   // The same as a pressure: pressures may fall by orders of magnitude, rounding in u does not.
   double rounding = drift * outcome.largest_pressure;
 
@@ -366,29 +430,67 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
   double best_error = std::numeric_limits<double>::infinity();
   int best_iteration = 0;
   for (;; ++outcome.iterations) {
-    const ContactMean mean = scale_and_average(pressure_, displacement_.data(), distance_, factor,
-                                               outcome.approach, count_);
+    double gap_sum = 0.0;
+    double gap_count = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const IterationBox& box = boxes[k];
+      const ContactMean mean =
+          scale_and_average(box.pressure.data(), fields_[k]->displacement.data(),
+                            box.distance.data(), factor, box.share * outcome.approach, box.count());
+      gap_sum += box.weight * box.share * mean.sum;
+      gap_count += box.weight * box.share * box.share * mean.count;
+    }
     outcome.largest_pressure *= factor;
     rounding *= factor;
     drift = rounding / std::max(outcome.largest_pressure, 1e-300);
     factor = 1.0;
     if (load_given) {
-      outcome.approach += mean.sum / mean.count;
+      outcome.approach += gap_sum / gap_count;
     }
 
-    std::swap(residual_, last_residual_);
-    form_residual(pressure_, displacement_.data(), distance_, outcome.approach, residual_.data(),
-                  contact_.data(), count_);
-    if (note_reached_sides(outcome)) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const IterationBox& box = boxes[k];
+      Fields& fields = *fields_[k];
+      std::swap(fields.residual, fields.last_residual);
+      form_residual(box.pressure.data(), fields.displacement.data(), box.distance.data(),
+                    box.share * outcome.approach, fields.residual.data(), fields.contact.data(),
+                    box.count());
+      outcome.reached[k] = reached_sides(box, fields.contact.data());
+      outcome.reached_any = outcome.reached_any || outcome.reached[k].any();
+    }
+    outcome.convolutions = convolutions_;
+    if (outcome.reached_any) {
       return outcome;
     }
-    preconditioner_.apply(residual_.data(), correction_.data(), workspace_);
-    const CorrectionSums sums =
-        sum_correction(correction_.data(), residual_.data(), last_residual_.data(),
-                       direction_.data(), contact_.data(), count_);
-    const double z_mean = load_given && sums.contacts > 0.0 ? sums.z / sums.contacts : 0.0;
-    const double largest_z =
-        sums.contacts > 0.0 ? std::max(sums.largest_z - z_mean, z_mean - sums.least_z) : 0.0;
+    sums_.resize(count);
+    double z_sum = 0.0;
+    double v_sum = 0.0;
+    double contacts = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const IterationBox& box = boxes[k];
+      Fields& fields = *fields_[k];
+      fields.preconditioner.apply(fields.residual.data(), fields.correction.data(), workspace_);
+      sums_[k] = sum_correction(fields.correction.data(), fields.residual.data(),
+                                fields.last_residual.data(), fields.direction.data(),
+                                fields.contact.data(), box.count());
+      const double load_weight = box.weight * box.share;
+      z_sum += load_weight * sums_[k].z;
+      v_sum += load_weight * sums_[k].v;
+      contacts += load_weight * box.share * sums_[k].contacts;
+    }
+    const double z_mean = load_given && contacts > 0.0 ? z_sum / contacts : 0.0;
+    const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
+    double largest_z = 0.0;
+    double z_r = 0.0;
+    double z_old_r = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double shift = z_mean * boxes[k].share;
+      if (sums_[k].contacts > 0.0) {
+        largest_z = std::max({largest_z, sums_[k].largest_z - shift, shift - sums_[k].least_z});
+      }
+      z_r += boxes[k].weight * (sums_[k].z_r - shift * sums_[k].r);
+      z_old_r += boxes[k].weight * (sums_[k].z_old_r - shift * sums_[k].old_r);
+    }
     outcome.error = outcome.largest_pressure > 0.0 ? largest_z / outcome.largest_pressure
                                                    : (largest_z > 0.0 ? 1.0 : 0.0);
     if (outcome.error < best_error) {
@@ -404,7 +506,9 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
       best_error = std::numeric_limits<double>::infinity();
       best_iteration = outcome.iterations;
       last_z_r = 0.0;
-      std::fill_n(direction_.data(), count_, Real{0});
+      for (std::size_t k = 0; k < count; ++k) {
+        std::fill_n(fields_[k]->direction.data(), boxes[k].count(), Real{0});
+      }
       continue;
     }
     if (met || stuck || outcome.iterations >= request.maximum_iterations) {
@@ -414,35 +518,54 @@ BoxOutcome BoxIteration<Real>::solve(const BoxRequest& request, std::span<double
       return outcome;
     }
 
-    const double z_r = sums.z_r - z_mean * sums.r;
-    const double z_old_r = sums.z_old_r - z_mean * sums.old_r;
-    double beta = last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / last_z_r) : 0.0;
+    const double beta = last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / last_z_r) : 0.0;
     last_z_r = z_r;
-    const double v_mean = load_given ? sums.v / sums.contacts : 0.0;
-    form_direction(correction_.data(), direction_.data(), contact_.data(), beta,
-                   z_mean + beta * v_mean, count_);
-    convolution_.apply(direction_.data(), response_.data(), workspace_);
-    const StepSums step_sums =
-        sum_step(residual_.data(), direction_.data(), response_.data(), count_);
-    const double step =
-        step_sums.v_q > 0.0 && step_sums.r_v > 0.0 ? step_sums.r_v / step_sums.v_q : 0.0;
-    const MoveSums moved =
-        move(pressure_, displacement_.data(), direction_.data(), response_.data(), step, count_);
+    for (std::size_t k = 0; k < count; ++k) {
+      Fields& fields = *fields_[k];
+      form_direction(fields.correction.data(), fields.direction.data(), fields.contact.data(), beta,
+                     (z_mean + beta * v_mean) * boxes[k].share, boxes[k].count());
+    }
+    respond();
+    double r_v = 0.0;
+    double v_q = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Fields& fields = *fields_[k];
+      const StepSums step = sum_step(fields.residual.data(), fields.direction.data(),
+                                     fields.response.data(), boxes[k].count());
+      r_v += boxes[k].weight * step.r_v;
+      v_q += boxes[k].weight * step.v_q;
+    }
+    const double step = v_q > 0.0 && r_v > 0.0 ? r_v / v_q : 0.0;
+    double largest_change = 0.0;
+    bool any_cut = false;
+    outcome.largest_pressure = 0.0;
+    load = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const IterationBox& box = boxes[k];
+      Fields& fields = *fields_[k];
+      const MoveSums moved =
+          move(box.pressure.data(), fields.displacement.data(), fields.direction.data(),
+               fields.response.data(), step, box.count());
+      fields.cut = moved.negative_count;
+      any_cut = any_cut || moved.negative_count > 0.0;
+      largest_change = std::max(largest_change, moved.largest_change);
+      outcome.largest_pressure = std::max(outcome.largest_pressure, moved.largest);
+      load += box.weight * box.share * moved.pressure;
+    }
     if (step == 0.0) {
       last_z_r = 0.0; // no descent along this direction: steepest descent next
     }
-    if (moved.negative_count > 0.0) {
-      cut_negative(static_cast<std::size_t>(moved.negative_count));
+    if (any_cut) {
+      cut_negative();
     }
-    rounding += drift_rate * moved.largest_change;
-    outcome.largest_pressure = moved.largest;
+    rounding += drift_rate * largest_change;
     if (load_given) {
-      factor = *request.pressure_sum / moved.pressure;
+      factor = *request.load / load;
     }
   }
 }
 
-template class BoxIteration<float>;
-template class BoxIteration<double>;
+template class ProjectedCg<float>;
+template class ProjectedCg<double>;
 
 } // namespace wrc

@@ -1,14 +1,18 @@
-/// Projected, preconditioned conjugate gradients for contact on one rectangle of elements.
+/// Projected, preconditioned conjugate gradients for contact on rectangles of elements, one or
+/// several that share one approach.
 ///
-/// Find p >= 0 with r = approach - h - K p <= 0, p r = 0, and sum p given, or the approach given.
-/// Each iteration, with one application of K:
-///   contact C = {p > 0 or r > 0};  approach = mean of h + u over p > 0 (if the load is given)
-///   z = M r on C, M the inverse of the periodic convolution on the rectangle
+/// Find p >= 0 with r = s_k approach - h - K p <= 0, p r = 0 on every box k, and the load,
+/// sum_k w_k s_k sum p, given, or the approach given. s_k and w_k: share of the approach and weight
+/// in the energy, both in the box's own unit of length. Each iteration, with one application of K:
+///   contact C = {p > 0 or r > 0}
+///   approach: least squares of r over p > 0 (if the load is given)
+///   z = M r on C, M the inverse of the periodic convolution on each rectangle
 ///   v = z + beta v, beta = max(0, <z, r - r_old> / <z_old, r_old>) (Polak & Ribiere), on C
 ///   step <r, v>/<v, K v>;  p = max(0, p + step v), and what this cut off is added to u directly
-/// With the load given z and v are mean-free over C, which keeps the load inside the iteration, and
-/// p and u are scaled to it after the cut. The method is that of Vollebregt (J. Comput. Phys. 257,
-/// 2014, bound-constrained CG with FFT preconditioner) with the load constraint taken in.
+/// with <a, b> = sum_k w_k sum a b. With the load given, z and v carry none (a multiple of s_k on C
+/// is taken off), which keeps the load inside the iteration, and p and u are scaled to it after the
+/// cut. The method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
+/// preconditioner) with the load constraint taken in and the boxes joined.
 /// z approximates the error of p; iteration stops at max|z| <= tolerance max p and takes one free
 /// step p = max(0, p + z).
 /// In units of influence_cache.hpp. Directions are kept in `Real`; p and u always in double. u is
@@ -18,83 +22,116 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mechanics/box_convolution.hpp"
 #include "mechanics/normal_contact.hpp"
+#include "mechanics/patch_coupling.hpp"
 
 namespace wrc {
 
-/// What is asked of the pressures on a rectangle.
-struct BoxRequest {
+/// One rectangle: what is asked there and where its fields are.
+struct IterationBox {
   std::size_t rows = 0;
   std::size_t columns = 0;
   double aspect = 1.0;
-  std::optional<double> pressure_sum; ///< the load in element areas; or else
-  double approach = 0.0;              ///< the approach
-  double tolerance = 1e-4;            ///< of max|z|, relative to the largest pressure
-  int maximum_iterations = 5000;
-  /// Which sides of the rectangle have elements of the grid beyond them: contact there ends the
-  /// iteration, since the rectangle is too small.
+  double share = 1.0;  ///< s: of the approach, in this box's unit of length
+  double weight = 1.0; ///< w: element area times unit of length, in a unit that all boxes share
+  /// Which sides have elements of the grid beyond them: contact there ends the iteration, since the
+  /// rectangle is too small.
   bool open_first_row = false;
   bool open_last_row = false;
   bool open_first_column = false;
   bool open_last_column = false;
+  std::span<double> pressure; ///< start in, answer out
+  std::span<const double> distance;
+
+  [[nodiscard]] std::size_t count() const { return rows * columns; }
 };
 
-struct BoxOutcome {
+/// Contact came up at these open sides.
+struct ReachedSides {
+  bool first_row = false;
+  bool last_row = false;
+  bool first_column = false;
+  bool last_column = false;
+  [[nodiscard]] bool any() const { return first_row || last_row || first_column || last_column; }
+};
+
+struct IterationRequest {
+  std::span<const IterationBox> boxes;
+  std::optional<double> load; ///< sum w s p; or else
+  double approach = 0.0;      ///< the approach
+  double tolerance = 1e-4;    ///< of max|z|, relative to the largest pressure
+  int maximum_iterations = 5000;
+  PatchCoupling* coupling = nullptr;
+};
+
+struct IterationOutcome {
   double approach = 0.0;
   double largest_pressure = 0.0;
-  double largest_displacement = 0.0;
   double error = 0.0; ///< max|z| / max p before the free step
   int iterations = 0;
-  /// Contact came up at these open sides; the pressures are those of before the iteration ended.
-  bool reached_first_row = false;
-  bool reached_last_row = false;
-  bool reached_first_column = false;
-  bool reached_last_column = false;
-  [[nodiscard]] bool reached_edge() const {
-    return reached_first_row || reached_last_row || reached_first_column || reached_last_column;
-  }
+  int convolutions = 0;
+  /// By box. If any: the pressures are those of before the iteration ended.
+  std::vector<ReachedSides> reached;
+  bool reached_any = false;
   StopReason stop_reason = StopReason::iteration_limit;
 };
 
-/// Everything a rectangle's iteration needs, kept between calls.
-template <typename Real> class BoxIteration {
-public:
-  explicit BoxIteration(InfluenceCache& cache) : cache_(cache) {}
+/// Sums over C from which the mean of z, the coefficient beta and the error follow.
+struct CorrectionSums {
+  double contacts = 0.0;
+  double z = 0.0;
+  double r = 0.0;
+  double old_r = 0.0;
+  double z_r = 0.0;
+  double z_old_r = 0.0;
+  double v = 0.0;
+  double least_z = 0.0;
+  double largest_z = 0.0;
+};
 
-  /// `pressure` (start in, answer out) and `distance`: rows * columns values.
-  BoxOutcome solve(const BoxRequest& request, std::span<double> pressure,
-                   std::span<const double> distance);
+/// Everything the iteration needs, kept between calls.
+template <typename Real> class ProjectedCg {
+public:
+  explicit ProjectedCg(InfluenceCache& cache) : cache_(cache) {}
+
+  IterationOutcome solve(const IterationRequest& request);
 
   ConvolutionWorkspace<Real>& workspace() { return workspace_; }
 
 private:
-  struct Sums;
+  struct Fields {
+    BoxConvolution<Real> convolution;
+    BoxConvolution<Real> preconditioner;
+    AlignedArray<double> displacement;
+    AlignedArray<Real> residual;
+    AlignedArray<Real> last_residual;
+    AlignedArray<Real> correction; ///< z
+    AlignedArray<Real> direction;  ///< v
+    AlignedArray<Real> response;   ///< K v; also the input of a fresh u = K p
+    AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
+    double cut = 0.0;              ///< number of pressures below 0
+  };
+
+  void prepare(const IterationBox& box, Fields& fields);
   void refresh_displacement(bool in_double);
-  void cut_negative(std::size_t negative_count);
-  /// Notes the open sides that contact has reached; whether there are any.
-  bool note_reached_sides(BoxOutcome& outcome) const;
+  void respond();
+  void cut_negative();
+  void cut_negative(const IterationBox& box, Fields& fields);
   void take_free_step(double z_mean);
 
   InfluenceCache& cache_;
   ConvolutionWorkspace<Real> workspace_;
   ConvolutionWorkspace<double> double_workspace_;
-  BoxConvolution<Real> convolution_;
-  BoxConvolution<Real> preconditioner_;
-  const BoxRequest* request_ = nullptr;
-  std::size_t count_ = 0;
-  double* pressure_ = nullptr;
-  const double* distance_ = nullptr;
-  AlignedArray<double> displacement_;
-  AlignedArray<Real> residual_;
-  AlignedArray<Real> last_residual_;
-  AlignedArray<Real> correction_; ///< z
-  AlignedArray<Real> direction_;  ///< v
-  AlignedArray<Real> response_;   ///< K v; also the input of a fresh u = K p
-  AlignedArray<Real> contact_;    ///< 1 on C, 0 elsewhere
+  std::vector<std::unique_ptr<Fields>> fields_; ///< at least as many as boxes
+  const IterationRequest* request_ = nullptr;
+  std::vector<CorrectionSums> sums_; ///< by box
+  int convolutions_ = 0;
 };
 
 } // namespace wrc

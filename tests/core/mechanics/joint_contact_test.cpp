@@ -1,0 +1,335 @@
+/// Patches solved together: each must be the solution of its own problem at the shared approach,
+/// and the loads must add up. References: the same patch by itself, dense sums, one grid over both.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "error.hpp"
+#include "mechanics/displacement_operator.hpp"
+#include "mechanics/joint_contact.hpp"
+#include "mechanics/patch_coupling.hpp"
+#include "solver_checks.hpp"
+
+namespace wrc::test {
+namespace {
+
+/// A patch with a gap of its own.
+struct OwnedPatch {
+  Grid grid;
+  std::vector<double> distance;
+  double share = 1.0;
+
+  [[nodiscard]] PatchGap gap() const { return {grid, distance, share, {}}; }
+};
+
+/// A body over a patch that touches `offset` mm (along the normal) after the first one.
+OwnedPatch hertz_patch(std::size_t rows, std::size_t columns, double lateral_step, double step,
+                       double radius, double offset, double share) {
+  OwnedPatch patch{centred_grid(rows, columns, lateral_step, step), {}, share};
+  patch.distance = hertz_gap(patch.grid, 1.0 / radius, 1.5 / radius);
+  for (double& value : patch.distance) {
+    value += offset;
+  }
+  return patch;
+}
+
+/// Tread and flange: sizes, steps, radii and angles differ; the third hardly touches.
+std::vector<OwnedPatch> tread_and_flange() {
+  return {hertz_patch(60, 50, 0.15, 0.2, 300.0, 0.0, std::cos(0.05)),
+          hertz_patch(34, 70, 0.05, 0.08, 40.0, 0.012, std::cos(1.1)),
+          hertz_patch(21, 23, 0.1, 0.1, 150.0, 0.06, std::cos(0.3))};
+}
+
+std::vector<PatchGap> gaps_of(const std::vector<OwnedPatch>& patches) {
+  std::vector<PatchGap> gaps;
+  for (const OwnedPatch& patch : patches) {
+    gaps.push_back(patch.gap());
+  }
+  return gaps;
+}
+
+JointProblem joint_with_load(const std::vector<PatchGap>& gaps, double load, double tolerance) {
+  JointProblem problem;
+  problem.patches = gaps;
+  problem.combined_modulus = steel_modulus;
+  problem.load = load;
+  problem.tolerance = tolerance;
+  return problem;
+}
+
+/// Pressures of a joint solution against those of each patch alone at the approach found, and the
+/// load they make.
+void expect_each_patch_solved(const JointProblem& problem, const JointSolution& solution,
+                              const std::string& name) {
+  EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met) << name;
+  double largest = 0.0;
+  double load = 0.0;
+  std::vector<NormalSolution> alone;
+  for (std::size_t k = 0; k < problem.patches.size(); ++k) {
+    const PatchGap& patch = problem.patches[k];
+    alone.push_back(solve_exactly({patch.grid,
+                                   patch.undeformed_distance,
+                                   problem.combined_modulus,
+                                   {},
+                                   solution.approach * patch.approach_share,
+                                   exact_tolerance}));
+    largest =
+        std::max(largest, *std::max_element(alone[k].pressure.begin(), alone[k].pressure.end()));
+    load += patch.approach_share * solution.patches[k].normal_force;
+  }
+  for (std::size_t k = 0; k < problem.patches.size(); ++k) {
+    double error = 0.0;
+    for (std::size_t i = 0; i < alone[k].pressure.size(); ++i) {
+      error = std::max(error, std::abs(alone[k].pressure[i] - solution.patches[k].pressure[i]));
+    }
+    // The approach has an error of its own, of the order of the tolerance.
+    EXPECT_LE(error, 2.0 * problem.tolerance * largest) << name << " patch " << k;
+  }
+  if (problem.load) {
+    EXPECT_NEAR(load, *problem.load, load_rounding * *problem.load) << name;
+  }
+}
+
+TEST(JointContact, EachPatchIsSolvedAndTheLoadAddsUp) {
+  const std::vector<OwnedPatch> patches = tread_and_flange();
+  const std::vector<PatchGap> gaps = gaps_of(patches);
+  for (const Precision precision : {Precision::mixed, Precision::double_only}) {
+    NormalSolver solver(PlannerRigor::estimate, precision);
+    // From one patch in contact to all three.
+    for (const double load : {50.0, 5e3, 4e4}) {
+      for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
+        const JointProblem problem = joint_with_load(gaps, load, tolerance);
+        const std::string name =
+            std::to_string(load) + " N, tolerance " + std::to_string(tolerance);
+        const JointSolution solution = solver.solve(problem);
+        expect_each_patch_solved(problem, solution, name);
+        JointProblem by_approach = problem;
+        by_approach.load.reset();
+        by_approach.approach = solution.approach;
+        expect_each_patch_solved(by_approach, solver.solve(by_approach), name + " by approach");
+      }
+    }
+  }
+}
+
+TEST(JointContact, OrderOfPatchesDoesNotMatter) {
+  std::vector<OwnedPatch> patches = tread_and_flange();
+  const double tolerance = 1e-8;
+  NormalSolver solver;
+  const std::vector<PatchGap> gaps = gaps_of(patches);
+  const JointSolution forward = solver.solve(joint_with_load(gaps, 2e4, tolerance));
+  const std::vector<PatchGap> reversed(gaps.rbegin(), gaps.rend());
+  const JointSolution backward = solver.solve(joint_with_load(reversed, 2e4, tolerance));
+  EXPECT_NEAR(forward.approach, backward.approach, tolerance * forward.approach);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(forward.patches[k].normal_force, backward.patches[2 - k].normal_force,
+                10.0 * tolerance * 2e4);
+  }
+}
+
+TEST(JointContact, OnePatchIsTheSingleProblem) {
+  NormalSolver solver;
+  for (const ContactCase& example : contact_cases(50, 40, 1.0)) {
+    const NormalSolution single =
+        solver.solve(with_load(example.grid, example.distance, case_load, 1e-6));
+    const PatchGap gap{example.grid, example.distance, 1.0, {}};
+    const JointSolution joint = solver.solve(joint_with_load({gap}, case_load, 1e-6));
+    EXPECT_EQ(single.pressure, joint.patches[0].pressure) << example.name;
+    EXPECT_EQ(single.approach, joint.approach) << example.name;
+  }
+}
+
+TEST(JointContact, SharedApproachCostsFewMoreConvolutions) {
+  // Two equal halves of the load, against one of them alone.
+  const OwnedPatch patch = hertz_patch(128, 64, 0.1, 0.2, 300.0, 0.0, 1.0);
+  NormalSolver solver;
+  const JointSolution one = solver.solve(joint_with_load({patch.gap()}, 2e4, 1e-5));
+  OwnedPatch other = hertz_patch(120, 60, 0.1, 0.2, 250.0, 0.004, std::cos(0.4));
+  const JointSolution both = solver.solve(joint_with_load({patch.gap(), other.gap()}, 3.5e4, 1e-5));
+  EXPECT_LE(both.convolutions, 1.3 * one.convolutions + 1.0)
+      << one.convolutions << " and " << both.convolutions;
+}
+
+TEST(JointContact, ALoadOfNothingPressesNothing) {
+  const std::vector<OwnedPatch> patches = tread_and_flange();
+  const std::vector<PatchGap> gaps = gaps_of(patches);
+  NormalSolver solver;
+  const JointSolution solution = solver.solve(joint_with_load(gaps, 0.0, 1e-5));
+  EXPECT_NEAR(solution.approach,
+              *std::min_element(patches[0].distance.begin(), patches[0].distance.end()) /
+                  patches[0].share,
+              1e-15);
+  for (const auto& patch : solution.patches) {
+    EXPECT_EQ(patch.normal_force, 0.0);
+  }
+}
+
+/// Two lobes on one grid, cut into two patches in the same plane.
+struct CutPlane {
+  OwnedPatch whole;
+  std::vector<OwnedPatch> parts;
+  PatchInteraction interaction;
+};
+
+CutPlane cut_plane() {
+  CutPlane plane;
+  plane.whole.grid = centred_grid(120, 50, 0.1, 0.12);
+  const Grid& grid = plane.whole.grid;
+  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+    for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
+      const double x = grid.longitudinal(j);
+      const double y = grid.lateral(i);
+      const double lobe = y < 0.0 ? (y + 3.0) * (y + 3.0) / 160.0 : (y - 2.6) * (y - 2.6) / 60.0;
+      plane.whole.distance.push_back(x * x / 600.0 + lobe + (y < 0.0 ? 0.0 : 0.004));
+    }
+  }
+  for (const auto& [first, count] : {std::pair<std::size_t, std::size_t>{0, 55}, {62, 58}}) {
+    OwnedPatch part;
+    part.grid = grid;
+    part.grid.lateral_count = count;
+    part.grid.lateral_first = 0.0;
+    const double* begin = plane.whole.distance.data() + first * grid.longitudinal_count;
+    part.distance.assign(begin, begin + count * grid.longitudinal_count);
+    plane.parts.push_back(part);
+    plane.interaction.places.push_back({grid.lateral(first), 0.0});
+  }
+  plane.interaction.closeness = {1.0, 1.0, 1.0, 1.0};
+  return plane;
+}
+
+TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
+  const CutPlane plane = cut_plane();
+  NormalSolver solver;
+  const double load = 1e4;
+  const NormalSolution whole =
+      solver.solve(with_load(plane.whole.grid, plane.whole.distance, load, 1e-8));
+  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
+  JointProblem problem = joint_with_load(gaps, load, 1e-8);
+  problem.interaction = &plane.interaction;
+  const JointSolution joint = solver.solve(problem);
+  EXPECT_EQ(joint.stop_reason, StopReason::tolerance_met);
+  // Interpolation between twelve nodes of a box.
+  constexpr double node_error = 1e-3;
+  EXPECT_NEAR(joint.approach, whole.approach, node_error * whole.approach);
+  const double largest = *std::max_element(whole.pressure.begin(), whole.pressure.end());
+  double error = 0.0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t first = k == 0 ? 0 : 62 * plane.whole.grid.longitudinal_count;
+    for (std::size_t i = 0; i < joint.patches[k].pressure.size(); ++i) {
+      error = std::max(error, std::abs(joint.patches[k].pressure[i] - whole.pressure[first + i]));
+    }
+  }
+  EXPECT_LE(error, 10.0 * node_error * largest);
+  // Without interaction the approach is less by what the lobes displace at each other.
+  problem.interaction = nullptr;
+  EXPECT_LT(solver.solve(problem).approach, 0.95 * whole.approach);
+}
+
+TEST(JointContact, InteractionGrowsWithCloseness) {
+  CutPlane plane = cut_plane();
+  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
+  JointProblem problem = joint_with_load(gaps, 1e4, 1e-6);
+  NormalSolver solver;
+  double last = solver.solve(problem).approach;
+  problem.interaction = &plane.interaction;
+  for (const double closeness : {0.0, 0.25, 0.5, 1.0}) {
+    plane.interaction.closeness[1] = plane.interaction.closeness[2] = closeness;
+    const double approach = solver.solve(problem).approach;
+    EXPECT_GE(approach, last * (1.0 - 1e-5)) << closeness;
+    last = approach;
+  }
+}
+
+TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
+  const CutPlane plane = cut_plane();
+  std::vector<CoupledBox> boxes;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Grid& grid = plane.parts[k].grid;
+    boxes.push_back({grid.lateral_count, grid.longitudinal_count, grid.lateral_step,
+                     grid.longitudinal_step, plane.interaction.places[k].lateral,
+                     grid.longitudinal_first});
+  }
+  PatchCoupling coupling(boxes, {0.0, 1.0, 1.0, 0.0});
+  // Half an ellipsoid of pressure in either box.
+  std::vector<std::vector<double>> pressure(2);
+  std::vector<std::vector<double>> displacement(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t i = 0; i < boxes[k].rows; ++i) {
+      for (std::size_t j = 0; j < boxes[k].columns; ++j) {
+        const double y = (static_cast<double>(i) - 28.0) / 20.0;
+        const double x = (static_cast<double>(j) - 22.0 - 4.0 * static_cast<double>(k)) / 18.0;
+        pressure[k].push_back(std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
+      }
+    }
+    coupling.gather(k, pressure[k].data());
+  }
+  coupling.transfer();
+  for (std::size_t k = 0; k < 2; ++k) {
+    displacement[k].assign(pressure[k].size(), 0.0);
+    coupling.add(k, displacement[k].data());
+  }
+  const double element = boxes[0].lateral_step * boxes[0].longitudinal_step;
+  double largest_error = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < boxes[1].rows; i += 9) {
+    for (std::size_t j = 0; j < boxes[1].columns; j += 7) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < boxes[0].rows; ++k) {
+        for (std::size_t l = 0; l < boxes[0].columns; ++l) {
+          const double across = boxes[1].lateral_first + 0.1 * static_cast<double>(i) -
+                                boxes[0].lateral_first - 0.1 * static_cast<double>(k);
+          const double along = 0.12 * (static_cast<double>(j) - static_cast<double>(l));
+          sum += pressure[0][k * boxes[0].columns + l] * element / std::hypot(across, along);
+        }
+      }
+      sum /= boxes[1].longitudinal_step;
+      largest = std::max(largest, sum);
+      largest_error =
+          std::max(largest_error, std::abs(sum - displacement[1][i * boxes[1].columns + j]));
+    }
+  }
+  EXPECT_LE(largest_error, 0.01 * largest);
+  double one_way = 0.0;
+  double other_way = 0.0;
+  for (std::size_t i = 0; i < pressure[0].size(); ++i) {
+    one_way += pressure[0][i] * displacement[0][i];
+  }
+  for (std::size_t i = 0; i < pressure[1].size(); ++i) {
+    other_way += pressure[1][i] * displacement[1][i];
+  }
+  EXPECT_NEAR(one_way, other_way, 1e-12 * one_way);
+}
+
+TEST(JointProblem, WhatIsWrongIsNamed) {
+  const OwnedPatch patch = hertz_patch(8, 8, 1.0, 1.0, 300.0, 0.0, 1.0);
+  NormalSolver solver;
+  const auto expect_named = [&solver](const JointProblem& problem, const std::string& name) {
+    try {
+      solver.solve(problem);
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  };
+  std::vector<PatchGap> gaps;
+  expect_named(joint_with_load(gaps, 1.0, 1e-3), "patches");
+  gaps.push_back(patch.gap());
+  expect_named(joint_with_load(gaps, -1.0, 1e-3), "load");
+  JointProblem both = joint_with_load(gaps, 1.0, 1e-3);
+  both.approach = 1.0;
+  expect_named(both, "approach");
+  PatchInteraction interaction;
+  JointProblem coupled = joint_with_load(gaps, 1.0, 1e-3);
+  coupled.interaction = &interaction;
+  expect_named(coupled, "interaction.places");
+  interaction.places.resize(1);
+  interaction.closeness = {2.0};
+  expect_named(coupled, "interaction.closeness");
+  gaps[0].approach_share = 0.0;
+  expect_named(joint_with_load(gaps, 1.0, 1e-3), "approach_share");
+}
+
+} // namespace
+} // namespace wrc::test
