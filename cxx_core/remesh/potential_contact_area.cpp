@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <optional>
 #include <vector>
+
+#include "remesh/depth_estimate.hpp"
 
 namespace wrc {
 namespace {
@@ -15,16 +15,6 @@ namespace {
 constexpr double same_plane_angle = 0.2;
 /// ... if they are no farther apart than this, mm: the width of a running band.
 constexpr double same_plane_distance = 20.0;
-/// Share of the approach at which virtual penetration has about the contact's axis ratio.
-constexpr double virtual_penetration_share = 0.55;
-/// The depth to a load is a start for coarse solutions: one per cent is enough. Depths outside the
-/// limits, mm, are not searched.
-constexpr double depth_accuracy = 0.01;
-constexpr double first_depth = 0.05;
-constexpr double smallest_depth = 1e-300;
-constexpr double greatest_depth = 50.0;
-constexpr double largest_depth_factor = 1e4;
-constexpr int depth_iterations = 400;
 
 /// An uninterrupted stretch of penetration along the locus.
 struct Interval {
@@ -127,19 +117,6 @@ std::vector<Interval> penetration_intervals(const ContactScan& scan, double dept
   return intervals;
 }
 
-/// Load by Hertz's law for a depth, from the region's axes at a share of the depth.
-double estimate_load(const ContactScan& scan, double combined_modulus, double depth) {
-  const PenetrationRegion region = find_penetration_region(scan, virtual_penetration_share * depth);
-  const double cosine = std::cos(region.mean_angle);
-  const double half_width = 0.5 * (region.y_last - region.y_first) / cosine;
-  const double half_length = region.half_length;
-  const double longer = std::max(half_width, half_length);
-  const double shorter = std::max(std::min(half_width, half_length), 1e-4 * longer);
-  const double modulus = std::sqrt(1.0 - (shorter / longer) * (shorter / longer));
-  return 2.0 / 3.0 * std::numbers::pi * combined_modulus * longer * depth * cosine /
-         std::comp_ellint_1(modulus);
-}
-
 } // namespace
 
 PenetrationRegion find_penetration_region(const ContactScan& scan, double depth) {
@@ -188,44 +165,7 @@ PenetrationRegion find_penetration_region(const ContactScan& scan, double depth)
 }
 
 double estimate_depth(const ContactScan& scan, double combined_modulus, double normal_load) {
-  // The load grows about with the power 1.5 of the depth: steps by that power until the load is
-  // bracketed, then a secant in logarithms, with a bisection now and then since the load may jump.
-  struct Loaded {
-    double depth;
-    double load;
-  };
-  std::optional<Loaded> low;
-  std::optional<Loaded> high;
-  double depth = first_depth;
-  for (int iteration = 1; iteration <= depth_iterations; ++iteration) {
-    const double load = estimate_load(scan, combined_modulus, depth);
-    if (std::abs(load - normal_load) <= depth_accuracy * normal_load) {
-      break;
-    }
-    (load < normal_load ? low : high) = Loaded{depth, load};
-    if (!low || !high) {
-      const double factor = std::cbrt(normal_load / load);
-      depth *= std::clamp(factor * factor, 1.0 / largest_depth_factor, largest_depth_factor);
-      if (depth >= greatest_depth && low) {
-        return greatest_depth;
-      }
-      if (depth <= smallest_depth) {
-        return smallest_depth;
-      }
-      continue;
-    }
-    const double ratio = high->depth / low->depth;
-    if (ratio <= 1.0 + depth_accuracy) {
-      return std::sqrt(low->depth * high->depth);
-    }
-    const double share =
-        iteration % 4 == 0
-            ? 0.5
-            : std::clamp(std::log(normal_load / low->load) / std::log(high->load / low->load), 0.1,
-                         0.9);
-    depth = low->depth * std::pow(ratio, share);
-  }
-  return depth;
+  return estimate_depth(scan, combined_modulus, normal_load, LoadDirection::main_normal);
 }
 
 PlaneArea PlaneArea::widened(double share) const {

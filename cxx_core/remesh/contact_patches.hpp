@@ -1,0 +1,93 @@
+/// All patches of virtual penetration of one wheel, each with its own contact plane.
+///
+/// When the wheel is lowered by a depth, wheel and rail interpenetrate over stretches of the
+/// contact locus; along the rail a place with the normal penetration g reaches over x_l = sqrt(2 R
+/// g). Every local maximum of penetration is a lobe. Lobes that are close are joined, others are
+/// patches.
+///
+/// Plane: every place counts with the integral of the squared penetration over the surface, along
+/// the rail in closed form, W = int int g^2 dx ds = 16/15 int g^2 x_l ds, with ds along the rail's
+/// profile. The plane's normal is the mean of the rail's normals and its place the mean place, both
+/// weighted so. This is how CONTACT defines its contact reference: it is met to 0.1 mrad and
+/// 0.01 mm (docs/method.md says nothing of it being exact: pressures decide, not planes).
+///
+/// Separation of two neighbours, without dimension:
+///   D = gap / larger width                                 if they are apart,
+///   D = -(least penetration between) / (deepest of the shallower one)      if they are connected.
+/// Closeness w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall as the
+/// planes of the two differ more. w = 1: joined. 0 < w < 1: planes turned towards each other, so
+/// that nothing jumps on the way from two patches to one. Patches further on are as close as the
+/// weakest link between: such an (ultrametric) matrix has no negative eigenvalue. The angle of a
+/// plane is the mean over all levels between 0 and 1 of the plane of the patches that are at least
+/// that close, which for two is angle = own + w (mean of both - own).
+///
+/// Between nodes of the scan penetration is linear, next to a local maximum a parabola with its top
+/// there; the top is the first contact where that lies, else that of the parabola through three
+/// nodes. Integrals by Simpson's rule. Everything is thus continuous in the depth and has a limit
+/// for depth -> 0.
+/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
+/// functions. Not known here: elasticity.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "geometry/contact_search.hpp"
+#include "remesh/contact_frame.hpp"
+#include "remesh/potential_contact_area.hpp"
+
+namespace wrc {
+
+/// A region of penetration that shares one plane.
+struct ContactPatch {
+  double y_first = 0.0; ///< ends of penetration, track side and ...
+  double y_last = 0.0;  ///< ... field side
+  double x_first = 0.0;
+  double x_last = 0.0;
+  double half_length = 0.0; ///< largest x_l
+  double deepest = 0.0;     ///< largest vertical penetration
+  double deepest_x = 0.0;   ///< its place in the track frame and ...
+  double deepest_y = 0.0;
+  double deepest_s = 0.0; ///< ... on the wheel's profile
+  double share = 1.0;     ///< of the weight W of all patches of the wheel
+  double own_angle = 0.0; ///< of the rail's mean normal in this patch by itself
+  double angle = 0.0;     ///< of its plane, turned towards close neighbours
+  double mean_x = 0.0;    ///< mean place, weighted like the angle
+  double mean_y = 0.0;
+  double mean_s = 0.0;
+  /// Ends of the region that approximates the contact itself, where penetration exceeds 0.45 of the
+  /// deepest (virtual penetration after Kik & Piotrowski), and the rail's angles there.
+  double contact_first = 0.0;
+  double contact_last = 0.0;
+  double angle_first = 0.0;
+  double angle_last = 0.0;
+  /// Limits in y for its potential contact area: the valley or the middle of the gap towards a
+  /// neighbour, infinite on the outside.
+  double territory_first = -std::numeric_limits<double>::infinity();
+  double territory_last = std::numeric_limits<double>::infinity();
+};
+
+struct ContactPatches {
+  std::vector<ContactPatch> patches; ///< ordered by y, never empty
+  std::vector<double> links;         ///< closeness of each one and the next, below 1
+  std::size_t main = 0;              ///< the one that holds the first contact
+
+  /// 0: far apart, no interaction; 1: the same.
+  [[nodiscard]] double closeness(std::size_t i, std::size_t j) const;
+};
+
+/// `depth` > 0: how far the wheel is lowered vertically from the first touch. The scan's nearest
+/// candidate must be there; without samples nothing else is seen.
+ContactPatches find_contact_patches(const ContactScan& scan, double depth);
+
+/// Of two lobes or patches: signed separation D and the difference of their angles.
+double closeness_of(double separation, double angle_difference);
+
+/// The rectangle that holds a patch's penetration, seen along the frame's normal.
+PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame);
+/// The part of an area that lies in the patch's territory; never turned inside out.
+PlaneArea within_territory(const PlaneArea& area, const ContactPatch& patch,
+                           const RailSurface& rail, const ContactFrame& frame);
+
+} // namespace wrc

@@ -1,0 +1,93 @@
+#include "remesh/depth_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "remesh/contact_patches.hpp"
+
+namespace wrc {
+namespace {
+
+/// Where penetration exceeds 0.45 of the deepest, half lengths are sqrt(0.55) of the largest ones.
+constexpr double virtual_penetration_share = 0.55;
+/// Narrower contacts are taken for lines of this axis ratio.
+constexpr double least_axis_ratio = 1e-4;
+/// The depth to a load is a start for coarse solutions: one per cent is enough. Depths outside the
+/// limits, mm, are not searched.
+constexpr double depth_accuracy = 0.01;
+constexpr double first_depth = 0.05;
+constexpr double smallest_depth = 1e-300;
+constexpr double greatest_depth = 50.0;
+constexpr double largest_depth_factor = 1e4;
+constexpr int depth_iterations = 400;
+
+/// Normal load of a patch by Hertz's law.
+double load_of(const ContactPatch& patch, double combined_modulus) {
+  const double cosine = std::cos(patch.angle);
+  const double half_width = 0.5 * (patch.contact_last - patch.contact_first) / cosine;
+  const double half_length = std::sqrt(virtual_penetration_share) * patch.half_length;
+  const double longer = std::max(half_width, half_length);
+  const double ratio = std::max(std::min(half_width, half_length) / longer, least_axis_ratio);
+  const double modulus = std::sqrt(1.0 - ratio * ratio);
+  return 2.0 / 3.0 * std::numbers::pi * combined_modulus * longer * patch.deepest * cosine /
+         std::comp_ellint_1(modulus);
+}
+
+} // namespace
+
+double estimate_load(const ContactScan& scan, double combined_modulus, double depth,
+                     LoadDirection direction) {
+  const ContactPatches found = find_contact_patches(scan, depth);
+  const double along = direction == LoadDirection::vertical ? 0.0 : found.patches[found.main].angle;
+  double load = 0.0;
+  for (const ContactPatch& patch : found.patches) {
+    load += std::cos(patch.angle - along) * load_of(patch, combined_modulus);
+  }
+  return load;
+}
+
+double estimate_depth(const ContactScan& scan, double combined_modulus, double load_asked,
+                      LoadDirection direction) {
+  // The load grows about with the power 1.5 of the depth: steps by that power until the load is
+  // bracketed, then a secant in logarithms, with a bisection now and then since the load may jump.
+  struct Loaded {
+    double depth;
+    double load;
+  };
+  std::optional<Loaded> low;
+  std::optional<Loaded> high;
+  double depth = first_depth;
+  for (int iteration = 1; iteration <= depth_iterations; ++iteration) {
+    const double load = estimate_load(scan, combined_modulus, depth, direction);
+    if (std::abs(load - load_asked) <= depth_accuracy * load_asked) {
+      break;
+    }
+    (load < load_asked ? low : high) = Loaded{depth, load};
+    if (!low || !high) {
+      const double factor = std::cbrt(load_asked / load);
+      depth *= std::clamp(factor * factor, 1.0 / largest_depth_factor, largest_depth_factor);
+      if (depth >= greatest_depth && low) {
+        return greatest_depth;
+      }
+      if (depth <= smallest_depth) {
+        return smallest_depth;
+      }
+      continue;
+    }
+    const double ratio = high->depth / low->depth;
+    if (ratio <= 1.0 + depth_accuracy) {
+      return std::sqrt(low->depth * high->depth);
+    }
+    const double share =
+        iteration % 4 == 0
+            ? 0.5
+            : std::clamp(std::log(load_asked / low->load) / std::log(high->load / low->load), 0.1,
+                         0.9);
+    depth = low->depth * std::pow(ratio, share);
+  }
+  return depth;
+}
+
+} // namespace wrc
