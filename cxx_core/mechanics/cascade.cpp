@@ -26,43 +26,6 @@ double distance_at(std::span<const double> distance, const LevelSize& size, std:
   return value(row, column);
 }
 
-/// p^2 in contact; next to contact its linear continuation, never above 0.
-void square_and_continue(const LevelSize& size, std::span<const double> pressure,
-                         std::vector<double>& squares) {
-  squares.resize(size.count());
-  const auto rows = static_cast<std::ptrdiff_t>(size.rows);
-  const auto columns = static_cast<std::ptrdiff_t>(size.columns);
-  const auto pressure_at = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
-    return i >= 0 && i < rows && j >= 0 && j < columns
-               ? pressure[static_cast<std::size_t>(i * columns + j)]
-               : 0.0;
-  };
-  for (std::ptrdiff_t i = 0; i < rows; ++i) {
-    for (std::ptrdiff_t j = 0; j < columns; ++j) {
-      const auto index = static_cast<std::size_t>(i * columns + j);
-      const double p = pressure[index];
-      squares[index] = p * p;
-      if (p > 0.0) {
-        continue;
-      }
-      double sum = 0.0;
-      double directions = 0.0;
-      for (std::ptrdiff_t di = -1; di <= 1; ++di) {
-        for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
-          const double near = pressure_at(i + di, j + dj);
-          if (near > 0.0) {
-            const double far = pressure_at(i + 2 * di, j + 2 * dj);
-            const double continued = 2.0 * near * near - far * far;
-            sum += far > 0.0 ? continued : -near * near;
-            directions += 1.0;
-          }
-        }
-      }
-      squares[index] = directions > 0.0 ? std::min(0.0, sum / directions) : 0.0;
-    }
-  }
-}
-
 } // namespace
 
 bool can_coarsen(const LevelSize& size) {

@@ -11,16 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "mechanics/squared_pressure.hpp"
 #include "remesh/grid.hpp"
 
 namespace wrc {
-
-/// A field on one grid of the cascade.
-struct LevelSize {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  [[nodiscard]] std::size_t count() const { return rows * columns; }
-};
 
 /// Whether a coarser grid than this one still helps.
 bool can_coarsen(const LevelSize& size);

@@ -130,6 +130,27 @@ HertzContact solve_hertz_for_approach(double longitudinal_curvature, double late
   return contact;
 }
 
+HertzBodies equivalent_hertz_bodies(double semi_axis_longitudinal, double semi_axis_lateral,
+                                    double combined_modulus, double normal_load) {
+  check_positive("semi_axis_longitudinal", semi_axis_longitudinal);
+  check_positive("semi_axis_lateral", semi_axis_lateral);
+  check_positive("combined_modulus", combined_modulus);
+  check_positive("normal_load", normal_load);
+  const auto [shorter, longer] = std::minmax({semi_axis_longitudinal, semi_axis_lateral});
+  const double ratio = shorter / longer;
+  const EllipticIntegrals integrals = elliptic_integrals(ratio);
+  const double factor = 1.5 * normal_load / (std::numbers::pi * combined_modulus) / longer / longer;
+  const double along_longer = factor * integrals.d / longer;
+  const double along_shorter = factor * integrals.c / (ratio * shorter);
+  HertzBodies bodies;
+  const bool longer_is_longitudinal = semi_axis_longitudinal >= semi_axis_lateral;
+  bodies.longitudinal_coefficient = longer_is_longitudinal ? along_longer : along_shorter;
+  bodies.lateral_coefficient = longer_is_longitudinal ? along_shorter : along_longer;
+  bodies.longitudinal_radius = 0.5 / bodies.longitudinal_coefficient;
+  bodies.lateral_radius = 0.5 / bodies.lateral_coefficient;
+  return bodies;
+}
+
 double hertz_pressure(const HertzContact& contact, double longitudinal, double lateral) {
   if (contact.normal_force <= 0.0) {
     return 0.0;

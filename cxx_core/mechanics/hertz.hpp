@@ -28,6 +28,22 @@ HertzContact solve_hertz(double longitudinal_curvature, double lateral_curvature
 HertzContact solve_hertz_for_approach(double longitudinal_curvature, double lateral_curvature,
                                       double combined_modulus, double approach);
 
+/// The smooth bodies that touch in a given ellipse under a given load: gap = A x^2 + B y^2.
+struct HertzBodies {
+  double longitudinal_coefficient = 0.0; ///< A, 1/mm; half the relative longitudinal curvature
+  double lateral_coefficient = 0.0;      ///< B, 1/mm; half the relative lateral curvature
+  double longitudinal_radius = 0.0;      ///< R_x = 1/(2 A), mm
+  double lateral_radius = 0.0;           ///< R_y = 1/(2 B), mm
+};
+
+/// The inverse of solve_hertz, in closed form. With C = K - D, for the semi-axes a >= b = k a,
+///   c along a = 3 Q D/(pi E* a^3),  c along b = 3 Q C/(pi E* a b^2)
+/// (Johnson, 1985, eqs. 4.25 to 4.28; A and B stay with x and y whichever axis is longer). For
+/// codes that ask for the curvatures of an equivalent Hertzian contact. All arguments > 0; throws
+/// Error(invalid_argument).
+HertzBodies equivalent_hertz_bodies(double semi_axis_longitudinal, double semi_axis_lateral,
+                                    double combined_modulus, double normal_load);
+
 /// Pressure at a point, MPa; 0 outside the ellipse.
 double hertz_pressure(const HertzContact& contact, double longitudinal, double lateral);
 

@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
-#include "error.hpp"
+#include "mechanics/pressure_runs.hpp"
 
 namespace wrc {
 
 namespace {
-
-void check_size(const Grid& grid, std::span<const double> pressure) {
-  if (pressure.size() != grid.element_count()) {
-    throw_invalid_argument("pressure.size", static_cast<double>(pressure.size()),
-                           "must be the grid's " + std::to_string(grid.element_count()) +
-                               " elements");
-  }
-}
 
 /// The fit around one element; the largest value of the surface within its 3 x 3 elements.
 double fitted_peak(const Grid& grid, std::span<const double> pressure, std::size_t element) {
@@ -69,14 +60,6 @@ double fitted_peak(const Grid& grid, std::span<const double> pressure, std::size
   const double top = constant + 0.5 * (slope_row * step_row + slope_column * step_column);
   return largest + std::max(0.0, top);
 }
-
-/// Elements of a row under pressure without interruption; `last` is the one after them.
-struct Run {
-  std::size_t row;
-  std::size_t first;
-  std::size_t last;
-  std::size_t region;
-};
 
 /// Sums over the elements of one set, in the order of the elements.
 class RegionSums {
@@ -155,6 +138,7 @@ PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pres
   region.semi_axis_lateral = semi_axis(moment_row_row_ / sum_, mean_row, grid.lateral_step);
   region.semi_axis_longitudinal =
       semi_axis(moment_column_column_ / sum_, mean_column, grid.longitudinal_step);
+  region.first_element = first_row_ * grid.longitudinal_count + first_column_;
   region.box = box_;
   region.touches_edge = {box_.lateral_first == 0, box_.lateral_last + 1 == grid.lateral_count,
                          box_.longitudinal_first == 0,
@@ -162,58 +146,10 @@ PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pres
   return region;
 }
 
-/// All runs, row by row; each a region of its own at first.
-std::vector<Run> find_runs(const Grid& grid, std::span<const double> pressure) {
-  std::vector<Run> runs;
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    const double* values = pressure.data() + row * grid.longitudinal_count;
-    std::size_t column = 0;
-    while (column < grid.longitudinal_count) {
-      if (!(values[column] > 0.0)) {
-        ++column;
-        continue;
-      }
-      const std::size_t first = column;
-      while (column < grid.longitudinal_count && values[column] > 0.0) {
-        ++column;
-      }
-      runs.push_back({row, first, column, runs.size()});
-    }
-  }
-  return runs;
-}
-
-/// The run that stands for a region, with the way to it shortened.
-std::size_t root_of(std::vector<Run>& runs, std::size_t run) {
-  while (runs[run].region != run) {
-    runs[run].region = runs[runs[run].region].region;
-    run = runs[run].region;
-  }
-  return run;
-}
-
-/// Joins runs of neighbouring rows that touch by an edge or a corner. The first run of a region
-/// stands for it.
-void join_neighbours(std::vector<Run>& runs) {
-  std::size_t above = 0;
-  for (std::size_t below = 0; below < runs.size(); ++below) {
-    while (runs[above].row + 1 < runs[below].row ||
-           (runs[above].row + 1 == runs[below].row && runs[above].last < runs[below].first)) {
-      ++above;
-    }
-    for (std::size_t run = above;
-         runs[run].row + 1 == runs[below].row && runs[run].first <= runs[below].last; ++run) {
-      const std::size_t one = root_of(runs, run);
-      const std::size_t other = root_of(runs, below);
-      runs[std::max(one, other)].region = std::min(one, other);
-    }
-  }
-}
-
 } // namespace
 
 double peak_pressure(const Grid& grid, std::span<const double> pressure) {
-  check_size(grid, pressure);
+  check_pressure_size(grid, pressure);
   const auto largest = std::max_element(pressure.begin(), pressure.end());
   if (largest == pressure.end() || !(*largest > 0.0)) {
     return 0.0;
@@ -222,13 +158,13 @@ double peak_pressure(const Grid& grid, std::span<const double> pressure) {
 }
 
 std::vector<PressureRegion> pressure_regions(const Grid& grid, std::span<const double> pressure) {
-  check_size(grid, pressure);
+  check_pressure_size(grid, pressure);
   std::vector<Run> runs = find_runs(grid, pressure);
   join_neighbours(runs);
   std::vector<RegionSums> sums;
   std::vector<std::size_t> sums_of_root(runs.size());
   for (std::size_t run = 0; run < runs.size(); ++run) {
-    const std::size_t root = root_of(runs, run);
+    const std::size_t root = root_of_run(runs, run);
     if (root == run) {
       sums_of_root[run] = sums.size();
       sums.emplace_back();
@@ -248,7 +184,7 @@ std::vector<PressureRegion> pressure_regions(const Grid& grid, std::span<const d
 }
 
 PressureRegion summarise_pressure(const Grid& grid, std::span<const double> pressure) {
-  check_size(grid, pressure);
+  check_pressure_size(grid, pressure);
   RegionSums sums;
   for (const Run& run : find_runs(grid, pressure)) {
     sums.add(grid, pressure, run);
@@ -257,7 +193,7 @@ PressureRegion summarise_pressure(const Grid& grid, std::span<const double> pres
 }
 
 EdgeContact edges_in_contact(const Grid& grid, std::span<const double> pressure) {
-  check_size(grid, pressure);
+  check_pressure_size(grid, pressure);
   EdgeContact edges;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const std::span<const double> values =

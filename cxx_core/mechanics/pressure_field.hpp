@@ -8,7 +8,8 @@
 /// 1985, eq. 4.27, integrated). Moments are sums over element centres; against Hertz the semi-axes
 /// come out too short by about 0.35/n^2, n elements across.
 /// Units mm, N, MPa; frame and order of elements of remesh/grid.hpp. Areas are counted in
-/// elements, so they are of order one in the step. Knows nothing of gaps or of how p was found.
+/// elements, so they are of order one in the step; contact_area.hpp has better ones. Knows nothing
+/// of gaps or of how p was found.
 #pragma once
 
 #include <cstddef>
@@ -42,13 +43,14 @@ struct IndexBox {
 struct PressureRegion {
   double peak_pressure = 0.0;            ///< MPa, from the local fit
   double largest_element_pressure = 0.0; ///< MPa
-  double area = 0.0;                     ///< mm^2, element count times element area
-  double normal_force = 0.0;             ///< N
-  double centroid_longitudinal = 0.0;    ///< mm, pressure-weighted
-  double centroid_lateral = 0.0;         ///< mm, pressure-weighted
-  double semi_axis_longitudinal = 0.0;   ///< mm; 0 for a single row of elements
-  double semi_axis_lateral = 0.0;        ///< mm; 0 for a single row of elements
+  double area = 0.0;         ///< mm^2, element count times element area; see contact_area.hpp
+  double normal_force = 0.0; ///< N
+  double centroid_longitudinal = 0.0;  ///< mm, pressure-weighted
+  double centroid_lateral = 0.0;       ///< mm, pressure-weighted
+  double semi_axis_longitudinal = 0.0; ///< mm; 0 for a single row of elements
+  double semi_axis_lateral = 0.0;      ///< mm; 0 for a single row of elements
   std::size_t element_count = 0;
+  std::size_t first_element = 0; ///< index of the first one with pressure
   EdgeContact touches_edge;
   IndexBox box; ///< of the elements with pressure; meaningless when there is none
 };

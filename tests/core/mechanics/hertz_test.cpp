@@ -105,6 +105,33 @@ TEST(Hertz, PressureIntegratesToTheLoad) {
   EXPECT_DOUBLE_EQ(hertz_pressure(contact, 0.0, 0.0), contact.peak_pressure);
 }
 
+TEST(Hertz, EllipseAndBodiesAreInverse) {
+  // Curvatures from the ellipse and back; the ellipse feels two thirds of their rounding.
+  for (const double axes :
+       {1e-3, 1e-2, 0.1, 0.5, 0.999, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.001, 2.0, 10.0, 1e2, 1e3}) {
+    const double lateral = 4.0;
+    const double load = 6e4;
+    const HertzBodies bodies = equivalent_hertz_bodies(axes * lateral, lateral, modulus, load);
+    EXPECT_DOUBLE_EQ(bodies.longitudinal_radius * 2.0 * bodies.longitudinal_coefficient, 1.0);
+    EXPECT_DOUBLE_EQ(bodies.lateral_radius * 2.0 * bodies.lateral_coefficient, 1.0);
+    const HertzContact contact =
+        solve_hertz(1.0 / bodies.longitudinal_radius, 1.0 / bodies.lateral_radius, modulus, load);
+    EXPECT_NEAR(contact.semi_axis_longitudinal / (axes * lateral), 1.0, 100.0 * rounding) << axes;
+    EXPECT_NEAR(contact.semi_axis_lateral / lateral, 1.0, 100.0 * rounding) << axes;
+  }
+  for (const double curvatures : {1e-6, 1e-3, 0.2, 1.0, 3.0, 1e4, 1e6}) {
+    const HertzContact contact = solve_hertz(1.0 / 300.0, curvatures / 300.0, modulus, 7e4);
+    const HertzBodies bodies = equivalent_hertz_bodies(contact.semi_axis_longitudinal,
+                                                       contact.semi_axis_lateral, modulus, 7e4);
+    EXPECT_NEAR(bodies.longitudinal_radius / 300.0, 1.0, 100.0 * rounding) << curvatures;
+    EXPECT_NEAR(bodies.lateral_radius * curvatures / 300.0, 1.0, 100.0 * rounding) << curvatures;
+  }
+  // Sphere: a^3 = 3 Q R/(4 E*) (Johnson, 1985, eq. 4.22).
+  const HertzBodies sphere = equivalent_hertz_bodies(5.0, 5.0, modulus, 8e4);
+  EXPECT_NEAR(sphere.lateral_radius * 0.75 * 8e4 / (modulus * 125.0), 1.0, rounding);
+  EXPECT_EQ(sphere.lateral_radius, sphere.longitudinal_radius);
+}
+
 TEST(Hertz, NoLoadNoContact) {
   for (const HertzContact& contact : {solve_hertz(0.01, 0.02, modulus, 0.0),
                                       solve_hertz_for_approach(0.01, 0.02, modulus, -1e-3)}) {
@@ -121,6 +148,10 @@ TEST(Hertz, RefusesBadInput) {
     EXPECT_THROW(solve_hertz(bad, 1.0, 1.0, 1.0), Error);
     EXPECT_THROW(solve_hertz(1.0, bad, 1.0, 1.0), Error);
     EXPECT_THROW(solve_hertz(1.0, 1.0, bad, 1.0), Error);
+    EXPECT_THROW(equivalent_hertz_bodies(bad, 1.0, 1.0, 1.0), Error);
+    EXPECT_THROW(equivalent_hertz_bodies(1.0, bad, 1.0, 1.0), Error);
+    EXPECT_THROW(equivalent_hertz_bodies(1.0, 1.0, bad, 1.0), Error);
+    EXPECT_THROW(equivalent_hertz_bodies(1.0, 1.0, 1.0, bad), Error);
   }
   for (const double bad : {-1.0, infinity, std::nan("")}) {
     EXPECT_THROW(solve_hertz(1.0, 1.0, 1.0, bad), Error);
