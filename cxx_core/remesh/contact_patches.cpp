@@ -11,9 +11,9 @@ namespace {
 /// Limits of separation for lobes in one plane: joined below the first, strangers above the second.
 constexpr double join_separation = 0.1;
 constexpr double apart_separation = 0.5;
-/// The same for lobes whose planes differ by the greater angle or more: joined only without a
-/// valley, strangers once they are apart.
-constexpr double steep_join_separation = -1.0;
+/// The same for lobes whose planes differ by the greater angle or more: joined only where there is
+/// hardly a valley (rough profiles have many), strangers once they are apart.
+constexpr double steep_join_separation = -0.9;
 constexpr double steep_apart_separation = 0.0;
 /// From the one angle to the other the limits move, rad. Tilting two lobes by half the lesser angle
 /// changes distances by 1 - cos = 0.5 %, by half the greater one 1 %.
