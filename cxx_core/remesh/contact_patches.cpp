@@ -11,9 +11,9 @@ namespace {
 /// Limits of separation for lobes in one plane: joined below the first, strangers above the second.
 constexpr double join_separation = 0.1;
 constexpr double apart_separation = 0.5;
-/// The same for lobes whose planes differ by the greater angle or more: joined only without a
-/// valley, strangers once they are apart.
-constexpr double steep_join_separation = -1.0;
+/// The same for lobes whose planes differ by the greater angle or more: joined only where there is
+/// hardly a valley (rough profiles have many), strangers once they are apart.
+constexpr double steep_join_separation = -0.9;
 constexpr double steep_apart_separation = 0.0;
 /// From the one angle to the other the limits move, rad. Tilting two lobes by half the lesser angle
 /// changes distances by 1 - cos = 0.5 %, by half the greater one 1 %.
@@ -25,6 +25,9 @@ constexpr double outside_contact_share = 0.45;
 /// By how much a top between two nodes may exceed the penetration of both, mm: 0.5 mm of a circle
 /// of 1 mm radius.
 constexpr double highest_top = 0.05;
+
+/// Places of the wheel's profile that are no farther apart are one, mm.
+constexpr double same_place = 1e-6;
 
 double smoothstep(double t) {
   const double inside = std::clamp(t, 0.0, 1.0);
@@ -45,10 +48,11 @@ struct Place {
   double x;
   double y;
   double s;
-  double penetration; ///< vertical, < 0 outside
-  double slope;       ///< of the rail
-  double curvature;   ///< of the wheel in rolling direction
-  bool top;           ///< a local maximum: a parabola to both sides
+  double penetration;  ///< vertical, < 0 outside
+  double slope;        ///< of the rail
+  double curvature;    ///< of the wheel in rolling direction
+  bool top;            ///< a local maximum: a parabola to both sides
+  double second = 0.0; ///< derivative of the penetration
 };
 
 /// Sums over places, weighted.
@@ -124,7 +128,8 @@ private:
             limit_ - sample.distance,
             sample.rail_slope,
             sample.wheel.normal_curvature,
-            false};
+            false,
+            0.0};
   }
   [[nodiscard]] Place first_contact() const {
     const Vector3& at = contact_.wheel.position;
@@ -134,7 +139,8 @@ private:
             depth_,
             std::tan(contact_.rail_angle),
             contact_.wheel.normal_curvature,
-            true};
+            true,
+            0.0};
   }
   void collect_places();
   void collect_run(std::size_t first, std::size_t last);
@@ -142,7 +148,7 @@ private:
   [[nodiscard]] Moments density(const Place& place, Lobe& lobe) const;
   void find_lobes();
   void begin_lobe(std::size_t place, const Place& begin);
-  void add_to_lobe(const Place& from, const Place& to, double length, bool parabola);
+  void add_to_lobe(const Place& from, const Place& to, double length, double bulge);
   [[nodiscard]] double affinity_with_next(std::size_t lobe) const;
   void join_lobes();
   [[nodiscard]] ContactPatch patch_of(const Lobe& lobe) const;
@@ -162,10 +168,27 @@ private:
   std::vector<Lobe> lobes_;
 };
 
-/// The share of the way from one place to a lower one after which penetration is down to a level.
-double way_down(const Place& higher, const Place& lower, double level) {
-  const double share = (higher.penetration - level) / (higher.penetration - lower.penetration);
-  return higher.top ? std::sqrt(share) : share;
+/// By how much penetration half way between two places exceeds their mean, times four: that of a
+/// parabola with the lesser curvature of the two, without a top of its own in between.
+double bulge_between(const Place& from, const Place& to) {
+  const double drop = std::abs(to.penetration - from.penetration);
+  if (from.top || to.top) {
+    return drop;
+  }
+  if (from.second * to.second <= 0.0) {
+    return 0.0;
+  }
+  const double second = std::abs(from.second) < std::abs(to.second) ? from.second : to.second;
+  const double length = to.y - from.y;
+  return std::clamp(-0.5 * length * length * second, -drop, drop);
+}
+
+/// The share of the way from one place to a lower one after which penetration is down to a level:
+/// root of higher - drop t + bulge t (1 - t) = level.
+double way_down(const Place& higher, const Place& lower, double bulge, double level) {
+  const double above = higher.penetration - level;
+  const double slope = higher.penetration - lower.penetration - bulge;
+  return 2.0 * above / (slope + std::sqrt(std::max(slope * slope + 4.0 * bulge * above, 0.0)));
 }
 
 /// Between two places; penetration and top are left to the caller.
@@ -176,7 +199,20 @@ Place between(const Place& from, const Place& to, double share) {
           0.0,
           std::lerp(from.slope, to.slope, share),
           std::lerp(from.curvature, to.curvature, share),
-          false};
+          false,
+          0.0};
+}
+
+/// Second derivative by differences.
+void set_second(const Place& before, Place& here, const Place& after) {
+  const double length_before = here.y - before.y;
+  const double length_after = after.y - here.y;
+  if (length_before > 0.0 && length_after > 0.0) {
+    here.second = 2.0 *
+                  ((after.penetration - here.penetration) / length_after -
+                   (here.penetration - before.penetration) / length_before) /
+                  (length_before + length_after);
+  }
 }
 
 /// All stretches of the scan in which there may be penetration.
@@ -188,10 +224,12 @@ void PatchFinder::collect_places() {
     return;
   }
   const double s = contact_.wheel.lateral;
-  after_contact_ = static_cast<std::size_t>(
-      std::lower_bound(samples_.begin(), samples_.end(), s,
-                       [](const auto& sample, double at) { return sample.wheel.lateral < at; }) -
-      samples_.begin());
+  after_contact_ =
+      static_cast<std::size_t>(std::lower_bound(samples_.begin(), samples_.end(), s,
+                                                [](const auto& sample, double at) {
+                                                  return sample.wheel.lateral < at - same_place;
+                                                }) -
+                               samples_.begin());
   const double least_distance = limit_ + highest_top;
   std::size_t i = 0;
   while (i < count) {
@@ -219,7 +257,7 @@ void PatchFinder::collect_run(std::size_t first, std::size_t last) {
     if (i == after_contact_) {
       contact_place_ = places_.size();
       places_.push_back(first_contact());
-      if (samples_[i].wheel.lateral <= contact_.wheel.lateral) {
+      if (samples_[i].wheel.lateral - contact_.wheel.lateral <= same_place) {
         continue; // the node itself
       }
     }
@@ -227,6 +265,9 @@ void PatchFinder::collect_run(std::size_t first, std::size_t last) {
     if (places_.size() >= from + 3) {
       add_top();
     }
+  }
+  for (std::size_t i = from + 1; i + 1 < places_.size(); ++i) {
+    set_second(places_[i - 1], places_[i], places_[i + 1]);
   }
 }
 
@@ -282,12 +323,10 @@ void PatchFinder::begin_lobe(std::size_t place, const Place& begin) {
 }
 
 /// Simpson's rule from where the last one ended.
-void PatchFinder::add_to_lobe(const Place& from, const Place& to, double length, bool parabola) {
+void PatchFinder::add_to_lobe(const Place& from, const Place& to, double length, double bulge) {
   Lobe& lobe = lobes_.back();
   Place middle = between(from, to, 0.5);
-  const double higher = std::max(from.penetration, to.penetration);
-  const double lower = std::min(from.penetration, to.penetration);
-  middle.penetration = parabola ? 0.75 * higher + 0.25 * lower : 0.5 * (higher + lower);
+  middle.penetration = 0.5 * (from.penetration + to.penetration) + 0.25 * bulge;
   const Moments end = density(to, lobe);
   lobe.moments.add(length / 6.0, begin_density_);
   lobe.moments.add(length * 4.0 / 6.0, density(middle, lobe));
@@ -305,7 +344,7 @@ void PatchFinder::find_lobes() {
   for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
     Place from = places_[i];
     Place to = places_[i + 1];
-    const bool parabola = from.top || to.top;
+    double bulge = bulge_between(from, to);
     double length = std::abs(to.y - from.y);
     if (from.penetration <= 0.0 && to.penetration <= 0.0) {
       open = false;
@@ -314,14 +353,16 @@ void PatchFinder::find_lobes() {
     const bool rising = to.penetration > from.penetration;
     bool ends = false;
     if (from.penetration <= 0.0) {
-      const double share = way_down(to, from, 0.0);
+      const double share = way_down(to, from, bulge, 0.0);
       from = between(to, from, share);
       length *= share;
+      bulge *= share * share;
       open = false;
     } else if (to.penetration <= 0.0) {
-      const double share = way_down(from, to, 0.0);
+      const double share = way_down(from, to, bulge, 0.0);
       to = between(from, to, share);
       length *= share;
+      bulge *= share * share;
       ends = true;
     }
     if (!open) {
@@ -331,7 +372,7 @@ void PatchFinder::find_lobes() {
       lobes_.back().penetration_next = from.penetration;
       begin_lobe(i, from);
     }
-    add_to_lobe(from, to, length, parabola);
+    add_to_lobe(from, to, length, bulge);
     lobes_.back().last_place = i + 1;
     open = !ends;
     falling = to.penetration < from.penetration || (falling && !rising);
@@ -370,7 +411,7 @@ void PatchFinder::join_lobes() {
     for (std::size_t k = 0; k + 1 < lobes_.size(); ++k) {
       affinities_[k] = affinity_with_next(k);
     }
-    affinities_.back() = -std::numeric_limits<double>::infinity();
+    affinities_[lobes_.size() - 1] = -std::numeric_limits<double>::infinity();
     std::size_t out = 0;
     for (std::size_t k = 0; k < lobes_.size(); ++k, ++out) {
       const bool closest = (k == 0 || affinities_[k] >= affinities_[k - 1]) &&
@@ -390,9 +431,12 @@ void PatchFinder::join_lobes() {
 void PatchFinder::find_contact_ends(const Lobe& lobe, ContactPatch& patch) const {
   const double level = outside_contact_share * lobe.deepest.penetration;
   const auto end = [&](std::size_t inside, std::size_t outside, bool at_end) {
-    const Place& place = places_[inside];
-    return at_end ? place
-                  : between(place, places_[outside], way_down(place, places_[outside], level));
+    const Place& here = places_[inside];
+    if (at_end) {
+      return here;
+    }
+    const Place& beyond = places_[outside];
+    return between(here, beyond, way_down(here, beyond, bulge_between(here, beyond), level));
   };
   std::size_t first = lobe.first_place;
   while (places_[first].penetration < level) {
@@ -439,7 +483,7 @@ double PatchFinder::turned_angle(std::size_t lobe, const std::vector<double>& li
   while (level > 0.0) {
     const double before = first > 0 ? links[first - 1] : 0.0;
     const double after = last < links.size() ? links[last] : 0.0;
-    const double next = std::max(before, after);
+    const double next = std::min(level, std::max(before, after));
     angle += (level - next) * cluster.angle();
     level = next;
     if (next > 0.0) {

@@ -8,8 +8,10 @@
 /// Plane: every place counts with the integral of the squared penetration over the surface, along
 /// the rail in closed form, W = int int g^2 dx ds = 16/15 int g^2 x_l ds, with ds along the rail's
 /// profile. The plane's normal is the mean of the rail's normals and its place the mean place, both
-/// weighted so. This is how CONTACT defines its contact reference: it is met to 0.1 mrad and
-/// 0.01 mm (docs/method.md says nothing of it being exact: pressures decide, not planes).
+/// weighted so. In 23 wheel/rail cases this meets the contact reference of CONTACT to 1.1 mrad and
+/// 0.05 mm; the penetrated volume, int int g dx ds, is up to 10 mrad off. The angle weighted with
+/// the pressures of a half-space solution differs by 0.4 mrad in the median, up to 13 mrad with two
+/// lobes.
 ///
 /// Separation of two neighbours, without dimension:
 ///   D = gap / larger width                                 if they are apart,
@@ -21,12 +23,14 @@
 /// plane is the mean over all levels between 0 and 1 of the plane of the patches that are at least
 /// that close, which for two is angle = own + w (mean of both - own).
 ///
-/// Between nodes of the scan penetration is linear, next to a local maximum a parabola with its top
-/// there; the top is the first contact where that lies, else that of the parabola through three
-/// nodes. Integrals by Simpson's rule. Everything is thus continuous in the depth and has a limit
-/// for depth -> 0.
-/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
-/// functions. Not known here: elasticity.
+/// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
+/// elsewhere with the curvature of the nodes around. The top is the first contact where that lies,
+/// else that of the parabola through three nodes. Integrals by Simpson's rule. Everything is thus
+/// continuous in the depth, but for what a patch just born between two others changes in their
+/// closeness, and has a limit for depth -> 0.
+/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).
+/// Thread rule: pure functions.
+/// Not known here: elasticity.
 #pragma once
 
 #include <cstddef>

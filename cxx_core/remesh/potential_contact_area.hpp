@@ -1,15 +1,11 @@
-/// Where contact is possible when the wheel is lowered by a depth, and how much load that carries.
+/// Where contact is possible when the wheel is lowered by a depth.
 ///
 /// Elastic displacements are positive everywhere under positive pressures, so contact lies within
 /// the region in which the undeformed bodies, lowered by the true approach, penetrate each other
 /// (virtual penetration; Kik & Piotrowski 1996). The region is an interval of the contact locus;
 /// its length along the rail follows from the wheel's curvature in rolling direction,
 /// x_l = sqrt(2 R g). Intervals whose mean angles are close belong to one area.
-///
-/// The load that goes with a depth is estimated by Hertz's law for the ellipse whose axis ratio is
-/// that of the region at 0.55 of the depth (Piotrowski & Kik 2008 use the same virtual
-/// penetration). It serves as the starting value of a half-space solution and nothing else. Units
-/// mm, N, MPa, rad; track frame, left-hand side. Thread rule: pure functions.
+/// Units mm, N, MPa, rad; track frame, left-hand side. Thread rule: pure functions.
 #pragma once
 
 #include "geometry/contact_search.hpp"
@@ -34,8 +30,7 @@ struct PenetrationRegion {
 /// `depth` > 0: how far the wheel is lowered vertically from the first touch.
 PenetrationRegion find_penetration_region(const ContactScan& scan, double depth);
 
-/// Rough depth, to about one per cent of this estimate and at most 50 mm, at which the patch
-/// carries the normal load (see above); load > 0.
+/// Rough depth for a load along the normal of the main patch (remesh/depth_estimate.hpp).
 double estimate_depth(const ContactScan& scan, double combined_modulus, double normal_load);
 
 /// A rectangle in the plane of a contact frame.
