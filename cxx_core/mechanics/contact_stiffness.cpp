@@ -15,6 +15,9 @@ namespace {
 
 /// Iterations without a smaller error after which no more is to be had.
 constexpr int stagnation_window = 60;
+/// Less is not aimed at: the residual that the iteration carries along would go on falling, the
+/// true one would not.
+constexpr double least_tolerance = 1e-14;
 /// What an answer adds to those kept is not worth keeping below this share of its energy: it would
 /// consist of rounding.
 constexpr double least_new_energy = 1e-20;
@@ -234,6 +237,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
   std::vector<double> left(residual, residual + count);
 
   StiffnessOutcome outcome;
+  const double square = std::max(tolerance * tolerance, least_tolerance * least_tolerance);
   double gained_energy = 0.0;
   double last_z_r = 0.0;
   double least_z_r = std::numeric_limits<double>::infinity();
@@ -247,7 +251,10 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
       least_z_r = z_r;
       best_iteration = outcome.iterations;
     }
-    if (z_r <= tolerance * tolerance * whole) {
+    if (z_r <= square * whole) {
+      if (z_r > 0.0 && tolerance < least_tolerance) {
+        outcome.stop_reason = StopReason::stagnation;
+      }
       break;
     }
     if (outcome.iterations - best_iteration >= stagnation_window) {

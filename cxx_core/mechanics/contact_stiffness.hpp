@@ -18,8 +18,9 @@
 /// symmetric. Solutions are kept until the contact changes: the next right-hand side starts from
 /// the combination of them that has the least energy of the error. Iteration stops when the
 /// energy of the error, estimated by <r, M r>, is at most tolerance^2 of the solution's energy.
-/// Two forces' error is then about `tolerance` times the geometric mean of their energies; a
-/// quadratic one, such as the stiffness of a flat punch, has the square of that.
+/// A force found with it is then right to about `tolerance` times the geometric mean of the two
+/// energies, its own and that of the change; if both are the same (the stiffness against a shift
+/// along the normal) to about the square of that, down to 1e-8 in rough contacts.
 /// Units mm, N, MPa. Thread rule: one object serves one thread at a time; so does its cache.
 /// Not known here: where the gap's change comes from (remesh/gap_rates.hpp), and friction.
 #pragma once
