@@ -209,7 +209,9 @@ SideSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Loa
     // A plane that turns by one rad.
     const Vector3 turned = -sensitivity.normal_force * frame.lateral;
     const WheelForce turning{
-        turned, axis.moment(centre_of_pressure(patch, sensitivity.normal_force), turned)};
+        turned, request.roll_moment
+                    ? axis.moment(centre_of_pressure(patch, sensitivity.normal_force), turned)
+                    : 0.0};
     const auto fixed = [&](std::size_t motion) {
       const double by_centre = -dot(axis.direction, cross(motions[motion].translation, force));
       return WheelForce{rates[k].force[motion] * frame.normal,

@@ -81,9 +81,9 @@ struct SideSensitivity {
 };
 
 struct SensitivityRequest {
-  double combined_modulus = 0.0;       ///< E*, MPa
-  double tolerance = 1e-8;             ///< of the linear solutions
-  bool roll_moment = true;             ///< false: rates of the moment are not computed
+  double combined_modulus = 0.0; ///< E*, MPa
+  double tolerance = 1e-8;       ///< of the linear solutions
+  bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
   PatchInfluence* influence = nullptr; ///< of the patches on each other
 };
 
