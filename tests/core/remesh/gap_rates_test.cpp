@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,10 @@ struct Case {
   GapConvention gap;
   const char* rail = "60E1";
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.rail << ", y " << c.lateral << ", yaw " << c.yaw << ", roll " << c.roll;
+}
 
 std::array<RigidMotion, 4> all_motions(const Pose& pose) {
   return {lateral_motion(), vertical_motion(), roll_motion(pose.yaw), {{}, {0.0, 0.0, 1.0}}};

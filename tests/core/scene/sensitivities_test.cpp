@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,10 @@ struct Case {
   double roll = 0.0;
   GapConvention gap = GapConvention::tangent;
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
 
 /// Position of the wheelset, and the force of the rail on the wheel as a function of it.
 class Side {
