@@ -1,6 +1,7 @@
 #include "mechanics/influence_cache.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mechanics/influence_coefficients.hpp"
@@ -179,6 +180,13 @@ void InfluenceCache::trim(std::size_t bytes) {
     drop(single_.spectra);
     drop(double_.spectra);
   }
+}
+
+double shared_aspect(double aspect) {
+  constexpr double bits = 0x1p48;
+  int exponent = 0;
+  const double fraction = std::frexp(aspect, &exponent);
+  return std::ldexp(std::nearbyint(fraction * bits) / bits, exponent);
 }
 
 template const LineFft<float>& InfluenceCache::line_fft<float>(std::size_t);

@@ -46,6 +46,10 @@ template <typename Real> struct KernelSpectrum {
   }
 };
 
+/// An aspect ratio without its last bits, so that grids whose steps were multiplied out with
+/// different roundings share their influence coefficients.
+double shared_aspect(double aspect);
+
 class InfluenceCache {
 public:
   explicit InfluenceCache(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}

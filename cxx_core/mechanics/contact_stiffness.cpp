@@ -1,0 +1,358 @@
+#include "mechanics/contact_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "error.hpp"
+#include "vector_clones.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// Iterations without a smaller error after which no more is to be had.
+constexpr int stagnation_window = 60;
+/// Less is not aimed at: the residual that the iteration carries along would go on falling, the
+/// true one would not.
+constexpr double least_tolerance = 1e-14;
+/// What an answer adds to those kept is not worth keeping below this share of its energy: it would
+/// consist of rounding.
+constexpr double least_new_energy = 1e-20;
+
+WRC_VECTOR_CLONES double product(const double* first, const double* second, std::size_t count) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += first[i] * second[i];
+  }
+  return sum;
+}
+
+WRC_VECTOR_CLONES void add_multiple(double factor, const double* from, double* to,
+                                    std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    to[i] += factor * from[i];
+  }
+}
+
+WRC_VECTOR_CLONES void multiply(const double* factors, double* values, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    values[i] *= factors[i];
+  }
+}
+
+/// v = z + beta v.
+WRC_VECTOR_CLONES void form_direction(const double* correction, double beta, double* direction,
+                                      std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    direction[i] = correction[i] + beta * direction[i];
+  }
+}
+
+void check_size(const std::string& argument, std::size_t size, std::size_t expected) {
+  if (size != expected) {
+    throw_invalid_argument(argument, static_cast<double>(size),
+                           "must have " + std::to_string(expected) + " entries");
+  }
+}
+
+/// Calls `visit` with the places of a box's first elements of each row in a box and in its grid.
+template <class Visit>
+void for_each_row(const ElementBox& box, std::size_t grid_columns, Visit visit) {
+  for (std::size_t row = 0; row < box.rows(); ++row) {
+    visit(row * box.columns(), (box.first_row + row) * grid_columns + box.first_column);
+  }
+}
+
+} // namespace
+
+void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double combined_modulus,
+                                   PatchInfluence* influence) {
+  if (patches.empty()) {
+    throw_invalid_argument("patches", 0.0, "must have at least one entry");
+  }
+  if (!(combined_modulus > 0.0) || !std::isfinite(combined_modulus)) {
+    throw_invalid_argument("combined_modulus", combined_modulus, "must be positive and finite");
+  }
+  for (const SolvedPatch& patch : patches) {
+    check_grid(patch.grid);
+    check_size("pressure", patch.pressure.size(), patch.grid.element_count());
+  }
+  // Without dimensions: displacements in mm, forces in E* pi s mm, s the first patch's step. From
+  // u = s_k / (pi E*) K p and p = force / (a b) follows each patch's unit.
+  const double step = patches.front().grid.longitudinal_step;
+  force_unit_ = std::numbers::pi * combined_modulus * step;
+  influence_ = patches.size() > 1 ? influence : nullptr;
+  patches_.clear();
+  std::size_t count = 0;
+  for (const SolvedPatch& solved : patches) {
+    Patch patch;
+    patch.grid = solved.grid;
+    patch.begin = count;
+    patch.in_contact = find_pressure_box(
+        {solved.grid.lateral_count, solved.grid.longitudinal_count}, solved.pressure, 0, patch.box);
+    patch.unit = step / solved.grid.lateral_step;
+    if (patch.in_contact) {
+      const double aspect = shared_aspect(solved.grid.lateral_step / solved.grid.longitudinal_step);
+      const std::size_t rows = patch.box.rows();
+      const std::size_t columns = patch.box.columns();
+      patch.convolution =
+          BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0}, aspect, cache_);
+      patch.preconditioner =
+          BoxConvolution<double>::inverse_periodic(rows, columns, aspect, cache_);
+    }
+    count += patch.count();
+    patches_.push_back(std::move(patch));
+  }
+  for (std::vector<double>* field :
+       {&contact_, &force_, &residual_, &correction_, &direction_, &response_, &gained_}) {
+    field->assign(count, 0.0);
+  }
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const Patch& patch = patches_[k];
+    if (!patch.in_contact) {
+      continue;
+    }
+    for_each_row(
+        patch.box, patch.grid.longitudinal_count, [&](std::size_t in_box, std::size_t in_grid) {
+          for (std::size_t i = 0; i < patch.box.columns(); ++i) {
+            contact_[patch.begin + in_box + i] = patches[k].pressure[in_grid + i] > 0.0 ? 1.0 : 0.0;
+          }
+        });
+  }
+  groups_.clear();
+  const std::size_t together = influence_ != nullptr ? patches_.size() : 1;
+  for (std::size_t first = 0; first < patches_.size(); first += together) {
+    Group group;
+    group.first = first;
+    group.last = first + together;
+    group.begin = patches_[first].begin;
+    const Patch& last = patches_[group.last - 1];
+    group.count = last.begin + last.count() - group.begin;
+    groups_.push_back(std::move(group));
+  }
+  full_pressure_.clear();
+  full_displacement_.clear();
+  if (influence_ != nullptr) {
+    for (const Patch& patch : patches_) {
+      full_pressure_.emplace_back(patch.grid.element_count(), 0.0);
+      full_displacement_.emplace_back(patch.grid.element_count(), 0.0);
+    }
+  }
+}
+
+/// On all boxes of a group; fields are those of all boxes. `force` is 0 outside C, and so is the
+/// displacement given back.
+void ContactStiffness::displace(const Group& group, const double* force, double* displacement) {
+  for (std::size_t k = group.first; k < group.last; ++k) {
+    const Patch& patch = patches_[k];
+    if (patch.in_contact) {
+      double* values = displacement + patch.begin;
+      patch.convolution.apply(force + patch.begin, values, workspace_);
+      for (std::size_t i = 0; i < patch.count(); ++i) {
+        values[i] *= patch.unit;
+      }
+    }
+  }
+  if (influence_ != nullptr) {
+    add_influence(force, displacement);
+  }
+  multiply(contact_.data() + group.begin, displacement + group.begin, group.count);
+}
+
+void ContactStiffness::add_influence(const double* force, double* displacement) {
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const Patch& patch = patches_[k];
+    std::fill(full_displacement_[k].begin(), full_displacement_[k].end(), 0.0);
+    if (!patch.in_contact) {
+      continue;
+    }
+    const double pressure = force_unit_ / patch.grid.element_area();
+    for_each_row(patch.box, patch.grid.longitudinal_count,
+                 [&](std::size_t in_box, std::size_t in_grid) {
+                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
+                     full_pressure_[k][in_grid + i] = pressure * force[patch.begin + in_box + i];
+                   }
+                 });
+  }
+  influence_->add(full_pressure_, full_displacement_);
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const Patch& patch = patches_[k];
+    if (!patch.in_contact) {
+      continue;
+    }
+    for_each_row(patch.box, patch.grid.longitudinal_count,
+                 [&](std::size_t in_box, std::size_t in_grid) {
+                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
+                     displacement[patch.begin + in_box + i] += full_displacement_[k][in_grid + i];
+                   }
+                 });
+  }
+}
+
+void ContactStiffness::precondition(const Group& group, const double* residual,
+                                    double* correction) {
+  for (std::size_t k = group.first; k < group.last; ++k) {
+    const Patch& patch = patches_[k];
+    if (patch.in_contact) {
+      double* values = correction + patch.begin;
+      patch.preconditioner.apply(residual + patch.begin, values, workspace_);
+      const double inverse = 1.0 / patch.unit;
+      for (std::size_t i = 0; i < patch.count(); ++i) {
+        values[i] *= inverse;
+      }
+    }
+  }
+  multiply(contact_.data() + group.begin, correction + group.begin, group.count);
+}
+
+/// The right-hand side comes in residual_, the answer goes to force_.
+StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
+                                               int maximum_iterations) {
+  const std::size_t count = group.count;
+  double* force = force_.data() + group.begin;
+  double* residual = residual_.data() + group.begin;
+  double* correction = correction_.data() + group.begin;
+  double* direction = direction_.data() + group.begin;
+  double* response = response_.data() + group.begin;
+  double* gained = gained_.data() + group.begin;
+  std::fill_n(force, count, 0.0);
+  std::fill_n(gained, count, 0.0);
+  std::fill_n(direction, count, 0.0);
+
+  double energy = 0.0; // of the answer so far, <x, A x>
+  for (std::size_t i = 0; i < group.forces.size(); ++i) {
+    const double share = product(group.forces[i].data(), residual, count);
+    add_multiple(share, group.forces[i].data(), force, count);
+    add_multiple(-share, group.displacements[i].data(), residual, count);
+    energy += share * share;
+  }
+  // What the iteration has to add, for the answers kept.
+  std::vector<double> left(residual, residual + count);
+
+  StiffnessOutcome outcome;
+  const double square = std::max(tolerance * tolerance, least_tolerance * least_tolerance);
+  double gained_energy = 0.0;
+  double last_z_r = 0.0;
+  double least_z_r = std::numeric_limits<double>::infinity();
+  int best_iteration = 0;
+  for (;; ++outcome.iterations) {
+    precondition(group, residual_.data(), correction_.data());
+    const double z_r = product(correction, residual, count);
+    const double whole = energy + gained_energy;
+    outcome.error = z_r > 0.0 ? (whole > 0.0 ? std::sqrt(z_r / whole) : 1.0) : 0.0;
+    if (z_r < least_z_r) {
+      least_z_r = z_r;
+      best_iteration = outcome.iterations;
+    }
+    if (z_r <= square * whole) {
+      if (z_r > 0.0 && tolerance < least_tolerance) {
+        outcome.stop_reason = StopReason::stagnation;
+      }
+      break;
+    }
+    if (outcome.iterations - best_iteration >= stagnation_window) {
+      outcome.stop_reason = StopReason::stagnation;
+      break;
+    }
+    if (outcome.iterations >= maximum_iterations) {
+      outcome.stop_reason = StopReason::iteration_limit;
+      break;
+    }
+    form_direction(correction, last_z_r > 0.0 ? z_r / last_z_r : 0.0, direction, count);
+    last_z_r = z_r;
+    displace(group, direction_.data(), response_.data());
+    const double v_q = product(direction, response, count);
+    if (!(v_q > 0.0)) {
+      outcome.stop_reason = StopReason::stagnation;
+      break;
+    }
+    const double step = z_r / v_q;
+    add_multiple(step, direction, gained, count);
+    add_multiple(-step, response, residual, count);
+    gained_energy += step * z_r;
+  }
+  add_multiple(1.0, gained, force, count);
+  if (gained_energy > least_new_energy * (energy + gained_energy)) {
+    add_multiple(-1.0, residual, left.data(), count); // what the forces gained displace
+    const double scale = 1.0 / std::sqrt(product(gained, left.data(), count));
+    if (std::isfinite(scale)) {
+      std::vector<double> unit(gained, gained + count);
+      for (std::size_t i = 0; i < count; ++i) {
+        unit[i] *= scale;
+        left[i] *= scale;
+      }
+      group.forces.push_back(std::move(unit));
+      group.displacements.push_back(std::move(left));
+    }
+  }
+  return outcome;
+}
+
+StiffnessOutcome ContactStiffness::solve(std::span<const std::span<const double>> displacement,
+                                         std::vector<std::vector<double>>& pressure,
+                                         double tolerance, int maximum_iterations) {
+  check_size("displacement", displacement.size(), patches_.size());
+  if (!(tolerance > 0.0)) {
+    throw_invalid_argument("tolerance", tolerance, "must be positive");
+  }
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const Patch& patch = patches_[k];
+    if (!displacement[k].empty()) {
+      check_size("displacement", displacement[k].size(), patch.grid.element_count());
+    }
+    double* values = residual_.data() + patch.begin;
+    std::fill_n(values, patch.count(), 0.0);
+    if (!patch.in_contact || displacement[k].empty()) {
+      continue;
+    }
+    for_each_row(patch.box, patch.grid.longitudinal_count,
+                 [&](std::size_t in_box, std::size_t in_grid) {
+                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
+                     const bool inside = contact_[patch.begin + in_box + i] > 0.0;
+                     values[in_box + i] = inside ? displacement[k][in_grid + i] : 0.0;
+                   }
+                 });
+  }
+  StiffnessOutcome outcome;
+  for (Group& group : groups_) {
+    const StiffnessOutcome of_group = solve_group(group, tolerance, maximum_iterations);
+    outcome.iterations = std::max(outcome.iterations, of_group.iterations);
+    outcome.error = std::max(outcome.error, of_group.error);
+    if (of_group.stop_reason != StopReason::tolerance_met) {
+      outcome.stop_reason = of_group.stop_reason;
+    }
+  }
+  pressure.resize(patches_.size());
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    const Patch& patch = patches_[k];
+    pressure[k].assign(patch.grid.element_count(), 0.0);
+    if (!patch.in_contact) {
+      continue;
+    }
+    const double scale = force_unit_ / patch.grid.element_area();
+    for_each_row(patch.box, patch.grid.longitudinal_count,
+                 [&](std::size_t in_box, std::size_t in_grid) {
+                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
+                     pressure[k][in_grid + i] = scale * force_[patch.begin + in_box + i];
+                   }
+                 });
+  }
+  return outcome;
+}
+
+double force_of(const Grid& grid, std::span<const double> pressure) {
+  double sum = 0.0;
+  for (const double value : pressure) {
+    sum += value;
+  }
+  return sum * grid.element_area();
+}
+
+} // namespace wrc
