@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "handles.hpp"
+#include "mechanics/contact_area.hpp"
 #include "mechanics/displacement_operator.hpp"
 
 namespace {
@@ -102,7 +103,7 @@ double number_of(wrc_normal_result& result, const std::string& name) {
     return result.summary.largest_element_pressure;
   }
   if (name == "area") {
-    return result.summary.area;
+    return wrc::contact_area(result.problem.grid, result.solution.pressure);
   }
   if (name == "fill") {
     return static_cast<double>(result.summary.element_count) /

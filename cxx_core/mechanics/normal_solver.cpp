@@ -147,15 +147,6 @@ ElementBox grown(const ElementBox& box, const ReachedSides& reached, const Level
   return larger;
 }
 
-/// An aspect ratio without its last bits, so that grids whose steps were multiplied out with
-/// different roundings share their influence coefficients.
-double rounded_aspect(double aspect) {
-  constexpr double bits = 0x1p48;
-  int exponent = 0;
-  const double fraction = std::frexp(aspect, &exponent);
-  return std::ldexp(std::nearbyint(fraction * bits) / bits, exponent);
-}
-
 /// Number of entries of a row that are below a limit.
 WRC_VECTOR_CLONES double count_below(const double* values, double limit, std::size_t count) {
   double below = 0.0;
@@ -215,7 +206,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
     const PatchGap& patch = problem.patches[k];
     Level& finest = (cascades[k].levels.resize(std::max<std::size_t>(cascades[k].levels.size(), 1)),
                      cascades[k].levels.front());
-    cascades[k].aspect = rounded_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step);
+    cascades[k].aspect = shared_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step);
     finest.grid = patch.grid;
     finest.share = patch.approach_share * (step / patch.grid.longitudinal_step);
     finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);

@@ -1,8 +1,9 @@
-// Fields and outlines of a side, and its residuals: computed when they are asked for.
+// Fields of a patch and outlines of a side: computed when they are asked for.
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <charconv>
 
+#include "mechanics/displacement_operator.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
@@ -10,44 +11,24 @@ namespace {
 
 using Values = std::vector<double>;
 
-NormalProblem problem_of(const SideResult& side) {
-  NormalProblem problem;
-  problem.grid = side.grid;
-  problem.undeformed_distance = side.details.undeformed_distance;
-  problem.combined_modulus = side.details.combined_modulus;
-  problem.normal_load = side.details.normal_load;
-  if (!problem.normal_load) {
-    problem.approach = 0.0;
-  }
-  return problem;
-}
-
-bool has_elements(const SideResult& side) {
-  return side.grid.element_count() > 0;
-}
-
 /// Element centres in the track frame, one coordinate.
-template <class Coordinate> Values element_places(const SideResult& side, Coordinate&& coordinate) {
+template <class Coordinate>
+Values element_places(const PatchResult& patch, Coordinate&& coordinate) {
   Values values;
-  values.reserve(side.grid.element_count());
-  for (std::size_t row = 0; row < side.grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < side.grid.longitudinal_count; ++column) {
-      values.push_back(coordinate(side.details.frame.to_track(side.grid.longitudinal(column),
-                                                              side.grid.lateral(row), 0.0)));
+  values.reserve(patch.grid.element_count());
+  for (std::size_t row = 0; row < patch.grid.lateral_count; ++row) {
+    for (std::size_t column = 0; column < patch.grid.longitudinal_count; ++column) {
+      values.push_back(coordinate(
+          patch.frame.to_track(patch.grid.longitudinal(column), patch.grid.lateral(row), 0.0)));
     }
   }
   return values;
 }
 
-Values displacement(const SideResult& side) {
-  if (!has_elements(side)) {
-    return {};
-  }
-  NormalSolution solution;
-  solution.pressure = side.details.pressure;
-  solution.approach = side.details.problem_approach;
-  complete_solution(problem_of(side), solution);
-  return std::move(solution.displacement);
+Values displacement(const SideDetails& side, const PatchResult& patch) {
+  Values values(patch.grid.element_count());
+  DisplacementOperator(patch.grid, side.combined_modulus).apply(patch.pressure, values);
+  return values;
 }
 
 /// The rail's outline at the nodes of its curve.
@@ -74,76 +55,96 @@ template <class Coordinate> Values wheel_outline(const SideResult& side, Coordin
   return values;
 }
 
-struct Field {
+struct PatchField {
+  std::string_view name;
+  Values (*compute)(const SideDetails&, const PatchResult&);
+};
+
+constexpr std::array patch_fields{
+    PatchField{"x",
+               [](const SideDetails&, const PatchResult& patch) {
+                 return element_places(patch, [](const Vector3& place) { return place.x; });
+               }},
+    PatchField{"y",
+               [](const SideDetails& side, const PatchResult& patch) {
+                 const double mirror = side.mirror;
+                 return element_places(patch,
+                                       [mirror](const Vector3& place) { return mirror * place.y; });
+               }},
+    PatchField{"z",
+               [](const SideDetails&, const PatchResult& patch) {
+                 return element_places(patch, [](const Vector3& place) { return place.z; });
+               }},
+    PatchField{
+        "undeformed_distance",
+        [](const SideDetails&, const PatchResult& patch) { return patch.undeformed_distance; }},
+    PatchField{"pressure",
+               [](const SideDetails&, const PatchResult& patch) { return patch.pressure; }},
+    PatchField{"displacement", displacement},
+};
+
+struct Outline {
   std::string_view name;
   Values (*compute)(const SideResult&);
 };
 
-constexpr std::array fields{
-    Field{"x",
-          [](const SideResult& side) {
-            return element_places(side, [](const Vector3& place) { return place.x; });
-          }},
-    Field{"y",
-          [](const SideResult& side) {
-            const double mirror = side.details.mirror;
-            return element_places(side,
-                                  [mirror](const Vector3& place) { return mirror * place.y; });
-          }},
-    Field{"z",
-          [](const SideResult& side) {
-            return element_places(side, [](const Vector3& place) { return place.z; });
-          }},
-    Field{"undeformed_distance",
-          [](const SideResult& side) { return side.details.undeformed_distance; }},
-    Field{"pressure", [](const SideResult& side) { return side.details.pressure; }},
-    Field{"displacement", displacement},
-    Field{"rail_y",
-          [](const SideResult& side) {
-            const double mirror = side.details.mirror;
-            return rail_outline(
-                side, [mirror](const CurvePoint& point) { return mirror * point.lateral; });
-          }},
-    Field{"rail_z",
-          [](const SideResult& side) {
-            return rail_outline(side, [](const CurvePoint& point) { return point.height; });
-          }},
-    Field{"wheel_y",
-          [](const SideResult& side) {
-            const double mirror = side.details.mirror;
-            return wheel_outline(side, [mirror](const Vector3& place) { return mirror * place.y; });
-          }},
-    Field{"wheel_z",
-          [](const SideResult& side) {
-            const double vertical = side.details.vertical;
-            return wheel_outline(side,
-                                 [vertical](const Vector3& place) { return place.z + vertical; });
-          }},
+constexpr std::array outlines{
+    Outline{"rail_y",
+            [](const SideResult& side) {
+              const double mirror = side.details.mirror;
+              return rail_outline(
+                  side, [mirror](const CurvePoint& point) { return mirror * point.lateral; });
+            }},
+    Outline{"rail_z",
+            [](const SideResult& side) {
+              return rail_outline(side, [](const CurvePoint& point) { return point.height; });
+            }},
+    Outline{"wheel_y",
+            [](const SideResult& side) {
+              const double mirror = side.details.mirror;
+              return wheel_outline(side,
+                                   [mirror](const Vector3& place) { return mirror * place.y; });
+            }},
+    Outline{"wheel_z",
+            [](const SideResult& side) {
+              const double vertical = side.details.vertical;
+              return wheel_outline(side,
+                                   [vertical](const Vector3& place) { return place.z + vertical; });
+            }},
 };
 
 } // namespace
 
-const Residuals& residuals_of(SideResult& side) {
-  if (!side.residuals) {
-    side.residuals = has_elements(side) ? compute_residuals(problem_of(side), side.details.pressure,
-                                                            side.details.problem_approach)
-                                        : Residuals{};
-  }
-  return *side.residuals;
-}
-
 std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name) {
-  const auto dot = std::min(name.find('.'), name.size());
-  const std::string_view side_name = name.substr(0, dot);
-  const auto& side = side_name == "left" ? result.left : result.right;
-  if ((side_name != "left" && side_name != "right") || !side) {
+  const auto take = [&name](std::string_view prefix) {
+    const bool there = name.starts_with(prefix);
+    name.remove_prefix(there ? prefix.size() : 0);
+    return there;
+  };
+  const bool left = take("left.");
+  const auto& side = left || !take("right.") ? result.left : result.right;
+  if (!side || (!left && &side == &result.left)) {
     return std::nullopt;
   }
-  const std::string_view field_name = name.substr(std::min(dot + 1, name.size()));
-  const auto found = std::find_if(fields.begin(), fields.end(), [field_name](const Field& field) {
-    return field.name == field_name;
-  });
-  return found == fields.end() ? std::nullopt : std::optional(found->compute(*side));
+  for (const Outline& outline : outlines) {
+    if (outline.name == name) {
+      return outline.compute(*side);
+    }
+  }
+  std::size_t index = 0;
+  if (take("patches.")) {
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+    name.remove_prefix(static_cast<std::size_t>(end - name.data()));
+    if (error != std::errc() || index >= side->patches.size() || !take(".")) {
+      return std::nullopt;
+    }
+  }
+  for (const PatchField& field : patch_fields) {
+    if (field.name == name) {
+      return side->patches.empty() ? Values{} : field.compute(side->details, side->patches[index]);
+    }
+  }
+  return std::nullopt;
 }
 
 } // namespace wrc

@@ -40,24 +40,47 @@ constexpr std::array place_numbers{
     Number<ContactPlace>{"t_rail", [](const ContactPlace& p) { return p.t_rail; }},
     Number<ContactPlace>{"v_rail", [](const ContactPlace& p) { return p.v_rail; }},
     Number<ContactPlace>{"rolling_radius", [](const ContactPlace& p) { return p.rolling_radius; }},
+    Number<ContactPlace>{"wheel_angle", [](const ContactPlace& p) { return p.wheel_angle; }},
 };
 
 /// Told of a touch only; a patch has an angle of its own.
 constexpr std::array touch_numbers{
     Number<ContactPlace>{"angle", [](const ContactPlace& p) { return p.angle; }},
-    Number<ContactPlace>{"wheel_angle", [](const ContactPlace& p) { return p.wheel_angle; }},
     Number<ContactPlace>{"distance", [](const ContactPlace& p) { return p.distance; }},
 };
 
 constexpr std::array patch_numbers{
     Number<PatchResult>{"pmax", [](const PatchResult& p) { return p.pmax; }},
     Number<PatchResult>{"area", [](const PatchResult& p) { return p.area; }},
+    Number<PatchResult>{"pmax_element", [](const PatchResult& p) { return p.pmax_element; }},
     Number<PatchResult>{"normal_force", [](const PatchResult& p) { return p.normal_force; }},
+    Number<PatchResult>{"vertical_force", [](const PatchResult& p) { return p.force.z; }},
+    Number<PatchResult>{"lateral_force", [](const PatchResult& p) { return p.force.y; }},
+    Number<PatchResult>{"longitudinal_force", [](const PatchResult& p) { return p.force.x; }},
+    Number<PatchResult>{"moment.x", [](const PatchResult& p) { return p.moment.x; }},
+    Number<PatchResult>{"moment.y", [](const PatchResult& p) { return p.moment.y; }},
+    Number<PatchResult>{"moment.z", [](const PatchResult& p) { return p.moment.z; }},
     Number<PatchResult>{"approach", [](const PatchResult& p) { return p.approach; }},
     Number<PatchResult>{"angle", [](const PatchResult& p) { return p.angle; }},
     Number<PatchResult>{"semi_axes.0",
                         [](const PatchResult& p) { return p.semi_axis_longitudinal; }},
     Number<PatchResult>{"semi_axes.1", [](const PatchResult& p) { return p.semi_axis_lateral; }},
+    Number<PatchResult>{"radii.0", [](const PatchResult& p) { return p.radius_longitudinal; }},
+    Number<PatchResult>{"radii.1", [](const PatchResult& p) { return p.radius_lateral; }},
+    Number<PatchResult>{"closeness", [](const PatchResult& p) { return p.closeness; }},
+    Number<PatchResult>{"regions",
+                        [](const PatchResult& p) {
+                          return static_cast<double>(pressure_regions(p.grid, p.pressure).size());
+                        }},
+    Number<PatchResult>{"fill", [](const PatchResult& p) { return p.fill; }},
+    Number<PatchResult>{
+        "grid.0", [](const PatchResult& p) { return static_cast<double>(p.grid.lateral_count); }},
+    Number<PatchResult>{
+        "grid.1",
+        [](const PatchResult& p) { return static_cast<double>(p.grid.longitudinal_count); }},
+    Number<PatchResult>{"element_size.0", [](const PatchResult& p) { return p.grid.lateral_step; }},
+    Number<PatchResult>{"element_size.1",
+                        [](const PatchResult& p) { return p.grid.longitudinal_step; }},
 };
 
 constexpr std::array side_numbers{
@@ -66,25 +89,29 @@ constexpr std::array side_numbers{
     Number<SideResult>{"pmax_element", [](const SideResult& r) { return r.pmax_element; }},
     Number<SideResult>{"area", [](const SideResult& r) { return r.area; }},
     Number<SideResult>{"normal_force", [](const SideResult& r) { return r.normal_force; }},
-    Number<SideResult>{"vertical_force", [](const SideResult& r) { return r.vertical_force; }},
-    Number<SideResult>{"lateral_force", [](const SideResult& r) { return r.lateral_force; }},
+    Number<SideResult>{"vertical_force", [](const SideResult& r) { return r.force.z; }},
+    Number<SideResult>{"lateral_force", [](const SideResult& r) { return r.force.y; }},
+    Number<SideResult>{"longitudinal_force", [](const SideResult& r) { return r.force.x; }},
+    Number<SideResult>{"moment.x", [](const SideResult& r) { return r.moment.x; }},
+    Number<SideResult>{"moment.y", [](const SideResult& r) { return r.moment.y; }},
+    Number<SideResult>{"moment.z", [](const SideResult& r) { return r.moment.z; }},
+    Number<SideResult>{"jump", [](const SideResult& r) { return r.jump; }},
     Number<SideResult>{"approach", [](const SideResult& r) { return r.approach; }},
     Number<SideResult>{"depth", [](const SideResult& r) { return r.depth; }},
     Number<SideResult>{"angle", [](const SideResult& r) { return r.angle; }},
     Number<SideResult>{"iterations",
                        [](const SideResult& r) { return static_cast<double>(r.iterations); }},
+    Number<SideResult>{"convolutions",
+                       [](const SideResult& r) { return static_cast<double>(r.convolutions); }},
+    Number<SideResult>{"solutions",
+                       [](const SideResult& r) { return static_cast<double>(r.solutions); }},
     Number<SideResult>{"regrown",
                        [](const SideResult& r) { return static_cast<double>(r.regrown); }},
-    Number<SideResult>{"fill", [](const SideResult& r) { return r.fill; }},
-    Number<SideResult>{
-        "grid.0", [](const SideResult& r) { return static_cast<double>(r.grid.lateral_count); }},
-    Number<SideResult>{
-        "grid.1",
-        [](const SideResult& r) { return static_cast<double>(r.grid.longitudinal_count); }},
-    Number<SideResult>{"element_size.0", [](const SideResult& r) { return r.grid.lateral_step; }},
-    Number<SideResult>{"element_size.1",
-                       [](const SideResult& r) { return r.grid.longitudinal_step; }},
 };
+
+/// Of the first patch, told for the side too.
+constexpr std::array<std::string_view, 5> first_patch_names{"fill", "grid.0", "grid.1",
+                                                            "element_size.0", "element_size.1"};
 
 constexpr std::array residual_numbers{
     Number<Residuals>{"load_balance", [](const Residuals& r) { return r.load_balance; }},
@@ -139,8 +166,20 @@ std::optional<double> side_value(SideResult& side, std::string_view name) {
     if (!take_index(name, side.patches.size(), index)) {
       return std::nullopt;
     }
-    const auto value = find_in(patch_numbers, side.patches[index], name);
-    return value ? value : find_in(place_numbers, side.patches[index].centre, name);
+    const PatchResult& patch = side.patches[index];
+    if (take(name, "centroid.")) {
+      return touch_value(patch.centroid, name);
+    }
+    const auto value = find_in(patch_numbers, patch, name);
+    return value ? value : find_in(place_numbers, patch.reference, name);
+  }
+  if (take(name, "centroid.")) {
+    return touch_value(side.centroid, name);
+  }
+  if (std::find(first_patch_names.begin(), first_patch_names.end(), name) !=
+      first_patch_names.end()) {
+    const PatchResult none;
+    return find_in(patch_numbers, side.patches.empty() ? none : side.patches.front(), name);
   }
   if (take(name, "residuals.")) {
     // Unknown names cost no convolution.
@@ -156,11 +195,19 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     add_names(names, touch, place_numbers);
     add_names(names, touch, touch_numbers);
   };
+  const auto add_centroid = [&names](const std::string& centroid) {
+    add_names(names, centroid, place_numbers);
+    names.push_back(centroid + "angle");
+  };
   add_touch(prefix + "rigid_contact.");
   for (std::size_t i = 0; i < side.near_contacts.size(); ++i) {
     add_touch(prefix + "near_contacts." + std::to_string(i) + '.');
   }
   add_names(names, prefix, side_numbers);
+  add_centroid(prefix + "centroid.");
+  for (const std::string_view name : first_patch_names) {
+    names.push_back(prefix + std::string(name));
+  }
   if (side.error_estimate) {
     names.push_back(prefix + "error_estimate");
   }
@@ -169,6 +216,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     const std::string patch = prefix + "patches." + std::to_string(i) + '.';
     add_names(names, patch, patch_numbers);
     add_names(names, patch, place_numbers);
+    add_centroid(patch + "centroid.");
   }
 }
 

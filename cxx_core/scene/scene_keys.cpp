@@ -284,6 +284,13 @@ std::vector<Key> solve_keys() {
                                 v == "measure" ? PlannerRigor::measure : PlannerRigor::estimate;
                             return v == "measure" || v == "estimate";
                           }));
+  keys.push_back(word_key({"solve.interaction", "\"near\"", "\"near\" or \"all\"",
+                           "which patches of a wheel feel each other elastically: those about to "
+                           "join, or all, as if in one plane"},
+                          [](Scene& s, std::string_view v) {
+                            s.interaction = v == "all";
+                            return v == "all" || v == "near";
+                          }));
   keys.push_back(number_key({"solve.near_tolerance", "0.1", "0 to 10 mm",
                              "further contacts listed whose distance is less at the first touch"},
                             0.0, 10.0, [](Scene& s, double v) { s.near_tolerance = v; }));

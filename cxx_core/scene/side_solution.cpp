@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "mechanics/displacement_bound.hpp"
 #include "mechanics/displacement_operator.hpp"
+#include "remesh/depth_estimate.hpp"
 
 namespace wrc {
 namespace {
@@ -57,11 +58,60 @@ constexpr double iteration_share = 0.2;
 constexpr double least_gain = 1.4;
 constexpr double resolving_resolution = 90.0;
 constexpr int most_failures = 2;
+/// Ends of penetration that have moved by no more than this share of its width since errors were
+/// estimated leave the estimate in force.
+constexpr double estimate_reach = 0.05;
+/// Columns stay as they are if their number differs by no more than this share from what is wanted.
+constexpr double kept_columns = 0.2;
+/// Attempts with what is remembered before the side is solved anew.
+constexpr int warm_limit = 3;
+/// A patch with less pressure than the largest needs fewer elements: errors fall with their square.
+constexpr double least_resolution_share = 0.35;
+/// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
+/// share of the normal that is then taken for vertical is wrong by 2 per cent there.
+constexpr double planar_limit = 0.2;
+/// In the vertical convention all that lies within these limits of the main patch shares its grid.
+constexpr double same_plane_angle = 0.2;
+constexpr double same_plane_distance = 20.0; // mm
 
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Patches at a depth, and where and how finely each is to be solved.
+struct SidePlan {
+  double depth = 0.0;
+  ContactPatches found;
+  std::vector<PatchPlan> patches;
+  std::optional<double>
+      left_out_s; ///< on the wheel: a patch that the vertical convention leaves out
+};
+
+/// Both in one plane; the weights of both count.
+ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
+  ContactPatch both = one.deepest >= other.deepest ? one : other;
+  const auto mean = [&](double of_one, double of_other) {
+    return (one.share * of_one + other.share * of_other) / (one.share + other.share);
+  };
+  const ContactPatch& first = one.y_first <= other.y_first ? one : other;
+  const ContactPatch& last = one.y_last >= other.y_last ? one : other;
+  both.y_first = first.y_first;
+  both.y_last = last.y_last;
+  both.x_first = std::min(one.x_first, other.x_first);
+  both.x_last = std::max(one.x_last, other.x_last);
+  both.half_length = std::max(one.half_length, other.half_length);
+  both.own_angle = both.angle = mean(one.own_angle, other.own_angle);
+  both.mean_x = mean(one.mean_x, other.mean_x);
+  both.mean_y = mean(one.mean_y, other.mean_y);
+  both.mean_s = mean(one.mean_s, other.mean_s);
+  both.share = one.share + other.share;
+  both.contact_first = first.contact_first;
+  both.angle_first = first.angle_first;
+  both.contact_last = last.contact_last;
+  both.angle_last = last.angle_last;
+  return both;
 }
 
 class SideSolver {
@@ -78,28 +128,51 @@ private:
   [[nodiscard]] double prescribed_load() const {
     return request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(0.0);
   }
-  [[nodiscard]] ContactFrame frame_at(double depth) const;
   [[nodiscard]] double first_depth() const;
-  /// The rectangle that holds all penetration at a depth.
-  [[nodiscard]] PlaneArea penetrated_area(double depth, const ContactFrame& frame) const {
-    return area_of(find_penetration_region(equilibrium_.scan, depth), rail_, frame);
+  void join_in_one_plane(SidePlan& plan) const;
+  [[nodiscard]] ContactFrame frame_of(const ContactPatch& patch) const;
+  /// An area does not go beyond the neighbouring patches.
+  [[nodiscard]] PlaneArea limited(const PlaneArea& area, const PatchPlan& plan) const {
+    return within_territory(area, plan.place, rail_, plan.frame);
   }
+  [[nodiscard]] PlaneArea penetrated_area(const ContactPatch& patch,
+                                          const ContactFrame& frame) const {
+    return area_of(patch, rail_, frame);
+  }
+  /// Places and planes at a depth, without areas and meshes.
+  [[nodiscard]] SidePlan empty_plan(double depth) const;
+  [[nodiscard]] SidePlan first_plan(double depth, const Resolution& resolution) const;
+  [[nodiscard]] SidePlan remembered_plan(double depth) const;
+  /// The next plan after a trial: at its depth or another one, around the contact found.
+  [[nodiscard]] SidePlan next_plan(const Trial& trial, double depth,
+                                   const std::vector<Resolution>& resolutions, double growth) const;
   /// `start`: an earlier trial whose pressures are near; none if null.
-  Trial try_area(const ContactFrame& frame, const PlaneArea& area, const Mesh& mesh, double depth,
-                 double tolerance, const Trial* start);
-  [[nodiscard]] NormalSolution solve_normal(const NormalProblem& problem);
+  Trial try_plan(const SidePlan& plan, double tolerance, const Trial* start);
+  JointSolution solve_joint(const JointProblem& problem);
   /// The same rectangle of the track, seen in the plane of another frame.
   [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
                                        const ContactFrame& to) const;
+  /// Contact touches an edge that can still move.
+  [[nodiscard]] bool must_grow(const Trial& trial) const;
+  [[nodiscard]] bool slides(const Trial& trial) const;
   [[nodiscard]] Resolution usual_resolution() const;
   [[nodiscard]] Resolution start_resolution() const;
+  /// For each patch of a trial, from those of the patch with the largest pressure.
+  [[nodiscard]] static std::vector<Resolution> by_patch(const Trial& trial,
+                                                        const Resolution& resolution);
+  [[nodiscard]] double tolerance() const {
+    return request_.grid ? request_.tolerance
+                         : std::min(request_.tolerance, iteration_share * request_.accuracy);
+  }
   Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
-  /// `resolution` is what to begin with, and then what was needed.
-  Trial solve_on_final_grid(const Trial& coarse, Resolution& resolution);
-  /// The area that also holds contact which a solution has left out; none if there is none.
-  [[nodiscard]] std::optional<PlaneArea> area_with_missed_contact(const Trial& trial) const;
+  Trial solve_on_final_grid(const Trial& coarse, const Resolution& resolution);
+  /// The solution on the grids that were enough the last time; none if more has changed.
+  std::optional<Trial> solve_as_before(double depth);
+  /// The areas that also hold contact which a solution has left out; false if there is none.
+  bool add_missed_contact(const Trial& trial, SidePlan& plan) const;
   void warn_about(const Trial& trial);
-  void remember(const Trial& trial, const Resolution& resolution);
+  void remember(const Trial& trial);
+  void take(Trial trial);
 
   const WheelSurface& wheel_;
   const RailSurface& rail_;
@@ -109,15 +182,32 @@ private:
   SideMemory& memory_;
   SideSolution result_;
   double lateral_error_ = 0.0; ///< of the last trial: what elements across the rail leave
+  bool estimated_ = false;     ///< the error, on two grids of this position
 };
 
-/// The plane at a depth: through the penetration-weighted place of the rail, at the weighted angle.
-ContactFrame SideSolver::frame_at(double depth) const {
-  const PenetrationRegion region = find_penetration_region(equilibrium_.scan, depth);
-  const double x = equilibrium_.scan.candidates.front().wheel.position.x;
-  const Vector3 origin{x, region.mean_y, rail_.graph().at_lateral(region.mean_y).height};
+/// In the vertical convention the patches near the main one are one: they have the same plane.
+void SideSolver::join_in_one_plane(SidePlan& plan) const {
+  const ContactPatch main = plan.found.patches[plan.found.main];
+  ContactPatch all = main;
+  for (const ContactPatch& patch : plan.found.patches) {
+    const double apart = std::max(patch.y_first - main.y_last, main.y_first - patch.y_last);
+    if (apart > same_plane_distance ||
+        std::abs(patch.own_angle - main.own_angle) > same_plane_angle) {
+      plan.left_out_s = patch.deepest_s;
+    } else if (patch.deepest_y != main.deepest_y) {
+      all = joined(all, patch);
+    }
+  }
+  all.territory_first = -std::numeric_limits<double>::infinity();
+  all.territory_last = std::numeric_limits<double>::infinity();
+  plan.found = {{all}, {}, 0};
+}
+
+/// The plane of a patch: through its weighted mean place on the rail.
+ContactFrame SideSolver::frame_of(const ContactPatch& patch) const {
+  const Vector3 origin{patch.mean_x, patch.mean_y, rail_.graph().at_lateral(patch.mean_y).height};
   return request_.gap == GapConvention::tangent
-             ? tangent_frame(origin, region.mean_angle)
+             ? tangent_frame(origin, patch.angle)
              : vertical_frame(origin, Rotation(equilibrium_.pose));
 }
 
@@ -130,85 +220,157 @@ double SideSolver::first_depth() const {
     const double ratio = prescribed_load() / memory_.load;
     return memory_.depth * std::cbrt(ratio * ratio);
   }
-  const double angle = equilibrium_.scan.candidates.front().rail_angle;
-  const double load =
-      request_.normal_load ? *request_.normal_load : *request_.vertical_load / std::cos(angle);
-  return estimate_depth(equilibrium_.scan, request_.combined_modulus, load);
+  return estimate_depth(equilibrium_.scan, request_.combined_modulus, prescribed_load(),
+                        request_.normal_load ? LoadDirection::main_normal
+                                             : LoadDirection::vertical);
 }
 
-NormalSolution SideSolver::solve_normal(const NormalProblem& problem) {
-  return request_.solver == SolverChoice::paper ? solve_with_polonsky_keer(problem)
-                                                : solver_.solve(problem);
+JointSolution SideSolver::solve_joint(const JointProblem& problem) {
+  ++result_.solutions;
+  if (request_.solver == SolverChoice::standard || problem.patches.size() > 1) {
+    return solver_.solve(problem);
+  }
+  const PatchGap& patch = problem.patches.front();
+  NormalProblem single;
+  single.grid = patch.grid;
+  single.undeformed_distance = patch.undeformed_distance;
+  single.combined_modulus = problem.combined_modulus;
+  if (problem.load) {
+    single.normal_load = *problem.load / patch.approach_share;
+  } else {
+    single.approach = *problem.approach * patch.approach_share;
+  }
+  single.tolerance = problem.tolerance;
+  single.maximum_iterations = problem.maximum_iterations;
+  NormalSolution solved = solve_with_polonsky_keer(single);
+  JointSolution solution;
+  solution.patches.push_back({std::move(solved.pressure), solved.normal_force});
+  solution.approach = solved.approach / patch.approach_share;
+  solution.iterations = solved.iterations;
+  solution.convolutions = solved.iterations;
+  solution.stop_reason = solved.stop_reason;
+  solution.pressure_error = solved.pressure_error;
+  return solution;
 }
 
-Trial SideSolver::try_area(const ContactFrame& frame, const PlaneArea& area, const Mesh& mesh,
-                           double depth, double tolerance, const Trial* start) {
+Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* start) {
   Trial trial;
-  trial.frame = frame;
-  trial.area = area;
-  trial.grid = mesh_grid(area, mesh);
-  trial.depth = depth;
+  trial.depth = plan.depth;
   const auto remesh_start = Clock::now();
-  trial.distance = sample_undeformed_distance(
-      {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth}, frame, trial.grid);
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - plan.depth};
+  const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
+  for (const PatchPlan& patch : plan.patches) {
+    PatchTrial& made = trial.patches.emplace_back();
+    made.place = patch.place;
+    made.frame = patch.frame;
+    made.area = patch.area;
+    made.grid = mesh_grid(patch.area, patch.mesh);
+    made.share =
+        request_.normal_load ? dot(patch.frame.normal, main_frame.normal) : patch.frame.normal.z;
+    made.distance = sample_undeformed_distance(pair, patch.frame, made.grid);
+  }
   result_.times.remesh += seconds_since(remesh_start);
 
   const auto mechanics_start = Clock::now();
-  NormalProblem problem;
-  problem.grid = trial.grid;
-  problem.undeformed_distance = trial.distance;
+  std::vector<PatchGap> gaps;
+  for (const PatchTrial& patch : trial.patches) {
+    PatchGap& gap = gaps.emplace_back();
+    gap.grid = patch.grid;
+    gap.undeformed_distance = patch.distance;
+    gap.approach_share = patch.share;
+    const PatchTrial* near = start != nullptr ? start->matching(patch.place) : nullptr;
+    if (near != nullptr) {
+      // Planes differ little: the place along the rail's tangent is all that counts.
+      StartPressure pressure{near->grid, near->pressure};
+      const Vector3 shift = near->frame.origin - patch.frame.origin;
+      pressure.grid.lateral_first += dot(shift, patch.frame.lateral);
+      pressure.grid.longitudinal_first += dot(shift, patch.frame.longitudinal);
+      gap.start = pressure;
+    }
+  }
+  JointProblem problem;
+  problem.patches = gaps;
   problem.combined_modulus = request_.combined_modulus;
-  const double cosine = frame.normal.z;
   if (position_is_prescribed()) {
     problem.approach = 0.0; // the wheel has been lowered already
   } else {
-    problem.normal_load =
-        request_.normal_load ? *request_.normal_load : *request_.vertical_load / cosine;
+    problem.load = prescribed_load();
   }
   problem.tolerance = tolerance;
   problem.maximum_iterations = request_.maximum_iterations;
-  trial.normal_load = problem.normal_load;
-  if (start != nullptr) {
-    // Planes differ little: the place along the rail's tangent is all that counts.
-    StartPressure near{start->grid, start->normal.pressure};
-    const Vector3 shift = start->frame.origin - frame.origin;
-    near.grid.lateral_first += dot(shift, frame.lateral);
-    near.grid.longitudinal_first += dot(shift, frame.longitudinal);
-    problem.start = near;
+  PatchInteraction interaction;
+  if (trial.patches.size() > 1) {
+    const std::size_t count = trial.patches.size();
+    bool any = false;
+    double across = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vector3 origin = trial.patches[k].frame.origin;
+      if (k > 0) {
+        const Vector3 step = origin - trial.patches[k - 1].frame.origin;
+        across += std::hypot(step.y, step.z);
+      }
+      interaction.places.push_back({across, origin.x});
+      for (std::size_t l = 0; l < count; ++l) {
+        const double closeness = k == l || request_.interaction ? 1.0 : plan.found.closeness(k, l);
+        interaction.closeness.push_back(closeness);
+        if (k != l) {
+          any = any || closeness > 0.0;
+          trial.patches[k].closeness = std::max(trial.patches[k].closeness, closeness);
+        }
+      }
+    }
+    problem.interaction = any ? &interaction : nullptr;
   }
-  trial.normal = solve_normal(problem);
-  result_.iterations += trial.normal.iterations;
-  trial.contact = summarise_pressure(trial.grid, trial.normal.pressure);
-  trial.next_depth = depth + trial.normal.approach / cosine;
+  JointSolution solution = solve_joint(problem);
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    PatchTrial& patch = trial.patches[k];
+    patch.pressure = std::move(solution.patches[k].pressure);
+    patch.normal_force = solution.patches[k].normal_force;
+    patch.contact = summarise_pressure(patch.grid, patch.pressure);
+  }
+  result_.iterations += solution.iterations;
+  result_.convolutions += solution.convolutions;
+  trial.approach = solution.approach;
+  trial.stop_reason = solution.stop_reason;
+  trial.pressure_error = solution.pressure_error;
+  const double along = request_.normal_load ? main_frame.normal.z : 1.0;
+  trial.next_depth = plan.depth + solution.approach / along;
   result_.times.mechanics += seconds_since(mechanics_start);
   return trial;
 }
 
 PlaneArea SideSolver::carried_over(const PlaneArea& area, const ContactFrame& from,
                                    const ContactFrame& to) const {
-  PenetrationRegion region;
-  region.y_first = region.x_first = std::numeric_limits<double>::infinity();
-  region.y_last = region.x_last = -std::numeric_limits<double>::infinity();
+  PlaneArea result{
+      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const double lateral : {area.lateral_first, area.lateral_last}) {
     for (const double longitudinal : {area.longitudinal_first, area.longitudinal_last}) {
       const Vector3 place = from.to_track(longitudinal, lateral, 0.0);
-      region.y_first = std::min(region.y_first, place.y);
-      region.y_last = std::max(region.y_last, place.y);
-      region.x_first = std::min(region.x_first, place.x);
-      region.x_last = std::max(region.x_last, place.x);
+      const Vector3 on_rail{place.x, place.y, rail_.graph().at_lateral(place.y).height};
+      const Vector3 from_origin = on_rail - to.origin;
+      result.lateral_first = std::min(result.lateral_first, dot(from_origin, to.lateral));
+      result.lateral_last = std::max(result.lateral_last, dot(from_origin, to.lateral));
+      result.longitudinal_first =
+          std::min(result.longitudinal_first, dot(from_origin, to.longitudinal));
+      result.longitudinal_last =
+          std::max(result.longitudinal_last, dot(from_origin, to.longitudinal));
     }
   }
-  return area_of(region, rail_, to);
+  return result;
 }
 
 Resolution SideSolver::start_resolution() const {
   if (request_.grid) {
     return {2.0 * coarse_resolution, coarse_resolution};
   }
+  Resolution resolution = usual_resolution();
   if (memory_.valid && memory_.accuracy == request_.accuracy) {
-    return memory_.resolution;
+    for (const SideMemory::Patch& patch : memory_.patches) {
+      resolution.lateral = std::max(resolution.lateral, patch.resolution.lateral);
+    }
   }
-  return usual_resolution();
+  return resolution;
 }
 
 Resolution SideSolver::usual_resolution() const {
@@ -216,189 +378,399 @@ Resolution SideSolver::usual_resolution() const {
           longitudinal_resolution(longitudinal_share * request_.accuracy)};
 }
 
-/// Coarse solutions until depth, plane and extent agree with each other.
-Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolution) {
-  ContactFrame frame = frame_at(depth);
-  const PlaneArea penetrated = penetrated_area(depth, frame);
-  PlaneArea area = penetrated.widened(0.05);
-  Mesh mesh{contact_share * penetrated.width() / resolution.lateral,
-            contact_share * penetrated.length() / resolution.longitudinal,
-            {}};
-  if (memory_.valid) {
+std::vector<Resolution> SideSolver::by_patch(const Trial& trial, const Resolution& resolution) {
+  std::vector<Resolution> resolutions;
+  for (const PatchTrial& patch : trial.patches) {
+    resolutions.push_back(
+        resolution.times(std::clamp(std::sqrt(trial.weight(patch)), least_resolution_share, 1.0)));
+  }
+  return resolutions;
+}
+
+SidePlan SideSolver::empty_plan(double depth) const {
+  SidePlan plan;
+  plan.depth = depth;
+  plan.found = find_contact_patches(equilibrium_.scan, depth);
+  if (request_.gap == GapConvention::vertical) {
+    join_in_one_plane(plan);
+  }
+  for (const ContactPatch& patch : plan.found.patches) {
+    PatchPlan& made = plan.patches.emplace_back();
+    made.place = patch;
+    made.frame = frame_of(patch);
+  }
+  return plan;
+}
+
+/// From the penetration alone.
+SidePlan SideSolver::first_plan(double depth, const Resolution& resolution) const {
+  SidePlan plan = empty_plan(depth);
+  for (PatchPlan& patch : plan.patches) {
+    const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
+    patch.area = limited(penetrated.widened(0.05), patch);
+    patch.mesh = {contact_share * penetrated.width() / resolution.lateral,
+                  contact_share * penetrated.length() / resolution.longitudinal,
+                  {}};
+  }
+  return plan;
+}
+
+/// Where contact lay in the penetration the last time; as many patches as then.
+SidePlan SideSolver::remembered_plan(double depth) const {
+  SidePlan plan = empty_plan(depth);
+  for (std::size_t k = 0; k < plan.patches.size() && k < memory_.patches.size(); ++k) {
+    PatchPlan& patch = plan.patches[k];
+    const SideMemory::Patch& last = memory_.patches[k];
+    const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
     const double width = penetrated.width();
     const double length = penetrated.length();
-    mesh.lateral_step = (memory_.lateral_last - memory_.lateral_first) * width / resolution.lateral;
-    mesh.longitudinal_step =
-        (memory_.longitudinal_last - memory_.longitudinal_first) * length / resolution.longitudinal;
-    area = {penetrated.lateral_first + (memory_.lateral_first - memory_margin) * width,
-            penetrated.lateral_first + (memory_.lateral_last + memory_margin) * width,
-            penetrated.longitudinal_first + (memory_.longitudinal_first - memory_margin) * length,
-            penetrated.longitudinal_first + (memory_.longitudinal_last + memory_margin) * length};
+    patch.mesh = {(last.lateral_last - last.lateral_first) * width / last.resolution.lateral,
+                  (last.longitudinal_last - last.longitudinal_first) * length /
+                      last.resolution.longitudinal,
+                  {}};
+    patch.area =
+        limited({penetrated.lateral_first + (last.lateral_first - memory_margin) * width,
+                 penetrated.lateral_first + (last.lateral_last + memory_margin) * width,
+                 penetrated.longitudinal_first + (last.longitudinal_first - memory_margin) * length,
+                 penetrated.longitudinal_first + (last.longitudinal_last + memory_margin) * length},
+                patch);
   }
-  const double tolerance = iteration_share * coarse_depth_share;
+  return plan;
+}
+
+/// A refinement close to a power of two is one: element aspect ratios then stay on their ladder.
+double refinement_near(double ratio) {
+  constexpr double close = 0.2; // octaves
+  const double octaves = std::log2(ratio);
+  return std::abs(octaves - std::round(octaves)) <= close ? std::exp2(std::round(octaves)) : ratio;
+}
+
+SidePlan SideSolver::next_plan(const Trial& trial, double depth,
+                               const std::vector<Resolution>& resolutions, double growth) const {
+  SidePlan plan = empty_plan(depth);
+  for (PatchPlan& patch : plan.patches) {
+    const PatchTrial* last = trial.matching(patch.place);
+    if (last == nullptr) {
+      const Resolution& resolution = resolutions.front();
+      const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
+      patch.area = limited(penetrated.widened(0.05), patch);
+      patch.mesh = {contact_share * penetrated.width() / resolution.lateral,
+                    contact_share * penetrated.length() / resolution.longitudinal,
+                    {}};
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(last - trial.patches.data());
+    const PlaneArea area =
+        last->touches_edge() ? last->grown(growth) : last->contact_area(margin_elements);
+    patch.area = limited(carried_over(area, last->frame, patch.frame), patch);
+    patch.mesh = last->mesh_across(resolutions[index]);
+    const double columns = last->columns();
+    if (std::abs(resolutions[index].longitudinal - columns) <= kept_columns * columns &&
+        !last->touches_edge()) {
+      // The same columns, so that what differs between both grids is due to the rows.
+      const Grid& grid = last->grid;
+      const double shift = last->frame.origin.x - patch.frame.origin.x;
+      constexpr double rounding = 1e-6;
+      patch.mesh.longitudinal_step = grid.longitudinal_step;
+      patch.area.longitudinal_first =
+          shift + grid.longitudinal_first - (0.5 - rounding) * grid.longitudinal_step;
+      patch.area.longitudinal_last = shift + grid.longitudinal(grid.longitudinal_count - 1) +
+                                     (0.5 - rounding) * grid.longitudinal_step;
+      const double rows = resolutions[index].lateral / last->rows();
+      patch.mesh.lateral_step = grid.lateral_step / refinement_near(rows);
+    }
+  }
+  return plan;
+}
+
+bool SideSolver::must_grow(const Trial& trial) const {
+  return std::any_of(trial.patches.begin(), trial.patches.end(), [this](const PatchTrial& patch) {
+    if (!patch.touches_edge()) {
+      return false;
+    }
+    const PlaneArea larger =
+        limited(patch.grown(final_growth), {patch.place, patch.frame, patch.area, {}});
+    const double least = 0.5 * patch.grid.lateral_step;
+    return larger.width() > patch.area.width() + least ||
+           larger.length() > patch.area.length() * (1.0 + 1e-9);
+  });
+}
+
+/// Whether the wheel would slide along the tangent by too much on its way to the depth found.
+bool SideSolver::slides(const Trial& trial) const {
+  if (position_is_prescribed()) {
+    return false;
+  }
+  double sine = 0.0;
+  for (const PatchTrial& patch : trial.patches) {
+    if (!patch.no_contact()) {
+      sine = std::max(sine, trial.weight(patch) * std::abs(std::sin(patch.frame.angle())));
+    }
+  }
+  const double share = std::min(greatest_slide_share, 2.0 * request_.accuracy);
+  return std::abs(trial.next_depth - trial.depth) * sine > share * trial.next_depth;
+}
+
+/// Coarse solutions until depth, planes and extents agree with each other.
+Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolution) {
+  const bool from_memory = memory_.valid && !request_.grid;
+  SidePlan plan = first_plan(depth, resolution);
+  if (from_memory && memory_.patches.size() == plan.patches.size()) {
+    plan = remembered_plan(depth);
+    for (PatchPlan& patch : plan.patches) {
+      patch.mesh.lateral_step *= 2.0;
+    }
+  }
+  const double coarse_tolerance =
+      std::min(iteration_share * coarse_depth_share, iteration_share * request_.accuracy);
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
-    trial = try_area(frame, area, mesh, depth,
-                     std::min(tolerance, iteration_share * request_.accuracy), nullptr);
+    trial = try_plan(plan, coarse_tolerance, nullptr);
     if (trial.no_contact()) {
-      area = area.widened(-0.25); // a contact smaller than an element: look closer
-      mesh.lateral_step *= 0.5;
-      mesh.longitudinal_step *= 0.5;
+      for (PatchPlan& patch : plan.patches) { // contact smaller than an element: look closer
+        patch.area = patch.area.widened(-0.25);
+        patch.mesh.lateral_step *= 0.5;
+        patch.mesh.longitudinal_step *= 0.5;
+      }
       continue;
     }
     const bool depth_settled =
         position_is_prescribed() ||
         std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth;
-    const bool filled = trial.rows() >= least_fill * resolution.lateral &&
-                        trial.columns() >= least_fill * resolution.longitudinal;
-    if (depth_settled && filled && !trial.touches_edge()) {
+    const std::vector<Resolution> resolutions = by_patch(trial, resolution);
+    bool filled = true;
+    for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+      const PatchTrial& patch = trial.patches[k];
+      filled = filled && (patch.no_contact() ||
+                          (patch.rows() >= least_fill * resolutions[k].lateral &&
+                           patch.columns() >= least_fill * resolutions[k].longitudinal));
+    }
+    if (depth_settled && filled && !must_grow(trial)) {
       break;
     }
-    area = trial.touches_edge() ? trial.grown(coarse_growth) : trial.contact_area(margin_elements);
-    mesh = trial.mesh_across(resolution);
     if (!depth_settled && trial.next_depth > 0.0) {
       depth = trial.next_depth;
-      const ContactFrame next = frame_at(depth);
-      area = carried_over(area, frame, next);
-      frame = next;
     }
+    plan = next_plan(trial, depth, resolutions, coarse_growth);
   }
   return trial;
 }
 
-/// Contact can be missing where the bodies penetrate beyond the area. Every sample of the scan
-/// there is checked with the displacement that the pressures found cause at its place.
-std::optional<PlaneArea> SideSolver::area_with_missed_contact(const Trial& trial) const {
-  const PenetrationRegion region = find_penetration_region(equilibrium_.scan, trial.depth);
+/// Contact can be missing where the bodies penetrate beyond an area. Every sample of the scan there
+/// is checked with the displacement that the patch's pressures cause at its place.
+bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - trial.depth};
-  const DisplacementBound bound(trial.grid, trial.normal.pressure, request_.combined_modulus);
-  const double largest_displacement =
-      bound.at(trial.contact.centroid_longitudinal, trial.contact.centroid_lateral);
-  PlaneArea larger = trial.area;
   bool missed = false;
-  for (const DistanceSample& sample : equilibrium_.scan.samples) {
-    const Vector3 wheel_place = sample.wheel.position;
-    const double penetration = trial.depth - (sample.distance + equilibrium_.vertical);
-    if (penetration <= 0.0 || wheel_place.y < region.y_first || wheel_place.y > region.y_last) {
-      continue;
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    const PatchTrial& patch = trial.patches[k];
+    std::optional<DisplacementBound> bound;
+    double largest_displacement = 0.0;
+    PlaneArea larger = patch.area;
+    bool missed_here = false;
+    for (const DistanceSample& sample : equilibrium_.scan.samples) {
+      const Vector3 wheel_place = sample.wheel.position;
+      const double penetration = trial.depth - (sample.distance + equilibrium_.vertical);
+      if (penetration <= 0.0 || wheel_place.y < patch.place.y_first ||
+          wheel_place.y > patch.place.y_last) {
+        continue;
+      }
+      const Vector3 place = Vector3{wheel_place.x, wheel_place.y, wheel_place.z - sample.distance} -
+                            patch.frame.origin;
+      const double lateral = dot(place, patch.frame.lateral);
+      const double longitudinal = dot(place, patch.frame.longitudinal);
+      if (lateral >= patch.area.lateral_first && lateral <= patch.area.lateral_last &&
+          longitudinal >= patch.area.longitudinal_first &&
+          longitudinal <= patch.area.longitudinal_last) {
+        continue;
+      }
+      const SurfacePlace surfaces = surfaces_at(pair, patch.frame, longitudinal, lateral);
+      if (!surfaces.on_rail || !surfaces.on_wheel) {
+        continue;
+      }
+      if (!bound) {
+        bound.emplace(patch.grid, patch.pressure, request_.combined_modulus);
+        largest_displacement =
+            bound->at(patch.contact.centroid_longitudinal, patch.contact.centroid_lateral);
+      }
+      const double overlap =
+          patch.share * trial.approach - dot(surfaces.wheel - surfaces.rail, patch.frame.normal);
+      const double limit = missed_overlap * largest_displacement;
+      if (overlap - bound->at(longitudinal, lateral) <= limit) {
+        continue;
+      }
+      if (overlap - displacement_at(patch.grid, patch.pressure, request_.combined_modulus,
+                                    longitudinal, lateral) >
+          limit) {
+        missed_here = true;
+        const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
+        larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);
+        larger.lateral_last = std::max(larger.lateral_last, lateral + missed_margin);
+        larger.longitudinal_first = std::min(larger.longitudinal_first, longitudinal - half_length);
+        larger.longitudinal_last = std::max(larger.longitudinal_last, longitudinal + half_length);
+      }
     }
-    const Vector3 place =
-        Vector3{wheel_place.x, wheel_place.y, wheel_place.z - sample.distance} - trial.frame.origin;
-    const double lateral = dot(place, trial.frame.lateral);
-    const double longitudinal = dot(place, trial.frame.longitudinal);
-    if (lateral >= trial.area.lateral_first && lateral <= trial.area.lateral_last &&
-        longitudinal >= trial.area.longitudinal_first &&
-        longitudinal <= trial.area.longitudinal_last) {
-      continue;
-    }
-    const SurfacePlace surfaces = surfaces_at(pair, trial.frame, longitudinal, lateral);
-    if (!surfaces.on_rail || !surfaces.on_wheel) {
-      continue;
-    }
-    const double distance = dot(surfaces.wheel - surfaces.rail, trial.frame.normal);
-    const double limit = -missed_overlap * largest_displacement;
-    if (distance - trial.normal.approach + bound.at(longitudinal, lateral) >= limit) {
-      continue;
-    }
-    const double gap = distance - trial.normal.approach +
-                       displacement_at(trial.grid, trial.normal.pressure, request_.combined_modulus,
-                                       longitudinal, lateral);
-    if (gap < limit) {
-      missed = true;
-      const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
-      larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);
-      larger.lateral_last = std::max(larger.lateral_last, lateral + missed_margin);
-      larger.longitudinal_first = std::min(larger.longitudinal_first, longitudinal - half_length);
-      larger.longitudinal_last = std::max(larger.longitudinal_last, longitudinal + half_length);
+    if (missed_here) {
+      const PlaneArea within = limited(larger, plan.patches[k]);
+      const bool grows = within.width() > plan.patches[k].area.width() ||
+                         within.length() > plan.patches[k].area.length();
+      plan.patches[k].area = within;
+      missed = missed || grows;
     }
   }
-  return missed ? std::optional(larger) : std::nullopt;
+  return missed;
 }
 
-Trial SideSolver::solve_on_final_grid(const Trial& coarse, Resolution& resolution) {
-  double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
-  ContactFrame frame = frame_at(depth);
-  PlaneArea area = carried_over(coarse.contact_area(margin_elements), coarse.frame, frame);
-  const double tolerance = request_.grid
-                               ? request_.tolerance
-                               : std::min(request_.tolerance, iteration_share * request_.accuracy);
+Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& resolution) {
+  const double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
+  std::vector<Resolution> resolutions = by_patch(coarse, resolution);
+  SidePlan plan = next_plan(coarse, depth, resolutions, final_growth);
   int failures = 0;
   Trial coarser = coarse; // what errors are estimated from
   Trial last = coarse;    // whose pressures are the start of the next
   for (int attempt = 0;; ++attempt) {
-    Mesh mesh = coarser.mesh_across(resolution);
-    mesh.counts = request_.grid;
-    Trial trial = try_area(frame, area, mesh, depth, tolerance, &last);
+    for (PatchPlan& patch : plan.patches) {
+      patch.mesh.counts = request_.grid;
+    }
+    Trial trial = try_plan(plan, tolerance(), &last);
     if (trial.no_contact() || attempt == final_limit) {
       return trial;
     }
-    if (trial.touches_edge()) {
+    if (must_grow(trial)) {
       ++result_.regrown;
-      area = trial.grown(final_growth);
+      for (std::size_t k = 0; k < plan.patches.size(); ++k) {
+        plan.patches[k].area = limited(trial.patches[k].grown(final_growth), plan.patches[k]);
+      }
       last = std::move(trial);
       continue;
     }
-    if (const auto larger = area_with_missed_contact(trial)) {
+    if (add_missed_contact(trial, plan)) {
       ++result_.regrown;
-      area = *larger;
       last = std::move(trial);
       continue;
     }
-    const double slide = std::abs(trial.next_depth - depth) * std::abs(std::sin(frame.angle()));
-    const double slide_share = std::min(greatest_slide_share, 2.0 * request_.accuracy);
-    if (!position_is_prescribed() && slide > slide_share * trial.next_depth) {
-      depth = trial.next_depth;
-      const ContactFrame next = frame_at(depth);
-      area = carried_over(area, frame, next);
-      frame = next;
+    if (slides(trial)) {
+      // The same areas and meshes at the other depth.
+      SidePlan next = empty_plan(trial.next_depth);
+      if (next.patches.size() == plan.patches.size()) {
+        for (std::size_t k = 0; k < plan.patches.size(); ++k) {
+          next.patches[k].area = limited(
+              carried_over(plan.patches[k].area, plan.patches[k].frame, next.patches[k].frame),
+              next.patches[k]);
+          next.patches[k].mesh = plan.patches[k].mesh;
+        }
+      } else {
+        next = next_plan(trial, trial.next_depth, by_patch(trial, resolution), final_growth);
+      }
+      plan = std::move(next);
       last = std::move(trial);
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
     lateral_error_ = estimate_error(coarser, trial, position_is_prescribed());
+    estimated_ = true;
     const double along_error = longitudinal_error(trial);
     result_.error_estimate = lateral_error_ + along_error;
     const bool reached = *result_.error_estimate <= request_.accuracy;
     const bool failed = before && *result_.error_estimate * least_gain > *before;
     failures = failed ? failures + 1 : 0;
-    const bool hopeless =
-        failures >= most_failures || (failed && trial.rows() > resolving_resolution);
-    if (request_.grid || reached || hopeless || refinement * trial.rows() > last_resolution) {
+    double rows = 0.0;
+    for (const PatchTrial& patch : trial.patches) {
+      rows = std::max(rows, patch.rows());
+    }
+    const bool hopeless = failures >= most_failures || (failed && rows > resolving_resolution);
+    if (request_.grid || reached || hopeless || refinement * rows > last_resolution) {
       return trial;
     }
-    resolution = trial.resolution();
     // The larger of the two errors always, the other one if it takes up half of the accuracy.
     const double half = 0.5 * request_.accuracy;
-    if (along_error > half || along_error > lateral_error_) {
-      resolution.longitudinal *= refinement;
+    const bool finer_along = along_error > half || along_error > lateral_error_;
+    const bool finer_across = lateral_error_ > half || lateral_error_ >= along_error;
+    resolutions.clear();
+    for (const PatchTrial& patch : trial.patches) {
+      const Resolution now = patch.no_contact() ? resolution : patch.resolution();
+      resolutions.push_back({now.lateral * (finer_across ? refinement : 1.0),
+                             now.longitudinal * (finer_along ? refinement : 1.0)});
     }
-    if (lateral_error_ > half || lateral_error_ >= along_error) {
-      resolution.lateral *= refinement;
-    }
-    area = trial.contact_area(margin_elements);
+    plan = next_plan(trial, trial.depth, resolutions, final_growth);
     last = trial;
     coarser = std::move(trial);
   }
 }
 
+std::optional<Trial> SideSolver::solve_as_before(double depth) {
+  if (!memory_.valid || !memory_.error_estimate || request_.grid ||
+      memory_.accuracy != request_.accuracy) {
+    return std::nullopt;
+  }
+  for (int attempt = 0; attempt < warm_limit; ++attempt) {
+    const SidePlan plan = remembered_plan(depth);
+    if (plan.patches.size() != memory_.patches.size()) {
+      return std::nullopt;
+    }
+    for (std::size_t k = 0; k < plan.patches.size(); ++k) {
+      const ContactPatch& place = plan.patches[k].place;
+      const SideMemory::Patch& last = memory_.patches[k];
+      const double reach = estimate_reach * (place.y_last - place.y_first);
+      if (std::abs(place.y_first - last.y_first) > reach ||
+          std::abs(place.y_last - last.y_last) > reach) {
+        return std::nullopt;
+      }
+    }
+    Trial trial = try_plan(plan, tolerance(), nullptr);
+    if (trial.no_contact() || trial.touches_edge()) {
+      return std::nullopt;
+    }
+    SidePlan checked = plan;
+    if (add_missed_contact(trial, checked)) {
+      return std::nullopt;
+    }
+    for (std::size_t k = 0; k < plan.patches.size(); ++k) {
+      const PatchTrial& patch = trial.patches[k];
+      const Resolution& wanted = memory_.patches[k].resolution;
+      if (patch.rows() < (1.0 - estimate_reach) * wanted.lateral - 1.0 ||
+          patch.columns() < (1.0 - estimate_reach) * wanted.longitudinal - 1.0) {
+        return std::nullopt;
+      }
+    }
+    if (!slides(trial)) {
+      result_.error_estimate = memory_.error_estimate;
+      return trial;
+    }
+    depth = trial.next_depth;
+  }
+  return std::nullopt;
+}
+
 void SideSolver::warn_about(const Trial& trial) {
   auto& warnings = result_.warnings;
-  if (trial.normal.stop_reason != StopReason::tolerance_met) {
-    warnings.push_back("not converged: " + std::string(name_of(trial.normal.stop_reason)) +
-                       " after " + std::to_string(trial.normal.iterations) +
-                       " iterations, error of the pressures " +
-                       text_of(trial.normal.pressure_error));
+  if (trial.stop_reason != StopReason::tolerance_met) {
+    warnings.push_back("not converged: " + std::string(name_of(trial.stop_reason)) +
+                       ", error of the pressures " + text_of(trial.pressure_error));
   }
-  if (trial.touches_edge()) {
-    warnings.emplace_back("contact touches the edge of the potential contact area");
+  if (request_.solver == SolverChoice::paper && trial.patches.size() > 1) {
+    warnings.emplace_back("several patches: solved together by the default solver");
   }
-  if (request_.gap == GapConvention::vertical) {
-    const double angle =
-        find_penetration_region(equilibrium_.scan, std::max(trial.depth, 1e-9)).mean_angle;
-    if (std::abs(angle) > vertical_convention_limit) {
-      warnings.push_back("vertical distances at a contact angle of " + text_of(angle) +
-                         " rad (good up to " + text_of(vertical_convention_limit) +
-                         "): use solve.gap = \"tangent\"");
+  for (const PatchTrial& patch : trial.patches) {
+    if (patch.no_contact()) {
+      continue;
+    }
+    if (patch.touches_edge()) {
+      warnings.emplace_back(must_grow(trial)
+                                ? "contact touches the edge of the potential contact area"
+                                : "contact reaches the boundary to the neighbouring patch");
+    }
+    const double turn = std::max(std::abs(patch.place.angle_first - patch.frame.angle()),
+                                 std::abs(patch.place.angle_last - patch.frame.angle()));
+    if (request_.gap == GapConvention::vertical) {
+      if (std::abs(patch.place.own_angle) > vertical_convention_limit) {
+        warnings.push_back("vertical distances at a contact angle of " +
+                           text_of(patch.place.own_angle) + " rad (good up to " +
+                           text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
+      }
+    } else if (turn > planar_limit) {
+      warnings.push_back("the rail turns by " + text_of(turn) +
+                         " rad within a patch (a plane is good up to " + text_of(planar_limit) +
+                         ")");
     }
   }
   if (!request_.grid && (!result_.error_estimate || *result_.error_estimate > request_.accuracy)) {
@@ -407,12 +779,70 @@ void SideSolver::warn_about(const Trial& trial) {
                             ? ": estimated error " + text_of(*result_.error_estimate)
                             : std::string()));
   }
-  const PenetrationRegion region = find_penetration_region(equilibrium_.scan, trial.depth);
-  if (region.other_regions) {
-    warnings.push_back(
-        "wheel and rail also meet at s_wheel = " + text_of(region.other_wheel_lateral) +
-        " mm under another angle; that patch is not computed");
+  if (request_.gap == GapConvention::vertical) {
+    if (const auto left_out = empty_plan(trial.depth).left_out_s) {
+      warnings.push_back("wheel and rail also meet at s_wheel = " + text_of(*left_out) +
+                         " mm under another angle; with vertical distances that patch is left out");
+    }
   }
+}
+
+/// Deepest overlap of the undeformed bodies along the normal, by parabolas through the least
+/// distance and its neighbours.
+double overlap_of(const PatchTrial& patch, double approach) {
+  const auto least = std::min_element(patch.distance.begin(), patch.distance.end());
+  const auto index = static_cast<std::size_t>(least - patch.distance.begin());
+  const std::size_t columns = patch.grid.longitudinal_count;
+  const std::size_t row = index / columns;
+  const std::size_t column = index % columns;
+  double deepest = *least;
+  const auto deepen = [&](double before, double after) {
+    const double curvature = before - 2.0 * *least + after;
+    if (curvature > 0.0) {
+      deepest -= (after - before) * (after - before) / (8.0 * curvature);
+    }
+  };
+  if (row > 0 && row + 1 < patch.grid.lateral_count) {
+    deepen(patch.distance[index - columns], patch.distance[index + columns]);
+  }
+  if (column > 0 && column + 1 < columns) {
+    deepen(patch.distance[index - 1], patch.distance[index + 1]);
+  }
+  return patch.share * approach - deepest;
+}
+
+void SideSolver::take(Trial trial) {
+  result_.in_contact = !trial.no_contact();
+  result_.depth = trial.depth;
+  result_.approach = trial.approach;
+  result_.next_depth = trial.next_depth;
+  result_.vertical = equilibrium_.vertical - trial.depth;
+  result_.peak_pressure = trial.peak_pressure();
+  result_.combined_modulus = request_.combined_modulus;
+  result_.stop_reason = trial.stop_reason;
+  if (!position_is_prescribed()) {
+    result_.load = prescribed_load();
+  }
+  for (PatchTrial& patch : trial.patches) {
+    if (patch.no_contact()) {
+      continue;
+    }
+    PatchSolution& taken = result_.patches.emplace_back();
+    taken.approach = overlap_of(patch, trial.approach);
+    taken.place = patch.place;
+    taken.frame = patch.frame;
+    taken.grid = patch.grid;
+    taken.share = patch.share;
+    taken.closeness = patch.closeness;
+    taken.normal_force = patch.normal_force;
+    taken.contact = patch.contact;
+    taken.undeformed_distance = std::move(patch.distance);
+    taken.pressure = std::move(patch.pressure);
+  }
+  std::stable_sort(result_.patches.begin(), result_.patches.end(),
+                   [](const PatchSolution& one, const PatchSolution& other) {
+                     return one.normal_force > other.normal_force;
+                   });
 }
 
 SideSolution SideSolver::solve() {
@@ -421,61 +851,64 @@ SideSolution SideSolver::solve() {
         "contact at the end of a profile, or where the rail turns upright");
   }
   result_.vertical = equilibrium_.vertical;
-  const double load =
-      request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(1.0);
+  const double load = position_is_prescribed() ? 1.0 : prescribed_load();
   const double depth = load > 0.0 ? first_depth() : 0.0;
   if (!(depth > 0.0)) {
     result_.warnings.emplace_back(position_is_prescribed() ? "no contact at this height"
                                                            : "no load");
     return std::move(result_);
   }
-  Resolution resolution = start_resolution();
-  const Trial coarse =
-      settle_on_coarse_grids(depth, {0.5 * resolution.lateral, resolution.longitudinal});
-  if (coarse.no_contact()) {
-    throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
+  std::optional<Trial> trial = solve_as_before(depth);
+  if (!trial) {
+    const Resolution resolution = start_resolution();
+    const Trial coarse =
+        settle_on_coarse_grids(depth, {0.5 * resolution.lateral, resolution.longitudinal});
+    if (coarse.no_contact()) {
+      throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
+    }
+    trial = solve_on_final_grid(coarse, resolution);
   }
-  Trial trial = solve_on_final_grid(coarse, resolution);
-  remember(trial, resolution);
-  warn_about(trial);
-  result_.in_contact = !trial.no_contact();
-  result_.frame = trial.frame;
-  result_.grid = trial.grid;
-  result_.depth = trial.depth;
-  result_.vertical = equilibrium_.vertical - trial.depth;
-  result_.approach = trial.next_depth * trial.frame.normal.z;
-  result_.peak_pressure = trial.contact.peak_pressure;
-  result_.regions = pressure_regions(trial.grid, trial.normal.pressure);
-  result_.undeformed_distance = std::move(trial.distance);
-  result_.normal = std::move(trial.normal);
-  result_.combined_modulus = request_.combined_modulus;
-  if (!position_is_prescribed()) {
-    result_.normal_load = trial.normal_load;
-  }
+  remember(*trial);
+  warn_about(*trial);
+  take(std::move(*trial));
   return std::move(result_);
 }
 
-void SideSolver::remember(const Trial& trial, const Resolution& resolution) {
-  memory_.valid = !trial.no_contact() && !position_is_prescribed();
+void SideSolver::remember(const Trial& trial) {
+  const bool complete = std::none_of(trial.patches.begin(), trial.patches.end(),
+                                     [](const PatchTrial& patch) { return patch.no_contact(); });
+  memory_.valid = complete && !position_is_prescribed();
   if (!memory_.valid) {
     return;
   }
   memory_.depth = trial.next_depth;
   memory_.load = prescribed_load();
   memory_.accuracy = request_.accuracy;
-  // Begin the next time with as many elements as are enough, but not with less than half of these.
-  const double surplus = std::sqrt(lateral_error_ / (aimed_share * request_.accuracy));
-  const double factor = std::clamp(surplus, 0.5, 1.0);
-  const Resolution least = usual_resolution();
-  memory_.resolution = {std::max(factor * resolution.lateral, least.lateral), least.longitudinal};
-  const PlaneArea penetrated = penetrated_area(trial.next_depth, trial.frame);
-  const PlaneArea contact = trial.contact_area(0.0);
-  memory_.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
-  memory_.lateral_last = (contact.lateral_last - penetrated.lateral_first) / penetrated.width();
-  memory_.longitudinal_first =
-      (contact.longitudinal_first - penetrated.longitudinal_first) / penetrated.length();
-  memory_.longitudinal_last =
-      (contact.longitudinal_last - penetrated.longitudinal_first) / penetrated.length();
+  double factor = 1.0;
+  if (estimated_) {
+    // As many elements as are enough, by the second order of the error.
+    factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * request_.accuracy)), 0.5, 1.0);
+    const double error = *result_.error_estimate + lateral_error_ * (1.0 / (factor * factor) - 1.0);
+    memory_.error_estimate = error <= request_.accuracy ? std::optional(error) : std::nullopt;
+  }
+  memory_.patches.resize(trial.patches.size());
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    const PatchTrial& patch = trial.patches[k];
+    SideMemory::Patch& kept = memory_.patches[k];
+    if (estimated_) {
+      kept.resolution = {factor * patch.rows(), patch.columns()};
+      kept.y_first = patch.place.y_first;
+      kept.y_last = patch.place.y_last;
+    }
+    const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
+    const PlaneArea contact = patch.contact_area(0.0);
+    kept.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
+    kept.lateral_last = (contact.lateral_last - penetrated.lateral_first) / penetrated.width();
+    kept.longitudinal_first =
+        (contact.longitudinal_first - penetrated.longitudinal_first) / penetrated.length();
+    kept.longitudinal_last =
+        (contact.longitudinal_last - penetrated.longitudinal_first) / penetrated.length();
+  }
 }
 
 } // namespace
@@ -484,18 +917,6 @@ SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,
                         NormalSolver& solver, SideMemory& memory) {
   return SideSolver(wheel, rail, equilibrium, request, solver, memory).solve();
-}
-
-NormalProblem problem_of(const SideSolution& solution) {
-  NormalProblem problem;
-  problem.grid = solution.grid;
-  problem.undeformed_distance = solution.undeformed_distance;
-  problem.combined_modulus = solution.combined_modulus;
-  problem.normal_load = solution.normal_load;
-  if (!solution.normal_load) {
-    problem.approach = 0.0;
-  }
-  return problem;
 }
 
 } // namespace wrc

@@ -3,20 +3,26 @@
 /// Joins remesh and mechanics for one side:
 ///  1. the depth to which the wheel sinks is taken from the last solution, or else estimated from
 ///     the virtual penetration;
-///  2. coarse half-space solutions settle depth, contact plane and the extent of contact;
+///  2. the patches of penetration at that depth (remesh/contact_patches.hpp), each with a plane, an
+///     area and a grid of its own, are solved together (mechanics/joint_contact.hpp); coarse
+///     solutions settle depth, planes and the extents of contact;
 ///  3. the undeformed distance is sampled again with the wheel lowered by that depth (not at the
 ///     first touch: under a contact angle a sinking wheel also slides along the tangent) on the
-///     final grid, and solved. If the depth found then differs so much that the slide it makes,
+///     final grids, and solved. If the depth found then differs so much that the slide it makes,
 ///     |change| sin(angle), exceeds a small share of the depth, the distance is sampled anew;
-///  4. contact must not touch the edge of the area, nor may the pressures leave overlap beyond it:
-///     else the area grows, and the result counts it.
-/// With an accuracy asked, the grid is refined by two until the difference of two grids, by the
-/// second order of the method (docs/method.md), says that pmax and approach are met. The grids'
-/// aspect ratios are then steps of a ladder, so that influence coefficients kept from one position
-/// serve the next.
+///  4. contact must not touch the edge of an area, nor may the pressures leave overlap beyond it:
+///     else the area grows, and the result counts it;
+///  5. without a grid given, grids are refined until the error estimated from two of them meets the
+///     accuracy. A wheel that has hardly moved since that was found out is solved on one grid only,
+///     as fine as the one that met it.
+/// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
+/// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
+/// patch. Patches that are close turn their planes towards each other and feel each other in part
+/// (closeness of contact_patches.hpp), so that nothing jumps when they join; patches that are far
+/// apart do not feel each other unless `interaction` is set.
 /// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
 /// Thread rule: solver and memory serve one thread at a time; otherwise a pure function.
-/// Not known here: several patches in planes of their own; friction; forces between the wheels.
+/// Not known here: friction; forces between the wheels; patches that are not plane.
 #pragma once
 
 #include <array>
@@ -26,42 +32,50 @@
 #include <vector>
 
 #include "geometry/wheelset_equilibrium.hpp"
-#include "mechanics/normal_contact.hpp"
+#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "mechanics/pressure_field.hpp"
 #include "remesh/contact_frame.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "scene/trial.hpp"
 
 namespace wrc {
 
-enum class SolverChoice { automatic, paper };
+enum class SolverChoice { standard, paper };
 
 struct SideRequest {
   GapConvention gap = GapConvention::tangent;
   double combined_modulus = 0.0;
   /// Exactly one of the three is set.
   std::optional<double> vertical_load; ///< N
-  std::optional<double> normal_load;   ///< N, along the frame's normal
+  std::optional<double> normal_load;   ///< N, along the normal of the main patch
   std::optional<double> vertical;      ///< height of the wheelset's centre, mm
   double accuracy = 1e-3;
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
-  SolverChoice solver = SolverChoice::automatic;
+  SolverChoice solver = SolverChoice::standard;
+  bool interaction = false; ///< patches feel each other in full, however far apart
   int maximum_iterations = 5000;
 };
 
 /// What a solution leaves for the next one at a neighbouring position: a start, never an answer.
 struct SideMemory {
+  /// Where contact lay in a patch's rectangle of virtual penetration, as shares of its sides, and
+  /// how many elements were enough.
+  struct Patch {
+    double lateral_first = 0.0, lateral_last = 1.0;
+    double longitudinal_first = 0.0, longitudinal_last = 1.0;
+    Resolution resolution;
+    double y_first = 0.0, y_last = 0.0; ///< of the penetration when the error was estimated
+  };
   bool valid = false;
   double depth = 0.0;
-  double load = 0.0;     ///< the one prescribed, N
-  Resolution resolution; ///< that met the accuracy
+  double load = 0.0; ///< the one prescribed, N
   double accuracy = 0.0;
-  /// Where contact lay in the rectangle of virtual penetration, as shares of its sides.
-  double lateral_first = 0.0, lateral_last = 1.0;
-  double longitudinal_first = 0.0, longitudinal_last = 1.0;
+  std::vector<Patch> patches; ///< ordered by y
+  /// Estimated on two grids; none if it was not met.
+  std::optional<double> error_estimate;
 };
 
 struct StageTimes {
@@ -69,22 +83,38 @@ struct StageTimes {
   double mechanics = 0.0;
 };
 
-struct SideSolution {
-  bool in_contact = false;
+/// A patch in its plane.
+struct PatchSolution {
+  ContactPatch place;
   ContactFrame frame;
   Grid grid;
-  double vertical = 0.0; ///< height of the wheelset's centre at which the distance was sampled
-  double depth = 0.0;    ///< vertical, from the first touch to that height
+  double share = 1.0;     ///< of the approach
+  double closeness = 0.0; ///< of the interaction with another patch: the largest
   std::vector<double> undeformed_distance;
-  NormalSolution normal;             ///< without displacement and residuals, see problem_of
-  std::optional<double> normal_load; ///< of the normal contact problem; or its approach
+  std::vector<double> pressure;
+  double normal_force = 0.0;
+  PressureRegion contact; ///< all elements under pressure together
+  /// Along the normal, from where the bodies touch there: the deepest vertical penetration times
+  /// the cosine of the angle.
+  double approach = 0.0;
+};
+
+struct SideSolution {
+  bool in_contact = false;
+  std::vector<PatchSolution> patches; ///< largest normal force first; with pressure only
+  double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
+  double depth = 0.0;         ///< vertical, from the first touch to that height
+  double approach = 0.0;      ///< answer to the joint problem, from that height
+  double next_depth = 0.0;    ///< vertical, from the first touch to the height solved for
+  std::optional<double> load; ///< of the joint problem; or the approach was prescribed
   double combined_modulus = 0.0;
-  double approach = 0.0; ///< along the frame's normal, from the first touch
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
-  std::vector<PressureRegion> regions;
-  int iterations = 0; ///< of all solutions together
-  int regrown = 0;    ///< how often the area had to grow
+  StopReason stop_reason = StopReason::tolerance_met;
+  int iterations = 0;   ///< of all solutions together
+  int convolutions = 0; ///< likewise: applications of the influence coefficients
+  int solutions = 0;    ///< joint problems solved
+  int regrown = 0;      ///< how often an area had to grow
   StageTimes times;
   std::vector<std::string> warnings;
 };
@@ -93,8 +123,5 @@ struct SideSolution {
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,
                         NormalSolver& solver, SideMemory& memory);
-
-/// The normal contact problem that was solved last; refers to the distances in the solution.
-NormalProblem problem_of(const SideSolution& solution);
 
 } // namespace wrc

@@ -52,104 +52,6 @@ Profile load_profile(const std::string& name, ProfileKind kind, double smoothing
   }
 }
 
-/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
-ContactPlace place_of(const ContactCandidate& candidate, const WheelSurface& wheel,
-                      const RailSurface& rail, double vertical, double side) {
-  ContactPlace place;
-  const Vector3 position = candidate.wheel.position;
-  const double rail_z = position.z - candidate.distance;
-  place.x = position.x;
-  place.y = side * position.y;
-  place.z = rail_z;
-  place.angle = side * candidate.rail_angle;
-  place.s_wheel = candidate.wheel.lateral;
-  place.w_wheel = candidate.wheel.height;
-  place.wheel_angle = candidate.wheel.wheel_angle;
-  rail.to_profile_frame(position.y, rail_z, place.t_rail, place.v_rail);
-  place.rolling_radius = wheel.radius() + candidate.wheel.height;
-  place.distance = candidate.distance + vertical;
-  return place;
-}
-
-PatchResult patch_of(const PressureRegion& region, const SideSolution& solution,
-                     const PosedPair& pair, double side) {
-  PatchResult patch;
-  patch.pmax = region.peak_pressure;
-  patch.area = region.area;
-  patch.normal_force = region.normal_force;
-  patch.approach = solution.approach;
-  patch.angle = side * solution.frame.angle();
-  patch.semi_axis_longitudinal = region.semi_axis_longitudinal;
-  patch.semi_axis_lateral = region.semi_axis_lateral;
-  const SurfacePlace surface =
-      surfaces_at(pair, solution.frame, region.centroid_longitudinal, region.centroid_lateral);
-  ContactPlace& centre = patch.centre;
-  centre.x = surface.rail.x;
-  centre.y = side * surface.rail.y;
-  centre.z = surface.rail.z;
-  centre.angle = side * surface.rail_angle;
-  centre.s_wheel = surface.wheel_lateral;
-  centre.w_wheel = surface.wheel_height;
-  centre.rolling_radius = pair.wheel.radius() + surface.wheel_height;
-  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, centre.t_rail, centre.v_rail);
-  return patch;
-}
-
-SideResult result_of(SideSolution solution, const std::shared_ptr<const WheelSurface>& wheel_owner,
-                     const std::shared_ptr<const RailSurface>& rail_owner,
-                     const SideEquilibrium& equilibrium, double side) {
-  const WheelSurface& wheel = *wheel_owner;
-  const RailSurface& rail = *rail_owner;
-  SideResult result;
-  result.vertical = equilibrium.vertical;
-  const auto& candidates = equilibrium.scan.candidates;
-  result.rigid_contact = place_of(candidates.front(), wheel, rail, equilibrium.vertical, side);
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    result.near_contacts.push_back(
-        place_of(candidates[i], wheel, rail, equilibrium.vertical, side));
-  }
-  result.warnings = std::move(solution.warnings);
-  result.details.mirror = side;
-  result.details.pose = equilibrium.pose;
-  result.details.vertical = solution.vertical;
-  result.details.wheel = wheel_owner;
-  result.details.rail = rail_owner;
-  result.iterations = solution.iterations;
-  result.regrown = solution.regrown;
-  result.angle = result.rigid_contact.angle;
-  if (!solution.in_contact) {
-    return result;
-  }
-  result.angle = side * solution.frame.angle();
-  result.pmax = solution.peak_pressure;
-  result.normal_force = solution.normal.normal_force;
-  result.vertical_force = result.normal_force * solution.frame.normal.z;
-  result.lateral_force = side * result.normal_force * solution.frame.normal.y;
-  result.approach = solution.approach;
-  result.depth = solution.approach / solution.frame.normal.z;
-  result.error_estimate = solution.error_estimate;
-  result.stop_reason = solution.normal.stop_reason;
-  result.grid = solution.grid;
-  const PosedPair pair{wheel, rail, equilibrium.pose, solution.vertical};
-  std::size_t in_contact = 0;
-  for (const PressureRegion& region : solution.regions) {
-    result.area += region.area;
-    result.pmax_element = std::max(result.pmax_element, region.largest_element_pressure);
-    in_contact += region.element_count;
-    result.patches.push_back(patch_of(region, solution, pair, side));
-  }
-  result.fill =
-      static_cast<double>(in_contact) / static_cast<double>(solution.grid.element_count());
-  SideDetails& details = result.details;
-  details.frame = solution.frame;
-  details.undeformed_distance = std::move(solution.undeformed_distance);
-  details.pressure = std::move(solution.normal.pressure);
-  details.combined_modulus = solution.combined_modulus;
-  details.normal_load = solution.normal_load;
-  details.problem_approach = solution.normal.approach;
-  return result;
-}
-
 /// What a profile was made from.
 template <class Dimensions> struct SurfaceKey {
   std::string name;
@@ -190,7 +92,42 @@ private:
 struct SideState {
   std::optional<NormalSolver> solver;
   SideMemory memory;
+  struct Touch {
+    double s;       ///< on the wheel
+    double lateral; ///< of the wheelset
+  };
+  std::optional<Touch> touch; ///< the last rigid contact
 };
+
+/// How far the rigid contact has jumped along the wheel; 0 if it has moved there. It has jumped if
+/// the distance rises on the way there from the last place, or if the place moves much faster than
+/// the wheelset (a least distance has vanished).
+double jump_of(const ContactScan& scan, const SideState::Touch& last, double lateral) {
+  constexpr double least_rise = 1e-7; // mm; above the rounding of distances
+  constexpr double standing = 0.5;    // mm; about the distance of the scan's nodes
+  constexpr double fastest = 20.0;    // times the wheelset's displacement
+  const double s = scan.candidates.front().wheel.lateral;
+  const double moved = s - last.s;
+  if (std::abs(moved) > standing + fastest * std::abs(lateral - last.lateral)) {
+    return moved;
+  }
+  // The profile of distances between both places, seen from the new one, must not fall.
+  double highest = scan.candidates.front().distance;
+  bool falls = false;
+  const auto look_at = [&](const DistanceSample& sample) {
+    const double at = sample.wheel.lateral;
+    if ((at - s) * (at - last.s) < 0.0) {
+      falls = falls || sample.distance < highest - least_rise;
+      highest = std::max(highest, sample.distance);
+    }
+  };
+  if (moved < 0.0) {
+    std::for_each(scan.samples.begin(), scan.samples.end(), look_at);
+  } else {
+    std::for_each(scan.samples.rbegin(), scan.samples.rend(), look_at);
+  }
+  return falls ? moved : 0.0;
+}
 
 /// Whether the last contact says anything about the next one.
 bool is_comparable(const Scene& one, const Scene& other) {
@@ -258,6 +195,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     }
     if (!comparable) {
       side->memory.valid = false;
+      side->touch.reset();
     }
   }
   last = scene;
@@ -293,8 +231,22 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     side_request.accuracy = scene.accuracy;
     side_request.grid = scene.grid;
     side_request.tolerance = scene.tolerance;
-    side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::automatic;
+    side_request.interaction = scene.interaction;
+    side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
     return solve_side(*wheel, *rail, equilibrium_of_side, side_request, *side.solver, side.memory);
+  };
+  const auto note_jump = [&scene](SideResult& result_of_side, const SideEquilibrium& found,
+                                  double mirror, SideState& side) {
+    const double lateral = mirror * scene.lateral;
+    if (side.touch) {
+      result_of_side.jump = jump_of(found.scan, *side.touch, lateral);
+    }
+    side.touch = SideState::Touch{found.scan.candidates.front().wheel.lateral, lateral};
+    if (result_of_side.jump != 0.0) {
+      result_of_side.warnings.push_back("the rigid contact has jumped by " +
+                                        text_of(result_of_side.jump) +
+                                        " mm along the wheel since the last solution");
+    }
   };
   std::future<SideSolution> other;
   if (equilibrium.right) {
@@ -309,12 +261,14 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   if (equilibrium.left) {
     SideSolution solution = solve_one(*equilibrium.left, scene.left_load, left);
     add_times(solution);
-    result.left = result_of(std::move(solution), wheel, rail, *equilibrium.left, 1.0);
+    result.left = make_side_result(std::move(solution), wheel, rail, *equilibrium.left, 1.0);
+    note_jump(*result.left, *equilibrium.left, 1.0, left);
   }
   if (equilibrium.right) {
     SideSolution solution = other.get();
     add_times(solution);
-    result.right = result_of(std::move(solution), wheel, rail, *equilibrium.right, -1.0);
+    result.right = make_side_result(std::move(solution), wheel, rail, *equilibrium.right, -1.0);
+    note_jump(*result.right, *equilibrium.right, -1.0, right);
   }
   if (result.left && result.right) {
     result.rolling_radius_difference =
@@ -334,8 +288,10 @@ SceneResult SceneSolver::solve(const Scene& scene) {
 }
 
 void SceneSolver::forget_positions() {
-  state_->left.memory.valid = false;
-  state_->right.memory.valid = false;
+  for (SideState* side : {&state_->left, &state_->right}) {
+    side->memory.valid = false;
+    side->touch.reset();
+  }
 }
 
 void SceneSolver::forget() {

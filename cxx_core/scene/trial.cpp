@@ -14,10 +14,10 @@ constexpr double ladder_steps = 8.0;
 constexpr double estimate_safety = 2.0;
 /// Weight of the load per length against pmax and approach: it is there for what they miss by
 /// chance, and differs by several times as much as they do where nothing is missed.
-constexpr double load_share = 0.25;
+constexpr double load_share = 0.4;
 /// The same on grids with many rows, which agree by chance no longer; there the difference is that
 /// of the columns.
-constexpr double fine_load_share = 0.15;
+constexpr double fine_load_share = 0.25;
 constexpr double many_rows = 80.0;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
@@ -29,12 +29,12 @@ constexpr double hertz_error = 0.22;
 constexpr double least_ratio = 1.2;
 
 /// Load per length across the rail, summed up from the first row: values at the rows' edges.
-std::vector<double> summed_load(const Trial& trial) {
+std::vector<double> summed_load(const PatchTrial& trial) {
   const Grid& grid = trial.grid;
   std::vector<double> sums{0.0};
   sums.reserve(grid.lateral_count + 1);
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    const double* values = trial.normal.pressure.data() + row * grid.longitudinal_count;
+    const double* values = trial.pressure.data() + row * grid.longitudinal_count;
     double sum = 0.0;
     for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
       sum += values[column];
@@ -47,7 +47,7 @@ std::vector<double> summed_load(const Trial& trial) {
 /// Largest difference of the load per length, averaged over the coarser rows, relative to the
 /// largest load per length. Only rows well inside the contact count: at its edges the difference
 /// falls more slowly and says nothing about the peak.
-double load_difference(const Trial& coarser, const Trial& finer) {
+double load_difference(const PatchTrial& coarser, const PatchTrial& finer) {
   const std::vector<double> coarse_sums = summed_load(coarser);
   const std::vector<double> fine_sums = summed_load(finer);
   const double shift = dot(finer.frame.origin - coarser.frame.origin, finer.frame.lateral);
@@ -120,11 +120,79 @@ Grid mesh_grid(const PlaneArea& area, const Mesh& mesh) {
                       count_over(area.length(), step), step * aspect, step);
 }
 
-double longitudinal_error(const Trial& trial) {
-  const std::vector<double>& pressure = trial.normal.pressure;
+PlaneArea PatchTrial::grown(double share_of_area) const {
+  PlaneArea larger = area;
+  const double width = share_of_area * area.width();
+  const double length = share_of_area * area.length();
+  larger.lateral_first -= contact.touches_edge.lateral_first ? width : 0.0;
+  larger.lateral_last += contact.touches_edge.lateral_last ? width : 0.0;
+  larger.longitudinal_first -= contact.touches_edge.longitudinal_first ? length : 0.0;
+  larger.longitudinal_last += contact.touches_edge.longitudinal_last ? length : 0.0;
+  return larger;
+}
+
+PlaneArea PatchTrial::contact_area(double margin) const {
+  const double reach = 0.5 + margin;
+  return {grid.lateral(contact.box.lateral_first) - reach * grid.lateral_step,
+          grid.lateral(contact.box.lateral_last) + reach * grid.lateral_step,
+          grid.longitudinal(contact.box.longitudinal_first) - reach * grid.longitudinal_step,
+          grid.longitudinal(contact.box.longitudinal_last) + reach * grid.longitudinal_step};
+}
+
+bool Trial::no_contact() const {
+  return std::all_of(patches.begin(), patches.end(),
+                     [](const PatchTrial& patch) { return patch.no_contact(); });
+}
+
+bool Trial::touches_edge() const {
+  return std::any_of(patches.begin(), patches.end(),
+                     [](const PatchTrial& patch) { return patch.touches_edge(); });
+}
+
+const PatchTrial& Trial::main() const {
+  return *std::max_element(patches.begin(), patches.end(),
+                           [](const PatchTrial& one, const PatchTrial& other) {
+                             return one.normal_force < other.normal_force;
+                           });
+}
+
+double Trial::peak_pressure() const {
+  double peak = 0.0;
+  for (const PatchTrial& patch : patches) {
+    peak = std::max(peak, patch.contact.peak_pressure);
+  }
+  return peak;
+}
+
+double Trial::normal_force() const {
+  double sum = 0.0;
+  for (const PatchTrial& patch : patches) {
+    sum += patch.normal_force;
+  }
+  return sum;
+}
+
+const PatchTrial* Trial::matching(const ContactPatch& place) const {
+  const auto found =
+      std::find_if(patches.begin(), patches.end(), [&place](const PatchTrial& patch) {
+        return !patch.no_contact() && patch.place.y_first <= place.deepest_y &&
+               place.deepest_y <= patch.place.y_last;
+      });
+  return found == patches.end() ? nullptr : &*found;
+}
+
+double Trial::weight(const PatchTrial& patch) const {
+  return patch.contact.peak_pressure / peak_pressure();
+}
+
+namespace {
+
+/// Elements under pressure along the rail, through the peak of a patch.
+double elements_through_peak(const PatchTrial& patch) {
+  const std::vector<double>& pressure = patch.pressure;
   const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
                                              pressure.begin());
-  const std::size_t columns = trial.grid.longitudinal_count;
+  const std::size_t columns = patch.grid.longitudinal_count;
   const std::size_t row_begin = peak - peak % columns;
   std::size_t first = peak;
   std::size_t last = peak;
@@ -134,32 +202,64 @@ double longitudinal_error(const Trial& trial) {
   while (last + 1 < row_begin + columns && pressure[last + 1] > 0.0) {
     ++last;
   }
-  const auto elements = static_cast<double>(last - first + 1);
-  return hertz_error / (elements * elements);
+  return static_cast<double>(last - first + 1);
+}
+
+} // namespace
+
+double longitudinal_error(const Trial& trial) {
+  double error = 0.0;
+  for (const PatchTrial& patch : trial.patches) {
+    if (!patch.no_contact()) {
+      const double elements = elements_through_peak(patch);
+      error = std::max(error, trial.weight(patch) * hertz_error / (elements * elements));
+    }
+  }
+  return error;
 }
 
 double longitudinal_resolution(double error) {
   return std::sqrt(hertz_error / error);
 }
 
-double estimate_error(const Trial& coarser, const Trial& finer, bool position_is_prescribed) {
+namespace {
+
+/// The ratio of elements across by which a patch was refined, in the direction refined least.
+double refinement_of(const PatchTrial& coarser, const PatchTrial& finer) {
   double ratio = std::numeric_limits<double>::infinity();
   for (const double directional :
        {finer.rows() / coarser.rows(), finer.columns() / coarser.columns()}) {
     ratio = directional > least_ratio ? std::min(ratio, directional) : ratio;
   }
-  if (!std::isfinite(ratio)) {
-    ratio = least_ratio;
+  return std::isfinite(ratio) ? ratio : least_ratio;
+}
+
+} // namespace
+
+double estimate_error(const Trial& coarser, const Trial& finer, bool position_is_prescribed) {
+  const double other =
+      position_is_prescribed
+          ? std::abs(finer.normal_force() - coarser.normal_force()) / finer.normal_force()
+          : std::abs(finer.next_depth - coarser.next_depth) / finer.next_depth;
+  double error = 0.0;
+  for (const PatchTrial& patch : finer.patches) {
+    if (patch.no_contact()) {
+      continue;
+    }
+    const double weight = finer.weight(patch);
+    const PatchTrial* before = coarser.matching(patch.place);
+    if (before == nullptr) {
+      error = std::max(error, weight); // not known before: all of it may be wrong
+      continue;
+    }
+    const double ratio = refinement_of(*before, patch);
+    const double peak = std::abs(patch.contact.peak_pressure - before->contact.peak_pressure) /
+                        patch.contact.peak_pressure;
+    const double share = before->rows() < many_rows ? load_share : fine_load_share;
+    const double difference = std::max(peak, share * load_difference(*before, patch));
+    error = std::max(error, std::max(weight * difference, other) / (ratio * ratio - 1.0));
   }
-  const double peak = std::abs(finer.contact.peak_pressure - coarser.contact.peak_pressure) /
-                      finer.contact.peak_pressure;
-  const double other = position_is_prescribed
-                           ? std::abs(finer.normal.normal_force - coarser.normal.normal_force) /
-                                 finer.normal.normal_force
-                           : std::abs(finer.next_depth - coarser.next_depth) / finer.next_depth;
-  const double share = coarser.rows() < many_rows ? load_share : fine_load_share;
-  const double difference = std::max({peak, other, share * load_difference(coarser, finer)});
-  return estimate_safety * difference / (ratio * ratio - 1.0) + finer.normal.pressure_error;
+  return estimate_safety * error + finer.pressure_error;
 }
 
 } // namespace wrc

@@ -1,11 +1,12 @@
-/// One attempt at a side: a grid, the solution on it, and what the next attempt needs of it.
+/// One attempt at a side: grids for its patches, the solution on them, and what the next attempt
+/// needs of it.
 ///
 /// Errors are estimated from two attempts on different grids: pmax, approach (or force) and the
 /// load per length across the rail, q(y) = integral of p along the rail, all fall with the square
 /// of the element size where the profiles are smooth, so the difference of the two grids is
 /// (n_fine / n_coarse)^2 - 1 times the error of the finer one (Richardson). The load per length is
 /// there because pmax of two coarse grids may agree by chance; it shows every feature that the
-/// grids resolve differently across the rail.
+/// grids resolve differently across the rail. A patch counts by its pmax against that of the wheel.
 /// Units mm, N, MPa; frame of remesh/contact_frame.hpp. Thread rule: plain values.
 #pragma once
 
@@ -17,6 +18,7 @@
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/pressure_field.hpp"
 #include "remesh/contact_frame.hpp"
+#include "remesh/contact_patches.hpp"
 #include "remesh/potential_contact_area.hpp"
 
 namespace wrc {
@@ -25,6 +27,10 @@ namespace wrc {
 struct Resolution {
   double lateral = 0.0;
   double longitudinal = 0.0;
+
+  [[nodiscard]] Resolution times(double factor) const {
+    return {factor * lateral, factor * longitudinal};
+  }
 };
 
 /// Grids of an area: steps aimed at and, if these count, the numbers of elements given by hand.
@@ -38,17 +44,26 @@ struct Mesh {
 /// the numbers of elements given.
 Grid mesh_grid(const PlaneArea& area, const Mesh& mesh);
 
-/// A grid, its solution, and what the next one needs of it.
-struct Trial {
+/// Where a patch is looked for, and on what grid.
+struct PatchPlan {
+  ContactPatch place;
+  ContactFrame frame;
+  PlaneArea area;
+  Mesh mesh;
+};
+
+/// A patch's grid, its part of the solution, and what the next one needs of it.
+struct PatchTrial {
+  ContactPatch place;
   ContactFrame frame;
   PlaneArea area;
   Grid grid;
-  double depth = 0.0;
+  double share = 1.0;     ///< of the approach, along the patch's normal
+  double closeness = 0.0; ///< of the interaction with another patch: the largest
   std::vector<double> distance;
-  NormalSolution normal;
-  std::optional<double> normal_load;
-  PressureRegion contact;  ///< all elements under pressure together
-  double next_depth = 0.0; ///< the depth that the solution asks for
+  std::vector<double> pressure;
+  double normal_force = 0.0;
+  PressureRegion contact; ///< all elements under pressure together
 
   [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
   [[nodiscard]] bool touches_edge() const { return contact.touches_edge.any(); }
@@ -60,32 +75,38 @@ struct Trial {
   [[nodiscard]] double columns() const {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
-  /// The area with each edge that contact touches moved out.
-  [[nodiscard]] PlaneArea grown(double share) const {
-    PlaneArea larger = area;
-    const double width = share * area.width();
-    const double length = share * area.length();
-    larger.lateral_first -= contact.touches_edge.lateral_first ? width : 0.0;
-    larger.lateral_last += contact.touches_edge.lateral_last ? width : 0.0;
-    larger.longitudinal_first -= contact.touches_edge.longitudinal_first ? length : 0.0;
-    larger.longitudinal_last += contact.touches_edge.longitudinal_last ? length : 0.0;
-    return larger;
-  }
-  /// The area around the contact found, with some room.
-  [[nodiscard]] PlaneArea contact_area(double margin) const {
-    const double reach = 0.5 + margin;
-    return {grid.lateral(contact.box.lateral_first) - reach * grid.lateral_step,
-            grid.lateral(contact.box.lateral_last) + reach * grid.lateral_step,
-            grid.longitudinal(contact.box.longitudinal_first) - reach * grid.longitudinal_step,
-            grid.longitudinal(contact.box.longitudinal_last) + reach * grid.longitudinal_step};
-  }
   [[nodiscard]] Resolution resolution() const { return {rows(), columns()}; }
+  /// The area with each edge that contact touches moved out.
+  [[nodiscard]] PlaneArea grown(double share) const;
+  /// The area around the contact found, with some room in elements.
+  [[nodiscard]] PlaneArea contact_area(double margin) const;
   /// Steps that put this many elements across the contact.
   [[nodiscard]] Mesh mesh_across(const Resolution& elements) const {
     return {rows() * grid.lateral_step / elements.lateral,
             columns() * grid.longitudinal_step / elements.longitudinal,
             {}};
   }
+};
+
+/// All patches of a wheel, ordered by y, solved together.
+struct Trial {
+  double depth = 0.0; ///< at which distances were sampled
+  std::vector<PatchTrial> patches;
+  double approach = 0.0;   ///< answer to the joint problem, from that depth
+  double next_depth = 0.0; ///< the depth that the solution asks for
+  StopReason stop_reason = StopReason::tolerance_met;
+  double pressure_error = 0.0;
+
+  [[nodiscard]] bool no_contact() const;
+  [[nodiscard]] bool touches_edge() const;
+  /// The one with the largest normal force.
+  [[nodiscard]] const PatchTrial& main() const;
+  [[nodiscard]] double peak_pressure() const;
+  [[nodiscard]] double normal_force() const;
+  /// The patch in contact that holds the deepest place of another one; none if there is none.
+  [[nodiscard]] const PatchTrial* matching(const ContactPatch& place) const;
+  /// What the error of a patch's pmax counts, against the wheel's.
+  [[nodiscard]] double weight(const PatchTrial& patch) const;
 };
 
 /// Relative error of pmax and approach that the elements along the rail leave. The wheel is round

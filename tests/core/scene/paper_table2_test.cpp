@@ -32,8 +32,8 @@ TEST_P(PaperTable2, LargestPressure) {
   const SideResult& left = *result.left;
   EXPECT_NEAR(left.pmax, GetParam().pmax, table_tolerance * GetParam().pmax);
   EXPECT_EQ(left.stop_reason, StopReason::tolerance_met);
-  EXPECT_EQ(left.grid.lateral_count, 256u);
-  EXPECT_EQ(left.grid.longitudinal_count, 128u);
+  EXPECT_EQ(left.patches.at(0).grid.lateral_count, 256u);
+  EXPECT_EQ(left.patches.at(0).grid.longitudinal_count, 128u);
 }
 
 // y = 1 and y = 5 are sensitive scenes: docs/validation.md reports them with their sensitivity.

@@ -57,7 +57,7 @@ public:
     equilibrium = *find_equilibrium(wheel_, rail_, request).left;
   }
 
-  /// One patch under the load, in the plane that the solution takes.
+  /// The patches under the load, in the planes that the solution takes.
   void press(GapConvention gap) {
     SideRequest request;
     request.gap = gap;
@@ -69,7 +69,9 @@ public:
     const SideSolution solution = solve_side(wheel_, rail_, equilibrium, request, solver, memory);
     ASSERT_TRUE(solution.in_contact);
     vertical = solution.vertical;
-    patches.push_back({solution.frame, solution.grid, {}, {}});
+    for (const PatchSolution& patch : solution.patches) {
+      patches.push_back({patch.frame, patch.grid, {}, {}});
+    }
     solve();
   }
 

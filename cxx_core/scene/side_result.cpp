@@ -1,0 +1,186 @@
+#include "scene/side_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/contact_area.hpp"
+#include "mechanics/hertz.hpp"
+
+namespace wrc {
+namespace {
+
+/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
+ContactPlace place_of(const ContactCandidate& candidate, const WheelSurface& wheel,
+                      const RailSurface& rail, double vertical, double side) {
+  ContactPlace place;
+  const Vector3 position = candidate.wheel.position;
+  const double rail_z = position.z - candidate.distance;
+  place.x = position.x;
+  place.y = side * position.y;
+  place.z = rail_z;
+  place.angle = side * candidate.rail_angle;
+  place.s_wheel = candidate.wheel.lateral;
+  place.w_wheel = candidate.wheel.height;
+  place.wheel_angle = candidate.wheel.wheel_angle;
+  rail.to_profile_frame(position.y, rail_z, place.t_rail, place.v_rail);
+  place.rolling_radius = wheel.radius() + candidate.wheel.height;
+  place.distance = candidate.distance + vertical;
+  return place;
+}
+
+/// Where the normal through a place of a patch's plane meets rail and wheel.
+ContactPlace place_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
+                      double lateral, double side) {
+  const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
+  ContactPlace place;
+  place.x = surface.rail.x;
+  place.y = side * surface.rail.y;
+  place.z = surface.rail.z;
+  place.angle = side * surface.rail_angle;
+  place.s_wheel = surface.wheel_lateral;
+  place.w_wheel = surface.wheel_height;
+  const Vector3 body =
+      Rotation(pair.pose).to_body(surface.wheel - Vector3{0.0, pair.pose.lateral, pair.vertical});
+  place.wheel_angle = std::atan2(body.x, -body.z);
+  place.rolling_radius = pair.wheel.radius() + surface.wheel_height;
+  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, place.t_rail, place.v_rail);
+  return place;
+}
+
+Vector3 position_of(const ContactPlace& place) {
+  return {place.x, place.y, place.z};
+}
+
+PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined_modulus,
+                     double side) {
+  PatchResult result;
+  const PressureRegion& contact = patch.contact;
+  result.pmax = contact.peak_pressure;
+  result.pmax_element = contact.largest_element_pressure;
+  result.area = contact_area(patch.grid, patch.pressure);
+  result.normal_force = patch.normal_force;
+  result.approach = patch.approach;
+  result.angle = side * patch.frame.angle();
+  result.closeness = patch.closeness;
+  result.reference = place_on(pair, patch.frame, 0.0, 0.0, side);
+  result.centroid =
+      place_on(pair, patch.frame, contact.centroid_longitudinal, contact.centroid_lateral, side);
+  const Vector3 normal{patch.frame.normal.x, side * patch.frame.normal.y, patch.frame.normal.z};
+  result.force = patch.normal_force * normal;
+  result.moment = cross(position_of(result.centroid) - position_of(result.reference), result.force);
+  result.semi_axis_longitudinal = contact.semi_axis_longitudinal;
+  result.semi_axis_lateral = contact.semi_axis_lateral;
+  if (contact.semi_axis_longitudinal > 0.0 && contact.semi_axis_lateral > 0.0) {
+    const HertzBodies bodies =
+        equivalent_hertz_bodies(contact.semi_axis_longitudinal, contact.semi_axis_lateral,
+                                combined_modulus, patch.normal_force);
+    result.radius_longitudinal = bodies.longitudinal_radius;
+    result.radius_lateral = bodies.lateral_radius;
+  }
+  result.fill =
+      static_cast<double>(contact.element_count) / static_cast<double>(patch.grid.element_count());
+  result.grid = patch.grid;
+  result.frame = patch.frame;
+  result.undeformed_distance = std::move(patch.undeformed_distance);
+  result.pressure = std::move(patch.pressure);
+  result.share = patch.share;
+  return result;
+}
+
+/// Force-weighted mean.
+ContactPlace mean_place(const std::vector<PatchResult>& patches, double normal_force) {
+  ContactPlace mean;
+  for (const PatchResult& patch : patches) {
+    const double weight = patch.normal_force / normal_force;
+    const ContactPlace& place = patch.centroid;
+    mean.x += weight * place.x;
+    mean.y += weight * place.y;
+    mean.z += weight * place.z;
+    mean.angle += weight * place.angle;
+    mean.s_wheel += weight * place.s_wheel;
+    mean.w_wheel += weight * place.w_wheel;
+    mean.wheel_angle += weight * place.wheel_angle;
+    mean.t_rail += weight * place.t_rail;
+    mean.v_rail += weight * place.v_rail;
+    mean.rolling_radius += weight * place.rolling_radius;
+  }
+  return mean;
+}
+
+} // namespace
+
+SideResult make_side_result(SideSolution solution, const std::shared_ptr<const WheelSurface>& wheel,
+                            const std::shared_ptr<const RailSurface>& rail,
+                            const SideEquilibrium& equilibrium, double side) {
+  SideResult result;
+  result.vertical = equilibrium.vertical;
+  const auto& candidates = equilibrium.scan.candidates;
+  result.rigid_contact = place_of(candidates.front(), *wheel, *rail, equilibrium.vertical, side);
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    result.near_contacts.push_back(
+        place_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
+  }
+  result.warnings = std::move(solution.warnings);
+  result.details = {side,
+                    equilibrium.pose,
+                    solution.vertical,
+                    solution.combined_modulus,
+                    solution.load,
+                    solution.approach,
+                    wheel,
+                    rail};
+  result.iterations = solution.iterations;
+  result.convolutions = solution.convolutions;
+  result.solutions = solution.solutions;
+  result.regrown = solution.regrown;
+  result.angle = result.rigid_contact.angle;
+  if (!solution.in_contact) {
+    return result;
+  }
+  result.pmax = solution.peak_pressure;
+  result.depth = solution.next_depth;
+  result.error_estimate = solution.error_estimate;
+  result.stop_reason = solution.stop_reason;
+  const PosedPair pair{*wheel, *rail, equilibrium.pose, solution.vertical};
+  for (PatchSolution& patch : solution.patches) {
+    PatchResult& made = result.patches.emplace_back(
+        patch_of(std::move(patch), pair, solution.combined_modulus, side));
+    result.pmax_element = std::max(result.pmax_element, made.pmax_element);
+    result.area += made.area;
+    result.normal_force += made.normal_force;
+    result.force = result.force + made.force;
+    const Vector3 arm = position_of(made.reference) - position_of(result.patches.front().reference);
+    result.moment = result.moment + made.moment + cross(arm, made.force);
+  }
+  result.angle = result.patches.front().angle;
+  result.approach = result.patches.front().approach;
+  result.centroid = mean_place(result.patches, result.normal_force);
+  return result;
+}
+
+const Residuals& residuals_of(SideResult& side) {
+  if (side.residuals) {
+    return *side.residuals;
+  }
+  Residuals worst;
+  double load = 0.0;
+  for (const PatchResult& patch : side.patches) {
+    NormalProblem problem;
+    problem.grid = patch.grid;
+    problem.undeformed_distance = patch.undeformed_distance;
+    problem.combined_modulus = side.details.combined_modulus;
+    const double approach = patch.share * side.details.problem_approach;
+    problem.approach = approach;
+    const Residuals residuals = compute_residuals(problem, patch.pressure, approach);
+    worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
+    worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
+    load += patch.share * patch.normal_force;
+  }
+  if (side.details.load && !side.patches.empty()) {
+    worst.load_balance = std::abs(load - *side.details.load) / *side.details.load;
+  }
+  side.residuals = worst;
+  return *side.residuals;
+}
+
+} // namespace wrc

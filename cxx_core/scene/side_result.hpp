@@ -1,0 +1,110 @@
+/// What one wheel's solution is for those who asked: places, forces, patches.
+///
+/// In the track frame (geometry/frames.hpp), both sides alike: results of the right side are those
+/// of a left one mirrored. Forces and moments are those of the rail on the wheel.
+/// Units mm, N, N mm, MPa, rad. Thread rule: functions of the results are pure, but for
+/// residuals_of.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/side_solution.hpp"
+
+namespace wrc {
+
+/// A place where wheel and rail meet.
+struct ContactPlace {
+  double x = 0.0, y = 0.0, z = 0.0; ///< track frame
+  double angle = 0.0;               ///< of the rail's tangent about x, > 0: rises to the left
+  double s_wheel = 0.0;
+  double w_wheel = 0.0;
+  double wheel_angle = 0.0; ///< t of the wheel point about the axle, rad
+  double t_rail = 0.0;
+  double v_rail = 0.0;         ///< height in the rail profile's own frame
+  double rolling_radius = 0.0; ///< at the contact point
+  double distance = 0.0;       ///< vertical, at the first touch; 0 for the first contact
+};
+
+/// A patch in its plane.
+struct PatchResult {
+  double pmax = 0.0;
+  double pmax_element = 0.0; ///< largest element value
+  double area = 0.0;
+  double normal_force = 0.0;
+  Vector3 force;
+  Vector3 moment;         ///< about the contact reference
+  double approach = 0.0;  ///< deepest overlap of the undeformed bodies along the normal
+  double angle = 0.0;     ///< of the plane about x, > 0: rises to the left
+  double closeness = 0.0; ///< largest one to another patch of this wheel
+  ContactPlace reference; ///< weighted mean place of penetration, through which the plane goes
+  ContactPlace centroid;  ///< centre of pressure, on the rail's surface
+  double semi_axis_longitudinal = 0.0;
+  double semi_axis_lateral = 0.0;
+  double radius_longitudinal = 0.0; ///< of curvature, of the Hertzian bodies with these semi-axes
+  double radius_lateral = 0.0;
+  double fill = 0.0; ///< share of the elements under pressure
+  Grid grid;
+  /// What fields are computed from when they are asked for; left-hand frame of the side.
+  ContactFrame frame;
+  std::vector<double> undeformed_distance;
+  std::vector<double> pressure;
+  double share = 1.0; ///< of the joint problem's approach
+};
+
+/// What the fields of all patches have in common.
+struct SideDetails {
+  double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
+  Pose pose;             ///< left-hand frame of the side
+  double vertical = 0.0; ///< height of the wheelset's centre under load
+  double combined_modulus = 0.0;
+  std::optional<double> load;    ///< of the joint problem; or approach 0 is given
+  double problem_approach = 0.0; ///< answer to that problem
+  std::shared_ptr<const WheelSurface> wheel;
+  std::shared_ptr<const RailSurface> rail;
+};
+
+struct SideResult {
+  ContactPlace rigid_contact;
+  std::vector<ContactPlace> near_contacts; ///< further ones, nearest first
+  /// How far along the wheel's profile the rigid contact has jumped since the last solution with
+  /// the same solver, mm; 0 if it has moved without a jump, or if there is no last one.
+  double jump = 0.0;
+  double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
+  double pmax = 0.0;     ///< largest one of the patches
+  double pmax_element = 0.0;
+  double area = 0.0;         ///< of all patches
+  double normal_force = 0.0; ///< sum over the patches
+  Vector3 force;
+  Vector3 moment; ///< about the reference of the first patch
+  /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
+  ContactPlace centroid;
+  double approach = 0.0; ///< of the first patch
+  double depth = 0.0;    ///< vertical approach, from the first touch
+  double angle = 0.0;    ///< of the first patch
+  std::optional<double> error_estimate;
+  int iterations = 0;
+  int convolutions = 0;
+  int solutions = 0;
+  int regrown = 0;
+  StopReason stop_reason = StopReason::tolerance_met;
+  std::optional<Residuals> residuals; ///< once asked for, see residuals_of
+  std::vector<PatchResult> patches;   ///< largest normal force first
+  std::vector<std::string> warnings;
+  SideDetails details;
+};
+
+/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
+SideResult make_side_result(SideSolution solution, const std::shared_ptr<const WheelSurface>& wheel,
+                            const std::shared_ptr<const RailSurface>& rail,
+                            const SideEquilibrium& equilibrium, double side);
+
+/// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
+/// of their own; computed once. Patches by themselves: what they displace at each other is left out
+/// of the gaps, and makes up for what is reported where they interact.
+const Residuals& residuals_of(SideResult& side);
+
+} // namespace wrc
