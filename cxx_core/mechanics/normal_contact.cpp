@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "mechanics/displacement_operator.hpp"
 #include "mechanics/joint_contact.hpp"
+#include "reductions.hpp"
 
 namespace wrc {
 
@@ -59,6 +60,9 @@ namespace {
 
 void check_distances(std::span<const double> distance, const Grid& grid) {
   check_size("undeformed_distance", distance.size(), grid.element_count());
+  if (all_finite(distance.data(), distance.size())) {
+    return;
+  }
   for (std::size_t index = 0; index < distance.size(); ++index) {
     if (!std::isfinite(distance[index])) {
       throw_invalid_argument("undeformed_distance[" + std::to_string(index) + "]", distance[index],

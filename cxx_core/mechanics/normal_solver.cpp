@@ -7,6 +7,7 @@
 
 #include "mechanics/cascade.hpp"
 #include "mechanics/projected_cg.hpp"
+#include "reductions.hpp"
 #include "vector_clones.hpp"
 
 namespace wrc {
@@ -58,12 +59,8 @@ struct Cascade {
   [[nodiscard]] Level& finest() { return levels.front(); }
 };
 
-double sum_of(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum;
+double sum_of(const std::vector<double>& values) {
+  return wrc::sum_of(values.data(), values.size());
 }
 
 /// The approach below which a share of the elements lies.
@@ -506,7 +503,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   bool has_start = true;
   for (const PatchGap& patch : problem.patches) {
     const double least =
-        *std::min_element(patch.undeformed_distance.begin(), patch.undeformed_distance.end());
+        least_of(patch.undeformed_distance.data(), patch.undeformed_distance.size());
     least_approach = std::min(least_approach, least / patch.approach_share);
     has_start = has_start && patch.start.has_value();
   }

@@ -125,6 +125,7 @@ PressureRegion RegionSums::finish(const Grid& grid, std::span<const double> pres
   if (count_ == 0) {
     return region;
   }
+  region.largest_element = largest_element_;
   region.largest_element_pressure = largest_pressure_;
   region.peak_pressure = fitted_peak(grid, pressure, largest_element_);
   region.element_count = count_;

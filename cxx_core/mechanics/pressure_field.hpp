@@ -50,7 +50,8 @@ struct PressureRegion {
   double semi_axis_longitudinal = 0.0; ///< mm; 0 for a single row of elements
   double semi_axis_lateral = 0.0;      ///< mm; 0 for a single row of elements
   std::size_t element_count = 0;
-  std::size_t first_element = 0; ///< index of the first one with pressure
+  std::size_t first_element = 0;   ///< index of the first one with pressure
+  std::size_t largest_element = 0; ///< index of the one with the largest pressure
   EdgeContact touches_edge;
   IndexBox box; ///< of the elements with pressure; meaningless when there is none
 };

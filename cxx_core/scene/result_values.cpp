@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include "mechanics/contact_area.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
@@ -49,9 +50,14 @@ constexpr std::array touch_numbers{
     Number<ContactPlace>{"distance", [](const ContactPlace& p) { return p.distance; }},
 };
 
+/// Computed when it is asked for.
+double area_of_patch(const PatchResult& patch) {
+  return contact_area(patch.grid, patch.pressure);
+}
+
 constexpr std::array patch_numbers{
     Number<PatchResult>{"pmax", [](const PatchResult& p) { return p.pmax; }},
-    Number<PatchResult>{"area", [](const PatchResult& p) { return p.area; }},
+    Number<PatchResult>{"area", area_of_patch},
     Number<PatchResult>{"pmax_element", [](const PatchResult& p) { return p.pmax_element; }},
     Number<PatchResult>{"normal_force", [](const PatchResult& p) { return p.normal_force; }},
     Number<PatchResult>{"vertical_force", [](const PatchResult& p) { return p.force.z; }},
@@ -87,7 +93,14 @@ constexpr std::array side_numbers{
     Number<SideResult>{"vertical", [](const SideResult& r) { return r.vertical; }},
     Number<SideResult>{"pmax", [](const SideResult& r) { return r.pmax; }},
     Number<SideResult>{"pmax_element", [](const SideResult& r) { return r.pmax_element; }},
-    Number<SideResult>{"area", [](const SideResult& r) { return r.area; }},
+    Number<SideResult>{"area",
+                       [](const SideResult& r) {
+                         double area = 0.0;
+                         for (const PatchResult& patch : r.patches) {
+                           area += area_of_patch(patch);
+                         }
+                         return area;
+                       }},
     Number<SideResult>{"normal_force", [](const SideResult& r) { return r.normal_force; }},
     Number<SideResult>{"vertical_force", [](const SideResult& r) { return r.force.z; }},
     Number<SideResult>{"lateral_force", [](const SideResult& r) { return r.force.y; }},

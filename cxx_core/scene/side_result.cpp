@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/contact_area.hpp"
 #include "mechanics/hertz.hpp"
 
 namespace wrc {
@@ -57,7 +56,6 @@ PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined
   const PressureRegion& contact = patch.contact;
   result.pmax = contact.peak_pressure;
   result.pmax_element = contact.largest_element_pressure;
-  result.area = contact_area(patch.grid, patch.pressure);
   result.normal_force = patch.normal_force;
   result.approach = patch.approach;
   result.angle = side * patch.frame.angle();
@@ -146,7 +144,6 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
     PatchResult& made = result.patches.emplace_back(
         patch_of(std::move(patch), pair, solution.combined_modulus, side));
     result.pmax_element = std::max(result.pmax_element, made.pmax_element);
-    result.area += made.area;
     result.normal_force += made.normal_force;
     result.force = result.force + made.force;
     const Vector3 arm = position_of(made.reference) - position_of(result.patches.front().reference);

@@ -33,7 +33,6 @@ struct ContactPlace {
 struct PatchResult {
   double pmax = 0.0;
   double pmax_element = 0.0; ///< largest element value
-  double area = 0.0;
   double normal_force = 0.0;
   Vector3 force;
   Vector3 moment;         ///< about the contact reference
@@ -76,7 +75,6 @@ struct SideResult {
   double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
   double pmax = 0.0;     ///< largest one of the patches
   double pmax_element = 0.0;
-  double area = 0.0;         ///< of all patches
   double normal_force = 0.0; ///< sum over the patches
   Vector3 force;
   Vector3 moment; ///< about the reference of the first patch

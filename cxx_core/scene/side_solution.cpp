@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "mechanics/displacement_bound.hpp"
 #include "mechanics/displacement_operator.hpp"
+#include "reductions.hpp"
 #include "remesh/depth_estimate.hpp"
 
 namespace wrc {
@@ -43,15 +44,15 @@ constexpr double vertical_convention_limit = 0.15;
 /// not smooth there, their curvature jumps.
 constexpr double first_lateral_resolution = 20.0;
 /// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
-constexpr double longitudinal_share = 0.25;
+constexpr double longitudinal_share = 0.35;
 /// Elements across the contact at which it gives up.
 constexpr double last_resolution = 800.0;
 /// Refining by less tells too little about the error.
 constexpr double refinement = 2.0;
 /// Share of the accuracy that estimates aim at when the number of elements is chosen.
-constexpr double aimed_share = 0.55;
+constexpr double aimed_share = 0.5;
 /// Share of the accuracy that the iteration may take.
-constexpr double iteration_share = 0.2;
+constexpr double iteration_share = 0.1;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
 /// once on a grid that should resolve any smooth contact, is no convergence (a kink of a profile in
 /// the contact has no bounded pressure): further grids would be wasted.
@@ -63,6 +64,8 @@ constexpr int most_failures = 2;
 constexpr double estimate_reach = 0.05;
 /// Columns stay as they are if their number differs by no more than this share from what is wanted.
 constexpr double kept_columns = 0.2;
+/// So does a largest pressure that has changed by no more than this share.
+constexpr double estimate_pressure_reach = 0.02;
 /// Attempts with what is remembered before the side is solved anew.
 constexpr int warm_limit = 3;
 /// A patch with less pressure than the largest needs fewer elements: errors fall with their square.
@@ -161,8 +164,7 @@ private:
   [[nodiscard]] static std::vector<Resolution> by_patch(const Trial& trial,
                                                         const Resolution& resolution);
   [[nodiscard]] double tolerance() const {
-    return request_.grid ? request_.tolerance
-                         : std::min(request_.tolerance, iteration_share * request_.accuracy);
+    return request_.grid ? request_.tolerance : iteration_share * request_.accuracy;
   }
   Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
   Trial solve_on_final_grid(const Trial& coarse, const Resolution& resolution);
@@ -465,8 +467,8 @@ SidePlan SideSolver::next_plan(const Trial& trial, double depth,
     patch.area = limited(carried_over(area, last->frame, patch.frame), patch);
     patch.mesh = last->mesh_across(resolutions[index]);
     const double columns = last->columns();
-    if (std::abs(resolutions[index].longitudinal - columns) <= kept_columns * columns &&
-        !last->touches_edge()) {
+    if (!request_.grid && !last->touches_edge() &&
+        std::abs(resolutions[index].longitudinal - columns) <= kept_columns * columns) {
       // The same columns, so that what differs between both grids is due to the rows.
       const Grid& grid = last->grid;
       const double shift = last->frame.origin.x - patch.frame.origin.x;
@@ -727,6 +729,10 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
     for (std::size_t k = 0; k < plan.patches.size(); ++k) {
       const PatchTrial& patch = trial.patches[k];
       const Resolution& wanted = memory_.patches[k].resolution;
+      const double peak = memory_.patches[k].peak_pressure;
+      if (std::abs(patch.contact.peak_pressure - peak) > estimate_pressure_reach * peak) {
+        return std::nullopt;
+      }
       if (patch.rows() < (1.0 - estimate_reach) * wanted.lateral - 1.0 ||
           patch.columns() < (1.0 - estimate_reach) * wanted.longitudinal - 1.0) {
         return std::nullopt;
@@ -787,17 +793,23 @@ void SideSolver::warn_about(const Trial& trial) {
   }
 }
 
+/// The first element with the least value.
+std::size_t least_element(const std::vector<double>& values) {
+  const double least = least_of(values.data(), values.size());
+  return static_cast<std::size_t>(std::find(values.begin(), values.end(), least) - values.begin());
+}
+
 /// Deepest overlap of the undeformed bodies along the normal, by parabolas through the least
 /// distance and its neighbours.
 double overlap_of(const PatchTrial& patch, double approach) {
-  const auto least = std::min_element(patch.distance.begin(), patch.distance.end());
-  const auto index = static_cast<std::size_t>(least - patch.distance.begin());
+  const std::size_t index = least_element(patch.distance);
+  const double least = patch.distance[index];
   const std::size_t columns = patch.grid.longitudinal_count;
   const std::size_t row = index / columns;
   const std::size_t column = index % columns;
-  double deepest = *least;
+  double deepest = least;
   const auto deepen = [&](double before, double after) {
-    const double curvature = before - 2.0 * *least + after;
+    const double curvature = before - 2.0 * least + after;
     if (curvature > 0.0) {
       deepest -= (after - before) * (after - before) / (8.0 * curvature);
     }
@@ -899,6 +911,7 @@ void SideSolver::remember(const Trial& trial) {
       kept.resolution = {factor * patch.rows(), patch.columns()};
       kept.y_first = patch.place.y_first;
       kept.y_last = patch.place.y_last;
+      kept.peak_pressure = patch.contact.peak_pressure;
     }
     const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
     const PlaneArea contact = patch.contact_area(0.0);

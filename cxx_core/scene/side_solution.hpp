@@ -67,7 +67,9 @@ struct SideMemory {
     double lateral_first = 0.0, lateral_last = 1.0;
     double longitudinal_first = 0.0, longitudinal_last = 1.0;
     Resolution resolution;
-    double y_first = 0.0, y_last = 0.0; ///< of the penetration when the error was estimated
+    /// When the error was estimated: ends of the penetration, and the largest pressure.
+    double y_first = 0.0, y_last = 0.0;
+    double peak_pressure = 0.0;
   };
   bool valid = false;
   double depth = 0.0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reductions.hpp"
+
 namespace wrc {
 namespace {
 
@@ -12,13 +14,12 @@ namespace {
 constexpr double ladder_steps = 8.0;
 /// Factor on the estimated discretisation error, for its own uncertainty.
 constexpr double estimate_safety = 2.0;
+/// The same if the coarser grid has many rows: such grids agree by chance no longer.
+constexpr double fine_safety = 1.5;
+constexpr double many_rows = 40.0;
 /// Weight of the load per length against pmax and approach: it is there for what they miss by
 /// chance, and differs by several times as much as they do where nothing is missed.
 constexpr double load_share = 0.4;
-/// The same on grids with many rows, which agree by chance no longer; there the difference is that
-/// of the columns.
-constexpr double fine_load_share = 0.25;
-constexpr double many_rows = 80.0;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
 /// Times 1/n^2: largest error of pmax and approach for Hertzian contact, n >= 8 elements along and
@@ -35,18 +36,14 @@ std::vector<double> summed_load(const PatchTrial& trial) {
   sums.reserve(grid.lateral_count + 1);
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const double* values = trial.pressure.data() + row * grid.longitudinal_count;
-    double sum = 0.0;
-    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
-      sum += values[column];
-    }
-    sums.push_back(sums.back() + sum * grid.element_area());
+    sums.push_back(sums.back() + sum_of(values, grid.longitudinal_count) * grid.element_area());
   }
   return sums;
 }
 
-/// Largest difference of the load per length, averaged over the coarser rows, relative to the
-/// largest load per length. Only rows well inside the contact count: at its edges the difference
-/// falls more slowly and says nothing about the peak.
+/// Difference of the load per length, averaged over the coarser rows, relative to the largest load
+/// per length: root of the mean square over the rows. Only rows well inside the contact count: at
+/// its edges the difference falls more slowly and says nothing about the peak.
 double load_difference(const PatchTrial& coarser, const PatchTrial& finer) {
   const std::vector<double> coarse_sums = summed_load(coarser);
   const std::vector<double> fine_sums = summed_load(finer);
@@ -64,17 +61,19 @@ double load_difference(const PatchTrial& coarser, const PatchTrial& finer) {
   for (std::size_t row = 0; row < coarser.grid.lateral_count; ++row) {
     largest = std::max(largest, coarse_sums[row + 1] - coarse_sums[row]);
   }
-  double difference = 0.0;
+  double squares = 0.0;
+  double rows = 0.0;
   for (std::size_t row = 0; row < coarser.grid.lateral_count; ++row) {
     const double middle = coarser.grid.lateral(row);
     const double half = 0.5 * coarser.grid.lateral_step;
     const double load = coarse_sums[row + 1] - coarse_sums[row];
     if (load > inner_share * largest) {
-      difference = std::max(
-          difference, std::abs(fine_sum_at(middle + half) - fine_sum_at(middle - half) - load));
+      const double difference = fine_sum_at(middle + half) - fine_sum_at(middle - half) - load;
+      squares += difference * difference;
+      rows += 1.0;
     }
   }
-  return difference / largest;
+  return std::sqrt(squares / rows) / largest;
 }
 
 } // namespace
@@ -190,8 +189,7 @@ namespace {
 /// Elements under pressure along the rail, through the peak of a patch.
 double elements_through_peak(const PatchTrial& patch) {
   const std::vector<double>& pressure = patch.pressure;
-  const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
-                                             pressure.begin());
+  const std::size_t peak = patch.contact.largest_element;
   const std::size_t columns = patch.grid.longitudinal_count;
   const std::size_t row_begin = peak - peak % columns;
   std::size_t first = peak;
@@ -255,11 +253,11 @@ double estimate_error(const Trial& coarser, const Trial& finer, bool position_is
     const double ratio = refinement_of(*before, patch);
     const double peak = std::abs(patch.contact.peak_pressure - before->contact.peak_pressure) /
                         patch.contact.peak_pressure;
-    const double share = before->rows() < many_rows ? load_share : fine_load_share;
-    const double difference = std::max(peak, share * load_difference(*before, patch));
-    error = std::max(error, std::max(weight * difference, other) / (ratio * ratio - 1.0));
+    const double difference = std::max(peak, load_share * load_difference(*before, patch));
+    const double safety = before->rows() < many_rows ? estimate_safety : fine_safety;
+    error = std::max(error, safety * std::max(weight * difference, other) / (ratio * ratio - 1.0));
   }
-  return estimate_safety * error + finer.pressure_error;
+  return error + finer.pressure_error;
 }
 
 } // namespace wrc
