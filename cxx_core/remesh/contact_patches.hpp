@@ -39,7 +39,7 @@
 
 #include "geometry/contact_search.hpp"
 #include "remesh/contact_frame.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/plane_area.hpp"
 
 namespace wrc {
 

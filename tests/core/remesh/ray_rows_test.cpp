@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/wheelset_equilibrium.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "simple_profiles.hpp"
 
@@ -48,14 +48,15 @@ TEST_P(RayRows, AgreeWithSingleRays) {
   request.right = false;
   const auto equilibrium = find_equilibrium(wheel, rail, request);
   constexpr double depth = 0.1;
-  const PenetrationRegion region = find_penetration_region(equilibrium.left->scan, depth);
+  const ContactPatches found = find_contact_patches(equilibrium.left->scan, depth);
+  const ContactPatch& patch = found.patches[found.main];
   const PosedPair pair{wheel, rail, equilibrium.left->pose, equilibrium.left->vertical - depth};
-  const Vector3 origin{equilibrium.left->scan.candidates.front().wheel.position.x, region.mean_y,
-                       rail.graph().at_lateral(region.mean_y).height};
+  const Vector3 origin{equilibrium.left->scan.candidates.front().wheel.position.x, patch.mean_y,
+                       rail.graph().at_lateral(patch.mean_y).height};
   const ContactFrame frame = c.gap == GapConvention::tangent
-                                 ? tangent_frame(origin, region.mean_angle)
+                                 ? tangent_frame(origin, patch.angle)
                                  : vertical_frame(origin, Rotation(pair.pose));
-  const Grid grid = grid_over(area_of(region, rail, frame).widened(0.5 * (c.scale - 1.0)), 41, 53);
+  const Grid grid = grid_over(area_of(patch, rail, frame).widened(0.5 * (c.scale - 1.0)), 41, 53);
   const auto distance = sample_undeformed_distance(pair, frame, grid);
   std::size_t compared = 0;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
