@@ -163,7 +163,8 @@ void plot_outlines(std::ostream& out, const Scene& scene, const DrawnSide& side)
   constexpr double above = 34.0;
   constexpr double half_plane = 9.0;     // mm, drawn
   constexpr double longest_arrow = 20.0; // mm, of the largest force of this wheel
-  out << "set title '" << side.name << " wheel, in driving direction'\n"
+  constexpr double shortest_arrow = 3.0;
+  out << "set title '" << side.name << " wheel, seen in driving direction'\n"
       << "set xlabel 'track y, mm (to the left)'\nset ylabel 'track z, mm'\n"
       << "set size ratio -1\nset key top left Left reverse samplen 2 opaque width -2\n"
       << "set xrange [" << y + half_width << ':' << y - half_width << "]\nset yrange [" << z - below
@@ -173,14 +174,17 @@ void plot_outlines(std::ostream& out, const Scene& scene, const DrawnSide& side)
     largest = std::max(largest, patch.force);
   }
   for (const DrawnPatch& patch : side.patches) {
-    const double length = longest_arrow * patch.force / largest;
+    const double length = std::max(longest_arrow * patch.force / largest, shortest_arrow);
     out << "set arrow from " << patch.y << ',' << patch.z << " rto "
         << -length * std::sin(patch.angle) << ',' << length * std::cos(patch.angle)
         << " front lw 2 lc rgb '" << colour_of(patch.name.index)
         << "' head filled size screen 0.012,18\n";
   }
-  out << "plot $" << side.name << "_rail with lines lw 2 lc rgb '#8b5a2b' title 'rail', $"
-      << side.name << "_wheel with lines lw 2 lc rgb '#1f4e9e' title 'wheel'";
+  out << "plot $" << side.name << "_rail with filledcurves y=" << z - 2.0 * below
+      << " fs solid fc rgb '#f3ebe3' notitle, $" << side.name
+      << "_wheel with filledcurves y=" << z + 2.0 * above << " fs solid fc rgb '#e9eff8' notitle, $"
+      << side.name << "_rail with lines lw 2 lc rgb '#8b5a2b' title 'rail', $" << side.name
+      << "_wheel with lines lw 2 lc rgb '#1f4e9e' title 'wheel'";
   std::vector<DrawnPatch> by_force = side.patches;
   std::sort(by_force.begin(), by_force.end(), [](const DrawnPatch& one, const DrawnPatch& other) {
     return one.name.index < other.name.index;
@@ -200,18 +204,25 @@ void plot_outlines(std::ostream& out, const Scene& scene, const DrawnSide& side)
   out << y << ' ' << z << "\nEOF\nunset arrow\n";
 }
 
-/// What all pressure pictures have in common.
-struct PressureScale {
-  double width = 0.0; ///< mm of the axes
+/// The axes of the pressures, mm: the same scale for both wheels.
+struct PressureAxes {
+  double width = 0.0;
   double length = 0.0;
-  double greatest = 0.0; ///< MPa
-};
 
-constexpr double label_room = 4.5; // mm at each end of the patches
+  /// Takes in a side, with room for the labels around its patches.
+  void include(const DrawnSide& side) {
+    constexpr double share_across = 0.78;
+    constexpr double share_along = 0.62;
+    width = std::max({width, side.across.length() / share_across,
+                      side.along.length() / share_along * width_to_length});
+    length = width / width_to_length;
+  }
+  static constexpr double width_to_length = 1.35;
+};
 
 /// The pressures of all patches of a side over the developed lateral coordinate.
 void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
-                   const PressureScale& scale) {
+                   const PressureAxes& axes) {
   if (side.patches.empty()) {
     out << "set title '" << side.name << " wheel: no contact'\nset xrange [-1:1]\n"
         << "set yrange [-1:1]\nplot NaN notitle\n";
@@ -221,19 +232,19 @@ void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
   out << "set title 'p_{max} " << rounded(value("pmax"), 0) << " MPa, area "
       << rounded(value("area"), 1) << " mm^2, vertical " << force_text(value("vertical_force"))
       << "'\nset xlabel 'along the planes of the patches, mm (to the left)'\n"
-      << "set ylabel 'track x, mm (forward)'\nset cblabel 'pressure, MPa'\n"
-      << "set size ratio -1\nset key off\nset xrange [" << side.across.middle() + 0.5 * scale.width
-      << ':' << side.across.middle() - 0.5 * scale.width << "]\nset yrange ["
-      << side.along.middle() - 0.5 * scale.length << ':' << side.along.middle() + 0.5 * scale.length
-      << "]\nset cbrange [0:" << scale.greatest << "]\n";
+      << "set ylabel 'track x, mm (forward)'\nset cblabel 'pressure, MPa' offset 1\n"
+      << "set size ratio -1\nset key off\nset xrange [" << side.across.middle() + 0.5 * axes.width
+      << ':' << side.across.middle() - 0.5 * axes.width << "]\nset yrange ["
+      << side.along.middle() - 0.5 * axes.length << ':' << side.along.middle() + 0.5 * axes.length
+      << "]\nset cbrange [0:" << value("pmax") << "]\n";
   // Labels of neighbours stand above and below in turn.
   bool above = true;
   for (const DrawnPatch& patch : side.patches) {
-    const double end = above ? patch.longitudinal.greatest + 0.4 : patch.longitudinal.least - 0.4;
-    out << "set label 'patch " << patch.name.index << "\\n"
+    const double end = above ? patch.longitudinal.greatest : patch.longitudinal.least;
+    out << "set label \"patch " << patch.name.index << "\\n"
         << force_text(patch.force) << "\\n"
-        << rounded(1e3 * patch.angle, 1) << " mrad' at " << patch.across + patch.lateral.middle()
-        << ',' << end << " center offset 0," << (above ? 2.2 : -0.8) << " tc rgb '"
+        << rounded(1e3 * patch.angle, 1) << " mrad\" at " << patch.across + patch.lateral.middle()
+        << ',' << end << " center offset 0," << (above ? 2.9 : -1.1) << " tc rgb '"
         << colour_of(patch.name.index) << "' front\n";
     above = !above;
   }
@@ -260,16 +271,10 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
   std::vector<DrawnSide> sides;
-  PressureScale scale;
+  PressureAxes axes;
   for (const std::string& name : scene.sides()) {
-    const DrawnSide& side = sides.emplace_back(write_side(out, scene, name));
-    if (!side.patches.empty()) {
-      scale.width = std::max(scale.width, 1.1 * side.across.length());
-      scale.length = std::max(scale.length, side.along.length());
-      scale.greatest = std::max(scale.greatest, scene.number(name + ".pmax"));
-    }
+    axes.include(sides.emplace_back(write_side(out, scene, name)));
   }
-  scale.length += 2.0 * label_room;
   out << "set grid lc rgb '#dddddd'\n"
          "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
          "'#e69138', 1 '#990000')\nset tics out nomirror\n"
@@ -278,7 +283,7 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
     plot_outlines(out, scene, side);
   }
   for (const DrawnSide& side : sides) {
-    plot_pressure(out, scene, side, scale);
+    plot_pressure(out, scene, side, axes);
   }
   out << "unset multiplot\n";
   const int columns = std::max(static_cast<int>(sides.size()), 1);

@@ -4,6 +4,7 @@
 #include <array>
 #include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -99,14 +100,15 @@ public:
     if (patches_.empty()) {
       return;
     }
-    out_ << '\n' << std::left << std::setw(label_width) << title << std::right;
+    std::ostringstream titles;
+    std::ostringstream units;
+    titles << std::left << std::setw(label_width) << title << std::right;
+    units << std::setw(label_width) << "";
     for (const Column& column : columns) {
-      out_ << std::setw(column.width) << column.title;
+      titles << std::setw(column.width) << column.title;
+      units << std::setw(column.width) << column.unit;
     }
-    out_ << '\n' << std::setw(label_width) << "";
-    for (const Column& column : columns) {
-      out_ << std::setw(column.width) << column.unit;
-    }
+    out_ << '\n' << without_end_blanks(titles.str()) << '\n' << without_end_blanks(units.str());
     out_ << '\n' << std::fixed;
     for (const PatchName& patch : patches_) {
       out_ << "  " << std::left << std::setw(6) << patch.side << std::right
@@ -121,6 +123,10 @@ public:
   }
 
 private:
+  static std::string without_end_blanks(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+  }
   static constexpr int label_width = 11;
   const Scene& scene_;
   std::ostream& out_;
