@@ -38,5 +38,7 @@ private:
 
 /// Shortest text that reads back as the same double.
 std::string text_of(double value);
+/// Four digits, for what was measured.
+std::string short_text_of(double value);
 
 } // namespace wrc

@@ -2,8 +2,9 @@
  * wrcontact: where and how hard wheels press on rails.
  *
  * From wheel and rail profiles, track, wheelset position and load this library finds the contact
- * points of both wheels, samples the undeformed distance on an equally spaced grid and solves the
- * non-Hertzian normal contact of elastic half-spaces.
+ * points of both wheels and the patches around them, samples the undeformed distance on an equally
+ * spaced grid in the plane of each patch, and solves the non-Hertzian normal contact of elastic
+ * half-spaces for all patches of a wheel together.
  *
  * Units:   mm, N, MPa, rad.
  * Frame:   track frame, x forward, y to the left, z up, right-handed; origin at the track centre in
@@ -89,16 +90,20 @@ WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
 
 /*
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
- * "time_ms.total" and so on (docs/results.md lists and defines them). Since 0.1.
+ * "left.patches.1.centroid.y", "time_ms.total" and so on (docs/results.md lists and defines them).
+ * Names of a side are of all its patches together; patches are numbered from 0, largest normal
+ * force first, and wrc_scene_number_name tells how many there are. WRC_UNKNOWN_NAME for the index
+ * of a patch that is not there. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
 /* A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /*
- * A field by name: for a side "left" or "right", one value per element with the longitudinal index
- * fastest: "left.x", ".y", ".z" (element centres), ".undeformed_distance", ".pressure",
- * ".displacement"; and the outlines "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross
- * section. Copies at most `capacity` values into `values` and sets *count to the length; with
+ * A field by name: of a patch of the side "left" or "right", one value per element with the
+ * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
+ * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
+ * "left.patches.0.pressure" and has no values without contact. Of a side the outlines "left.rail_y",
+ * ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity` values into `values` and sets *count to the length; with
  * capacity 0 (values may be NULL) it only tells the length. WRC_TOO_SMALL if the length exceeds a
  * capacity > 0; nothing is copied then. Since 0.1.
  */
@@ -118,7 +123,7 @@ typedef struct wrc_solver wrc_solver;
  * Keeps profiles, influence coefficients, transform plans and memory between solutions, and the
  * positions, depths and extents of the last contact as the start of the next one. For vehicle
  * simulations: one solver a wheelset, solved every time step. A jump of the contact is never
- * missed: every search is global. Since 0.1.
+ * missed: every search is global. "left.jump" tells it. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_create(wrc_solver** solver);
 WRC_API void wrc_solver_destroy(wrc_solver* solver);

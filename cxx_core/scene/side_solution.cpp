@@ -267,8 +267,9 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
     made.frame = patch.frame;
     made.area = patch.area;
     made.grid = mesh_grid(patch.area, patch.mesh);
-    made.share =
-        request_.normal_load ? dot(patch.frame.normal, main_frame.normal) : patch.frame.normal.z;
+    // Rounding may lift the product of two unit vectors above 1.
+    made.share = request_.normal_load ? std::min(dot(patch.frame.normal, main_frame.normal), 1.0)
+                                      : patch.frame.normal.z;
     made.distance = sample_undeformed_distance(pair, patch.frame, made.grid);
   }
   result_.times.remesh += seconds_since(remesh_start);
@@ -751,7 +752,7 @@ void SideSolver::warn_about(const Trial& trial) {
   auto& warnings = result_.warnings;
   if (trial.stop_reason != StopReason::tolerance_met) {
     warnings.push_back("not converged: " + std::string(name_of(trial.stop_reason)) +
-                       ", error of the pressures " + text_of(trial.pressure_error));
+                       ", error of the pressures " + short_text_of(trial.pressure_error));
   }
   if (request_.solver == SolverChoice::paper && trial.patches.size() > 1) {
     warnings.emplace_back("several patches: solved together by the default solver");
@@ -770,11 +771,11 @@ void SideSolver::warn_about(const Trial& trial) {
     if (request_.gap == GapConvention::vertical) {
       if (std::abs(patch.place.own_angle) > vertical_convention_limit) {
         warnings.push_back("vertical distances at a contact angle of " +
-                           text_of(patch.place.own_angle) + " rad (good up to " +
+                           short_text_of(patch.place.own_angle) + " rad (good up to " +
                            text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
       }
     } else if (turn > planar_limit) {
-      warnings.push_back("the rail turns by " + text_of(turn) +
+      warnings.push_back("the rail turns by " + short_text_of(turn) +
                          " rad within a patch (a plane is good up to " + text_of(planar_limit) +
                          ")");
     }
@@ -782,12 +783,12 @@ void SideSolver::warn_about(const Trial& trial) {
   if (!request_.grid && (!result_.error_estimate || *result_.error_estimate > request_.accuracy)) {
     warnings.push_back("accuracy " + text_of(request_.accuracy) + " not reached" +
                        (result_.error_estimate
-                            ? ": estimated error " + text_of(*result_.error_estimate)
+                            ? ": estimated error " + short_text_of(*result_.error_estimate)
                             : std::string()));
   }
   if (request_.gap == GapConvention::vertical) {
     if (const auto left_out = empty_plan(trial.depth).left_out_s) {
-      warnings.push_back("wheel and rail also meet at s_wheel = " + text_of(*left_out) +
+      warnings.push_back("wheel and rail also meet at s_wheel = " + short_text_of(*left_out) +
                          " mm under another angle; with vertical distances that patch is left out");
     }
   }

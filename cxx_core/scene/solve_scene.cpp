@@ -244,7 +244,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     side.touch = SideState::Touch{found.scan.candidates.front().wheel.lateral, lateral};
     if (result_of_side.jump != 0.0) {
       result_of_side.warnings.push_back("the rigid contact has jumped by " +
-                                        text_of(result_of_side.jump) +
+                                        short_text_of(result_of_side.jump) +
                                         " mm along the wheel since the last solution");
     }
   };

@@ -19,7 +19,7 @@
 #include "mechanics/pressure_field.hpp"
 #include "remesh/contact_frame.hpp"
 #include "remesh/contact_patches.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/plane_area.hpp"
 
 namespace wrc {
 

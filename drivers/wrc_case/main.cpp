@@ -5,6 +5,7 @@
 #include "support/scene_file.hpp"
 #include "wrc_case/picture.hpp"
 #include "wrc_case/reports.hpp"
+#include "wrc_case/vtk.hpp"
 
 namespace {
 
@@ -52,10 +53,9 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_flag("--json", json, "print one JSON object instead of the table");
   app.add_flag("--csv", csv, "print CSV, one line a side, instead of the table");
-  app.add_option("--vtk", vtk, "write the fields as legacy VTK")->type_name("FILE");
-  app.add_option("--plot", plot, "draw profiles in contact and pressures")
-      ->type_name("FILE.png|svg");
-  app.add_option("--field", field, "write the fields as CSV, one line an element")
+  app.add_option("--vtk", vtk, "write the fields of all patches as legacy VTK")->type_name("FILE");
+  app.add_option("--plot", plot, "draw profiles, patches and pressures")->type_name("FILE.png|svg");
+  app.add_option("--field", field, "write the fields of all patches as CSV, one line an element")
       ->type_name("FILE.csv");
   app.footer("\n" + keys_text() + names_text() +
              "\nExamples:\n"

@@ -1,14 +1,15 @@
 #include "wrc_case/reports.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <iomanip>
 #include <limits>
-#include <numbers>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
 #include "support/output_file.hpp"
+#include "wrc_case/patches.hpp"
 
 namespace driver {
 namespace {
@@ -45,6 +46,14 @@ public:
     out_ << std::defaultfloat << '\n';
   }
 
+  void count(const std::string& label, const std::string& list) const {
+    out_ << "  " << std::left << std::setw(34) << label << std::right;
+    for (const std::string& side : sides_) {
+      out_ << std::setw(14) << scene_.count_of(side + '.' + list);
+    }
+    out_ << '\n';
+  }
+
   void scientific(const std::string& label, const std::string& name) const {
     out_ << "  " << std::left << std::setw(34) << label << std::right << std::scientific
          << std::setprecision(1);
@@ -65,25 +74,94 @@ private:
   std::vector<std::string> sides_;
 };
 
-void print_patches(const Scene& scene, std::ostream& out) {
-  out << "\nPatches           pmax      area  normal force     angle   semi-axes x, y     at y, z "
-         "of "
-         "track   s_wheel\n"
-         "                   MPa       mm2             N      mrad               mm               "
-         "   mm        mm\n";
-  for (const std::string& side : scene.sides()) {
-    const int count = scene.count_of(side + ".patches");
-    for (int i = 0; i < count; ++i) {
-      const std::string prefix = side + ".patches." + std::to_string(i) + '.';
-      const auto value = [&](const char* name) { return scene.number(prefix + name); };
-      out << "  " << std::left << std::setw(6) << side << std::right << std::setw(2) << i + 1
-          << std::fixed << std::setprecision(1) << std::setw(12) << value("pmax") << std::setw(10)
-          << value("area") << std::setw(14) << value("normal_force") << std::setw(10)
-          << 1e3 * value("angle") << std::setprecision(2) << std::setw(10) << value("semi_axes.0")
-          << std::setw(7) << value("semi_axes.1") << std::setw(11) << value("y") << std::setw(8)
-          << value("z") << std::setw(10) << value("s_wheel") << std::defaultfloat << '\n';
-    }
+/// A table with one line per patch.
+class PatchPrinter {
+public:
+  struct Column {
+    std::string title;
+    std::string unit;
+    std::string name;
+    int width;
+    int decimals;
+    double factor = 1.0;
+  };
+
+  PatchPrinter(const Scene& scene, std::ostream& out)
+      : scene_(scene), out_(out), patches_(all_patches(scene)) {}
+
+  /// Whether a value of any patch exceeds a limit.
+  [[nodiscard]] bool any_above(const char* name, double limit) const {
+    return std::any_of(patches_.begin(), patches_.end(), [&](const PatchName& patch) {
+      return scene_.number(patch.prefix + name) > limit;
+    });
   }
+
+  void print(const std::string& title, const std::vector<Column>& columns) const {
+    if (patches_.empty()) {
+      return;
+    }
+    std::ostringstream titles;
+    std::ostringstream units;
+    titles << std::left << std::setw(label_width) << title << std::right;
+    units << std::setw(label_width) << "";
+    for (const Column& column : columns) {
+      titles << std::setw(column.width) << column.title;
+      units << std::setw(column.width) << column.unit;
+    }
+    out_ << '\n' << without_end_blanks(titles.str()) << '\n' << without_end_blanks(units.str());
+    out_ << '\n' << std::fixed;
+    for (const PatchName& patch : patches_) {
+      out_ << "  " << std::left << std::setw(6) << patch.side << std::right
+           << std::setw(label_width - 8) << patch.index;
+      for (const Column& column : columns) {
+        out_ << std::setprecision(column.decimals) << std::setw(column.width)
+             << column.factor * scene_.number(patch.prefix + column.name);
+      }
+      out_ << '\n';
+    }
+    out_ << std::defaultfloat;
+  }
+
+private:
+  static std::string without_end_blanks(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+  }
+  static constexpr int label_width = 11;
+  const Scene& scene_;
+  std::ostream& out_;
+  std::vector<PatchName> patches_;
+};
+
+void print_patches(const Scene& scene, std::ostream& out) {
+  const PatchPrinter table(scene, out);
+  std::vector<PatchPrinter::Column> forces{{"pmax", "MPa", "pmax", 10, 1},
+                                           {"area", "mm2", "area", 9, 2},
+                                           {"approach", "um", "approach", 10, 3, 1e3},
+                                           {"normal", "N", "normal_force", 11, 1},
+                                           {"vertical", "N", "vertical_force", 11, 1},
+                                           {"lateral", "N", "lateral_force", 11, 1},
+                                           {"angle", "mrad", "angle", 9, 2, 1e3},
+                                           {"semi-axes", "x, mm", "semi_axes.0", 11, 2},
+                                           {"", "y, mm", "semi_axes.1", 7, 2}};
+  if (table.any_above("closeness", 0.0)) {
+    forces.push_back({"closeness", "", "closeness", 11, 3});
+  }
+  if (table.any_above("regions", 1.0)) {
+    forces.push_back({"regions", "", "regions", 9, 0});
+  }
+  table.print("Patches", forces);
+  table.print("Places", {{"reference", "y, mm", "y", 11, 3},
+                         {"", "z, mm", "z", 9, 3},
+                         {"", "s_wheel", "s_wheel", 9, 3},
+                         {"centroid", "y, mm", "centroid.y", 11, 3},
+                         {"", "z, mm", "centroid.z", 9, 3},
+                         {"", "s_wheel", "centroid.s_wheel", 9, 3},
+                         {"elements", "across", "grid.0", 10, 0},
+                         {"", "along", "grid.1", 7, 0},
+                         {"of size", "y, mm", "element_size.0", 9, 4},
+                         {"", "x, mm", "element_size.1", 8, 4},
+                         {"filled", "%", "fill", 8, 1, 1e2}});
 }
 
 void print_near_contacts(const Scene& scene, std::ostream& out) {
@@ -112,6 +190,14 @@ void print_texts(const Scene& scene, std::ostream& out) {
   }
 }
 
+/// Whether a result is a whole number.
+bool is_count(const std::string& name) {
+  constexpr std::array<const char*, 7> counts{
+      ".iterations", ".convolutions", ".solutions", ".regrown", ".regions", ".grid.0", ".grid.1"};
+  return std::any_of(counts.begin(), counts.end(),
+                     [&name](const char* count) { return name.ends_with(count); });
+}
+
 } // namespace
 
 void print_table(const Scene& scene, std::ostream& out) {
@@ -131,21 +217,19 @@ void print_table(const Scene& scene, std::ostream& out) {
   table.line("track z", "mm", "rigid_contact.z", 4);
   table.line("contact angle", "mrad", "rigid_contact.angle", 3, 1e3);
   table.line("rolling radius", "mm", "rigid_contact.rolling_radius", 4);
-  table.head("Contact");
+  table.head("Contact, all patches");
+  table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
   table.line("area", "mm2", "area", 2);
   table.line("normal force", "N", "normal_force", 1);
   table.line("vertical force", "N", "vertical_force", 1);
   table.line("lateral force on wheel", "N", "lateral_force", 1);
-  table.line("approach", "um", "approach", 3, 1e3);
-  table.line("angle of the patch", "mrad", "angle", 3, 1e3);
+  table.line("centroid of forces, track y", "mm", "centroid.y", 4);
+  table.line("sinks vertically by", "um", "depth", 3, 1e3);
   table.head("How it was solved");
-  table.line("elements across, along", "", "grid.0", 0);
-  table.line("", "", "grid.1", 0);
-  table.line("element across, along", "mm", "element_size.0", 4);
-  table.line("", "mm", "element_size.1", 4);
-  table.line("in contact", "%", "fill", 1, 100.0);
+  table.line("solutions of all patches", "", "solutions", 0);
   table.line("iterations", "", "iterations", 0);
+  table.line("convolutions", "", "convolutions", 0);
   table.scientific("estimated relative error", "error_estimate");
   table.scientific("load balance", "residuals.load_balance");
   table.scientific("least gap / displacement", "residuals.least_gap");
@@ -172,9 +256,7 @@ void print_json(const Scene& scene, std::ostream& out) {
   };
   for (const std::string& name : scene.number_names()) {
     const double value = scene.number(name);
-    const bool is_count = name.ends_with(".iterations") || name.ends_with(".regrown") ||
-                          name.find(".grid.") != std::string::npos;
-    if (is_count) {
+    if (is_count(name)) {
       flat[pointer_of(name)] = static_cast<std::int64_t>(value);
     } else {
       flat[pointer_of(name)] = value;
@@ -198,28 +280,41 @@ void print_json(const Scene& scene, std::ostream& out) {
 }
 
 void print_csv(const Scene& scene, std::ostream& out) {
-  constexpr std::array<const char*, 22> columns{"rigid_contact.s_wheel",
-                                                "rigid_contact.t_rail",
-                                                "rigid_contact.y",
-                                                "rigid_contact.z",
-                                                "rigid_contact.angle",
-                                                "rigid_contact.rolling_radius",
-                                                "pmax",
-                                                "pmax_element",
-                                                "area",
-                                                "normal_force",
-                                                "vertical_force",
-                                                "lateral_force",
-                                                "approach",
-                                                "depth",
-                                                "angle",
-                                                "error_estimate",
-                                                "iterations",
-                                                "fill",
-                                                "grid.0",
-                                                "grid.1",
-                                                "element_size.0",
-                                                "element_size.1"};
+  constexpr std::array columns{"rigid_contact.s_wheel",
+                               "rigid_contact.t_rail",
+                               "rigid_contact.y",
+                               "rigid_contact.z",
+                               "rigid_contact.angle",
+                               "rigid_contact.rolling_radius",
+                               "jump",
+                               "pmax",
+                               "pmax_element",
+                               "area",
+                               "normal_force",
+                               "vertical_force",
+                               "lateral_force",
+                               "longitudinal_force",
+                               "moment.x",
+                               "moment.y",
+                               "moment.z",
+                               "centroid.x",
+                               "centroid.y",
+                               "centroid.z",
+                               "centroid.s_wheel",
+                               "centroid.rolling_radius",
+                               "centroid.angle",
+                               "approach",
+                               "depth",
+                               "angle",
+                               "error_estimate",
+                               "iterations",
+                               "convolutions",
+                               "solutions",
+                               "fill",
+                               "grid.0",
+                               "grid.1",
+                               "element_size.0",
+                               "element_size.1"};
   out << "side,roll,vertical,patches";
   for (const char* column : columns) {
     out << ',' << column;
@@ -241,66 +336,22 @@ void print_csv(const Scene& scene, std::ostream& out) {
 void write_field(const Scene& scene, const std::filesystem::path& path) {
   OutputFile file(path);
   std::ofstream& out = file.stream();
-  out << "side";
+  out << "side,patch";
   for (const char* name : element_fields) {
     out << ',' << name;
   }
   out << '\n';
-  for (const std::string& side : scene.sides()) {
+  for (const PatchName& patch : all_patches(scene)) {
     std::array<std::vector<double>, element_fields.size()> columns;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      columns[i] = scene.field(side + '.' + element_fields[i]);
+      columns[i] = scene.field(patch.prefix + element_fields[i]);
     }
     for (std::size_t element = 0; element < columns[0].size(); ++element) {
-      out << side;
+      out << patch.side << ',' << patch.index;
       for (const auto& column : columns) {
         out << ',' << column[element];
       }
       out << '\n';
-    }
-  }
-  file.commit();
-}
-
-void write_vtk(const Scene& scene, const std::filesystem::path& path) {
-  std::array<std::vector<double>, element_fields.size()> columns;
-  std::vector<std::array<std::size_t, 4>> quads;
-  for (const std::string& side : scene.sides()) {
-    const std::size_t offset = columns[0].size();
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const auto values = scene.field(side + '.' + element_fields[i]);
-      columns[i].insert(columns[i].end(), values.begin(), values.end());
-    }
-    const auto rows = static_cast<std::size_t>(scene.number(side + ".grid.0"));
-    const auto length = static_cast<std::size_t>(scene.number(side + ".grid.1"));
-    for (std::size_t row = 0; row + 1 < rows; ++row) {
-      for (std::size_t column = 0; column + 1 < length; ++column) {
-        const std::size_t corner = offset + row * length + column;
-        quads.push_back({corner, corner + 1, corner + length + 1, corner + length});
-      }
-    }
-  }
-  OutputFile file(path);
-  std::ofstream& out = file.stream();
-  out << "# vtk DataFile Version 3.0\nwrcontact: x y z in mm (track frame), pressure in MPa\n"
-         "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
-      << columns[0].size() << " double\n";
-  for (std::size_t i = 0; i < columns[0].size(); ++i) {
-    out << columns[0][i] << ' ' << columns[1][i] << ' ' << columns[2][i] << '\n';
-  }
-  out << "CELLS " << quads.size() << ' ' << 5 * quads.size() << '\n';
-  for (const auto& quad : quads) {
-    out << "4 " << quad[0] << ' ' << quad[1] << ' ' << quad[2] << ' ' << quad[3] << '\n';
-  }
-  out << "CELL_TYPES " << quads.size() << '\n';
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    out << "9\n";
-  }
-  out << "POINT_DATA " << columns[0].size() << '\n';
-  for (std::size_t field = 3; field < element_fields.size(); ++field) {
-    out << "SCALARS " << element_fields[field] << " double 1\nLOOKUP_TABLE default\n";
-    for (const double value : columns[field]) {
-      out << value << '\n';
     }
   }
   file.commit();

@@ -14,9 +14,8 @@ void print_table(const Scene& scene, std::ostream& out);
 void print_json(const Scene& scene, std::ostream& out);
 /// One line of column names, one line per side.
 void print_csv(const Scene& scene, std::ostream& out);
-/// Fields of all sides per element: side, x, y, z, undeformed_distance, pressure, displacement.
+/// Fields of all patches, a line an element: side, patch (N of patches.N), x, y, z,
+/// undeformed_distance, pressure, displacement.
 void write_field(const Scene& scene, const std::filesystem::path& path);
-/// Fields as a legacy VTK unstructured grid, values at the element centres.
-void write_vtk(const Scene& scene, const std::filesystem::path& path);
 
 } // namespace driver

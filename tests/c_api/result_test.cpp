@@ -1,25 +1,18 @@
 /// Results through the C interface: names, fields, and every way in which solving can fail.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
 #include <vector>
 
+#include "all_results.hpp"
 #include "owned_handles.hpp"
 
 namespace {
 
 /// Sums over a few hundred elements.
 constexpr double rounding = 1e-10;
-
-std::vector<double> field_of(wrc_scene* scene, const std::string& name) {
-  std::int64_t count = -1;
-  EXPECT_EQ(wrc_scene_field(scene, name.c_str(), nullptr, 0, &count), WRC_OK) << name;
-  std::vector<double> values(static_cast<std::size_t>(count));
-  if (count > 0) {
-    EXPECT_EQ(wrc_scene_field(scene, name.c_str(), values.data(), count, &count), WRC_OK);
-  }
-  return values;
-}
 
 TEST(Results, ThereAreNoneBeforeSolving) {
   const ScenePointer scene = make_scene();
@@ -114,6 +107,252 @@ TEST(Results, FieldsAgreeWithGridAndForces) {
     for (const char* body : {".rail", ".wheel"}) {
       EXPECT_GT(field_of(s, side + body + "_y").size(), 10U);
       EXPECT_EQ(field_of(s, side + body + "_y").size(), field_of(s, side + body + "_z").size());
+    }
+  }
+}
+
+/// A left wheel on tread and flange at once, with comparable forces.
+ScenePointer solve_two_patches() {
+  ScenePointer scene = make_scene();
+  wrc_scene* s = scene.get();
+  EXPECT_EQ(wrc_scene_set_text(s, "track.rail", "56E1"), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(s, "pose.lateral", 6.15), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(s, "pose.yaw", 0.005), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_text(s, "solve.side", "left"), WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(s), WRC_OK) << wrc_scene_error(s);
+  return scene;
+}
+
+TEST(Patches, AreNamedOneByOneWithTheirFields) {
+  const ScenePointer scene = solve_two_patches();
+  wrc_scene* s = scene.get();
+  std::set<std::string> names;
+  for (std::int64_t i = 0; i < wrc_scene_number_count(s); ++i) {
+    names.insert(wrc_scene_number_name(s, i));
+  }
+  EXPECT_FALSE(names.contains("left.patches.2.pmax"));
+  for (const std::string patch : {"left.patches.0.", "left.patches.1."}) {
+    for (const char* name : {"pmax",
+                             "pmax_element",
+                             "area",
+                             "normal_force",
+                             "vertical_force",
+                             "lateral_force",
+                             "longitudinal_force",
+                             "moment.x",
+                             "moment.y",
+                             "moment.z",
+                             "approach",
+                             "angle",
+                             "semi_axes.0",
+                             "semi_axes.1",
+                             "radii.0",
+                             "radii.1",
+                             "closeness",
+                             "regions",
+                             "fill",
+                             "grid.0",
+                             "grid.1",
+                             "element_size.0",
+                             "element_size.1",
+                             "x",
+                             "y",
+                             "z",
+                             "s_wheel",
+                             "w_wheel",
+                             "t_rail",
+                             "v_rail",
+                             "rolling_radius",
+                             "wheel_angle",
+                             "centroid.x",
+                             "centroid.y",
+                             "centroid.z",
+                             "centroid.s_wheel",
+                             "centroid.angle"}) {
+      EXPECT_TRUE(names.contains(patch + name)) << patch << name;
+    }
+    const auto number = [&](const char* name) { return number_of(s, (patch + name).c_str()); };
+    EXPECT_EQ(number("regions"), 1.0);
+    EXPECT_GE(number("closeness"), 0.0);
+    EXPECT_LE(number("closeness"), 1.0);
+    const auto size = static_cast<std::size_t>(number("grid.0") * number("grid.1"));
+    for (const char* name : {"x", "y", "z", "undeformed_distance", "pressure", "displacement"}) {
+      EXPECT_EQ(field_of(s, patch + name).size(), size) << patch << name;
+    }
+    const auto pressure = field_of(s, patch + "pressure");
+    const double force = std::accumulate(pressure.begin(), pressure.end(), 0.0) *
+                         number("element_size.0") * number("element_size.1");
+    EXPECT_NEAR(force, number("normal_force"), rounding * force);
+    EXPECT_EQ(*std::max_element(pressure.begin(), pressure.end()), number("pmax_element"));
+  }
+  for (const char* name : {"x", "pressure", "displacement"}) {
+    EXPECT_EQ(field_of(s, std::string("left.") + name),
+              field_of(s, std::string("left.patches.0.") + name));
+  }
+}
+
+TEST(Patches, ForcesAndMomentsAddUp) {
+  const ScenePointer scene = solve_two_patches();
+  wrc_scene* s = scene.get();
+  const auto number = [s](const std::string& name) { return number_of(s, name.c_str()); };
+  const std::vector<std::string> patches{"left.patches.0.", "left.patches.1."};
+  const double normal_force = number("left.normal_force");
+  for (const char* name :
+       {"normal_force", "vertical_force", "lateral_force", "longitudinal_force", "area"}) {
+    const double sum = number(patches[0] + name) + number(patches[1] + name);
+    EXPECT_NEAR(number(std::string("left.") + name), sum, rounding * normal_force) << name;
+  }
+  EXPECT_EQ(number("left.pmax"),
+            std::max(number(patches[0] + "pmax"), number(patches[1] + "pmax")));
+  EXPECT_GT(number(patches[0] + "normal_force"), number(patches[1] + "normal_force"));
+  // Forces stand on the planes and act at the centroids.
+  constexpr double load_balance = 1e-4; // N
+  EXPECT_NEAR(number("left.vertical_force"), 80000.0, load_balance);
+  std::array<double, 3> moment{};
+  for (const std::string& patch : patches) {
+    const double force = number(patch + "normal_force");
+    EXPECT_NEAR(number(patch + "vertical_force"), force * std::cos(number(patch + "angle")),
+                rounding * force);
+    EXPECT_NEAR(number(patch + "lateral_force"), -force * std::sin(number(patch + "angle")),
+                rounding * force);
+    const auto moment_about = [&](const std::string& reference) {
+      const double x = number(patch + "centroid.x") - number(reference + "x");
+      const double y = number(patch + "centroid.y") - number(reference + "y");
+      const double z = number(patch + "centroid.z") - number(reference + "z");
+      const double fx = number(patch + "longitudinal_force");
+      const double fy = number(patch + "lateral_force");
+      const double fz = number(patch + "vertical_force");
+      return std::array{y * fz - z * fy, z * fx - x * fz, x * fy - y * fx};
+    };
+    const auto own = moment_about(patch);
+    const auto about_first = moment_about(patches[0]);
+    constexpr std::array names{"moment.x", "moment.y", "moment.z"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      EXPECT_NEAR(number(patch + names[i]), own[i], rounding * 1e3 * force) << patch << names[i];
+      moment[i] += about_first[i];
+    }
+  }
+  EXPECT_NEAR(number("left.moment.x"), moment[0], rounding * 1e3 * normal_force);
+  EXPECT_NEAR(number("left.moment.y"), moment[1], rounding * 1e3 * normal_force);
+  EXPECT_NEAR(number("left.moment.z"), moment[2], rounding * 1e3 * normal_force);
+  for (const char* name : {"x", "y", "z", "s_wheel", "w_wheel", "t_rail", "v_rail",
+                           "rolling_radius", "wheel_angle", "angle"}) {
+    double mean = 0.0;
+    for (const std::string& patch : patches) {
+      mean += number(patch + "normal_force") / normal_force * number(patch + "centroid." + name);
+    }
+    EXPECT_NEAR(number(std::string("left.centroid.") + name), mean,
+                rounding * std::max(std::abs(mean), 1.0))
+        << name;
+  }
+}
+
+TEST(Patches, AnUnknownIndexIsToldByName) {
+  const ScenePointer scene = solve_two_patches();
+  double value = 7.0;
+  std::int64_t count = 5;
+  for (const char* name :
+       {"left.patches.2.pmax", "left.patches.-1.pmax", "left.patches.1", "left.patches.1.",
+        "left.patches..pmax", "left.patches.x.pmax", "left.patches.0.centroid.distances",
+        "left.patches.99999999999999999999.pmax", "left.near_contacts.99.s_wheel"}) {
+    EXPECT_EQ(wrc_scene_number(scene.get(), name, &value), WRC_UNKNOWN_NAME) << name;
+    EXPECT_TRUE(contains(wrc_scene_error(scene.get()), name)) << wrc_scene_error(scene.get());
+  }
+  for (const char* name : {"left.patches.2.pressure", "left.patches.-1.x", "left.patches.0",
+                           "left.patches.0.", "left.patches.0.rail_y", "right.patches.0.x"}) {
+    EXPECT_EQ(wrc_scene_field(scene.get(), name, nullptr, 0, &count), WRC_UNKNOWN_NAME) << name;
+    EXPECT_TRUE(contains(wrc_scene_error(scene.get()), name)) << wrc_scene_error(scene.get());
+  }
+  EXPECT_EQ(value, 7.0);
+  EXPECT_EQ(count, 5);
+}
+
+TEST(Patches, WithoutContactThereAreNone) {
+  const ScenePointer scene = make_small_scene();
+  wrc_scene* s = scene.get();
+  ASSERT_EQ(wrc_scene_set_number(s, "pose.vertical", 500.0), WRC_OK);
+  ASSERT_EQ(wrc_scene_solve(s), WRC_OK);
+  double value = 0.0;
+  EXPECT_EQ(wrc_scene_number(s, "left.patches.0.pmax", &value), WRC_UNKNOWN_NAME);
+  EXPECT_EQ(number_of(s, "left.area"), 0.0);
+  EXPECT_EQ(number_of(s, "left.moment.x"), 0.0);
+}
+
+TEST(Results, LoadAlongTheNormalIsThatOfTheMainPatch) {
+  // In the patch's own plane its share of the load is 1, whatever rounding makes of it.
+  const ScenePointer scene = make_small_scene();
+  wrc_scene* s = scene.get();
+  ASSERT_EQ(wrc_scene_set_number(s, "load.normal", 50000.0), WRC_OK);
+  for (int i = -60; i <= 60; ++i) {
+    ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 0.1 * i), WRC_OK);
+    ASSERT_EQ(wrc_scene_solve(s), WRC_OK) << 0.1 * i << ": " << wrc_scene_error(s);
+    // Forces of other patches count with their share along that normal.
+    const double force = number_of(s, "left.normal_force");
+    const double first = number_of(s, "left.patches.0.normal_force");
+    if (force == first) {
+      EXPECT_NEAR(force, 50000.0, rounding * 50000.0) << 0.1 * i;
+    } else {
+      EXPECT_GT(force, 50000.0) << 0.1 * i;
+    }
+  }
+}
+
+/// The rigid contact of the left wheel jumps from tread to flange root between 4.9 and 5 mm.
+TEST(Jump, IsToldWhenTheSameSolverGoesOverIt) {
+  const SolverPointer solver = make_solver();
+  const ScenePointer scene = make_small_scene();
+  wrc_scene* s = scene.get();
+  const auto solve_at = [&](double lateral) {
+    EXPECT_EQ(wrc_scene_set_number(s, "pose.lateral", lateral), WRC_OK);
+    EXPECT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK) << wrc_scene_error(s);
+    return number_of(s, "left.rigid_contact.s_wheel");
+  };
+  const auto warns = [s] {
+    for (std::int64_t i = 0; i < wrc_scene_text_count(s); ++i) {
+      const std::string name = wrc_scene_text_name(s, i);
+      const char* text = nullptr;
+      EXPECT_EQ(wrc_scene_text(s, name.c_str(), &text), WRC_OK);
+      if (name.starts_with("left.warnings.") && contains(text, "jumped")) {
+        return true;
+      }
+    }
+    return false;
+  };
+  const double before = solve_at(4.9);
+  EXPECT_EQ(number_of(s, "left.jump"), 0.0) << "there was no last solution";
+  const double after = solve_at(5.0);
+  EXPECT_LT(after, before - 5.0);
+  EXPECT_EQ(number_of(s, "left.jump"), after - before);
+  EXPECT_TRUE(warns());
+  EXPECT_EQ(number_of(s, "right.jump"), 0.0);
+  EXPECT_EQ(solve_at(5.0), after);
+  EXPECT_EQ(number_of(s, "left.jump"), 0.0) << "it has not moved";
+  EXPECT_FALSE(warns());
+  EXPECT_EQ(solve_at(4.9), before);
+  EXPECT_EQ(number_of(s, "left.jump"), before - after);
+  // Not after positions have been forgotten, nor between scenes by themselves.
+  EXPECT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
+  solve_at(5.0);
+  EXPECT_EQ(number_of(s, "left.jump"), 0.0);
+  ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 4.9), WRC_OK);
+  ASSERT_EQ(wrc_scene_solve(s), WRC_OK);
+  EXPECT_EQ(number_of(s, "left.jump"), 0.0);
+}
+
+TEST(Jump, IsNotToldWhenTheContactMoves) {
+  const SolverPointer solver = make_solver();
+  const ScenePointer scene = make_small_scene();
+  wrc_scene* s = scene.get();
+  for (const double step : {0.01, 0.1}) {
+    ASSERT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
+    double before = 0.0;
+    for (int i = 0; 2.0 + step * i < 4.0; ++i) {
+      ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 2.0 + step * i), WRC_OK);
+      ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK) << wrc_scene_error(s);
+      const double place = number_of(s, "left.rigid_contact.s_wheel");
+      EXPECT_EQ(number_of(s, "left.jump"), 0.0) << 2.0 + step * i << ": " << before << ' ' << place;
+      EXPECT_EQ(number_of(s, "right.jump"), 0.0) << 2.0 + step * i;
+      before = place;
     }
   }
 }

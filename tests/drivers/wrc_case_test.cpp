@@ -1,5 +1,7 @@
 /// wrc_case as a process: what it prints, writes and refuses.
+#include <array>
 #include <sstream>
+#include <vector>
 
 #include "run_driver.hpp"
 
@@ -9,6 +11,8 @@ using nlohmann::json;
 
 /// A grid that is solved in milliseconds.
 const std::string small = "--set solve.grid=[24,20] ";
+/// A left wheel on tread and flange at once: two patches; the right wheel has one.
+const std::string two_patches = "--set track.rail=56E1 --set pose.lateral=6.15 ";
 
 class WrcCase : public Driver {
 protected:
@@ -64,6 +68,56 @@ TEST_F(WrcCase, JsonHasEveryKey) {
   }
 }
 
+TEST_F(WrcCase, JsonListsEveryPatch) {
+  const json result = solve_json(small + two_patches);
+  const json& side = result.at("left");
+  ASSERT_EQ(side.at("patches").size(), 2U);
+  ASSERT_EQ(result.at("right").at("patches").size(), 1U);
+  double force = 0.0;
+  for (const json& patch : side.at("patches")) {
+    force += patch.at("normal_force").get<double>();
+    for (const char* key : {"pmax", "pmax_element", "area", "vertical_force", "lateral_force",
+                            "longitudinal_force", "approach", "angle", "closeness", "fill", "x",
+                            "y", "z", "s_wheel", "w_wheel", "t_rail", "v_rail", "rolling_radius"}) {
+      EXPECT_TRUE(patch.at(key).is_number_float()) << key;
+    }
+    for (const char* key : {"x", "y", "z", "s_wheel", "angle"}) {
+      EXPECT_TRUE(patch.at("centroid").at(key).is_number_float()) << key;
+    }
+    for (const char* key : {"x", "y", "z"}) {
+      EXPECT_TRUE(patch.at("moment").at(key).is_number_float()) << key;
+    }
+    EXPECT_EQ(patch.at("radii").size(), 2U);
+    EXPECT_EQ(patch.at("element_size").size(), 2U);
+    EXPECT_TRUE(patch.at("regions").is_number_integer());
+    EXPECT_EQ(patch.at("grid"), json::array({24, 20}));
+    EXPECT_TRUE(patch.at("grid").at(0).is_number_integer());
+  }
+  EXPECT_DOUBLE_EQ(side.at("normal_force").get<double>(), force);
+  for (const char* key : {"iterations", "convolutions", "solutions", "regrown"}) {
+    EXPECT_TRUE(side.at(key).is_number_integer()) << key;
+  }
+  EXPECT_EQ(side.at("jump"), 0.0);
+  EXPECT_TRUE(side.at("centroid").at("y").is_number_float());
+  EXPECT_TRUE(side.at("moment").at("x").is_number_float());
+}
+
+TEST_F(WrcCase, TableTellsEveryPatch) {
+  const Outcome outcome = solve(small + two_patches);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  for (const char* part : {"\nPatches ", "\nPlaces ", "  left    0 ", "  left    1 ",
+                           "  right   0 ", "approach", "centroid", "convolutions", "solutions"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+  }
+  // Columns that say nothing are left out.
+  EXPECT_EQ(outcome.out.find("regions"), std::string::npos);
+  EXPECT_EQ(outcome.out.find("closeness"), std::string::npos);
+  EXPECT_NE(solve(small + "--set pose.lateral=5").out.find("regions"), std::string::npos);
+  EXPECT_NE(solve(small + two_patches + "--set solve.interaction=all").out.find("closeness"),
+            std::string::npos);
+  EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "blanks at the end of a line";
+}
+
 TEST_F(WrcCase, JsonNumbersKeepAllDigits) {
   const json result =
       solve_json(small + "--set pose.lateral=0.1 --set pose.roll=0.0123456789012345");
@@ -98,31 +152,81 @@ TEST_F(WrcCase, CsvHasALineASide) {
   const auto commas = [](const std::string& line) {
     return std::count(line.begin(), line.end(), ',');
   };
-  EXPECT_TRUE(head.starts_with("side,roll,vertical,"));
+  EXPECT_TRUE(head.starts_with("side,roll,vertical,patches,"));
+  for (const char* column : {"jump", "centroid.y", "moment.x", "convolutions", "solutions"}) {
+    EXPECT_NE((head + ',').find(',' + std::string(column) + ','), std::string::npos) << column;
+  }
   EXPECT_TRUE(left.starts_with("left,"));
   EXPECT_TRUE(right.starts_with("right,"));
   EXPECT_EQ(commas(left), commas(head));
   EXPECT_EQ(commas(right), commas(head));
 }
 
-TEST_F(WrcCase, FieldHasALineAnElement) {
-  const Outcome outcome = solve(small + "--field out.csv");
+TEST_F(WrcCase, FieldHasALineAnElementOfEveryPatch) {
+  const Outcome outcome = solve(small + two_patches + "--field out.csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string field = read("out.csv");
-  EXPECT_TRUE(field.starts_with("side,x,y,z,undeformed_distance,pressure,displacement\n"));
-  EXPECT_EQ(line_count(field), 1 + 2 * 24 * 20);
+  EXPECT_TRUE(field.starts_with("side,patch,x,y,z,undeformed_distance,pressure,displacement\n"));
+  EXPECT_EQ(line_count(field), 1 + 3 * 24 * 20);
+  for (const char* start : {"\nleft,0,", "\nleft,1,", "\nright,0,"}) {
+    EXPECT_NE(field.find(start), std::string::npos) << start;
+  }
   EXPECT_EQ(file_count(), 1) << "a file written aside was left";
 }
 
-TEST_F(WrcCase, VtkCountsAgree) {
-  const Outcome outcome = solve(small + "--vtk out.vtk");
+TEST_F(WrcCase, VtkHasACellAnElementOfEveryPatch) {
+  const Outcome outcome = solve(small + two_patches + "--vtk out.vtk");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string vtk = read("out.vtk");
   EXPECT_TRUE(vtk.starts_with("# vtk DataFile Version 3.0\n"));
-  EXPECT_NE(vtk.find("\nPOINTS 960 double\n"), std::string::npos);
-  EXPECT_NE(vtk.find("\nCELLS 874 4370\n"), std::string::npos); // 2 * 23 * 19 quads
-  EXPECT_NE(vtk.find("\nPOINT_DATA 960\nSCALARS undeformed_distance double 1\n"),
+  EXPECT_NE(vtk.find("\nPOINTS 1575 double\n"), std::string::npos); // 3 * 25 * 21 corners
+  EXPECT_NE(vtk.find("\nCELLS 1440 7200\n"), std::string::npos);    // 3 * 24 * 20 elements
+  EXPECT_NE(vtk.find("\nCELL_DATA 1440\nSCALARS undeformed_distance double 1\n"),
             std::string::npos);
+  for (const char* name : {"pressure double", "displacement double", "patch int", "side int"}) {
+    EXPECT_NE(vtk.find(std::string("\nSCALARS ") + name + " 1\n"), std::string::npos) << name;
+  }
+}
+
+/// Corners of the elements, from the vtk file; places of their centres, from the csv file.
+TEST_F(WrcCase, VtkElementsLieAroundTheirCentres) {
+  constexpr double rounding = 1e-9; // mm
+  for (const std::string grid : {"[6,4]", "[1,1]"}) {
+    const Outcome outcome =
+        solve("--set pose.yaw=0.01 --set solve.side=right --set solve.gap=vertical --set "
+              "solve.grid=" +
+              grid + " --vtk out.vtk --field out.csv");
+    std::istringstream vtk(read("out.vtk"));
+    std::string word;
+    while (word != "POINTS" && vtk >> word) {
+    }
+    std::size_t count = 0;
+    ASSERT_TRUE(vtk >> count >> word) << outcome.error;
+    std::vector<std::array<double, 3>> points(count);
+    for (auto& point : points) {
+      vtk >> point[0] >> point[1] >> point[2];
+    }
+    std::size_t elements = 0;
+    vtk >> word >> elements >> word;
+    std::istringstream field(read("out.csv"));
+    std::string line;
+    std::getline(field, line);
+    for (std::size_t element = 0; element < elements; ++element) {
+      std::array<std::size_t, 4> corners{};
+      vtk >> word >> corners[0] >> corners[1] >> corners[2] >> corners[3];
+      std::getline(field, line, ',');
+      std::getline(field, line, ',');
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::getline(field, line, ',');
+        double mean = 0.0;
+        for (const std::size_t corner : corners) {
+          mean += 0.25 * points.at(corner)[i];
+        }
+        EXPECT_NEAR(mean, std::stod(line), rounding) << grid << ' ' << element << ' ' << i;
+      }
+      std::getline(field, line);
+    }
+  }
 }
 
 TEST_F(WrcCase, PlotDrawsBothKindsOfFile) {
@@ -131,9 +235,14 @@ TEST_F(WrcCase, PlotDrawsBothKindsOfFile) {
   }
   ASSERT_EQ(solve(small + "--plot a.png").exit_code, 0);
   EXPECT_TRUE(is_png("a.png"));
-  ASSERT_EQ(solve(small + "--plot a.svg").exit_code, 0);
+  ASSERT_EQ(solve(small + two_patches + "--plot a.svg").exit_code, 0);
   EXPECT_TRUE(is_svg("a.svg"));
-  EXPECT_EQ(file_count(), 2);
+  for (const char* label : {"patch 0: ", "patch 1: ", "kN", "mrad", "pressure, MPa"}) {
+    EXPECT_NE(read("a.svg").find(label), std::string::npos) << label;
+  }
+  ASSERT_EQ(solve("--set pose.vertical=500 --plot none.png").exit_code, 0);
+  EXPECT_TRUE(is_png("none.png"));
+  EXPECT_EQ(file_count(), 3);
 }
 
 TEST_F(WrcCase, SceneFileWithTables) {

@@ -10,7 +10,7 @@
 
 #include "geometry/wheelset_equilibrium.hpp"
 #include "profile/standard_profiles.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/plane_area.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "simple_profiles.hpp"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/wheelset_equilibrium.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "simple_profiles.hpp"
 
@@ -17,6 +17,8 @@ namespace {
 /// Rows and single rays are solved to 1e-12 mm each. A surface that faces the ray at a flat angle
 /// magnifies the rounding of coordinates of some hundred mm, 1e-13, by the angle's cosine.
 constexpr double ray_tolerance = 2e-12;
+/// Flatter than this, both roots stop where neither says anything about a contact.
+constexpr double least_facing = 0.05;
 
 struct Case {
   const char* wheel;
@@ -48,14 +50,15 @@ TEST_P(RayRows, AgreeWithSingleRays) {
   request.right = false;
   const auto equilibrium = find_equilibrium(wheel, rail, request);
   constexpr double depth = 0.1;
-  const PenetrationRegion region = find_penetration_region(equilibrium.left->scan, depth);
+  const ContactPatches found = find_contact_patches(equilibrium.left->scan, depth);
+  const ContactPatch& patch = found.patches[found.main];
   const PosedPair pair{wheel, rail, equilibrium.left->pose, equilibrium.left->vertical - depth};
-  const Vector3 origin{equilibrium.left->scan.candidates.front().wheel.position.x, region.mean_y,
-                       rail.graph().at_lateral(region.mean_y).height};
+  const Vector3 origin{equilibrium.left->scan.candidates.front().wheel.position.x, patch.mean_y,
+                       rail.graph().at_lateral(patch.mean_y).height};
   const ContactFrame frame = c.gap == GapConvention::tangent
-                                 ? tangent_frame(origin, region.mean_angle)
+                                 ? tangent_frame(origin, patch.angle)
                                  : vertical_frame(origin, Rotation(pair.pose));
-  const Grid grid = grid_over(area_of(region, rail, frame).widened(0.5 * (c.scale - 1.0)), 41, 53);
+  const Grid grid = grid_over(area_of(patch, rail, frame).widened(0.5 * (c.scale - 1.0)), 41, 53);
   const auto distance = sample_undeformed_distance(pair, frame, grid);
   std::size_t compared = 0;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
@@ -68,6 +71,9 @@ TEST_P(RayRows, AgreeWithSingleRays) {
       }
       const double facing =
           std::cos(place.rail_angle) * frame.normal.z - std::sin(place.rail_angle) * frame.normal.y;
+      if (facing < least_facing) {
+        continue;
+      }
       EXPECT_NEAR(value, dot(place.wheel - place.rail, frame.normal), ray_tolerance / facing)
           << row << ' ' << column;
       ++compared;
@@ -91,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(Areas, RayRows,
                                          Case{"S1002", 9.0, -0.05, GapConvention::tangent, 2.0},
                                          Case{"S1002", 3.0, 0.03, GapConvention::tangent, 6.0},
                                          Case{"LM", 6.0, 0.02, GapConvention::tangent, 1.5},
-                                         Case{"flank", 5.5, 0.0, GapConvention::tangent, 14.0},
-                                         Case{"flank", 5.5, 0.03, GapConvention::tangent, 14.0},
+                                         Case{"flank", 5.5, 0.0, GapConvention::tangent, 12.0},
+                                         Case{"flank", 5.5, 0.03, GapConvention::tangent, 12.0},
                                          Case{"flank", 5.5, 0.03, GapConvention::vertical, 14.0}));
 
 TEST(RayRowsKink, RowsAcrossAKinkMeetBothSides) {

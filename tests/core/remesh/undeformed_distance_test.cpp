@@ -6,7 +6,7 @@
 
 #include "geometry/brute_force.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
-#include "remesh/potential_contact_area.hpp"
+#include "remesh/plane_area.hpp"
 #include "simple_profiles.hpp"
 
 namespace wrc::test {
