@@ -72,7 +72,8 @@ struct SideDetails {
 
 /// How the forces change with the wheelset's position, track frame (scene/sensitivities.hpp).
 struct SideRates {
-  ForceRates force; ///< without moments
+  ForceRates force;        ///< without moments
+  ForceRates fixed_planes; ///< the part of it that is there without the planes' turning
   std::optional<CondensedRates> at_load;
 };
 

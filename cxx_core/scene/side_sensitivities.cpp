@@ -100,9 +100,11 @@ SideRates compute_rates(const SideResult& side) {
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
   const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
-  const ForceRates rates = compute_sensitivities(pair, loaded, request, stiffness).total();
+  const SideSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  const bool is_left = details.mirror > 0.0;
   SideRates result;
-  result.force = details.mirror > 0.0 ? rates : mirrored(rates);
+  result.force = is_left ? found.total() : mirrored(found.total());
+  result.fixed_planes = is_left ? found.fixed_planes : mirrored(found.fixed_planes);
   result.at_load = condense_at_vertical_load(result.force);
   return result;
 }
