@@ -203,7 +203,6 @@ public:
     find_lobes();
     join_lobes();
     ContactPatches result;
-    std::vector<Real> links;
     Real weight = 0.0;
     for (const Lobe<Real>& lobe : lobes_) {
       weight += lobe.moments.weight;
@@ -216,8 +215,8 @@ public:
       if (k > 0) {
         const double border = 0.5 * (patch.y_first + result.patches.back().y_last);
         result.patches.back().territory_last = patch.territory_first = border;
-        links.push_back(smoothstep(affinities_[k - 1]));
-        result.links.push_back(value_of(links.back()));
+        links_.push_back(smoothstep(affinities_[k - 1]));
+        result.links.push_back(value_of(links_.back()));
       }
       if (lobes_[k].first_place <= contact_place_ && contact_place_ <= lobes_[k].last_place) {
         result.main = k;
@@ -225,13 +224,15 @@ public:
       result.patches.push_back(patch);
     }
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
-      angles_.push_back(turned_angle(k, links));
+      angles_.push_back(turned_angle(k));
       result.patches[k].angle = value_of(angles_.back());
     }
     return result;
   }
 
   // Of the patches found, in their order.
+  /// Closeness of a patch and the next.
+  [[nodiscard]] const Real& link(std::size_t patch) const { return links_[patch]; }
   [[nodiscard]] const Real& angle(std::size_t patch) const { return angles_[patch]; }
   [[nodiscard]] const Moments<Real>& moments(std::size_t patch) const {
     return lobes_[patch].moments;
@@ -500,15 +501,15 @@ private:
   }
 
   /// Mean over all levels of closeness of the plane of those that are at least that close.
-  Real turned_angle(std::size_t lobe, const std::vector<Real>& links) const {
+  Real turned_angle(std::size_t lobe) const {
     std::size_t first = lobe;
     std::size_t last = lobe;
     Moments<Real> cluster = lobes_[lobe].moments;
     Real level = 1.0;
     Real angle = 0.0;
     while (level > 0.0) {
-      const Real before = first > 0 ? links[first - 1] : Real(0.0);
-      const Real after = last < links.size() ? links[last] : Real(0.0);
+      const Real before = first > 0 ? links_[first - 1] : Real(0.0);
+      const Real after = last < links_.size() ? links_[last] : Real(0.0);
       const Real next = std::min(level, std::max(before, after));
       angle += (level - next) * cluster.angle();
       level = next;
@@ -532,6 +533,7 @@ private:
   Moments<Real> begin_density_;  ///< where the next stretch of a lobe begins
   std::vector<Real> affinities_; ///< of each lobe and the next
   std::vector<Lobe<Real>> lobes_;
+  std::vector<Real> links_;  ///< closeness of each patch and the next
   std::vector<Real> angles_; ///< of the planes
 };
 

@@ -1,5 +1,6 @@
 #include "remesh/plane_rates.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -139,12 +140,27 @@ ByMotion<double> by_motion(const Rated& number) {
 
 } // namespace
 
+ByMotion<double> MovingPatches::closeness_rate(std::size_t i, std::size_t j) const {
+  double least = 1.0;
+  ByMotion<double> rate;
+  for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) {
+    if (found.links[k] < least) {
+      least = found.links[k];
+      rate = link_rates[k];
+    }
+  }
+  return rate;
+}
+
 MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& rail,
                                   const Pose& pose, const ContactScan& scan, double depth) {
   const MovingPlaces places(wheel, rail, pose);
   patch_finding::PatchFinder finder(scan, depth, places);
-  MovingPatches result{finder.find(), {}};
+  MovingPatches result{finder.find(), {}, {}};
   for (std::size_t k = 0; k < result.found.patches.size(); ++k) {
+    if (k > 0) {
+      result.link_rates.push_back(by_motion(finder.link(k - 1)));
+    }
     const patch_finding::Moments<Rated>& moments = finder.moments(k);
     result.rates.push_back({by_motion(finder.angle(k)), by_motion(moments.x / moments.weight),
                             by_motion(moments.y / moments.weight)});

@@ -16,6 +16,7 @@
 /// wheel.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "geometry/contact_search.hpp"
@@ -33,8 +34,12 @@ struct PlaneRates {
 };
 
 struct MovingPatches {
-  ContactPatches found;          ///< as find_contact_patches finds them
-  std::vector<PlaneRates> rates; ///< in the same order
+  ContactPatches found;                     ///< as find_contact_patches finds them
+  std::vector<PlaneRates> rates;            ///< in the same order
+  std::vector<ByMotion<double>> link_rates; ///< of `found.links`
+
+  /// Of found.closeness(i, j).
+  [[nodiscard]] ByMotion<double> closeness_rate(std::size_t i, std::size_t j) const;
 };
 
 /// `scan` is that of the pair's pose; `depth` leads from the first touch to the pair's height,

@@ -80,6 +80,8 @@ struct SensitivityRequest {
   double tolerance = 1e-8;       ///< of the linear solutions
   bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
   PatchInfluence* influence = nullptr; ///< of the patches on each other
+  /// How that influence itself changes with each motion, per mm or rad; null where it does not.
+  ByMotion<PatchInfluence*> influence_rates;
 };
 
 /// Throws Error(invalid_argument) as the solver does.

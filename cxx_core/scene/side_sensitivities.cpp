@@ -1,7 +1,9 @@
 #include "scene/side_sensitivities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
@@ -73,6 +75,24 @@ PatchInteraction interaction_of(const SideResult& side, const Planes& planes) {
   return interaction;
 }
 
+/// The same with the rates of closeness instead; nothing where the influence does not change.
+std::unique_ptr<CoupledInfluence> changing_influence(std::span<const SolvedPatch> solved,
+                                                     PatchInteraction interaction,
+                                                     const Planes& planes,
+                                                     double ByMotion<double>::*motion,
+                                                     double combined_modulus) {
+  const std::size_t count = solved.size();
+  bool any = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t l = 0; l < count; ++l) {
+      double& rate = interaction.closeness[k * count + l];
+      rate = planes.moving.closeness_rate(planes.index[k], planes.index[l]).*motion;
+      any = any || rate != 0.0;
+    }
+  }
+  return any ? std::make_unique<CoupledInfluence>(solved, interaction, combined_modulus) : nullptr;
+}
+
 SideRates compute_rates(const SideResult& side) {
   const SideDetails& details = side.details;
   const Planes planes = find_planes(side);
@@ -96,6 +116,15 @@ SideRates compute_rates(const SideResult& side) {
   if (!interaction.places.empty()) {
     influence.emplace(solved, interaction, details.combined_modulus);
     request.influence = &*influence;
+  }
+  std::array<std::unique_ptr<CoupledInfluence>, 3> changes;
+  if (influence && !details.interaction) {
+    const auto change = [&](double ByMotion<double>::*motion) {
+      return changing_influence(solved, interaction, planes, motion, details.combined_modulus);
+    };
+    changes = {change(&ByMotion<double>::lateral), change(&ByMotion<double>::vertical),
+               change(&ByMotion<double>::roll)};
+    request.influence_rates = {changes[0].get(), changes[1].get(), changes[2].get()};
   }
   InfluenceCache cache;
   ContactStiffness stiffness(cache);

@@ -181,7 +181,7 @@ TEST(Sensitivities, SidesMirrorEachOther) {
 }
 
 TEST(Sensitivities, CondensedAgreeWithDifferencesUnderConstantLoad) {
-  // The wheel climbs to the next position under the same load; per cent of the largest rate.
+  // The grid follows the contact from one position to the next: 1.8 % of the largest rate at most.
   constexpr double step = 2e-3;
   constexpr double arm = 750.0;
   constexpr double tolerance = 0.02;
