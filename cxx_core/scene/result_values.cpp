@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "mechanics/contact_area.hpp"
+#include "scene/side_sensitivities.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
@@ -132,6 +133,33 @@ constexpr std::array residual_numbers{
     Number<Residuals>{"complementarity", [](const Residuals& r) { return r.complementarity; }},
 };
 
+constexpr std::array sensitivity_numbers{
+    Number<SideRates>{"lateral_force.lateral",
+                      [](const SideRates& r) { return r.force.lateral.force.y; }},
+    Number<SideRates>{"lateral_force.vertical",
+                      [](const SideRates& r) { return r.force.vertical.force.y; }},
+    Number<SideRates>{"lateral_force.roll",
+                      [](const SideRates& r) { return r.force.roll.force.y; }},
+    Number<SideRates>{"vertical_force.lateral",
+                      [](const SideRates& r) { return r.force.lateral.force.z; }},
+    Number<SideRates>{"vertical_force.vertical",
+                      [](const SideRates& r) { return r.force.vertical.force.z; }},
+    Number<SideRates>{"vertical_force.roll",
+                      [](const SideRates& r) { return r.force.roll.force.z; }},
+};
+
+/// With the height following, so that the vertical force stays.
+constexpr std::array condensed_numbers{
+    Number<CondensedRates>{"lateral_force.lateral",
+                           [](const CondensedRates& r) { return r.lateral.wheel.force.y; }},
+    Number<CondensedRates>{"lateral_force.roll",
+                           [](const CondensedRates& r) { return r.roll.wheel.force.y; }},
+    Number<CondensedRates>{"vertical.lateral",
+                           [](const CondensedRates& r) { return r.lateral.vertical; }},
+    Number<CondensedRates>{"vertical.roll",
+                           [](const CondensedRates& r) { return r.roll.vertical; }},
+};
+
 constexpr std::array time_numbers{
     Number<StageMilliseconds>{"profile", [](const StageMilliseconds& t) { return t.profile; }},
     Number<StageMilliseconds>{"setup", [](const StageMilliseconds& t) { return t.setup; }},
@@ -163,6 +191,19 @@ bool take_index(std::string_view& name, std::size_t count, std::size_t& index) {
 std::optional<double> touch_value(const ContactPlace& place, std::string_view name) {
   const auto value = find_in(place_numbers, place, name);
   return value ? value : find_in(touch_numbers, place, name);
+}
+
+std::optional<double> sensitivity_value(SideResult& side, std::string_view name) {
+  // Unknown names cost no solution.
+  const bool at_load = take(name, "at_load.");
+  const bool known = at_load ? find_in(condensed_numbers, CondensedRates{}, name).has_value()
+                             : find_in(sensitivity_numbers, SideRates{}, name).has_value();
+  const SideRates* rates = known ? sensitivities_of(side) : nullptr;
+  if (rates == nullptr || (at_load && !rates->at_load)) {
+    return std::nullopt;
+  }
+  return at_load ? find_in(condensed_numbers, *rates->at_load, name)
+                 : find_in(sensitivity_numbers, *rates, name);
 }
 
 std::optional<double> side_value(SideResult& side, std::string_view name) {
@@ -199,6 +240,9 @@ std::optional<double> side_value(SideResult& side, std::string_view name) {
     const auto known = find_in(residual_numbers, Residuals{}, name);
     return known ? find_in(residual_numbers, residuals_of(side), name) : std::nullopt;
   }
+  if (take(name, "sensitivities.")) {
+    return sensitivity_value(side, name);
+  }
   return name == "error_estimate" ? side.error_estimate : find_in(side_numbers, side, name);
 }
 
@@ -225,6 +269,10 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     names.push_back(prefix + "error_estimate");
   }
   add_names(names, prefix + "residuals.", residual_numbers);
+  if (!side.patches.empty()) {
+    add_names(names, prefix + "sensitivities.", sensitivity_numbers);
+    add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
+  }
   for (std::size_t i = 0; i < side.patches.size(); ++i) {
     const std::string patch = prefix + "patches." + std::to_string(i) + '.';
     add_names(names, patch, patch_numbers);

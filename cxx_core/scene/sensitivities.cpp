@@ -148,6 +148,31 @@ private:
   std::vector<PatchRates> rates_;
 };
 
+/// What the pressures displace more at each other counts as a change of the gaps.
+void add_influence_rates(std::span<const LoadedPatch> patches, const SensitivityRequest& request,
+                         std::vector<Fields>& gap_rates) {
+  const std::array<PatchInfluence*, motion_count> changes{request.influence_rates.lateral,
+                                                          request.influence_rates.vertical,
+                                                          request.influence_rates.roll};
+  Fields pressure;
+  Fields displacement(patches.size());
+  for (std::size_t motion = 0; motion < motion_count; ++motion) {
+    if (changes[motion] == nullptr) {
+      continue;
+    }
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      if (pressure.size() < patches.size()) {
+        pressure.emplace_back(patches[k].pressure.begin(), patches[k].pressure.end());
+      }
+      displacement[k] = std::move(gap_rates[k][motion]);
+    }
+    changes[motion]->add(pressure, displacement);
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      gap_rates[k][motion] = std::move(displacement[k]);
+    }
+  }
+}
+
 Vector3 centre_of_pressure(const LoadedPatch& patch, double normal_force) {
   const Grid& grid = patch.grid;
   double longitudinal = 0.0;
@@ -194,6 +219,7 @@ SideSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Loa
                       gap_rates[k]);
     levers.push_back(levers_of(patches[k], axis));
   }
+  add_influence_rates(patches, request, gap_rates);
   SideSensitivity result;
   const std::vector<PatchRates> rates =
       RateSolver(patches, request, solver, gap_rates, levers).solve(result);

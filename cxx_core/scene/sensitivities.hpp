@@ -4,7 +4,8 @@
 /// that need a Jacobian. With N_k and n_k force and normal of patch k, F = sum N_k n_k:
 ///   dF/dq = sum dN_k/dq n_k  (planes fixed)  +  sum N_k dn_k/dalpha dalpha_k/dq  (planes turning)
 /// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution
-/// (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's knowledge;
+/// (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's knowledge
+/// (remesh/plane_rates.hpp);
 /// dn/dalpha is minus the plane's lateral axis. The second part is what a rigid contact has alone
 /// (the gravitational stiffness); it leaves out that gaps are measured along another direction.
 /// The roll moment is M = e . sum (r - r_c) x n p a b, r_c the wheelset's centre, e = Rz(yaw) e_x
@@ -31,17 +32,11 @@
 #include <vector>
 
 #include "mechanics/contact_stiffness.hpp"
+#include "remesh/by_motion.hpp"
 #include "remesh/contact_frame.hpp"
 #include "remesh/surface_rays.hpp"
 
 namespace wrc {
-
-/// One value for each motion of the wheelset.
-template <typename Value> struct ByMotion {
-  Value lateral{};  ///< y grows
-  Value vertical{}; ///< z grows
-  Value roll{};     ///< turning about the wheelset's centre
-};
 
 /// Force of the rail on the wheel and its moment about the axis of roll through the centre.
 struct WheelForce {
@@ -85,6 +80,8 @@ struct SensitivityRequest {
   double tolerance = 1e-8;       ///< of the linear solutions
   bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
   PatchInfluence* influence = nullptr; ///< of the patches on each other
+  /// How that influence itself changes with each motion, per mm or rad; null where it does not.
+  ByMotion<PatchInfluence*> influence_rates;
 };
 
 /// Throws Error(invalid_argument) as the solver does.

@@ -125,6 +125,8 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
                     solution.combined_modulus,
                     solution.load,
                     solution.approach,
+                    solution.gap,
+                    solution.interaction,
                     wheel,
                     rail};
   result.iterations = solution.iterations;

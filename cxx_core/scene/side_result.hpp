@@ -3,7 +3,7 @@
 /// In the track frame (geometry/frames.hpp), both sides alike: results of the right side are those
 /// of a left one mirrored. Forces and moments are those of the rail on the wheel.
 /// Units mm, N, N mm, MPa, rad. Thread rule: functions of the results are pure, but for
-/// residuals_of.
+/// residuals_of and sensitivities_of.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/sensitivities.hpp"
 #include "scene/side_solution.hpp"
 
 namespace wrc {
@@ -58,12 +59,21 @@ struct PatchResult {
 struct SideDetails {
   double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
   Pose pose;             ///< left-hand frame of the side
-  double vertical = 0.0; ///< height of the wheelset's centre under load
+  double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
   double combined_modulus = 0.0;
   std::optional<double> load;    ///< of the joint problem; or approach 0 is given
   double problem_approach = 0.0; ///< answer to that problem
+  GapConvention gap = GapConvention::tangent;
+  bool interaction = false; ///< of all patches in full
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail;
+};
+
+/// How the forces change with the wheelset's position, track frame (scene/sensitivities.hpp).
+struct SideRates {
+  ForceRates force;        ///< without moments
+  ForceRates fixed_planes; ///< the part of it that is there without the planes' turning
+  std::optional<CondensedRates> at_load;
 };
 
 struct SideResult {
@@ -89,8 +99,9 @@ struct SideResult {
   int solutions = 0;
   int regrown = 0;
   StopReason stop_reason = StopReason::tolerance_met;
-  std::optional<Residuals> residuals; ///< once asked for, see residuals_of
-  std::vector<PatchResult> patches;   ///< largest normal force first
+  std::optional<Residuals> residuals;     ///< once asked for, see residuals_of
+  std::optional<SideRates> sensitivities; ///< once asked for, see sensitivities_of
+  std::vector<PatchResult> patches;       ///< largest normal force first
   std::vector<std::string> warnings;
   SideDetails details;
 };

@@ -832,6 +832,8 @@ void SideSolver::take(Trial trial) {
   result_.vertical = equilibrium_.vertical - trial.depth;
   result_.peak_pressure = trial.peak_pressure();
   result_.combined_modulus = request_.combined_modulus;
+  result_.gap = request_.gap;
+  result_.interaction = request_.interaction;
   result_.stop_reason = trial.stop_reason;
   if (!position_is_prescribed()) {
     result_.load = prescribed_load();

@@ -3,7 +3,7 @@
 /// Results are in the track frame (geometry/frames.hpp), both sides alike; only along a profile
 /// (`s_wheel`, `t_rail`) and across a patch (`lateral`) positive means to the field side.
 /// Units mm, N, MPa, rad; times in ms. Thread rule: functions of the results are pure, but for
-/// residuals_of and number_value, which keep what they have computed.
+/// residuals_of, sensitivities_of and number_value, which keep what they have computed.
 #pragma once
 
 #include <memory>
@@ -72,7 +72,8 @@ private:
 
 /// All scalar results by name ("left.pmax", "left.patches.0.angle", ...), in a fixed order.
 std::vector<std::string> number_names(const SceneResult& result);
-/// One of them; residuals are computed when they are first asked for. None of that name: nothing.
+/// One of them; residuals and sensitivities are computed when they are
+/// first asked for. None of that name: nothing.
 std::optional<double> number_value(SceneResult& result, std::string_view name);
 /// All texts by name ("model", "left.warnings.0", ...).
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result);

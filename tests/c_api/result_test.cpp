@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -370,6 +371,89 @@ TEST(Results, ATooSmallArrayIsLeftAloneAndTheLengthTold) {
   EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "capacity = 479"));
   EXPECT_EQ(wrc_scene_field(scene.get(), "left.pressure", values.data(), length, &count), WRC_OK);
   EXPECT_NE(values, std::vector<double>(values.size(), -1.0));
+}
+
+constexpr const char* sensitivity_names[] = {
+    ".lateral_force.lateral",  ".lateral_force.vertical",  ".lateral_force.roll",
+    ".vertical_force.lateral", ".vertical_force.vertical", ".vertical_force.roll",
+};
+constexpr const char* condensed_names[] = {
+    ".at_load.lateral_force.lateral",
+    ".at_load.lateral_force.roll",
+    ".at_load.vertical.lateral",
+    ".at_load.vertical.roll",
+};
+
+/// The wheelset at a position, its roll prescribed.
+void solve_at(wrc_scene* scene, double lateral, double roll) {
+  const double grid[] = {96.0, 64.0};
+  ASSERT_EQ(wrc_scene_set_numbers(scene, "solve.grid", grid, 2), WRC_OK);
+  ASSERT_EQ(wrc_scene_set_number(scene, "pose.lateral", lateral), WRC_OK);
+  ASSERT_EQ(wrc_scene_set_number(scene, "pose.roll", roll), WRC_OK);
+  ASSERT_EQ(wrc_scene_solve(scene), WRC_OK) << wrc_scene_error(scene);
+}
+
+TEST(Sensitivities, SidesMirrorEachOther) {
+  const ScenePointer left = make_scene();
+  const ScenePointer right = make_scene();
+  solve_at(left.get(), 4.0, 1e-3);
+  solve_at(right.get(), -4.0, -1e-3);
+  const auto expect_mirrored = [&](const std::string& name, double sign) {
+    const double of_left = number_of(left.get(), ("left.sensitivities" + name).c_str());
+    const double of_right = number_of(right.get(), ("right.sensitivities" + name).c_str());
+    EXPECT_NE(of_left, 0.0) << name;
+    EXPECT_EQ(of_right, sign * of_left) << name;
+  };
+  // Forces and motions across change their sign in the mirror, a roll does too.
+  const double signs[] = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
+  for (std::size_t i = 0; i < std::size(sensitivity_names); ++i) {
+    expect_mirrored(sensitivity_names[i], signs[i]);
+  }
+  const double condensed_signs[] = {1.0, 1.0, -1.0, -1.0};
+  for (std::size_t i = 0; i < std::size(condensed_names); ++i) {
+    expect_mirrored(condensed_names[i], condensed_signs[i]);
+  }
+  // The wheel is pressed back; at constant load less sideways than at constant height.
+  EXPECT_LT(number_of(left.get(), "left.sensitivities.vertical_force.vertical"), 0.0);
+  EXPECT_LT(number_of(left.get(), "left.sensitivities.lateral_force.lateral"), 0.0);
+}
+
+TEST(Sensitivities, CondensedAgreeWithDifferencesUnderConstantLoad) {
+  // The grid follows the contact from one position to the next: 1.8 % of the largest rate at most.
+  constexpr double step = 2e-3;
+  constexpr double arm = 750.0;
+  constexpr double tolerance = 0.02;
+  for (const double lateral : {0.0, 3.0, 5.6}) {
+    const ScenePointer scene = make_scene();
+    wrc_scene* s = scene.get();
+    solve_at(s, lateral, 5e-4);
+    double found[4];
+    for (std::size_t i = 0; i < std::size(condensed_names); ++i) {
+      found[i] = number_of(s, (std::string("left.sensitivities") + condensed_names[i]).c_str());
+    }
+    const auto difference = [&](bool rolls, double (*value)(wrc_scene*)) {
+      const double by = rolls ? step / arm : step;
+      double values[2];
+      for (const int end : {0, 1}) {
+        const double change = end == 0 ? -by : by;
+        solve_at(s, rolls ? lateral : lateral + change, rolls ? 5e-4 + change : 5e-4);
+        values[end] = value(s);
+      }
+      return (values[1] - values[0]) / (2.0 * by);
+    };
+    const auto force = [](wrc_scene* of) { return number_of(of, "left.lateral_force"); };
+    const auto height = [](wrc_scene* of) {
+      return number_of(of, "left.vertical") - number_of(of, "left.depth");
+    };
+    const double largest_force = std::max(std::abs(found[0]), std::abs(found[1]) / arm);
+    const double largest_height = std::max(std::abs(found[2]), std::abs(found[3]) / arm);
+    EXPECT_NEAR(found[0], difference(false, force), tolerance * largest_force) << lateral;
+    EXPECT_NEAR(found[1] / arm, difference(true, force) / arm, tolerance * largest_force)
+        << lateral;
+    EXPECT_NEAR(found[2], difference(false, height), tolerance * largest_height) << lateral;
+    EXPECT_NEAR(found[3] / arm, difference(true, height) / arm, tolerance * largest_height)
+        << lateral;
+  }
 }
 
 /// A failure to solve must leave the results of the last success.

@@ -1,0 +1,66 @@
+#include "mechanics/coupled_influence.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace wrc {
+
+std::vector<CoupledInfluence::Box> CoupledInfluence::boxes_of(std::span<const SolvedPatch> patches,
+                                                              double combined_modulus) {
+  std::vector<Box> boxes;
+  for (const SolvedPatch& patch : patches) {
+    Box& box = boxes.emplace_back();
+    box.size = {patch.grid.lateral_count, patch.grid.longitudinal_count};
+    find_pressure_box(box.size, patch.pressure, 0, box.elements);
+    box.values.resize(box.elements.rows() * box.elements.columns());
+    box.unit = patch.grid.longitudinal_step / (std::numbers::pi * combined_modulus);
+  }
+  return boxes;
+}
+
+std::vector<CoupledBox> CoupledInfluence::coupled_boxes(std::span<const SolvedPatch> patches,
+                                                        const PatchInteraction& interaction,
+                                                        const std::vector<Box>& boxes) {
+  std::vector<CoupledBox> coupled;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const Grid& grid = patches[k].grid;
+    const ElementBox& box = boxes[k].elements;
+    coupled.push_back({box.rows(), box.columns(), grid.lateral_step, grid.longitudinal_step,
+                       interaction.places[k].lateral + grid.lateral(box.first_row),
+                       interaction.places[k].longitudinal + grid.longitudinal(box.first_column)});
+  }
+  return coupled;
+}
+
+CoupledInfluence::CoupledInfluence(std::span<const SolvedPatch> patches,
+                                   const PatchInteraction& interaction, double combined_modulus)
+    : boxes_(boxes_of(patches, combined_modulus)),
+      coupling_(coupled_boxes(patches, interaction, boxes_), interaction.closeness) {}
+
+void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
+                           std::span<std::vector<double>> displacement) {
+  for (std::size_t k = 0; k < boxes_.size(); ++k) {
+    Box& box = boxes_[k];
+    for (std::size_t row = 0; row < box.elements.rows(); ++row) {
+      const auto from = pressure[k].begin() + static_cast<std::ptrdiff_t>(box.first_of(row));
+      std::copy_n(from, box.elements.columns(),
+                  box.values.begin() + static_cast<std::ptrdiff_t>(row * box.elements.columns()));
+    }
+    coupling_.gather(k, box.values.data());
+  }
+  coupling_.transfer();
+  for (std::size_t k = 0; k < boxes_.size(); ++k) {
+    Box& box = boxes_[k];
+    std::fill(box.values.begin(), box.values.end(), 0.0);
+    coupling_.add(k, box.values.data());
+    const std::size_t columns = box.elements.columns();
+    for (std::size_t row = 0; row < box.elements.rows(); ++row) {
+      double* to = displacement[k].data() + box.first_of(row);
+      for (std::size_t column = 0; column < columns; ++column) {
+        to[column] += box.unit * box.values[row * columns + column];
+      }
+    }
+  }
+}
+
+} // namespace wrc

@@ -1,0 +1,49 @@
+/// The influence of the patches of a joint problem on each other, for its stiffness.
+///
+/// The same operator as in the solution (joint_contact.hpp, patch_coupling.hpp): all patches in
+/// their mean plane, each pair counted with its closeness; on boxes around the pressures. With
+/// rates of closeness in its place it is the rate of that operator. Units mm, MPa. Thread rule: one
+/// object serves one thread at a time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mechanics/cascade.hpp"
+#include "mechanics/contact_stiffness.hpp"
+#include "mechanics/joint_contact.hpp"
+#include "mechanics/patch_coupling.hpp"
+
+namespace wrc {
+
+class CoupledInfluence : public PatchInfluence {
+public:
+  /// All patches must have pressure.
+  CoupledInfluence(std::span<const SolvedPatch> patches, const PatchInteraction& interaction,
+                   double combined_modulus);
+
+  void add(std::span<const std::vector<double>> pressure,
+           std::span<std::vector<double>> displacement) override;
+
+private:
+  struct Box {
+    LevelSize size; ///< of the grid
+    ElementBox elements;
+    double unit = 1.0; ///< mm per MPa and unit of the coupling
+    std::vector<double> values;
+
+    /// Of a row of the box, in the grid.
+    [[nodiscard]] std::size_t first_of(std::size_t row) const {
+      return (elements.first_row + row) * size.columns + elements.first_column;
+    }
+  };
+  static std::vector<CoupledBox> coupled_boxes(std::span<const SolvedPatch> patches,
+                                               const PatchInteraction& interaction,
+                                               const std::vector<Box>& boxes);
+  static std::vector<Box> boxes_of(std::span<const SolvedPatch> patches, double combined_modulus);
+
+  std::vector<Box> boxes_;
+  PatchCoupling coupling_;
+};
+
+} // namespace wrc

@@ -1,0 +1,171 @@
+#include "remesh/plane_rates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "remesh/patch_finder.hpp"
+#include "remesh/value_with_rates.hpp"
+
+namespace wrc {
+namespace {
+
+/// Variables: the motions, and along the profile.
+constexpr std::size_t lateral = 0;
+constexpr std::size_t vertical = 1;
+constexpr std::size_t roll = 2;
+constexpr std::size_t motion_count = 3;
+constexpr std::size_t along = 3;
+
+using ByPlace = WithRates<4>;
+using Rated = WithRates<motion_count>;
+
+/// Sine of the angle between both tangents above which a contact stands at a kink.
+constexpr double kink_sine = 1e-6;
+
+class MovingPlaces {
+public:
+  using Real = Rated;
+  using Place = patch_finding::Place<Rated>;
+
+  MovingPlaces(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
+      : wheel_(wheel), rail_(rail.graph().heights()), sin_yaw_(std::sin(pose.yaw)),
+        cos_yaw_(std::cos(pose.yaw)), lateral_(ByPlace::variable(pose.lateral, lateral)),
+        sin_roll_(sin(ByPlace::variable(pose.roll, roll))),
+        cos_roll_(cos(ByPlace::variable(pose.roll, roll))) {}
+
+  [[nodiscard]] Place place_of(const DistanceSample& sample, double limit) const {
+    const Meeting meeting = meet(sample.wheel.lateral);
+    Place place = place_of(meeting, {});
+    set_values(place, sample.wheel, limit - sample.distance, sample.rail_slope);
+    return place;
+  }
+
+  [[nodiscard]] Place place_of(const ContactCandidate& contact, double depth) const {
+    const Meeting meeting = meet(contact.wheel.lateral);
+    std::array<double, motion_count> moves{};
+    const double by_place = meeting.sine.rates[along];
+    if (std::abs(meeting.sine.value) < kink_sine && by_place != 0.0) {
+      for (std::size_t motion = 0; motion < motion_count; ++motion) {
+        moves[motion] = -meeting.sine.rates[motion] / by_place;
+      }
+    }
+    Place place = place_of(meeting, moves);
+    place.top = true;
+    set_values(place, contact.wheel, depth, std::tan(contact.rail_angle));
+    return place;
+  }
+
+private:
+  /// Wheel and rail at a place of the profile.
+  struct Meeting {
+    ByPlace s, x, y, distance, slope, curvature;
+    ByPlace sine; ///< of the angle from the rail's to the wheel's tangent, times a factor
+  };
+
+  [[nodiscard]] Meeting meet(double s) const {
+    const HeightPoint profile = wheel_.graph().heights().at(s);
+    Meeting meeting;
+    meeting.s = ByPlace::variable(s, along);
+    const ByPlace height = ByPlace::of(profile.height, profile.slope, meeting.s);
+    const ByPlace slope = ByPlace::of(profile.slope, profile.second, meeting.s);
+    // The angle of the locus, as in geometry/wheel_surface.hpp.
+    const ByPlace b = sin_yaw_ * sin_roll_;
+    const ByPlace c = -sin_yaw_ * cos_roll_ * slope;
+    const ByPlace square = cos_yaw_ * cos_yaw_ + b * b;
+    const ByPlace root = sqrt(std::max<ByPlace>(square - c * c, 0.0));
+    const ByPlace sine = (cos_yaw_ * c + b * root) / square;
+    const ByPlace cosine = (cos_yaw_ * root - b * c) / square;
+
+    const ByPlace rho = wheel_.radius() + height;
+    const ByPlace across = wheel_.taping_line() + meeting.s;
+    const ByPlace forward = rho * sine;
+    const ByPlace down = rho * cosine;
+    const ByPlace level = cos_roll_ * across + sin_roll_ * down;
+    meeting.x = cos_yaw_ * forward - sin_yaw_ * level;
+    meeting.y = lateral_ + sin_yaw_ * forward + cos_yaw_ * level;
+    const ByPlace z = ByPlace::variable(0.0, vertical) + sin_roll_ * across - cos_roll_ * down;
+
+    const HeightPoint rail = rail_.at(meeting.y.value);
+    meeting.distance = z - ByPlace::of(rail.height, rail.slope, meeting.y);
+    meeting.slope = ByPlace::of(rail.slope, rail.second, meeting.y);
+    meeting.curvature = 1.0 / (rho * sqrt(1.0 + slope * slope));
+    const ByPlace normal_y = sin_yaw_ * sine + cos_yaw_ * (sin_roll_ * cosine - cos_roll_ * slope);
+    const ByPlace normal_z = -(sin_roll_ * slope + cos_roll_ * cosine);
+    meeting.sine = normal_y + meeting.slope * normal_z;
+    return meeting;
+  }
+
+  /// Of a place that moves along the profile.
+  static Place place_of(const Meeting& meeting, const std::array<double, motion_count>& moves) {
+    const auto moved = [&moves](const ByPlace& number) {
+      Rated result(number.value);
+      for (std::size_t motion = 0; motion < motion_count; ++motion) {
+        result.rates[motion] = number.rates[motion] + moves[motion] * number.rates[along];
+      }
+      return result;
+    };
+    return {moved(meeting.x),
+            moved(meeting.y),
+            moved(meeting.s),
+            -moved(meeting.distance),
+            moved(meeting.slope),
+            moved(meeting.curvature),
+            false,
+            0.0};
+  }
+
+  /// To the last bit those of the scan, so that patches are the same.
+  static void set_values(Place& place, const LocusPlace& wheel, double penetration, double slope) {
+    place.x.value = wheel.position.x;
+    place.y.value = wheel.position.y;
+    place.s.value = wheel.lateral;
+    place.penetration.value = penetration;
+    place.slope.value = slope;
+    place.curvature.value = wheel.normal_curvature;
+  }
+
+  const WheelSurface& wheel_;
+  const HeightFunction& rail_;
+  double sin_yaw_;
+  double cos_yaw_;
+  ByPlace lateral_;
+  ByPlace sin_roll_;
+  ByPlace cos_roll_;
+};
+
+ByMotion<double> by_motion(const Rated& number) {
+  return {number.rates[lateral], number.rates[vertical], number.rates[roll]};
+}
+
+} // namespace
+
+ByMotion<double> MovingPatches::closeness_rate(std::size_t i, std::size_t j) const {
+  double least = 1.0;
+  ByMotion<double> rate;
+  for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) {
+    if (found.links[k] < least) {
+      least = found.links[k];
+      rate = link_rates[k];
+    }
+  }
+  return rate;
+}
+
+MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& rail,
+                                  const Pose& pose, const ContactScan& scan, double depth) {
+  const MovingPlaces places(wheel, rail, pose);
+  patch_finding::PatchFinder finder(scan, depth, places);
+  MovingPatches result{finder.find(), {}, {}};
+  for (std::size_t k = 0; k < result.found.patches.size(); ++k) {
+    if (k > 0) {
+      result.link_rates.push_back(by_motion(finder.link(k - 1)));
+    }
+    const patch_finding::Moments<Rated>& moments = finder.moments(k);
+    result.rates.push_back({by_motion(finder.angle(k)), by_motion(moments.x / moments.weight),
+                            by_motion(moments.y / moments.weight)});
+  }
+  return result;
+}
+
+} // namespace wrc

@@ -1,0 +1,153 @@
+#include "scene/side_sensitivities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "geometry/contact_search.hpp"
+#include "mechanics/coupled_influence.hpp"
+#include "remesh/plane_rates.hpp"
+
+namespace wrc {
+namespace {
+
+/// Of the linear solutions. What the rates neglect is more.
+constexpr double tolerance = 1e-4;
+
+/// The planes of a side as they were found, once more.
+struct Planes {
+  MovingPatches moving;
+  std::vector<std::size_t> index; ///< of each patch of the result
+};
+
+Planes find_planes(const SideResult& side) {
+  const SideDetails& details = side.details;
+  const ContactScan scan = search_contacts(*details.wheel, *details.rail, details.pose, 0.0, true);
+  Planes planes;
+  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan,
+                                      side.vertical - details.vertical);
+  const auto& found = planes.moving.found.patches;
+  for (const PatchResult& patch : side.patches) {
+    const auto apart = [&patch](const ContactPatch& place) {
+      return std::abs(place.mean_y - patch.frame.origin.y);
+    };
+    const auto nearest =
+        std::min_element(found.begin(), found.end(), [&apart](const auto& one, const auto& other) {
+          return apart(one) < apart(other);
+        });
+    planes.index.push_back(static_cast<std::size_t>(nearest - found.begin()));
+  }
+  return planes;
+}
+
+/// What the patches of the result do to each other; no places if nothing.
+PatchInteraction interaction_of(const SideResult& side, const Planes& planes) {
+  PatchInteraction interaction;
+  const std::size_t count = side.patches.size();
+  bool any = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t l = 0; l < count; ++l) {
+      const double closeness =
+          k == l || side.details.interaction
+              ? 1.0
+              : planes.moving.found.closeness(planes.index[k], planes.index[l]);
+      interaction.closeness.push_back(closeness);
+      any = any || (k != l && closeness > 0.0);
+    }
+  }
+  if (!any) {
+    return interaction;
+  }
+  // Along the line through all places, as in the solution.
+  std::vector<double> across;
+  Vector3 last;
+  for (const ContactPatch& patch : planes.moving.found.patches) {
+    const Vector3 origin{patch.mean_x, patch.mean_y,
+                         side.details.rail->graph().at_lateral(patch.mean_y).height};
+    const Vector3 step = origin - last;
+    across.push_back(across.empty() ? 0.0 : across.back() + std::hypot(step.y, step.z));
+    last = origin;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    interaction.places.push_back({across[planes.index[k]], side.patches[k].frame.origin.x});
+  }
+  return interaction;
+}
+
+/// The same with the rates of closeness instead; nothing where the influence does not change.
+std::unique_ptr<CoupledInfluence> changing_influence(std::span<const SolvedPatch> solved,
+                                                     PatchInteraction interaction,
+                                                     const Planes& planes,
+                                                     double ByMotion<double>::*motion,
+                                                     double combined_modulus) {
+  const std::size_t count = solved.size();
+  bool any = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t l = 0; l < count; ++l) {
+      double& rate = interaction.closeness[k * count + l];
+      rate = planes.moving.closeness_rate(planes.index[k], planes.index[l]).*motion;
+      any = any || rate != 0.0;
+    }
+  }
+  return any ? std::make_unique<CoupledInfluence>(solved, interaction, combined_modulus) : nullptr;
+}
+
+SideRates compute_rates(const SideResult& side) {
+  const SideDetails& details = side.details;
+  const Planes planes = find_planes(side);
+  std::vector<LoadedPatch> loaded;
+  std::vector<SolvedPatch> solved;
+  for (std::size_t k = 0; k < side.patches.size(); ++k) {
+    const PatchResult& patch = side.patches[k];
+    // Planes of vertical gaps turn with the wheelset.
+    const ByMotion<double> angle_rates = details.gap == GapConvention::vertical
+                                             ? ByMotion<double>{0.0, 0.0, 1.0}
+                                             : planes.moving.rates[planes.index[k]].angle;
+    loaded.push_back({patch.frame, patch.grid, patch.pressure, angle_rates});
+    solved.push_back({patch.grid, patch.pressure});
+  }
+  SensitivityRequest request;
+  request.combined_modulus = details.combined_modulus;
+  request.tolerance = tolerance;
+  request.roll_moment = false;
+  const PatchInteraction interaction = interaction_of(side, planes);
+  std::optional<CoupledInfluence> influence;
+  if (!interaction.places.empty()) {
+    influence.emplace(solved, interaction, details.combined_modulus);
+    request.influence = &*influence;
+  }
+  std::array<std::unique_ptr<CoupledInfluence>, 3> changes;
+  if (influence && !details.interaction) {
+    const auto change = [&](double ByMotion<double>::*motion) {
+      return changing_influence(solved, interaction, planes, motion, details.combined_modulus);
+    };
+    changes = {change(&ByMotion<double>::lateral), change(&ByMotion<double>::vertical),
+               change(&ByMotion<double>::roll)};
+    request.influence_rates = {changes[0].get(), changes[1].get(), changes[2].get()};
+  }
+  InfluenceCache cache;
+  ContactStiffness stiffness(cache);
+  const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
+  const SideSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  const bool is_left = details.mirror > 0.0;
+  SideRates result;
+  result.force = is_left ? found.total() : mirrored(found.total());
+  result.fixed_planes = is_left ? found.fixed_planes : mirrored(found.fixed_planes);
+  result.at_load = condense_at_vertical_load(result.force);
+  return result;
+}
+
+} // namespace
+
+const SideRates* sensitivities_of(SideResult& side) {
+  if (side.patches.empty()) {
+    return nullptr;
+  }
+  if (!side.sensitivities) {
+    side.sensitivities = compute_rates(side);
+  }
+  return &*side.sensitivities;
+}
+
+} // namespace wrc

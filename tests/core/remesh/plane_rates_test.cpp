@@ -1,0 +1,109 @@
+/// Rates of the contact planes against central differences of the patches found at moved poses.
+#include "remesh/plane_rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "profile/standard_profiles.hpp"
+
+namespace wrc::test {
+namespace {
+
+constexpr double step = 2e-6; // mm
+/// Distance of the wheelset's centre from the contact, mm: a turn moves it by so much more.
+constexpr double arm = 750.0;
+/// What differences of this step leave, of the largest rate.
+constexpr double difference_tolerance = 1e-5;
+
+struct Case {
+  const char* name;
+  const char* wheel;
+  const char* rail;
+  double lateral;
+  double depth;
+  double yaw = 0.0;
+  double roll = 0.0;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+class PlaneRatesOf : public testing::TestWithParam<Case> {};
+
+TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
+  const Case& c = GetParam();
+  const double back_to_back = std::string(c.wheel) == "S1002" ? 1360.0 : 1353.0;
+  const WheelSurface wheel(standard_profile(c.wheel), {back_to_back, 70.0, 460.0});
+  const RailSurface rail(standard_profile(c.rail), {1435.0, 14.0, std::atan(0.025)});
+  const Pose pose{c.lateral, c.yaw, c.roll};
+  const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
+  const double height = -scan.candidates.front().distance - c.depth;
+  const MovingPatches moving = find_moving_patches(wheel, rail, pose, scan, c.depth);
+  const ContactPatches plain = find_contact_patches(scan, c.depth);
+  ASSERT_EQ(moving.found.patches.size(), plain.patches.size());
+  ASSERT_EQ(moving.rates.size(), plain.patches.size());
+  for (std::size_t k = 0; k < plain.patches.size(); ++k) {
+    EXPECT_EQ(moving.found.patches[k].angle, plain.patches[k].angle);
+    EXPECT_EQ(moving.found.patches[k].mean_y, plain.patches[k].mean_y);
+    EXPECT_EQ(moving.found.patches[k].share, plain.patches[k].share);
+  }
+  for (std::size_t k = 0; k < plain.patches.size(); ++k) {
+    const PlaneRates& rates = moving.rates[k];
+    const auto largest = [](const ByMotion<double>& by) {
+      return std::max({std::abs(by.lateral), std::abs(by.vertical), std::abs(by.roll) / arm});
+    };
+    for (std::size_t motion = 0; motion < 3; ++motion) {
+      const double by = motion < 2 ? step : step / arm;
+      const auto found = [&](double sign) {
+        Pose at = pose;
+        double z = height;
+        (motion == 0 ? at.lateral : motion == 1 ? z : at.roll) += sign * by;
+        const ContactScan moved = search_contacts(wheel, rail, at, 0.0, true);
+        return find_contact_patches(moved, -moved.candidates.front().distance - z).patches.at(k);
+      };
+      const ContactPatch ahead = found(1.0);
+      const ContactPatch behind = found(-1.0);
+      const double unit = motion < 2 ? 1.0 : arm;
+      const auto compare = [&](const char* what, const ByMotion<double>& rate, double difference) {
+        const double here = motion == 0 ? rate.lateral : (motion == 1 ? rate.vertical : rate.roll);
+        EXPECT_NEAR(here / unit, difference / (2.0 * by * unit),
+                    difference_tolerance * largest(rate))
+            << what << " of patch " << k << ", motion " << motion;
+      };
+      compare("angle", rates.angle, ahead.angle - behind.angle);
+      compare("mean y", rates.mean_y, ahead.mean_y - behind.mean_y);
+      if (c.yaw != 0.0) {
+        compare("mean x", rates.mean_x, ahead.mean_x - behind.mean_x);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Positions, PlaneRatesOf,
+    testing::Values(Case{"middle", "S1002", "60E1", 0.3, 0.05},
+                    Case{"outwards", "S1002", "60E1", -3.0, 0.05, 0.0, 1e-3},
+                    Case{"two lobes", "S1002", "60E1", 3.0, 0.05},
+                    Case{"flange root", "S1002", "60E1", 5.6, 0.1},
+                    Case{"flange", "S1002", "60E1", 6.8, 0.1, 0.0, 1e-3},
+                    Case{"two patches", "S1002", "60E1", 6.0, 0.14, 0.02, 1e-3},
+                    Case{"yawed", "S1002", "60E1", 1.0, 0.05, 0.02},
+                    Case{"yawed flange", "S1002", "60E1", 6.5, 0.1, 0.03, 1e-3},
+                    Case{"Manchester two lobes", "S1002", "UIC60-Manchester", 5.0, 0.06, 0.0, 4e-4},
+                    Case{"LMA middle", "LMA", "60E1", 0.2, 0.06},
+                    Case{"LMA outwards", "LMA", "CHN60", -4.0, 0.06, 0.0, -5e-4},
+                    Case{"LMA inwards", "LMA", "CHN60", 4.0, 0.06, 0.01},
+                    Case{"LMA flange", "LMA", "CHN60", 9.0, 0.1, -0.02, 1e-3}),
+    [](const testing::TestParamInfo<Case>& tested) {
+      std::string name = tested.param.name;
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    });
+
+} // namespace
+} // namespace wrc::test
