@@ -81,7 +81,7 @@ struct SensitivityRequest {
   bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
   PatchInfluence* influence = nullptr; ///< of the patches on each other
   /// How that influence itself changes with each motion, per mm or rad; null where it does not.
-  ByMotion<PatchInfluence*> influence_rates;
+  ByMotion<PatchInfluence*> influence_rates = {};
 };
 
 /// Throws Error(invalid_argument) as the solver does.
