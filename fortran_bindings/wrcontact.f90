@@ -60,8 +60,8 @@ module wrcontact
     procedure :: number
     !> text(name): a text result; empty after a failure.
     procedure :: text
-    !> field(name): a field of a patch ('left.patches.1.pressure'; 'left.pressure' is that of patch 0),
-    !> longitudinal index fastest, or an outline ('left.rail_y'); of no length after a failure.
+    !> field(name): a field of a patch ('left.patches.1.pressure'; 'left.pressure' is that of patch
+    !> 0), longitudinal index fastest, or an outline ('left.rail_y'); of no length after a failure.
     procedure :: field
     generic :: assignment(=) => share
     procedure, private :: set_number, set_text, set_numbers, share

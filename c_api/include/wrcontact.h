@@ -102,10 +102,11 @@ WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
- * "left.patches.0.pressure" and has no values without contact. Of a side the outlines "left.rail_y",
- * ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity` values into `values` and sets *count to the length; with
- * capacity 0 (values may be NULL) it only tells the length. WRC_TOO_SMALL if the length exceeds a
- * capacity > 0; nothing is copied then. Since 0.1.
+ * "left.patches.0.pressure" and has no values without contact. Of a side the outlines
+ * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity`
+ * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
+ * tells the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
+ * Since 0.1.
  */
 WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
                                    int64_t capacity, int64_t* count);
