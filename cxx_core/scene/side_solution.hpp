@@ -108,6 +108,7 @@ struct SideSolution {
   double next_depth = 0.0;    ///< vertical, from the first touch to the height solved for
   std::optional<double> load; ///< of the joint problem; or the approach was prescribed
   double combined_modulus = 0.0;
+  std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
   StopReason stop_reason = StopReason::tolerance_met;
