@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mechanics/hertz.hpp"
+#include "mechanics/patch_coupling.hpp"
 
 namespace wrc {
 namespace {
@@ -123,10 +125,11 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
                     equilibrium.pose,
                     solution.vertical,
                     solution.combined_modulus,
+                    std::move(solution.interaction),
+                    solution.full_interaction,
                     solution.load,
                     solution.approach,
                     solution.gap,
-                    solution.interaction,
                     wheel,
                     rail};
   result.iterations = solution.iterations;
@@ -157,16 +160,57 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   return result;
 }
 
+namespace {
+
+/// The undeformed distances of all patches, with what the other patches displace there.
+std::vector<std::vector<double>> distances_with_others(const SideResult& side) {
+  std::vector<std::vector<double>> distances;
+  for (const PatchResult& patch : side.patches) {
+    distances.push_back(patch.undeformed_distance);
+  }
+  if (!side.details.interaction) {
+    return distances;
+  }
+  const PatchInteraction& interaction = *side.details.interaction;
+  std::vector<CoupledBox> boxes;
+  for (std::size_t k = 0; k < side.patches.size(); ++k) {
+    const Grid& grid = side.patches[k].grid;
+    const PatchInteraction::Place& place = interaction.places[k];
+    boxes.push_back({grid.lateral_count, grid.longitudinal_count, grid.lateral_step,
+                     grid.longitudinal_step, place.lateral + grid.lateral_first,
+                     place.longitudinal + grid.longitudinal_first});
+  }
+  PatchCoupling coupling(boxes, interaction.closeness);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    coupling.gather(k, side.patches[k].pressure.data());
+  }
+  coupling.transfer();
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    std::vector<double> displaced(distances[k].size(), 0.0);
+    coupling.add(k, displaced.data());
+    const double unit =
+        boxes[k].longitudinal_step / (std::numbers::pi * side.details.combined_modulus);
+    for (std::size_t i = 0; i < displaced.size(); ++i) {
+      distances[k][i] += unit * displaced[i];
+    }
+  }
+  return distances;
+}
+
+} // namespace
+
 const Residuals& residuals_of(SideResult& side) {
   if (side.residuals) {
     return *side.residuals;
   }
+  const std::vector<std::vector<double>> distances = distances_with_others(side);
   Residuals worst;
   double load = 0.0;
-  for (const PatchResult& patch : side.patches) {
+  for (std::size_t k = 0; k < side.patches.size(); ++k) {
+    const PatchResult& patch = side.patches[k];
     NormalProblem problem;
     problem.grid = patch.grid;
-    problem.undeformed_distance = patch.undeformed_distance;
+    problem.undeformed_distance = distances[k];
     problem.combined_modulus = side.details.combined_modulus;
     const double approach = patch.share * side.details.problem_approach;
     problem.approach = approach;

@@ -61,10 +61,11 @@ struct SideDetails {
   Pose pose;             ///< left-hand frame of the side
   double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
   double combined_modulus = 0.0;
-  std::optional<double> load;    ///< of the joint problem; or approach 0 is given
-  double problem_approach = 0.0; ///< answer to that problem
+  std::optional<PatchInteraction> interaction; ///< in the order of the results
+  bool full_interaction = false;               ///< of all patches
+  std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
+  double problem_approach = 0.0;               ///< answer to that problem
   GapConvention gap = GapConvention::tangent;
-  bool interaction = false; ///< of all patches in full
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail;
 };
@@ -112,8 +113,8 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
                             const SideEquilibrium& equilibrium, double side);
 
 /// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
-/// of their own; computed once. Patches by themselves: what they displace at each other is left out
-/// of the gaps, and makes up for what is reported where they interact.
+/// of their own; computed once. What patches displace at each other counts as in the solution, but
+/// for other nodes (patch_coupling.hpp), which shows where they interact.
 const Residuals& residuals_of(SideResult& side);
 
 } // namespace wrc

@@ -49,7 +49,7 @@ PatchInteraction interaction_of(const SideResult& side, const Planes& planes) {
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t l = 0; l < count; ++l) {
       const double closeness =
-          k == l || side.details.interaction
+          k == l || side.details.full_interaction
               ? 1.0
               : planes.moving.found.closeness(planes.index[k], planes.index[l]);
       interaction.closeness.push_back(closeness);
@@ -118,7 +118,7 @@ SideRates compute_rates(const SideResult& side) {
     request.influence = &*influence;
   }
   std::array<std::unique_ptr<CoupledInfluence>, 3> changes;
-  if (influence && !details.interaction) {
+  if (influence && !details.full_interaction) {
     const auto change = [&](double ByMotion<double>::*motion) {
       return changing_influence(solved, interaction, planes, motion, details.combined_modulus);
     };

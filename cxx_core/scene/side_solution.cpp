@@ -331,6 +331,9 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
     patch.normal_force = solution.patches[k].normal_force;
     patch.contact = summarise_pressure(patch.grid, patch.pressure);
   }
+  if (problem.interaction != nullptr) {
+    trial.interaction = std::move(interaction);
+  }
   result_.iterations += solution.iterations;
   result_.convolutions += solution.convolutions;
   trial.approach = solution.approach;
@@ -833,15 +836,31 @@ void SideSolver::take(Trial trial) {
   result_.peak_pressure = trial.peak_pressure();
   result_.combined_modulus = request_.combined_modulus;
   result_.gap = request_.gap;
-  result_.interaction = request_.interaction;
+  result_.full_interaction = request_.interaction;
   result_.stop_reason = trial.stop_reason;
   if (!position_is_prescribed()) {
     result_.load = prescribed_load();
   }
-  for (PatchTrial& patch : trial.patches) {
-    if (patch.no_contact()) {
-      continue;
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    if (!trial.patches[k].no_contact()) {
+      order.push_back(k);
     }
+  }
+  std::stable_sort(order.begin(), order.end(), [&trial](std::size_t one, std::size_t other) {
+    return trial.patches[one].normal_force > trial.patches[other].normal_force;
+  });
+  if (trial.interaction) {
+    PatchInteraction& taken = result_.interaction.emplace();
+    for (const std::size_t k : order) {
+      taken.places.push_back(trial.interaction->places[k]);
+      for (const std::size_t l : order) {
+        taken.closeness.push_back(trial.interaction->closeness[k * trial.patches.size() + l]);
+      }
+    }
+  }
+  for (const std::size_t k : order) {
+    PatchTrial& patch = trial.patches[k];
     PatchSolution& taken = result_.patches.emplace_back();
     taken.approach = overlap_of(patch, trial.approach);
     taken.place = patch.place;
@@ -854,10 +873,6 @@ void SideSolver::take(Trial trial) {
     taken.undeformed_distance = std::move(patch.distance);
     taken.pressure = std::move(patch.pressure);
   }
-  std::stable_sort(result_.patches.begin(), result_.patches.end(),
-                   [](const PatchSolution& one, const PatchSolution& other) {
-                     return one.normal_force > other.normal_force;
-                   });
 }
 
 SideSolution SideSolver::solve() {

@@ -111,7 +111,8 @@ struct SideSolution {
   std::optional<double> load; ///< of the joint problem; or the approach was prescribed
   double combined_modulus = 0.0;
   GapConvention gap = GapConvention::tangent;
-  bool interaction = false; ///< of all patches in full
+  std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
+  bool full_interaction = false;               ///< of all patches
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
   StopReason stop_reason = StopReason::tolerance_met;

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/pressure_field.hpp"
 #include "remesh/contact_frame.hpp"
@@ -96,6 +97,7 @@ struct Trial {
   double next_depth = 0.0; ///< the depth that the solution asks for
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;
+  std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
 
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] bool touches_edge() const;

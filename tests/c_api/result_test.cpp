@@ -248,6 +248,20 @@ TEST(Patches, ForcesAndMomentsAddUp) {
   }
 }
 
+TEST(Patches, ResidualsCountWhatPatchesDisplaceAtEachOther) {
+  // Nodes of the interaction differ from those of the solution.
+  constexpr double interpolation = 5e-3;
+  for (const char* interaction : {"near", "all"}) {
+    const ScenePointer scene = solve_two_patches();
+    wrc_scene* s = scene.get();
+    ASSERT_EQ(wrc_scene_set_text(s, "solve.interaction", interaction), WRC_OK);
+    ASSERT_EQ(wrc_scene_solve(s), WRC_OK) << wrc_scene_error(s);
+    EXPECT_LT(number_of(s, "left.residuals.complementarity"), interpolation) << interaction;
+    EXPECT_GT(number_of(s, "left.residuals.least_gap"), -interpolation) << interaction;
+    EXPECT_LT(number_of(s, "left.residuals.load_balance"), rounding) << interaction;
+  }
+}
+
 TEST(Patches, AnUnknownIndexIsToldByName) {
   const ScenePointer scene = solve_two_patches();
   double value = 7.0;
