@@ -35,6 +35,14 @@ constexpr double missed_margin = 0.5;
 /// A slide by this share of the depth changes pmax by about 1e-4: changes of 0.8 to 1.9 % were
 /// measured for slides of 0.17 to 0.42.
 constexpr double greatest_slide_share = 2e-3;
+/// Where patches are about to join, a change of their closeness by 1 changes depth and pmax by up
+/// to about 0.1, and the change of depth the closeness again, up to twice that in all: in shares of
+/// the accuracy this is the greatest change left.
+constexpr double greatest_closeness_change = 2.0;
+/// The share of a change of depth that comes back as another one, the greatest believed ...
+constexpr double greatest_feedback = 0.8;
+/// ... and the least relative change of depth that tells it.
+constexpr double telling_change = 1e-4;
 /// The coarse depth is settled when it changes by less than this share.
 constexpr double coarse_depth_share = 0.02;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
@@ -88,6 +96,13 @@ struct SidePlan {
   std::optional<double>
       left_out_s; ///< on the wheel: a patch that the vertical convention leaves out
 };
+
+void include(PlaneArea& area, const PlaneArea& other) {
+  area.lateral_first = std::min(area.lateral_first, other.lateral_first);
+  area.lateral_last = std::max(area.lateral_last, other.lateral_last);
+  area.longitudinal_first = std::min(area.longitudinal_first, other.longitudinal_first);
+  area.longitudinal_last = std::max(area.longitudinal_last, other.longitudinal_last);
+}
 
 /// Both in one plane; the weights of both count.
 ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
@@ -155,6 +170,9 @@ private:
   /// Contact touches an edge that can still move.
   [[nodiscard]] bool must_grow(const Trial& trial) const;
   [[nodiscard]] bool slides(const Trial& trial) const;
+  [[nodiscard]] bool changes_closeness(const Trial& trial) const;
+  /// The depth to try after a trial.
+  double improved_depth(const Trial& trial);
   [[nodiscard]] Resolution usual_resolution() const;
   [[nodiscard]] Resolution start_resolution() const;
   /// For each patch of a trial, from those of the patch with the largest pressure.
@@ -181,6 +199,11 @@ private:
   NormalSolver& solver_;
   SideMemory& memory_;
   SideSolution result_;
+  /// What improved_depth knows of the last trial: depths and number of patches.
+  double told_depth_ = 0.0;
+  double told_next_ = 0.0;
+  std::size_t told_patches_ = 0;
+  double feedback_ = 0.0;      ///< of a change of depth on the next one
   double lateral_error_ = 0.0; ///< of the last trial: what elements across the rail leave
   bool estimated_ = false;     ///< the error, on two grids of this position
 };
@@ -256,6 +279,7 @@ JointSolution SideSolver::solve_joint(const JointProblem& problem) {
 Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* start) {
   Trial trial;
   trial.depth = plan.depth;
+  trial.links = plan.found.links;
   const auto remesh_start = Clock::now();
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - plan.depth};
   const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
@@ -460,13 +484,23 @@ SidePlan SideSolver::next_plan(const Trial& trial, double depth,
       continue;
     }
     const auto index = static_cast<std::size_t>(last - trial.patches.data());
-    const PlaneArea area =
-        last->touches_edge() ? last->grown(growth) : last->contact_area(margin_elements);
-    patch.area = limited(carried_over(area, last->frame, patch.frame), patch);
+    const auto area_around = [growth](const PatchTrial& found) {
+      return found.touches_edge() ? found.grown(growth) : found.contact_area(margin_elements);
+    };
+    PlaneArea area = carried_over(area_around(*last), last->frame, patch.frame);
+    bool joined_others = false;
+    for (const PatchTrial& other : trial.patches) {
+      if (&other != last && !other.no_contact() && patch.place.y_first <= other.place.deepest_y &&
+          other.place.deepest_y <= patch.place.y_last) {
+        include(area, carried_over(area_around(other), other.frame, patch.frame));
+        joined_others = true;
+      }
+    }
+    patch.area = limited(area, patch);
     patch.mesh = last->mesh_across(resolutions[index]);
     const double columns = last->columns();
     if (std::abs(resolutions[index].longitudinal - columns) <= kept_columns * columns &&
-        !last->touches_edge()) {
+        !last->touches_edge() && !joined_others) {
       // The same columns, so that what differs between both grids is due to the rows.
       const Grid& grid = last->grid;
       const double shift = last->frame.origin.x - patch.frame.origin.x;
@@ -511,6 +545,47 @@ bool SideSolver::slides(const Trial& trial) const {
   return std::abs(trial.next_depth - trial.depth) * sine > share * trial.next_depth;
 }
 
+/// Whether patches would be closer to each other, or less close, at the depth found.
+bool SideSolver::changes_closeness(const Trial& trial) const {
+  if (position_is_prescribed() || !trial.partly_close() || !(trial.next_depth > 0.0)) {
+    return false;
+  }
+  const ContactPatches found = find_contact_patches(equilibrium_.scan, trial.next_depth);
+  const auto holder = [&found](const ContactPatch& place) {
+    return static_cast<std::size_t>(std::find_if(found.patches.begin(), found.patches.end(),
+                                                 [&place](const ContactPatch& patch) {
+                                                   return patch.y_first <= place.deepest_y &&
+                                                          place.deepest_y <= patch.y_last;
+                                                 }) -
+                                    found.patches.begin());
+  };
+  for (std::size_t k = 0; k < trial.links.size(); ++k) {
+    const std::size_t one = holder(trial.patches[k].place);
+    const std::size_t other = holder(trial.patches[k + 1].place);
+    if (one < found.patches.size() && other < found.patches.size() &&
+        std::abs(found.closeness(one, other) - trial.links[k]) >
+            greatest_closeness_change * request_.accuracy) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The depth that the solution asks for; where closeness grows with depth and depth with closeness,
+/// further on, by the feedback that the last two trials have shown.
+double SideSolver::improved_depth(const Trial& trial) {
+  const double change = trial.depth - told_depth_;
+  if (!trial.partly_close() || trial.patches.size() != told_patches_) {
+    feedback_ = 0.0;
+  } else if (std::abs(change) > telling_change * trial.depth) {
+    feedback_ = std::clamp((trial.next_depth - told_next_) / change, 0.0, greatest_feedback);
+  }
+  told_depth_ = trial.depth;
+  told_next_ = trial.next_depth;
+  told_patches_ = trial.patches.size();
+  return trial.depth + (trial.next_depth - trial.depth) / (1.0 - feedback_);
+}
+
 /// Coarse solutions until depth, planes and extents agree with each other.
 Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolution) {
   const bool from_memory = memory_.valid && !request_.grid;
@@ -536,7 +611,8 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
     }
     const bool depth_settled =
         position_is_prescribed() ||
-        std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth;
+        (std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth &&
+         !changes_closeness(trial));
     const std::vector<Resolution> resolutions = by_patch(trial, resolution);
     bool filled = true;
     for (std::size_t k = 0; k < trial.patches.size(); ++k) {
@@ -549,7 +625,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
       break;
     }
     if (!depth_settled && trial.next_depth > 0.0) {
-      depth = trial.next_depth;
+      depth = improved_depth(trial);
     }
     plan = next_plan(trial, depth, resolutions, coarse_growth);
   }
@@ -648,9 +724,10 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
       last = std::move(trial);
       continue;
     }
-    if (slides(trial)) {
+    if (slides(trial) || changes_closeness(trial)) {
       // The same areas and meshes at the other depth.
-      SidePlan next = empty_plan(trial.next_depth);
+      const double other_depth = improved_depth(trial);
+      SidePlan next = empty_plan(other_depth);
       if (next.patches.size() == plan.patches.size()) {
         for (std::size_t k = 0; k < plan.patches.size(); ++k) {
           next.patches[k].area = limited(
@@ -659,14 +736,15 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
           next.patches[k].mesh = plan.patches[k].mesh;
         }
       } else {
-        next = next_plan(trial, trial.next_depth, by_patch(trial, resolution), final_growth);
+        next = next_plan(trial, other_depth, by_patch(trial, resolution), final_growth);
       }
       plan = std::move(next);
       last = std::move(trial);
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    lateral_error_ = estimate_error(coarser, trial, position_is_prescribed());
+    lateral_error_ =
+        std::max(estimate_error(coarser, trial, position_is_prescribed()), narrow_error(trial));
     estimated_ = true;
     const double along_error = longitudinal_error(trial);
     result_.error_estimate = lateral_error_ + along_error;
@@ -717,7 +795,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
       }
     }
     Trial trial = try_plan(plan, tolerance(), nullptr);
-    if (trial.no_contact() || trial.touches_edge()) {
+    if (trial.no_contact() || trial.touches_edge() || narrow_error(trial) > request_.accuracy) {
       return std::nullopt;
     }
     SidePlan checked = plan;
@@ -732,11 +810,11 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
         return std::nullopt;
       }
     }
-    if (!slides(trial)) {
+    if (!slides(trial) && !changes_closeness(trial)) {
       result_.error_estimate = memory_.error_estimate;
       return trial;
     }
-    depth = trial.next_depth;
+    depth = improved_depth(trial);
   }
   return std::nullopt;
 }

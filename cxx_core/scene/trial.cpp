@@ -149,6 +149,10 @@ bool Trial::touches_edge() const {
                      [](const PatchTrial& patch) { return patch.touches_edge(); });
 }
 
+bool Trial::partly_close() const {
+  return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; });
+}
+
 const PatchTrial& Trial::main() const {
   return *std::max_element(patches.begin(), patches.end(),
                            [](const PatchTrial& one, const PatchTrial& other) {
@@ -216,6 +220,25 @@ double longitudinal_error(const Trial& trial) {
     }
   }
   return error;
+}
+
+double narrow_error(const Trial& trial) {
+  double sharpest = 0.0;
+  std::vector<double> tops; // largest pressure of each row, between rows without any
+  for (const PatchTrial& patch : trial.patches) {
+    const std::size_t columns = patch.grid.longitudinal_count;
+    tops.assign(patch.grid.lateral_count + 2, 0.0);
+    for (std::size_t row = 0; row < patch.grid.lateral_count; ++row) {
+      const double* values = patch.pressure.data() + row * columns;
+      tops[row + 1] = *std::max_element(values, values + columns);
+    }
+    for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
+      if (tops[i] >= tops[i - 1] && tops[i] >= tops[i + 1]) {
+        sharpest = std::max(sharpest, 2.0 * tops[i] - tops[i - 1] - tops[i + 1]);
+      }
+    }
+  }
+  return hertz_error * sharpest / (4.0 * trial.peak_pressure());
 }
 
 double longitudinal_resolution(double error) {
