@@ -25,6 +25,8 @@ constexpr double inner_share = 0.5;
 /// many across it, axis ratios 1/5 to 5, any place of the grid (pmax 0.13 to 0.22, approach 0.07 to
 /// 0.18).
 constexpr double hertz_error = 0.22;
+/// At the top of a semi-elliptic pressure n rows wide the second difference is 4 / n^2 of it.
+constexpr double top_share = 0.25;
 /// Grids count as different in a direction from this ratio of elements on.
 constexpr double least_ratio = 1.2;
 
@@ -223,7 +225,11 @@ double longitudinal_error(const Trial& trial) {
 }
 
 double narrow_error(const Trial& trial) {
-  double sharpest = 0.0;
+  double highest = 0.0;
+  for (const PatchTrial& patch : trial.patches) {
+    highest = std::max(highest, patch.contact.largest_element_pressure);
+  }
+  double missing = 0.0;
   std::vector<double> tops; // largest pressure of each row, between rows without any
   for (const PatchTrial& patch : trial.patches) {
     const std::size_t columns = patch.grid.longitudinal_count;
@@ -234,11 +240,13 @@ double narrow_error(const Trial& trial) {
     }
     for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
       if (tops[i] >= tops[i - 1] && tops[i] >= tops[i + 1]) {
-        sharpest = std::max(sharpest, 2.0 * tops[i] - tops[i - 1] - tops[i + 1]);
+        const double sharpness = hertz_error * (2.0 * tops[i] - tops[i - 1] - tops[i + 1]);
+        missing = std::max(missing, tops[i] < highest ? tops[i] + sharpness - highest
+                                                      : top_share * sharpness);
       }
     }
   }
-  return hertz_error * sharpest / (4.0 * trial.peak_pressure());
+  return missing / highest;
 }
 
 double longitudinal_resolution(double error) {

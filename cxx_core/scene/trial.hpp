@@ -120,8 +120,8 @@ double longitudinal_resolution(double error);
 
 /// Relative error of pmax that the rows across the rail leave at peaks only a few rows wide, such
 /// as a lobe that has just begun beside a wide one: two grids that both miss it agree by chance. By
-/// the same law: at the top of a semi-elliptic pressure n rows wide the second difference is 4 p0 /
-/// n^2.
+/// the same law, with the width that the second difference at the top tells; a lower peak counts
+/// with four times as much, as far as that lifts it above the highest one.
 double narrow_error(const Trial& trial);
 
 /// Relative error of pmax and approach (force if the position is prescribed) on the finer grid.
