@@ -186,6 +186,9 @@ private:
   Trial solve_on_final_grid(const Trial& coarse, const Resolution& resolution);
   /// The solution on the grids that were enough the last time; none if more has changed.
   std::optional<Trial> solve_as_before(double depth);
+  /// What the pressures of the other patches displace at a place of one, as far as they are felt.
+  [[nodiscard]] double displaced_by_others(const Trial& trial, std::size_t patch,
+                                           double longitudinal, double lateral) const;
   /// The areas that also hold contact which a solution has left out; false if there is none.
   bool add_missed_contact(const Trial& trial, SidePlan& plan) const;
   void warn_about(const Trial& trial);
@@ -333,6 +336,7 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
         const Vector3 step = origin - trial.patches[k - 1].frame.origin;
         across += std::hypot(step.y, step.z);
       }
+      trial.patches[k].across = across;
       interaction.places.push_back({across, origin.x});
       for (std::size_t l = 0; l < count; ++l) {
         const double closeness = k == l || request_.interaction ? 1.0 : plan.found.closeness(k, l);
@@ -632,6 +636,25 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
   return trial;
 }
 
+double SideSolver::displaced_by_others(const Trial& trial, std::size_t patch, double longitudinal,
+                                       double lateral) const {
+  double sum = 0.0;
+  for (std::size_t l = 0; l < trial.patches.size(); ++l) {
+    double closeness = 1.0;
+    for (std::size_t k = std::min(l, patch); k < std::max(l, patch); ++k) {
+      closeness = request_.interaction ? 1.0 : std::min(closeness, trial.links[k]);
+    }
+    const PatchTrial& here = trial.patches[patch];
+    const PatchTrial& other = trial.patches[l];
+    if (l != patch && closeness > 0.0 && !other.no_contact()) {
+      sum += closeness * displacement_at(other.grid, other.pressure, request_.combined_modulus,
+                                         longitudinal + here.frame.origin.x - other.frame.origin.x,
+                                         lateral + here.across - other.across);
+    }
+  }
+  return sum;
+}
+
 /// Contact can be missing where the bodies penetrate beyond an area. Every sample of the scan there
 /// is checked with the displacement that the patch's pressures cause at its place.
 bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
@@ -674,9 +697,10 @@ bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
       if (overlap - bound->at(longitudinal, lateral) <= limit) {
         continue;
       }
-      if (overlap - displacement_at(patch.grid, patch.pressure, request_.combined_modulus,
-                                    longitudinal, lateral) >
-          limit) {
+      const double displacement = displacement_at(patch.grid, patch.pressure,
+                                                  request_.combined_modulus, longitudinal, lateral);
+      if (overlap - displacement > limit &&
+          overlap - displacement - displaced_by_others(trial, k, longitudinal, lateral) > limit) {
         missed_here = true;
         const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
         larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);

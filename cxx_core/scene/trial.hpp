@@ -60,6 +60,7 @@ struct PatchTrial {
   Grid grid;
   double share = 1.0;     ///< of the approach, along the patch's normal
   double closeness = 0.0; ///< of the interaction with another patch: the largest
+  double across = 0.0;    ///< of the frame's origin, in the mean plane of all patches
   std::vector<double> distance;
   std::vector<double> pressure;
   double normal_force = 0.0;
