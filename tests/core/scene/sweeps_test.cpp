@@ -1,11 +1,17 @@
 // Sweeps of load and lateral position: nothing fails, nothing jumps unless it is told.
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "mechanics/material.hpp"
+#include "mechanics/normal_solver.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test {
@@ -170,6 +176,46 @@ INSTANTIATE_TEST_SUITE_P(Profiles, LateralSweep,
                          testing::Values(std::pair("S1002", "60E1"),
                                          std::pair("S1002", "UIC60-Manchester"),
                                          std::pair("LMA", "CHN60")));
+
+TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
+  // Hertzian bodies, the contact filling the same share of each grid.
+  const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
+  const auto paraboloid = [](std::size_t rows, std::size_t columns, double radius) {
+    const double step = 12.0 / static_cast<double>(columns);
+    const Grid grid{rows,
+                    columns,
+                    step,
+                    step,
+                    -0.5 * step * static_cast<double>(rows - 1),
+                    -0.5 * step * static_cast<double>(columns - 1)};
+    std::vector<double> distance(grid.element_count());
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        const double y = grid.lateral(i);
+        const double x = grid.longitudinal(j);
+        distance[i * columns + j] = 0.5 * (x * x + y * y) / radius;
+      }
+    }
+    return std::pair(grid, distance);
+  };
+  const auto solve = [&](std::span<const PatchGap> patches, double load) {
+    JointProblem problem;
+    problem.patches = patches;
+    problem.combined_modulus = modulus;
+    problem.load = load;
+    problem.tolerance = 1e-5;
+    return NormalSolver().solve(problem);
+  };
+  const auto [small_grid, small] = paraboloid(128, 128, 300.0);
+  const auto [large_grid, large] = paraboloid(180, 180, 300.0);
+  const std::array one{PatchGap{large_grid, large}};
+  const std::array two{PatchGap{small_grid, small, 1.0}, PatchGap{small_grid, small, 0.95}};
+  const JointSolution single = solve(one, 30e3);
+  const JointSolution both = solve(two, 60e3);
+  // A convolution goes over all boxes: as many elements in both.
+  EXPECT_LE(both.convolutions, 1.3 * single.convolutions);
+  std::printf("convolutions: two patches %d, one %d\n", both.convolutions, single.convolutions);
+}
 
 TEST(Costs, AGivenGridIsSolvedOnceOrTwice) {
   // A coarse solution or two settle the depth; the final grid is solved at the depth they give, and
