@@ -70,7 +70,7 @@ void sweep_load(Scene scene, double first, double last, double step, bool warm,
   }
 }
 
-class LoadSweep : public testing::TestWithParam<std::tuple<const char*, bool, bool>> {};
+class LoadSweep : public testing::TestWithParam<std::tuple<std::string, bool, bool>> {};
 
 TEST_P(LoadSweep, MeetsTheForceAndGoesOnSteadily) {
   const auto [rail, solve_roll, warm] = GetParam();
@@ -88,7 +88,8 @@ TEST_P(LoadSweep, MeetsTheForceAndGoesOnSteadilyOnAGivenGrid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rails, LoadSweep,
-                         testing::Combine(testing::Values("UIC60-Manchester", "60E1"),
+                         testing::Combine(testing::Values(std::string("UIC60-Manchester"),
+                                                          std::string("60E1")),
                                           testing::Bool(), testing::Bool()));
 
 TEST(LoadSweeps, PatchesAreBornAndJoinWithoutAJump) {
@@ -130,7 +131,7 @@ Scene scene_of(const std::string& wheel, const std::string& rail) {
   return scene;
 }
 
-class LateralSweep : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+class LateralSweep : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(LateralSweep, FailsNowhereAndTellsEveryJump) {
   constexpr int half_count = 100;
@@ -173,9 +174,10 @@ TEST_P(LateralSweep, FailsNowhereAndTellsEveryJump) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, LateralSweep,
-                         testing::Values(std::pair("S1002", "60E1"),
-                                         std::pair("S1002", "UIC60-Manchester"),
-                                         std::pair("LMA", "CHN60")));
+                         testing::Values(std::pair<std::string, std::string>("S1002", "60E1"),
+                                         std::pair<std::string, std::string>("S1002",
+                                                                             "UIC60-Manchester"),
+                                         std::pair<std::string, std::string>("LMA", "CHN60")));
 
 TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
   // Hertzian bodies, the contact filling the same share of each grid.
