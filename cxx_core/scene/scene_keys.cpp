@@ -267,10 +267,12 @@ std::vector<Key> solve_keys() {
            {},
            set_grid};
   keys.push_back(grid);
-  keys.push_back(number_key({"solve.tolerance", "1e-5", "1e-13 to 0.1",
-                             "of the iteration: largest error of a pressure relative to the "
-                             "largest pressure (solver paper: of the gaps)"},
-                            1e-13, 0.1, [](Scene& s, double v) { s.tolerance = v; }));
+  keys.push_back(
+      number_key({"solve.tolerance", "1e-5", "1e-13 to 0.1",
+                  "of the iteration on a grid given by hand: largest error of a pressure "
+                  "relative to the largest (solver paper: of the gaps); else it follows "
+                  "from the accuracy"},
+                 1e-13, 0.1, [](Scene& s, double v) { s.tolerance = v; }));
   keys.push_back(word_key({"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
                            "of the iteration; mixed is faster and meets the same tolerance"},
                           [](Scene& s, std::string_view v) {

@@ -8,7 +8,6 @@
 #include "error.hpp"
 #include "mechanics/displacement_bound.hpp"
 #include "mechanics/displacement_operator.hpp"
-#include "reductions.hpp"
 #include "remesh/depth_estimate.hpp"
 
 namespace wrc {
@@ -20,12 +19,6 @@ constexpr int coarse_limit = 60;
 constexpr int final_limit = 20;
 /// Share of the elements across that coarse solutions must reach of those aimed at.
 constexpr double least_fill = 0.6;
-/// Hertzian contact takes 1/sqrt(2) of the width of virtual penetration.
-constexpr double contact_share = 0.7;
-/// Room around the place where the last contact lay, in widths of virtual penetration.
-constexpr double memory_margin = 0.08;
-/// Room left around the contact found on a grid, in that grid's elements.
-constexpr double margin_elements = 1.5;
 /// By how much an edge that contact touches moves out, in widths of the area.
 constexpr double coarse_growth = 0.5;
 constexpr double final_growth = 0.15;
@@ -36,6 +29,14 @@ constexpr double missed_margin = 0.5;
 /// A slide by this share of the depth changes pmax by about 1e-4: changes of 0.8 to 1.9 % were
 /// measured for slides of 0.17 to 0.42.
 constexpr double greatest_slide_share = 2e-3;
+/// Where patches are about to join, a change of their closeness by 1 changes depth and pmax by up
+/// to about 0.1, and the change of depth the closeness again, up to twice that in all: in shares of
+/// the accuracy this is the greatest change left.
+constexpr double greatest_closeness_change = 2.0;
+/// The share of a change of depth that comes back as another one, the greatest believed ...
+constexpr double greatest_feedback = 0.8;
+/// ... and the least relative change of depth that tells it.
+constexpr double telling_change = 1e-4;
 /// The coarse depth is settled when it changes by less than this share.
 constexpr double coarse_depth_share = 0.02;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
@@ -62,8 +63,6 @@ constexpr int most_failures = 2;
 /// Ends of penetration that have moved by no more than this share of its width since errors were
 /// estimated leave the estimate in force.
 constexpr double estimate_reach = 0.05;
-/// Columns stay as they are if their number differs by no more than this share from what is wanted.
-constexpr double kept_columns = 0.2;
 /// So does a largest pressure that has changed by no more than this share.
 constexpr double estimate_pressure_reach = 0.02;
 /// Attempts with what is remembered before the side is solved anew.
@@ -73,9 +72,6 @@ constexpr double least_resolution_share = 0.35;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;
-/// In the vertical convention all that lies within these limits of the main patch shares its grid.
-constexpr double same_plane_angle = 0.2;
-constexpr double same_plane_distance = 20.0; // mm
 
 using Clock = std::chrono::steady_clock;
 
@@ -83,46 +79,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Patches at a depth, and where and how finely each is to be solved.
-struct SidePlan {
-  double depth = 0.0;
-  ContactPatches found;
-  std::vector<PatchPlan> patches;
-  std::optional<double>
-      left_out_s; ///< on the wheel: a patch that the vertical convention leaves out
-};
-
-/// Both in one plane; the weights of both count.
-ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
-  ContactPatch both = one.deepest >= other.deepest ? one : other;
-  const auto mean = [&](double of_one, double of_other) {
-    return (one.share * of_one + other.share * of_other) / (one.share + other.share);
-  };
-  const ContactPatch& first = one.y_first <= other.y_first ? one : other;
-  const ContactPatch& last = one.y_last >= other.y_last ? one : other;
-  both.y_first = first.y_first;
-  both.y_last = last.y_last;
-  both.x_first = std::min(one.x_first, other.x_first);
-  both.x_last = std::max(one.x_last, other.x_last);
-  both.half_length = std::max(one.half_length, other.half_length);
-  both.own_angle = both.angle = mean(one.own_angle, other.own_angle);
-  both.mean_x = mean(one.mean_x, other.mean_x);
-  both.mean_y = mean(one.mean_y, other.mean_y);
-  both.mean_s = mean(one.mean_s, other.mean_s);
-  both.share = one.share + other.share;
-  both.contact_first = first.contact_first;
-  both.angle_first = first.angle_first;
-  both.contact_last = last.contact_last;
-  both.angle_last = last.angle_last;
-  return both;
-}
-
 class SideSolver {
 public:
   SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
              const SideRequest& request, NormalSolver& solver, SideMemory& memory)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), solver_(solver),
-        memory_(memory) {}
+        memory_(memory), planner_(rail, equilibrium, request.gap, request.grid.has_value()) {}
 
   SideSolution solve();
 
@@ -132,32 +94,15 @@ private:
     return request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(0.0);
   }
   [[nodiscard]] double first_depth() const;
-  void join_in_one_plane(SidePlan& plan) const;
-  [[nodiscard]] ContactFrame frame_of(const ContactPatch& patch) const;
-  /// An area does not go beyond the neighbouring patches.
-  [[nodiscard]] PlaneArea limited(const PlaneArea& area, const PatchPlan& plan) const {
-    return within_territory(area, plan.place, rail_, plan.frame);
-  }
-  [[nodiscard]] PlaneArea penetrated_area(const ContactPatch& patch,
-                                          const ContactFrame& frame) const {
-    return area_of(patch, rail_, frame);
-  }
-  /// Places and planes at a depth, without areas and meshes.
-  [[nodiscard]] SidePlan empty_plan(double depth) const;
-  [[nodiscard]] SidePlan first_plan(double depth, const Resolution& resolution) const;
-  [[nodiscard]] SidePlan remembered_plan(double depth) const;
-  /// The next plan after a trial: at its depth or another one, around the contact found.
-  [[nodiscard]] SidePlan next_plan(const Trial& trial, double depth,
-                                   const std::vector<Resolution>& resolutions, double growth) const;
   /// `start`: an earlier trial whose pressures are near; none if null.
   Trial try_plan(const SidePlan& plan, double tolerance, const Trial* start);
   JointSolution solve_joint(const JointProblem& problem);
-  /// The same rectangle of the track, seen in the plane of another frame.
-  [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
-                                       const ContactFrame& to) const;
   /// Contact touches an edge that can still move.
   [[nodiscard]] bool must_grow(const Trial& trial) const;
   [[nodiscard]] bool slides(const Trial& trial) const;
+  [[nodiscard]] bool changes_closeness(const Trial& trial) const;
+  /// The depth to try after a trial.
+  double improved_depth(const Trial& trial);
   [[nodiscard]] Resolution usual_resolution() const;
   [[nodiscard]] Resolution start_resolution() const;
   /// For each patch of a trial, from those of the patch with the largest pressure.
@@ -170,6 +115,9 @@ private:
   Trial solve_on_final_grid(const Trial& coarse, const Resolution& resolution);
   /// The solution on the grids that were enough the last time; none if more has changed.
   std::optional<Trial> solve_as_before(double depth);
+  /// What the pressures of the other patches displace at a place of one, as far as they are felt.
+  [[nodiscard]] double displaced_by_others(const Trial& trial, std::size_t patch,
+                                           double longitudinal, double lateral) const;
   /// The areas that also hold contact which a solution has left out; false if there is none.
   bool add_missed_contact(const Trial& trial, SidePlan& plan) const;
   void warn_about(const Trial& trial);
@@ -182,36 +130,16 @@ private:
   const SideRequest& request_;
   NormalSolver& solver_;
   SideMemory& memory_;
+  SidePlanner planner_;
   SideSolution result_;
+  /// What improved_depth knows of the last trial: depths and number of patches.
+  double told_depth_ = 0.0;
+  double told_next_ = 0.0;
+  std::size_t told_patches_ = 0;
+  double feedback_ = 0.0;      ///< of a change of depth on the next one
   double lateral_error_ = 0.0; ///< of the last trial: what elements across the rail leave
   bool estimated_ = false;     ///< the error, on two grids of this position
 };
-
-/// In the vertical convention the patches near the main one are one: they have the same plane.
-void SideSolver::join_in_one_plane(SidePlan& plan) const {
-  const ContactPatch main = plan.found.patches[plan.found.main];
-  ContactPatch all = main;
-  for (const ContactPatch& patch : plan.found.patches) {
-    const double apart = std::max(patch.y_first - main.y_last, main.y_first - patch.y_last);
-    if (apart > same_plane_distance ||
-        std::abs(patch.own_angle - main.own_angle) > same_plane_angle) {
-      plan.left_out_s = patch.deepest_s;
-    } else if (patch.deepest_y != main.deepest_y) {
-      all = joined(all, patch);
-    }
-  }
-  all.territory_first = -std::numeric_limits<double>::infinity();
-  all.territory_last = std::numeric_limits<double>::infinity();
-  plan.found = {{all}, {}, 0};
-}
-
-/// The plane of a patch: through its weighted mean place on the rail.
-ContactFrame SideSolver::frame_of(const ContactPatch& patch) const {
-  const Vector3 origin{patch.mean_x, patch.mean_y, rail_.graph().at_lateral(patch.mean_y).height};
-  return request_.gap == GapConvention::tangent
-             ? tangent_frame(origin, patch.angle)
-             : vertical_frame(origin, Rotation(equilibrium_.pose));
-}
 
 double SideSolver::first_depth() const {
   if (position_is_prescribed()) {
@@ -258,6 +186,7 @@ JointSolution SideSolver::solve_joint(const JointProblem& problem) {
 Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* start) {
   Trial trial;
   trial.depth = plan.depth;
+  trial.links = plan.found.links;
   const auto remesh_start = Clock::now();
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - plan.depth};
   const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
@@ -312,6 +241,7 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
         const Vector3 step = origin - trial.patches[k - 1].frame.origin;
         across += std::hypot(step.y, step.z);
       }
+      trial.patches[k].across = across;
       interaction.places.push_back({across, origin.x});
       for (std::size_t l = 0; l < count; ++l) {
         const double closeness = k == l || request_.interaction ? 1.0 : plan.found.closeness(k, l);
@@ -345,27 +275,6 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
   return trial;
 }
 
-PlaneArea SideSolver::carried_over(const PlaneArea& area, const ContactFrame& from,
-                                   const ContactFrame& to) const {
-  PlaneArea result{
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const double lateral : {area.lateral_first, area.lateral_last}) {
-    for (const double longitudinal : {area.longitudinal_first, area.longitudinal_last}) {
-      const Vector3 place = from.to_track(longitudinal, lateral, 0.0);
-      const Vector3 on_rail{place.x, place.y, rail_.graph().at_lateral(place.y).height};
-      const Vector3 from_origin = on_rail - to.origin;
-      result.lateral_first = std::min(result.lateral_first, dot(from_origin, to.lateral));
-      result.lateral_last = std::max(result.lateral_last, dot(from_origin, to.lateral));
-      result.longitudinal_first =
-          std::min(result.longitudinal_first, dot(from_origin, to.longitudinal));
-      result.longitudinal_last =
-          std::max(result.longitudinal_last, dot(from_origin, to.longitudinal));
-    }
-  }
-  return result;
-}
-
 Resolution SideSolver::start_resolution() const {
   if (request_.grid) {
     return {2.0 * coarse_resolution, coarse_resolution};
@@ -393,109 +302,13 @@ std::vector<Resolution> SideSolver::by_patch(const Trial& trial, const Resolutio
   return resolutions;
 }
 
-SidePlan SideSolver::empty_plan(double depth) const {
-  SidePlan plan;
-  plan.depth = depth;
-  plan.found = find_contact_patches(equilibrium_.scan, depth);
-  if (request_.gap == GapConvention::vertical) {
-    join_in_one_plane(plan);
-  }
-  for (const ContactPatch& patch : plan.found.patches) {
-    PatchPlan& made = plan.patches.emplace_back();
-    made.place = patch;
-    made.frame = frame_of(patch);
-  }
-  return plan;
-}
-
-/// From the penetration alone.
-SidePlan SideSolver::first_plan(double depth, const Resolution& resolution) const {
-  SidePlan plan = empty_plan(depth);
-  for (PatchPlan& patch : plan.patches) {
-    const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
-    patch.area = limited(penetrated.widened(0.05), patch);
-    patch.mesh = {contact_share * penetrated.width() / resolution.lateral,
-                  contact_share * penetrated.length() / resolution.longitudinal,
-                  {}};
-  }
-  return plan;
-}
-
-/// Where contact lay in the penetration the last time; as many patches as then.
-SidePlan SideSolver::remembered_plan(double depth) const {
-  SidePlan plan = empty_plan(depth);
-  for (std::size_t k = 0; k < plan.patches.size() && k < memory_.patches.size(); ++k) {
-    PatchPlan& patch = plan.patches[k];
-    const SideMemory::Patch& last = memory_.patches[k];
-    const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
-    const double width = penetrated.width();
-    const double length = penetrated.length();
-    patch.mesh = {(last.lateral_last - last.lateral_first) * width / last.resolution.lateral,
-                  (last.longitudinal_last - last.longitudinal_first) * length /
-                      last.resolution.longitudinal,
-                  {}};
-    patch.area =
-        limited({penetrated.lateral_first + (last.lateral_first - memory_margin) * width,
-                 penetrated.lateral_first + (last.lateral_last + memory_margin) * width,
-                 penetrated.longitudinal_first + (last.longitudinal_first - memory_margin) * length,
-                 penetrated.longitudinal_first + (last.longitudinal_last + memory_margin) * length},
-                patch);
-  }
-  return plan;
-}
-
-/// A refinement close to a power of two is one: element aspect ratios then stay on their ladder.
-double refinement_near(double ratio) {
-  constexpr double close = 0.2; // octaves
-  const double octaves = std::log2(ratio);
-  return std::abs(octaves - std::round(octaves)) <= close ? std::exp2(std::round(octaves)) : ratio;
-}
-
-SidePlan SideSolver::next_plan(const Trial& trial, double depth,
-                               const std::vector<Resolution>& resolutions, double growth) const {
-  SidePlan plan = empty_plan(depth);
-  for (PatchPlan& patch : plan.patches) {
-    const PatchTrial* last = trial.matching(patch.place);
-    if (last == nullptr) {
-      const Resolution& resolution = resolutions.front();
-      const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
-      patch.area = limited(penetrated.widened(0.05), patch);
-      patch.mesh = {contact_share * penetrated.width() / resolution.lateral,
-                    contact_share * penetrated.length() / resolution.longitudinal,
-                    {}};
-      continue;
-    }
-    const auto index = static_cast<std::size_t>(last - trial.patches.data());
-    const PlaneArea area =
-        last->touches_edge() ? last->grown(growth) : last->contact_area(margin_elements);
-    patch.area = limited(carried_over(area, last->frame, patch.frame), patch);
-    patch.mesh = last->mesh_across(resolutions[index]);
-    const double columns = last->columns();
-    if (!request_.grid && !last->touches_edge() &&
-        std::abs(resolutions[index].longitudinal - columns) <= kept_columns * columns) {
-      // The same columns, so that what differs between both grids is due to the rows.
-      const Grid& grid = last->grid;
-      const double shift = last->frame.origin.x - patch.frame.origin.x;
-      constexpr double rounding = 1e-6;
-      patch.mesh.longitudinal_step = grid.longitudinal_step;
-      patch.area.longitudinal_first =
-          shift + grid.longitudinal_first - (0.5 - rounding) * grid.longitudinal_step;
-      patch.area.longitudinal_last = shift + grid.longitudinal(grid.longitudinal_count - 1) +
-                                     (0.5 - rounding) * grid.longitudinal_step;
-      const double rows = resolutions[index].lateral / last->rows();
-      patch.mesh.lateral_step = grid.lateral_step / refinement_near(rows);
-    }
-  }
-  return plan;
-}
-
 bool SideSolver::must_grow(const Trial& trial) const {
   return std::any_of(trial.patches.begin(), trial.patches.end(), [this](const PatchTrial& patch) {
     if (!patch.touches_edge()) {
       return false;
     }
     const PlaneArea larger =
-        limited(patch.grown(final_growth), {patch.place, patch.frame, patch.area, {}});
+        planner_.limited(patch.grown(final_growth), {patch.place, patch.frame, patch.area, {}});
     const double least = 0.5 * patch.grid.lateral_step;
     return larger.width() > patch.area.width() + least ||
            larger.length() > patch.area.length() * (1.0 + 1e-9);
@@ -517,12 +330,53 @@ bool SideSolver::slides(const Trial& trial) const {
   return std::abs(trial.next_depth - trial.depth) * sine > share * trial.next_depth;
 }
 
+/// Whether patches would be closer to each other, or less close, at the depth found.
+bool SideSolver::changes_closeness(const Trial& trial) const {
+  if (position_is_prescribed() || !trial.partly_close() || !(trial.next_depth > 0.0)) {
+    return false;
+  }
+  const ContactPatches found = find_contact_patches(equilibrium_.scan, trial.next_depth);
+  const auto holder = [&found](const ContactPatch& place) {
+    return static_cast<std::size_t>(std::find_if(found.patches.begin(), found.patches.end(),
+                                                 [&place](const ContactPatch& patch) {
+                                                   return patch.y_first <= place.deepest_y &&
+                                                          place.deepest_y <= patch.y_last;
+                                                 }) -
+                                    found.patches.begin());
+  };
+  for (std::size_t k = 0; k < trial.links.size(); ++k) {
+    const std::size_t one = holder(trial.patches[k].place);
+    const std::size_t other = holder(trial.patches[k + 1].place);
+    if (one < found.patches.size() && other < found.patches.size() &&
+        std::abs(found.closeness(one, other) - trial.links[k]) >
+            greatest_closeness_change * request_.accuracy) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The depth that the solution asks for; where closeness grows with depth and depth with closeness,
+/// further on, by the feedback that the last two trials have shown.
+double SideSolver::improved_depth(const Trial& trial) {
+  const double change = trial.depth - told_depth_;
+  if (!trial.partly_close() || trial.patches.size() != told_patches_) {
+    feedback_ = 0.0;
+  } else if (std::abs(change) > telling_change * trial.depth) {
+    feedback_ = std::clamp((trial.next_depth - told_next_) / change, 0.0, greatest_feedback);
+  }
+  told_depth_ = trial.depth;
+  told_next_ = trial.next_depth;
+  told_patches_ = trial.patches.size();
+  return trial.depth + (trial.next_depth - trial.depth) / (1.0 - feedback_);
+}
+
 /// Coarse solutions until depth, planes and extents agree with each other.
 Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolution) {
   const bool from_memory = memory_.valid && !request_.grid;
-  SidePlan plan = first_plan(depth, resolution);
+  SidePlan plan = planner_.first_plan(depth, resolution);
   if (from_memory && memory_.patches.size() == plan.patches.size()) {
-    plan = remembered_plan(depth);
+    plan = planner_.remembered_plan(memory_, depth);
     for (PatchPlan& patch : plan.patches) {
       patch.mesh.lateral_step *= 2.0;
     }
@@ -542,7 +396,8 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
     }
     const bool depth_settled =
         position_is_prescribed() ||
-        std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth;
+        (std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth &&
+         !changes_closeness(trial));
     const std::vector<Resolution> resolutions = by_patch(trial, resolution);
     bool filled = true;
     for (std::size_t k = 0; k < trial.patches.size(); ++k) {
@@ -555,11 +410,30 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
       break;
     }
     if (!depth_settled && trial.next_depth > 0.0) {
-      depth = trial.next_depth;
+      depth = improved_depth(trial);
     }
-    plan = next_plan(trial, depth, resolutions, coarse_growth);
+    plan = planner_.next_plan(trial, depth, resolutions, coarse_growth);
   }
   return trial;
+}
+
+double SideSolver::displaced_by_others(const Trial& trial, std::size_t patch, double longitudinal,
+                                       double lateral) const {
+  double sum = 0.0;
+  for (std::size_t l = 0; l < trial.patches.size(); ++l) {
+    double closeness = 1.0;
+    for (std::size_t k = std::min(l, patch); k < std::max(l, patch); ++k) {
+      closeness = request_.interaction ? 1.0 : std::min(closeness, trial.links[k]);
+    }
+    const PatchTrial& here = trial.patches[patch];
+    const PatchTrial& other = trial.patches[l];
+    if (l != patch && closeness > 0.0 && !other.no_contact()) {
+      sum += closeness * displacement_at(other.grid, other.pressure, request_.combined_modulus,
+                                         longitudinal + here.frame.origin.x - other.frame.origin.x,
+                                         lateral + here.across - other.across);
+    }
+  }
+  return sum;
 }
 
 /// Contact can be missing where the bodies penetrate beyond an area. Every sample of the scan there
@@ -604,9 +478,10 @@ bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
       if (overlap - bound->at(longitudinal, lateral) <= limit) {
         continue;
       }
-      if (overlap - displacement_at(patch.grid, patch.pressure, request_.combined_modulus,
-                                    longitudinal, lateral) >
-          limit) {
+      const double displacement = displacement_at(patch.grid, patch.pressure,
+                                                  request_.combined_modulus, longitudinal, lateral);
+      if (overlap - displacement > limit &&
+          overlap - displacement - displaced_by_others(trial, k, longitudinal, lateral) > limit) {
         missed_here = true;
         const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
         larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);
@@ -616,7 +491,7 @@ bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
       }
     }
     if (missed_here) {
-      const PlaneArea within = limited(larger, plan.patches[k]);
+      const PlaneArea within = planner_.limited(larger, plan.patches[k]);
       const bool grows = within.width() > plan.patches[k].area.width() ||
                          within.length() > plan.patches[k].area.length();
       plan.patches[k].area = within;
@@ -629,7 +504,7 @@ bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
 Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& resolution) {
   const double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
   std::vector<Resolution> resolutions = by_patch(coarse, resolution);
-  SidePlan plan = next_plan(coarse, depth, resolutions, final_growth);
+  SidePlan plan = planner_.next_plan(coarse, depth, resolutions, final_growth);
   int failures = 0;
   Trial coarser = coarse; // what errors are estimated from
   Trial last = coarse;    // whose pressures are the start of the next
@@ -644,7 +519,8 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
     if (must_grow(trial)) {
       ++result_.regrown;
       for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-        plan.patches[k].area = limited(trial.patches[k].grown(final_growth), plan.patches[k]);
+        plan.patches[k].area =
+            planner_.limited(trial.patches[k].grown(final_growth), plan.patches[k]);
       }
       last = std::move(trial);
       continue;
@@ -654,25 +530,28 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
       last = std::move(trial);
       continue;
     }
-    if (slides(trial)) {
+    if (slides(trial) || changes_closeness(trial)) {
       // The same areas and meshes at the other depth.
-      SidePlan next = empty_plan(trial.next_depth);
+      const double other_depth = improved_depth(trial);
+      SidePlan next = planner_.empty_plan(other_depth);
       if (next.patches.size() == plan.patches.size()) {
         for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-          next.patches[k].area = limited(
-              carried_over(plan.patches[k].area, plan.patches[k].frame, next.patches[k].frame),
-              next.patches[k]);
+          next.patches[k].area =
+              planner_.limited(planner_.carried_over(plan.patches[k].area, plan.patches[k].frame,
+                                                     next.patches[k].frame),
+                               next.patches[k]);
           next.patches[k].mesh = plan.patches[k].mesh;
         }
       } else {
-        next = next_plan(trial, trial.next_depth, by_patch(trial, resolution), final_growth);
+        next = planner_.next_plan(trial, other_depth, by_patch(trial, resolution), final_growth);
       }
       plan = std::move(next);
       last = std::move(trial);
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    lateral_error_ = estimate_error(coarser, trial, position_is_prescribed());
+    lateral_error_ =
+        std::max(estimate_error(coarser, trial, position_is_prescribed()), narrow_error(trial));
     estimated_ = true;
     const double along_error = longitudinal_error(trial);
     result_.error_estimate = lateral_error_ + along_error;
@@ -697,7 +576,7 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
       resolutions.push_back({now.lateral * (finer_across ? refinement : 1.0),
                              now.longitudinal * (finer_along ? refinement : 1.0)});
     }
-    plan = next_plan(trial, trial.depth, resolutions, final_growth);
+    plan = planner_.next_plan(trial, trial.depth, resolutions, final_growth);
     last = trial;
     coarser = std::move(trial);
   }
@@ -709,7 +588,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
     return std::nullopt;
   }
   for (int attempt = 0; attempt < warm_limit; ++attempt) {
-    const SidePlan plan = remembered_plan(depth);
+    const SidePlan plan = planner_.remembered_plan(memory_, depth);
     if (plan.patches.size() != memory_.patches.size()) {
       return std::nullopt;
     }
@@ -723,7 +602,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
       }
     }
     Trial trial = try_plan(plan, tolerance(), nullptr);
-    if (trial.no_contact() || trial.touches_edge()) {
+    if (trial.no_contact() || trial.touches_edge() || narrow_error(trial) > request_.accuracy) {
       return std::nullopt;
     }
     SidePlan checked = plan;
@@ -742,11 +621,11 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
         return std::nullopt;
       }
     }
-    if (!slides(trial)) {
+    if (!slides(trial) && !changes_closeness(trial)) {
       result_.error_estimate = memory_.error_estimate;
       return trial;
     }
-    depth = trial.next_depth;
+    depth = improved_depth(trial);
   }
   return std::nullopt;
 }
@@ -790,41 +669,11 @@ void SideSolver::warn_about(const Trial& trial) {
                             : std::string()));
   }
   if (request_.gap == GapConvention::vertical) {
-    if (const auto left_out = empty_plan(trial.depth).left_out_s) {
+    if (const auto left_out = planner_.empty_plan(trial.depth).left_out_s) {
       warnings.push_back("wheel and rail also meet at s_wheel = " + short_text_of(*left_out) +
                          " mm under another angle; with vertical distances that patch is left out");
     }
   }
-}
-
-/// The first element with the least value.
-std::size_t least_element(const std::vector<double>& values) {
-  const double least = least_of(values.data(), values.size());
-  return static_cast<std::size_t>(std::find(values.begin(), values.end(), least) - values.begin());
-}
-
-/// Deepest overlap of the undeformed bodies along the normal, by parabolas through the least
-/// distance and its neighbours.
-double overlap_of(const PatchTrial& patch, double approach) {
-  const std::size_t index = least_element(patch.distance);
-  const double least = patch.distance[index];
-  const std::size_t columns = patch.grid.longitudinal_count;
-  const std::size_t row = index / columns;
-  const std::size_t column = index % columns;
-  double deepest = least;
-  const auto deepen = [&](double before, double after) {
-    const double curvature = before - 2.0 * least + after;
-    if (curvature > 0.0) {
-      deepest -= (after - before) * (after - before) / (8.0 * curvature);
-    }
-  };
-  if (row > 0 && row + 1 < patch.grid.lateral_count) {
-    deepen(patch.distance[index - columns], patch.distance[index + columns]);
-  }
-  if (column > 0 && column + 1 < columns) {
-    deepen(patch.distance[index - 1], patch.distance[index + 1]);
-  }
-  return patch.share * approach - deepest;
 }
 
 void SideSolver::take(Trial trial) {
@@ -862,7 +711,7 @@ void SideSolver::take(Trial trial) {
   for (const std::size_t k : order) {
     PatchTrial& patch = trial.patches[k];
     PatchSolution& taken = result_.patches.emplace_back();
-    taken.approach = overlap_of(patch, trial.approach);
+    taken.approach = patch.overlap(trial.approach);
     taken.place = patch.place;
     taken.frame = patch.frame;
     taken.grid = patch.grid;
@@ -931,7 +780,7 @@ void SideSolver::remember(const Trial& trial) {
       kept.y_last = patch.place.y_last;
       kept.peak_pressure = patch.contact.peak_pressure;
     }
-    const PlaneArea penetrated = penetrated_area(patch.place, patch.frame);
+    const PlaneArea penetrated = area_of(patch.place, rail_, patch.frame);
     const PlaneArea contact = patch.contact_area(0.0);
     kept.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
     kept.lateral_last = (contact.lateral_last - penetrated.lateral_first) / penetrated.width();

@@ -38,6 +38,7 @@
 #include "remesh/contact_frame.hpp"
 #include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "scene/side_plan.hpp"
 #include "scene/trial.hpp"
 
 namespace wrc {
@@ -57,27 +58,6 @@ struct SideRequest {
   SolverChoice solver = SolverChoice::standard;
   bool interaction = false; ///< patches feel each other in full, however far apart
   int maximum_iterations = 5000;
-};
-
-/// What a solution leaves for the next one at a neighbouring position: a start, never an answer.
-struct SideMemory {
-  /// Where contact lay in a patch's rectangle of virtual penetration, as shares of its sides, and
-  /// how many elements were enough.
-  struct Patch {
-    double lateral_first = 0.0, lateral_last = 1.0;
-    double longitudinal_first = 0.0, longitudinal_last = 1.0;
-    Resolution resolution;
-    /// When the error was estimated: ends of the penetration, and the largest pressure.
-    double y_first = 0.0, y_last = 0.0;
-    double peak_pressure = 0.0;
-  };
-  bool valid = false;
-  double depth = 0.0;
-  double load = 0.0; ///< the one prescribed, N
-  double accuracy = 0.0;
-  std::vector<Patch> patches; ///< ordered by y
-  /// Estimated on two grids; none if it was not met.
-  std::optional<double> error_estimate;
 };
 
 struct StageTimes {

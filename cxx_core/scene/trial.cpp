@@ -26,6 +26,8 @@ constexpr double inner_share = 0.5;
 /// many across it, axis ratios 1/5 to 5, any place of the grid (pmax 0.13 to 0.22, approach 0.07 to
 /// 0.18).
 constexpr double hertz_error = 0.22;
+/// At the top of a semi-elliptic pressure n rows wide the second difference is 4 / n^2 of it.
+constexpr double top_share = 0.25;
 /// Grids count as different in a direction from this ratio of elements on.
 constexpr double least_ratio = 1.2;
 
@@ -138,6 +140,29 @@ PlaneArea PatchTrial::contact_area(double margin) const {
           grid.longitudinal(contact.box.longitudinal_last) + reach * grid.longitudinal_step};
 }
 
+double PatchTrial::overlap(double approach) const {
+  const double least = least_of(distance.data(), distance.size());
+  const auto index = static_cast<std::size_t>(std::find(distance.begin(), distance.end(), least) -
+                                              distance.begin());
+  const std::size_t columns_of_grid = grid.longitudinal_count;
+  const std::size_t row = index / columns_of_grid;
+  const std::size_t column = index % columns_of_grid;
+  double deepest = least;
+  const auto deepen = [&](double before, double after) {
+    const double curvature = before - 2.0 * least + after;
+    if (curvature > 0.0) {
+      deepest -= (after - before) * (after - before) / (8.0 * curvature);
+    }
+  };
+  if (row > 0 && row + 1 < grid.lateral_count) {
+    deepen(distance[index - columns_of_grid], distance[index + columns_of_grid]);
+  }
+  if (column > 0 && column + 1 < columns_of_grid) {
+    deepen(distance[index - 1], distance[index + 1]);
+  }
+  return share * approach - deepest;
+}
+
 bool Trial::no_contact() const {
   return std::all_of(patches.begin(), patches.end(),
                      [](const PatchTrial& patch) { return patch.no_contact(); });
@@ -146,6 +171,10 @@ bool Trial::no_contact() const {
 bool Trial::touches_edge() const {
   return std::any_of(patches.begin(), patches.end(),
                      [](const PatchTrial& patch) { return patch.touches_edge(); });
+}
+
+bool Trial::partly_close() const {
+  return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; });
 }
 
 const PatchTrial& Trial::main() const {
@@ -214,6 +243,31 @@ double longitudinal_error(const Trial& trial) {
     }
   }
   return error;
+}
+
+double narrow_error(const Trial& trial) {
+  double highest = 0.0;
+  for (const PatchTrial& patch : trial.patches) {
+    highest = std::max(highest, patch.contact.largest_element_pressure);
+  }
+  double missing = 0.0;
+  std::vector<double> tops; // largest pressure of each row, between rows without any
+  for (const PatchTrial& patch : trial.patches) {
+    const std::size_t columns = patch.grid.longitudinal_count;
+    tops.assign(patch.grid.lateral_count + 2, 0.0);
+    for (std::size_t row = 0; row < patch.grid.lateral_count; ++row) {
+      const double* values = patch.pressure.data() + row * columns;
+      tops[row + 1] = *std::max_element(values, values + columns);
+    }
+    for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
+      if (tops[i] >= tops[i - 1] && tops[i] >= tops[i + 1]) {
+        const double sharpness = hertz_error * (2.0 * tops[i] - tops[i - 1] - tops[i + 1]);
+        missing = std::max(missing, tops[i] < highest ? tops[i] + sharpness - highest
+                                                      : top_share * sharpness);
+      }
+    }
+  }
+  return missing / highest;
 }
 
 double longitudinal_resolution(double error) {
