@@ -1,6 +1,7 @@
 #include "reductions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "vector_clones.hpp"
@@ -17,12 +18,22 @@ WRC_VECTOR_CLONES double sum_of(const double* values, std::size_t count) {
 }
 
 WRC_VECTOR_CLONES double least_of(const double* values, std::size_t count) {
-  double least = std::numeric_limits<double>::infinity();
-#pragma omp simd reduction(min : least)
-  for (std::size_t i = 0; i < count; ++i) {
-    least = std::min(least, values[i]);
+  // Independent lanes: a single least value is not vectorised, for fear of values that are no
+  // numbers.
+  constexpr std::size_t lanes = 16;
+  std::array<double, lanes> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  const std::size_t whole = count - count % lanes;
+  for (std::size_t i = 0; i < whole; i += lanes) {
+#pragma omp simd
+    for (std::size_t k = 0; k < lanes; ++k) {
+      least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+    }
   }
-  return least;
+  for (std::size_t i = whole; i < count; ++i) {
+    least[0] = std::min(least[0], values[i]);
+  }
+  return *std::min_element(least.begin(), least.end());
 }
 
 WRC_VECTOR_CLONES bool all_finite(const double* values, std::size_t count) {

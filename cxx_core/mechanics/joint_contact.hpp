@@ -46,6 +46,9 @@ struct JointProblem {
   std::optional<double> load;     ///< F in N, >= 0
   std::optional<double> approach; ///< delta in mm
   double tolerance = 1e-6;        ///< of the pressures, relative to the largest one of all patches
+  /// Share of the tolerance by which rounding in single precision may change the pressures, and
+  /// results thus differ between instruction sets.
+  double rounding_share = 0.1;
   int maximum_iterations = 5000;
   const PatchInteraction* interaction = nullptr; ///< none: the patches do not feel each other
 };

@@ -183,6 +183,7 @@ struct NormalSolver::State {
   double approach = 0.0;
   double largest_pressure = 0.0;
   int iteration_limit = 0;
+  double rounding_share = 0.0;
   double pressure_scale = 0.0; ///< MPa
   double least_approach = 0.0; ///< mm: at which the first element touches
   double approach_scale = 0.0; ///< mm
@@ -378,6 +379,7 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
     request.load = load;
     request.approach = approach;
     request.tolerance = tolerance;
+    request.rounding_share = rounding_share;
     request.maximum_iterations = std::max(0, iteration_limit);
     request.coupling = coupling ? &*coupling : nullptr;
     IterationOutcome outcome = precision == Precision::mixed ? single_iteration.solve(request)
@@ -520,6 +522,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
 
   make_levels(problem);
   iteration_limit = problem.maximum_iterations;
+  rounding_share = problem.rounding_share;
   std::size_t level_count = 1;
   for (std::size_t k = 0; k < count; ++k) {
     level_count = std::max(level_count, cascades[k].level_count);

@@ -18,9 +18,6 @@ namespace {
 constexpr double single_drift = 8.5e-8;
 constexpr double double_drift = 2e-16;
 constexpr double drift_exponent = 1.15;
-/// Share of the tolerance that rounding may take; by about so much results differ between
-/// instruction sets.
-constexpr double drift_share = 0.1;
 /// Iterations without a smaller error after which no more is to be had.
 constexpr int stagnation_window = 60;
 
@@ -413,7 +410,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
   double factor = load_given ? *request.load / load : 1.0;
   // The error of p that rounding in u stands for, relative to the largest pressure.
   double drift = drift_rate;
-  const double permitted_drift = drift_share * request.tolerance;
+  const double permitted_drift = request.rounding_share * request.tolerance;
   if (is_single && drift > permitted_drift) {
     refresh_displacement(true);
     drift = least_drift;

@@ -10,7 +10,7 @@ namespace {
 /// Hertzian contact takes 1/sqrt(2) of the width of virtual penetration.
 constexpr double contact_share = 0.7;
 /// Room around the place where the last contact lay, in widths of virtual penetration.
-constexpr double memory_margin = 0.08;
+constexpr double memory_margin = 0.05;
 /// Columns stay as they are if their number differs by no more than this share from what is wanted.
 constexpr double kept_columns = 0.2;
 /// In the vertical convention all that lies within these limits of the main patch shares its grid.

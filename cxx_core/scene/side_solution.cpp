@@ -54,6 +54,8 @@ constexpr double refinement = 2.0;
 constexpr double aimed_share = 0.5;
 /// Share of the accuracy that the iteration may take.
 constexpr double iteration_share = 0.1;
+/// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
+constexpr double accuracy_rounding_share = 0.5;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
 /// once on a grid that should resolve any smooth contact, is no convergence (a kink of a profile in
 /// the contact has no bounded pressure): further grids would be wasted.
@@ -229,6 +231,9 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
     problem.load = prescribed_load();
   }
   problem.tolerance = tolerance;
+  if (!request_.grid) {
+    problem.rounding_share = accuracy_rounding_share;
+  }
   problem.maximum_iterations = request_.maximum_iterations;
   PatchInteraction interaction;
   if (trial.patches.size() > 1) {
