@@ -15,7 +15,7 @@ constexpr double ladder_steps = 8.0;
 /// Factor on the estimated discretisation error, for its own uncertainty.
 constexpr double estimate_safety = 2.0;
 /// The same if the coarser grid has many rows: such grids agree by chance no longer.
-constexpr double fine_safety = 1.5;
+constexpr double fine_safety = 1.25;
 constexpr double many_rows = 40.0;
 /// Weight of the load per length against pmax and approach: it is there for what they miss by
 /// chance, and differs by several times as much as they do where nothing is missed.
