@@ -53,9 +53,9 @@ constexpr double refinement = 2.0;
 /// Share of the accuracy that estimates aim at when the number of elements is chosen.
 constexpr double aimed_share = 0.5;
 /// Share of the accuracy that the iteration may take.
-constexpr double iteration_share = 0.1;
+constexpr double iteration_share = 0.2;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
-constexpr double accuracy_rounding_share = 0.5;
+constexpr double accuracy_rounding_share = 0.25;
 /// Refining by two should divide the error by four. A gain below the least one twice in a row, or
 /// once on a grid that should resolve any smooth contact, is no convergence (a kink of a profile in
 /// the contact has no bounded pressure): further grids would be wasted.

@@ -78,6 +78,8 @@ TEST(SideSolution, SignorinisConditionsHoldOnTheFinalGrid) {
     SideRequest request;
     request.combined_modulus = modulus;
     request.vertical_load = 80000.0;
+    request.grid = {{160, 100}};
+    request.tolerance = 1e-6;
     const SideSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
     double force = 0.0;
     for (const PatchSolution& patch : solution.patches) {
