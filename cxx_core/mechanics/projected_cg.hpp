@@ -63,9 +63,9 @@ struct ReachedSides {
 
 struct IterationRequest {
   std::span<const IterationBox> boxes;
-  std::optional<double> load; ///< sum w s p; or else
-  double approach = 0.0;      ///< the approach
-  double tolerance = 1e-4;    ///< of max|z|, relative to the largest pressure
+  std::optional<double> load;  ///< sum w s p; or else
+  double approach = 0.0;       ///< the approach
+  double tolerance = 1e-4;     ///< of max|z|, relative to the largest pressure
   double rounding_share = 0.1; ///< of the tolerance: what rounding may take
   int maximum_iterations = 5000;
   PatchCoupling* coupling = nullptr;

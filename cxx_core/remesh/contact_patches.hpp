@@ -5,11 +5,11 @@
 /// g). Every local maximum of penetration is a lobe. Lobes that are close are joined, others are
 /// patches.
 ///
-/// Plane: every place counts with the integral of the squared penetration over the surface, along
-/// the rail in closed form, W = int int g^2 dx ds = 16/15 int g^2 x_l ds, with ds along the rail's
-/// profile. The plane's normal is the mean of the rail's normals and its place the mean place, both
-/// weighted so. In 23 wheel/rail cases this meets the contact reference of CONTACT to 1.6 mrad and
-/// 0.08 mm; the penetrated volume, int int g dx ds, is up to 10 mrad off. The angle weighted with
+/// Plane: every place counts with the integral of the squared vertical penetration over the track
+/// plane, along the rail in closed form, W = int int g^2 dx dy = 16/15 int g^2 x_l dy. The plane's
+/// normal is the mean of the rail's normals and its place the mean place, both weighted so. In 23
+/// wheel/rail cases this meets the contact reference of CONTACT to 0.1 mrad and 0.01 mm; the
+/// penetrated volume, int int g dx dy, is up to 10 mrad off. The angle weighted with
 /// the pressures of a half-space solution differs by 0.4 mrad in the median, up to 13 mrad with two
 /// lobes.
 ///

@@ -330,9 +330,9 @@ private:
     lobe.half_length = std::max(lobe.half_length, half_length);
     lobe.x_first = std::min(lobe.x_first, place.x - half_length);
     lobe.x_last = std::max(lobe.x_last, place.x + half_length);
-    // g^2 x_l ds with g = penetration cos, ds = dy / cos; made free of the depth's magnitude.
+    // g^2 x_l dy, made free of the depth's magnitude.
     const Real relative = place.penetration / depth_;
-    const Real weight = relative * relative * cosine * reach * reach_scale_;
+    const Real weight = relative * relative * reach * reach_scale_;
     return {weight,           weight * cosine,  weight * place.slope * cosine,
             weight * place.x, weight * place.y, weight * place.s};
   }
