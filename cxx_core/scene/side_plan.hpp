@@ -24,6 +24,9 @@ struct SideMemory {
     double lateral_first = 0.0, lateral_last = 1.0;
     double longitudinal_first = 0.0, longitudinal_last = 1.0;
     Resolution resolution;
+    /// Pressures found, which move along with the plane: a start for the next ones.
+    Grid grid;
+    std::vector<double> pressure;
     /// When the error was estimated: ends of the penetration, and the largest pressure.
     double y_first = 0.0, y_last = 0.0;
     double peak_pressure = 0.0;

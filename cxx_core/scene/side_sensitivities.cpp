@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
@@ -75,12 +74,10 @@ PatchInteraction interaction_of(const SideResult& side, const Planes& planes) {
   return interaction;
 }
 
-/// The same with the rates of closeness instead; nothing where the influence does not change.
-std::unique_ptr<CoupledInfluence> changing_influence(std::span<const SolvedPatch> solved,
-                                                     PatchInteraction interaction,
-                                                     const Planes& planes,
-                                                     double ByMotion<double>::*motion,
-                                                     double combined_modulus) {
+/// The same with the rates of closeness instead; left empty where the influence does not change.
+void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteraction interaction,
+                             const Planes& planes, double ByMotion<double>::*motion,
+                             double combined_modulus, std::optional<CoupledInfluence>& change) {
   const std::size_t count = solved.size();
   bool any = false;
   for (std::size_t k = 0; k < count; ++k) {
@@ -90,7 +87,9 @@ std::unique_ptr<CoupledInfluence> changing_influence(std::span<const SolvedPatch
       any = any || rate != 0.0;
     }
   }
-  return any ? std::make_unique<CoupledInfluence>(solved, interaction, combined_modulus) : nullptr;
+  if (any) {
+    change.emplace(solved, interaction, combined_modulus);
+  }
 }
 
 SideRates compute_rates(const SideResult& side) {
@@ -117,14 +116,16 @@ SideRates compute_rates(const SideResult& side) {
     influence.emplace(solved, interaction, details.combined_modulus);
     request.influence = &*influence;
   }
-  std::array<std::unique_ptr<CoupledInfluence>, 3> changes;
+  std::array<std::optional<CoupledInfluence>, 3> changes; // by lateral, vertical, roll
+  const auto note_change = [&](std::optional<CoupledInfluence>& change,
+                               double ByMotion<double>::*motion) -> PatchInfluence* {
+    make_changing_influence(solved, interaction, planes, motion, details.combined_modulus, change);
+    return change ? &*change : nullptr;
+  };
   if (influence && !details.full_interaction) {
-    const auto change = [&](double ByMotion<double>::*motion) {
-      return changing_influence(solved, interaction, planes, motion, details.combined_modulus);
-    };
-    changes = {change(&ByMotion<double>::lateral), change(&ByMotion<double>::vertical),
-               change(&ByMotion<double>::roll)};
-    request.influence_rates = {changes[0].get(), changes[1].get(), changes[2].get()};
+    request.influence_rates = {note_change(changes[0], &ByMotion<double>::lateral),
+                               note_change(changes[1], &ByMotion<double>::vertical),
+                               note_change(changes[2], &ByMotion<double>::roll)};
   }
   InfluenceCache cache;
   ContactStiffness stiffness(cache);

@@ -97,7 +97,9 @@ private:
   }
   [[nodiscard]] double first_depth() const;
   /// `start`: an earlier trial whose pressures are near; none if null.
-  Trial try_plan(const SidePlan& plan, double tolerance, const Trial* start);
+  /// `starts`: pressures near the answer for each patch, in its plane; empty if there are none.
+  Trial try_plan(const SidePlan& plan, double tolerance,
+                 const std::vector<std::optional<StartPressure>>& starts);
   JointSolution solve_joint(const JointProblem& problem);
   /// Contact touches an edge that can still move.
   [[nodiscard]] bool must_grow(const Trial& trial) const;
@@ -185,7 +187,35 @@ JointSolution SideSolver::solve_joint(const JointProblem& problem) {
   return solution;
 }
 
-Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* start) {
+/// The pressures of an earlier trial, where they were on the rail.
+std::vector<std::optional<StartPressure>> starts_from(const Trial& trial, const SidePlan& plan) {
+  std::vector<std::optional<StartPressure>> starts;
+  for (const PatchPlan& patch : plan.patches) {
+    const PatchTrial* near = trial.matching(patch.place);
+    auto& start = starts.emplace_back();
+    if (near != nullptr) {
+      // Planes differ little: the place along the rail's tangent is all that counts.
+      start = {near->grid, near->pressure};
+      const Vector3 shift = near->frame.origin - patch.frame.origin;
+      start->grid.lateral_first += dot(shift, patch.frame.lateral);
+      start->grid.longitudinal_first += dot(shift, patch.frame.longitudinal);
+    }
+  }
+  return starts;
+}
+
+/// The last pressures, moved along with the planes: a third less time for steps of 0.1 % of a
+/// patch, a tenth for those of a hunting motion (docs/performance.md).
+std::vector<std::optional<StartPressure>> starts_from(const SideMemory& memory) {
+  std::vector<std::optional<StartPressure>> starts;
+  for (const SideMemory::Patch& patch : memory.patches) {
+    starts.push_back(StartPressure{patch.grid, patch.pressure});
+  }
+  return starts;
+}
+
+Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
+                           const std::vector<std::optional<StartPressure>>& starts) {
   Trial trial;
   trial.depth = plan.depth;
   trial.links = plan.found.links;
@@ -212,14 +242,8 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance, const Trial* 
     gap.grid = patch.grid;
     gap.undeformed_distance = patch.distance;
     gap.approach_share = patch.share;
-    const PatchTrial* near = start != nullptr ? start->matching(patch.place) : nullptr;
-    if (near != nullptr) {
-      // Planes differ little: the place along the rail's tangent is all that counts.
-      StartPressure pressure{near->grid, near->pressure};
-      const Vector3 shift = near->frame.origin - patch.frame.origin;
-      pressure.grid.lateral_first += dot(shift, patch.frame.lateral);
-      pressure.grid.longitudinal_first += dot(shift, patch.frame.longitudinal);
-      gap.start = pressure;
+    if (!starts.empty()) {
+      gap.start = starts[gaps.size() - 1];
     }
   }
   JointProblem problem;
@@ -390,7 +414,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
       std::min(iteration_share * coarse_depth_share, iteration_share * request_.accuracy);
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
-    trial = try_plan(plan, coarse_tolerance, nullptr);
+    trial = try_plan(plan, coarse_tolerance, {});
     if (trial.no_contact()) {
       for (PatchPlan& patch : plan.patches) { // contact smaller than an element: look closer
         patch.area = patch.area.widened(-0.25);
@@ -517,7 +541,7 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
     for (PatchPlan& patch : plan.patches) {
       patch.mesh.counts = request_.grid;
     }
-    Trial trial = try_plan(plan, tolerance(), &last);
+    Trial trial = try_plan(plan, tolerance(), starts_from(last, plan));
     if (trial.no_contact() || attempt == final_limit) {
       return trial;
     }
@@ -606,7 +630,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
         return std::nullopt;
       }
     }
-    Trial trial = try_plan(plan, tolerance(), nullptr);
+    Trial trial = try_plan(plan, tolerance(), starts_from(memory_));
     if (trial.no_contact() || trial.touches_edge() || narrow_error(trial) > request_.accuracy) {
       return std::nullopt;
     }
@@ -785,6 +809,8 @@ void SideSolver::remember(const Trial& trial) {
       kept.y_last = patch.place.y_last;
       kept.peak_pressure = patch.contact.peak_pressure;
     }
+    kept.grid = patch.grid;
+    kept.pressure = patch.pressure;
     const PlaneArea penetrated = area_of(patch.place, rail_, patch.frame);
     const PlaneArea contact = patch.contact_area(0.0);
     kept.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
