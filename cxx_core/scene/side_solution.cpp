@@ -809,8 +809,12 @@ void SideSolver::remember(const Trial& trial) {
       kept.y_last = patch.place.y_last;
       kept.peak_pressure = patch.contact.peak_pressure;
     }
-    kept.grid = patch.grid;
-    kept.pressure = patch.pressure;
+    if (!request_.grid) {
+      kept.grid = patch.grid;
+      kept.pressure = patch.pressure;
+    } else {
+      kept.grid = Grid();
+    }
     const PlaneArea penetrated = area_of(patch.place, rail_, patch.frame);
     const PlaneArea contact = patch.contact_area(0.0);
     kept.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
