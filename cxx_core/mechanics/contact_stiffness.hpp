@@ -71,8 +71,6 @@ public:
   void set_contact(std::span<const SolvedPatch> patches, double combined_modulus,
                    PatchInfluence* influence = nullptr);
 
-  [[nodiscard]] std::size_t patch_count() const { return patches_.size(); }
-
   /// Pressures x, MPa, with A_CC x = b and x = 0 outside C: b and x have one field a patch, in mm
   /// and MPa. An empty field of b counts as 0, and so do values outside C.
   /// Throws Error(invalid_argument) for sizes, and for a tolerance that is not positive.

@@ -54,8 +54,6 @@ class InfluenceCache {
 public:
   explicit InfluenceCache(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
 
-  [[nodiscard]] PlannerRigor rigor() const { return rigor_; }
-
   template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
   /// At least rows x columns offsets; valid until the next call for the same aspect ratio.
   const InfluenceTable& table(double aspect, std::size_t rows, std::size_t columns);

@@ -202,8 +202,9 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
   double elements = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     const PatchGap& patch = problem.patches[k];
-    Level& finest = (cascades[k].levels.resize(std::max<std::size_t>(cascades[k].levels.size(), 1)),
-                     cascades[k].levels.front());
+    std::vector<Level>& levels = cascades[k].levels;
+    levels.resize(std::max<std::size_t>(levels.size(), 1));
+    Level& finest = levels.front();
     cascades[k].aspect = shared_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step);
     finest.grid = patch.grid;
     finest.share = patch.approach_share * (step / patch.grid.longitudinal_step);

@@ -489,7 +489,6 @@ private:
     patch.x_last = value_of(lobe.x_last);
     patch.half_length = value_of(lobe.half_length);
     patch.deepest = value_of(lobe.deepest.penetration);
-    patch.deepest_x = value_of(lobe.deepest.x);
     patch.deepest_y = value_of(lobe.deepest.y);
     patch.deepest_s = value_of(lobe.deepest.s);
     patch.own_angle = value_of(lobe.angle);

@@ -5,12 +5,11 @@
 ///   dF/dq = sum dN_k/dq n_k  (planes fixed)  +  sum N_k dn_k/dalpha dalpha_k/dq  (planes turning)
 /// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution
 /// (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's knowledge
-/// (remesh/plane_rates.hpp);
-/// dn/dalpha is minus the plane's lateral axis. The second part is what a rigid contact has alone
-/// (the gravitational stiffness); it leaves out that gaps are measured along another direction.
-/// The roll moment is M = e . sum (r - r_c) x n p a b, r_c the wheelset's centre, e = Rz(yaw) e_x
-/// the axis of roll, r the element's place in its plane; its derivative includes that r_c moves. A
-/// turning plane turns about its centre of pressure.
+/// (remesh/plane_rates.hpp); dn/dalpha is minus the plane's lateral axis. The second part is what a
+/// rigid contact has alone (the gravitational stiffness); it leaves out that gaps are measured
+/// along another direction. The roll moment is M = e . sum (r - r_c) x n p a b, r_c the wheelset's
+/// centre, e = Rz(yaw) e_x the axis of roll, r the element's place in its plane; its derivative
+/// includes that r_c moves. A turning plane turns about its centre of pressure.
 ///
 /// The position is the one at which the pressures have the approach 0: `vertical` of the pair is
 /// the height of the sampled distance, lowered by what the solution added to it.

@@ -165,12 +165,16 @@ SidePlan SidePlanner::remembered_plan(const SideMemory& memory, double depth) co
   return plan;
 }
 
+namespace {
+
 /// A refinement close to a power of two is one: element aspect ratios then stay on their ladder.
 double refinement_near(double ratio) {
   constexpr double close = 0.2; // octaves
   const double octaves = std::log2(ratio);
   return std::abs(octaves - std::round(octaves)) <= close ? std::exp2(std::round(octaves)) : ratio;
 }
+
+} // namespace
 
 SidePlan SidePlanner::next_plan(const Trial& trial, double depth,
                                 const std::vector<Resolution>& resolutions, double growth) const {
@@ -188,8 +192,7 @@ SidePlan SidePlanner::next_plan(const Trial& trial, double depth,
     PlaneArea area = carried_over(area_around(*last), last->frame, patch.frame);
     bool joined_others = false;
     for (const PatchTrial& other : trial.patches) {
-      if (&other != last && !other.no_contact() && patch.place.y_first <= other.place.deepest_y &&
-          other.place.deepest_y <= patch.place.y_last) {
+      if (&other != last && !other.no_contact() && patch.place.holds(other.place)) {
         include(area, carried_over(area_around(other), other.frame, patch.frame));
         joined_others = true;
       }

@@ -36,7 +36,8 @@ struct SideMemory {
   double load = 0.0; ///< the one prescribed, N
   double accuracy = 0.0;
   std::vector<Patch> patches; ///< ordered by y
-  /// Estimated on two grids; none if it was not met.
+  /// Estimated on two grids; none if it was not met, or if the grid was given by hand. Without it
+  /// the pressures are not those of the last solution.
   std::optional<double> error_estimate;
 };
 

@@ -126,7 +126,6 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
                     solution.vertical,
                     solution.combined_modulus,
                     std::move(solution.interaction),
-                    solution.full_interaction,
                     solution.load,
                     solution.approach,
                     solution.gap,

@@ -62,7 +62,6 @@ struct SideDetails {
   double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
   double combined_modulus = 0.0;
   std::optional<PatchInteraction> interaction; ///< in the order of the results
-  bool full_interaction = false;               ///< of all patches
   std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
   double problem_approach = 0.0;               ///< answer to that problem
   GapConvention gap = GapConvention::tangent;

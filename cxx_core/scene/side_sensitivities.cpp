@@ -40,41 +40,14 @@ Planes find_planes(const SideResult& side) {
   return planes;
 }
 
-/// What the patches of the result do to each other; no places if nothing.
-PatchInteraction interaction_of(const SideResult& side, const Planes& planes) {
-  PatchInteraction interaction;
-  const std::size_t count = side.patches.size();
-  bool any = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t l = 0; l < count; ++l) {
-      const double closeness =
-          k == l || side.details.full_interaction
-              ? 1.0
-              : planes.moving.found.closeness(planes.index[k], planes.index[l]);
-      interaction.closeness.push_back(closeness);
-      any = any || (k != l && closeness > 0.0);
-    }
-  }
-  if (!any) {
-    return interaction;
-  }
-  // Along the line through all places, as in the solution.
-  std::vector<double> across;
-  Vector3 last;
-  for (const ContactPatch& patch : planes.moving.found.patches) {
-    const Vector3 origin{patch.mean_x, patch.mean_y,
-                         side.details.rail->graph().at_lateral(patch.mean_y).height};
-    const Vector3 step = origin - last;
-    across.push_back(across.empty() ? 0.0 : across.back() + std::hypot(step.y, step.z));
-    last = origin;
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    interaction.places.push_back({across[planes.index[k]], side.patches[k].frame.origin.x});
-  }
-  return interaction;
+/// Whether some patches feel each other in part only: that part changes as they move.
+bool is_changing(const PatchInteraction& interaction) {
+  return std::any_of(interaction.closeness.begin(), interaction.closeness.end(),
+                     [](double closeness) { return closeness < 1.0; });
 }
 
-/// The same with the rates of closeness instead; left empty where the influence does not change.
+/// The influence with the rates of closeness in its place; left empty where the influence does not
+/// change.
 void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteraction interaction,
                              const Planes& planes, double ByMotion<double>::*motion,
                              double combined_modulus, std::optional<CoupledInfluence>& change) {
@@ -110,19 +83,19 @@ SideRates compute_rates(const SideResult& side) {
   request.combined_modulus = details.combined_modulus;
   request.tolerance = tolerance;
   request.roll_moment = false;
-  const PatchInteraction interaction = interaction_of(side, planes);
   std::optional<CoupledInfluence> influence;
-  if (!interaction.places.empty()) {
-    influence.emplace(solved, interaction, details.combined_modulus);
+  if (details.interaction) {
+    influence.emplace(solved, *details.interaction, details.combined_modulus);
     request.influence = &*influence;
   }
   std::array<std::optional<CoupledInfluence>, 3> changes; // by lateral, vertical, roll
   const auto note_change = [&](std::optional<CoupledInfluence>& change,
                                double ByMotion<double>::*motion) -> PatchInfluence* {
-    make_changing_influence(solved, interaction, planes, motion, details.combined_modulus, change);
+    make_changing_influence(solved, *details.interaction, planes, motion, details.combined_modulus,
+                            change);
     return change ? &*change : nullptr;
   };
-  if (influence && !details.full_interaction) {
+  if (details.interaction && is_changing(*details.interaction)) {
     request.influence_rates = {note_change(changes[0], &ByMotion<double>::lateral),
                                note_change(changes[1], &ByMotion<double>::vertical),
                                note_change(changes[2], &ByMotion<double>::roll)};

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "error.hpp"
-#include "mechanics/displacement_bound.hpp"
-#include "mechanics/displacement_operator.hpp"
 #include "remesh/depth_estimate.hpp"
+#include "scene/missed_contact.hpp"
 
 namespace wrc {
 namespace {
@@ -22,10 +22,6 @@ constexpr double least_fill = 0.6;
 /// By how much an edge that contact touches moves out, in widths of the area.
 constexpr double coarse_growth = 0.5;
 constexpr double final_growth = 0.15;
-/// Overlap beyond the area, in largest displacements, that counts as contact left out ...
-constexpr double missed_overlap = 1e-4;
-/// ... and the room given to it across, mm: the distance of the scan's nodes.
-constexpr double missed_margin = 0.5;
 /// A slide by this share of the depth changes pmax by about 1e-4: changes of 0.8 to 1.9 % were
 /// measured for slides of 0.17 to 0.42.
 constexpr double greatest_slide_share = 2e-3;
@@ -96,7 +92,6 @@ private:
     return request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(0.0);
   }
   [[nodiscard]] double first_depth() const;
-  /// `start`: an earlier trial whose pressures are near; none if null.
   /// `starts`: pressures near the answer for each patch, in its plane; empty if there are none.
   Trial try_plan(const SidePlan& plan, double tolerance,
                  const std::vector<std::optional<StartPressure>>& starts);
@@ -116,14 +111,13 @@ private:
     return request_.grid ? request_.tolerance : iteration_share * request_.accuracy;
   }
   Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
-  Trial solve_on_final_grid(const Trial& coarse, const Resolution& resolution);
+  Trial solve_on_final_grid(Trial coarse_trial, const Resolution& resolution);
   /// The solution on the grids that were enough the last time; none if more has changed.
   std::optional<Trial> solve_as_before(double depth);
-  /// What the pressures of the other patches displace at a place of one, as far as they are felt.
-  [[nodiscard]] double displaced_by_others(const Trial& trial, std::size_t patch,
-                                           double longitudinal, double lateral) const;
-  /// The areas that also hold contact which a solution has left out; false if there is none.
-  bool add_missed_contact(const Trial& trial, SidePlan& plan) const;
+  bool add_missed(const Trial& trial, SidePlan& plan) const {
+    return add_missed_contact(wheel_, rail_, equilibrium_, planner_, request_.combined_modulus,
+                              trial, plan);
+  }
   void warn_about(const Trial& trial);
   void remember(const Trial& trial);
   void take(Trial trial);
@@ -219,6 +213,7 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
   Trial trial;
   trial.depth = plan.depth;
   trial.links = plan.found.links;
+  trial.left_out_s = plan.left_out_s;
   const auto remesh_start = Clock::now();
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - plan.depth};
   const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
@@ -270,7 +265,6 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
         const Vector3 step = origin - trial.patches[k - 1].frame.origin;
         across += std::hypot(step.y, step.z);
       }
-      trial.patches[k].across = across;
       interaction.places.push_back({across, origin.x});
       for (std::size_t l = 0; l < count; ++l) {
         const double closeness = k == l || request_.interaction ? 1.0 : plan.found.closeness(k, l);
@@ -366,12 +360,10 @@ bool SideSolver::changes_closeness(const Trial& trial) const {
   }
   const ContactPatches found = find_contact_patches(equilibrium_.scan, trial.next_depth);
   const auto holder = [&found](const ContactPatch& place) {
-    return static_cast<std::size_t>(std::find_if(found.patches.begin(), found.patches.end(),
-                                                 [&place](const ContactPatch& patch) {
-                                                   return patch.y_first <= place.deepest_y &&
-                                                          place.deepest_y <= patch.y_last;
-                                                 }) -
-                                    found.patches.begin());
+    const auto patch =
+        std::find_if(found.patches.begin(), found.patches.end(),
+                     [&place](const ContactPatch& candidate) { return candidate.holds(place); });
+    return static_cast<std::size_t>(patch - found.patches.begin());
   };
   for (std::size_t k = 0; k < trial.links.size(); ++k) {
     const std::size_t one = holder(trial.patches[k].place);
@@ -446,102 +438,19 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
   return trial;
 }
 
-double SideSolver::displaced_by_others(const Trial& trial, std::size_t patch, double longitudinal,
-                                       double lateral) const {
-  double sum = 0.0;
-  for (std::size_t l = 0; l < trial.patches.size(); ++l) {
-    double closeness = 1.0;
-    for (std::size_t k = std::min(l, patch); k < std::max(l, patch); ++k) {
-      closeness = request_.interaction ? 1.0 : std::min(closeness, trial.links[k]);
-    }
-    const PatchTrial& here = trial.patches[patch];
-    const PatchTrial& other = trial.patches[l];
-    if (l != patch && closeness > 0.0 && !other.no_contact()) {
-      sum += closeness * displacement_at(other.grid, other.pressure, request_.combined_modulus,
-                                         longitudinal + here.frame.origin.x - other.frame.origin.x,
-                                         lateral + here.across - other.across);
-    }
-  }
-  return sum;
-}
-
-/// Contact can be missing where the bodies penetrate beyond an area. Every sample of the scan there
-/// is checked with the displacement that the patch's pressures cause at its place.
-bool SideSolver::add_missed_contact(const Trial& trial, SidePlan& plan) const {
-  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - trial.depth};
-  bool missed = false;
-  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
-    const PatchTrial& patch = trial.patches[k];
-    std::optional<DisplacementBound> bound;
-    double largest_displacement = 0.0;
-    PlaneArea larger = patch.area;
-    bool missed_here = false;
-    for (const DistanceSample& sample : equilibrium_.scan.samples) {
-      const Vector3 wheel_place = sample.wheel.position;
-      const double penetration = trial.depth - (sample.distance + equilibrium_.vertical);
-      if (penetration <= 0.0 || wheel_place.y < patch.place.y_first ||
-          wheel_place.y > patch.place.y_last) {
-        continue;
-      }
-      const Vector3 place = Vector3{wheel_place.x, wheel_place.y, wheel_place.z - sample.distance} -
-                            patch.frame.origin;
-      const double lateral = dot(place, patch.frame.lateral);
-      const double longitudinal = dot(place, patch.frame.longitudinal);
-      if (lateral >= patch.area.lateral_first && lateral <= patch.area.lateral_last &&
-          longitudinal >= patch.area.longitudinal_first &&
-          longitudinal <= patch.area.longitudinal_last) {
-        continue;
-      }
-      const SurfacePlace surfaces = surfaces_at(pair, patch.frame, longitudinal, lateral);
-      if (!surfaces.on_rail || !surfaces.on_wheel) {
-        continue;
-      }
-      if (!bound) {
-        bound.emplace(patch.grid, patch.pressure, request_.combined_modulus);
-        largest_displacement =
-            bound->at(patch.contact.centroid_longitudinal, patch.contact.centroid_lateral);
-      }
-      const double overlap =
-          patch.share * trial.approach - dot(surfaces.wheel - surfaces.rail, patch.frame.normal);
-      const double limit = missed_overlap * largest_displacement;
-      if (overlap - bound->at(longitudinal, lateral) <= limit) {
-        continue;
-      }
-      const double displacement = displacement_at(patch.grid, patch.pressure,
-                                                  request_.combined_modulus, longitudinal, lateral);
-      if (overlap - displacement > limit &&
-          overlap - displacement - displaced_by_others(trial, k, longitudinal, lateral) > limit) {
-        missed_here = true;
-        const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
-        larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);
-        larger.lateral_last = std::max(larger.lateral_last, lateral + missed_margin);
-        larger.longitudinal_first = std::min(larger.longitudinal_first, longitudinal - half_length);
-        larger.longitudinal_last = std::max(larger.longitudinal_last, longitudinal + half_length);
-      }
-    }
-    if (missed_here) {
-      const PlaneArea within = planner_.limited(larger, plan.patches[k]);
-      const bool grows = within.width() > plan.patches[k].area.width() ||
-                         within.length() > plan.patches[k].area.length();
-      plan.patches[k].area = within;
-      missed = missed || grows;
-    }
-  }
-  return missed;
-}
-
-Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& resolution) {
-  const double depth = position_is_prescribed() ? coarse.depth : coarse.next_depth;
-  std::vector<Resolution> resolutions = by_patch(coarse, resolution);
-  SidePlan plan = planner_.next_plan(coarse, depth, resolutions, final_growth);
+Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& resolution) {
+  // What errors are estimated from, and whose pressures are the start of the next.
+  auto coarser = std::make_shared<const Trial>(std::move(coarse_trial));
+  std::shared_ptr<const Trial> last = coarser;
+  const double depth = position_is_prescribed() ? coarser->depth : coarser->next_depth;
+  std::vector<Resolution> resolutions = by_patch(*coarser, resolution);
+  SidePlan plan = planner_.next_plan(*coarser, depth, resolutions, final_growth);
   int failures = 0;
-  Trial coarser = coarse; // what errors are estimated from
-  Trial last = coarse;    // whose pressures are the start of the next
   for (int attempt = 0;; ++attempt) {
     for (PatchPlan& patch : plan.patches) {
       patch.mesh.counts = request_.grid;
     }
-    Trial trial = try_plan(plan, tolerance(), starts_from(last, plan));
+    Trial trial = try_plan(plan, tolerance(), starts_from(*last, plan));
     if (trial.no_contact() || attempt == final_limit) {
       return trial;
     }
@@ -551,12 +460,12 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
         plan.patches[k].area =
             planner_.limited(trial.patches[k].grown(final_growth), plan.patches[k]);
       }
-      last = std::move(trial);
+      last = std::make_shared<const Trial>(std::move(trial));
       continue;
     }
-    if (add_missed_contact(trial, plan)) {
+    if (add_missed(trial, plan)) {
       ++result_.regrown;
-      last = std::move(trial);
+      last = std::make_shared<const Trial>(std::move(trial));
       continue;
     }
     if (slides(trial) || changes_closeness(trial)) {
@@ -575,12 +484,12 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
         next = planner_.next_plan(trial, other_depth, by_patch(trial, resolution), final_growth);
       }
       plan = std::move(next);
-      last = std::move(trial);
+      last = std::make_shared<const Trial>(std::move(trial));
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
     lateral_error_ =
-        std::max(estimate_error(coarser, trial, position_is_prescribed()), narrow_error(trial));
+        std::max(estimate_error(*coarser, trial, position_is_prescribed()), narrow_error(trial));
     estimated_ = true;
     const double along_error = longitudinal_error(trial);
     result_.error_estimate = lateral_error_ + along_error;
@@ -606,8 +515,8 @@ Trial SideSolver::solve_on_final_grid(const Trial& coarse, const Resolution& res
                              now.longitudinal * (finer_along ? refinement : 1.0)});
     }
     plan = planner_.next_plan(trial, trial.depth, resolutions, final_growth);
-    last = trial;
-    coarser = std::move(trial);
+    coarser = std::make_shared<const Trial>(std::move(trial));
+    last = coarser;
   }
 }
 
@@ -635,7 +544,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
       return std::nullopt;
     }
     SidePlan checked = plan;
-    if (add_missed_contact(trial, checked)) {
+    if (add_missed(trial, checked)) {
       return std::nullopt;
     }
     for (std::size_t k = 0; k < plan.patches.size(); ++k) {
@@ -697,11 +606,9 @@ void SideSolver::warn_about(const Trial& trial) {
                             ? ": estimated error " + short_text_of(*result_.error_estimate)
                             : std::string()));
   }
-  if (request_.gap == GapConvention::vertical) {
-    if (const auto left_out = planner_.empty_plan(trial.depth).left_out_s) {
-      warnings.push_back("wheel and rail also meet at s_wheel = " + short_text_of(*left_out) +
-                         " mm under another angle; with vertical distances that patch is left out");
-    }
+  if (trial.left_out_s) {
+    warnings.push_back("wheel and rail also meet at s_wheel = " + short_text_of(*trial.left_out_s) +
+                       " mm under another angle; with vertical distances that patch is left out");
   }
 }
 
@@ -714,7 +621,6 @@ void SideSolver::take(Trial trial) {
   result_.peak_pressure = trial.peak_pressure();
   result_.combined_modulus = request_.combined_modulus;
   result_.gap = request_.gap;
-  result_.full_interaction = request_.interaction;
   result_.stop_reason = trial.stop_reason;
   if (!position_is_prescribed()) {
     result_.load = prescribed_load();
@@ -769,12 +675,12 @@ SideSolution SideSolver::solve() {
   std::optional<Trial> trial = solve_as_before(depth);
   if (!trial) {
     const Resolution resolution = start_resolution();
-    const Trial coarse =
+    Trial coarse =
         settle_on_coarse_grids(depth, {0.5 * resolution.lateral, resolution.longitudinal});
     if (coarse.no_contact()) {
       throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
     }
-    trial = solve_on_final_grid(coarse, resolution);
+    trial = solve_on_final_grid(std::move(coarse), resolution);
   }
   remember(*trial);
   warn_about(*trial);
@@ -797,7 +703,9 @@ void SideSolver::remember(const Trial& trial) {
     // As many elements as are enough, by the second order of the error.
     factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * request_.accuracy)), 0.5, 1.0);
     const double error = *result_.error_estimate + lateral_error_ * (1.0 / (factor * factor) - 1.0);
-    memory_.error_estimate = error <= request_.accuracy ? std::optional(error) : std::nullopt;
+    // A grid given by hand says nothing of those that an accuracy chooses.
+    memory_.error_estimate =
+        error <= request_.accuracy && !request_.grid ? std::optional(error) : std::nullopt;
   }
   memory_.patches.resize(trial.patches.size());
   for (std::size_t k = 0; k < trial.patches.size(); ++k) {
@@ -809,11 +717,9 @@ void SideSolver::remember(const Trial& trial) {
       kept.y_last = patch.place.y_last;
       kept.peak_pressure = patch.contact.peak_pressure;
     }
-    if (!request_.grid) {
+    if (memory_.error_estimate) {
       kept.grid = patch.grid;
       kept.pressure = patch.pressure;
-    } else {
-      kept.grid = Grid();
     }
     const PlaneArea penetrated = area_of(patch.place, rail_, patch.frame);
     const PlaneArea contact = patch.contact_area(0.0);

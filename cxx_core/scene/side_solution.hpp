@@ -92,7 +92,6 @@ struct SideSolution {
   double combined_modulus = 0.0;
   GapConvention gap = GapConvention::tangent;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
-  bool full_interaction = false;               ///< of all patches
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
   StopReason stop_reason = StopReason::tolerance_met;

@@ -136,6 +136,7 @@ bool is_comparable(const Scene& one, const Scene& other) {
          one.rail_smoothing == other.rail_smoothing && one.wheelset == other.wheelset &&
          one.track == other.track && one.wheel_material == other.wheel_material &&
          one.rail_material == other.rail_material && one.gap == other.gap &&
+         one.interaction == other.interaction &&
          one.vertical.has_value() == other.vertical.has_value() &&
          one.normal_load.has_value() == other.normal_load.has_value();
 }

@@ -78,10 +78,6 @@ double load_difference(const PatchTrial& coarser, const PatchTrial& finer) {
   return std::sqrt(squares / rows) / largest;
 }
 
-} // namespace
-
-namespace {
-
 /// The step of the ladder nearest to an aspect ratio. Powers of two are exact, so that the same
 /// step gives the same bits on every call.
 double on_ladder(double aspect) {
@@ -177,13 +173,6 @@ bool Trial::partly_close() const {
   return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; });
 }
 
-const PatchTrial& Trial::main() const {
-  return *std::max_element(patches.begin(), patches.end(),
-                           [](const PatchTrial& one, const PatchTrial& other) {
-                             return one.normal_force < other.normal_force;
-                           });
-}
-
 double Trial::peak_pressure() const {
   double peak = 0.0;
   for (const PatchTrial& patch : patches) {
@@ -203,8 +192,7 @@ double Trial::normal_force() const {
 const PatchTrial* Trial::matching(const ContactPatch& place) const {
   const auto found =
       std::find_if(patches.begin(), patches.end(), [&place](const PatchTrial& patch) {
-        return !patch.no_contact() && patch.place.y_first <= place.deepest_y &&
-               place.deepest_y <= patch.place.y_last;
+        return !patch.no_contact() && patch.place.holds(place);
       });
   return found == patches.end() ? nullptr : &*found;
 }

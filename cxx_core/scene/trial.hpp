@@ -61,7 +61,6 @@ struct PatchTrial {
   Grid grid;
   double share = 1.0;     ///< of the approach, along the patch's normal
   double closeness = 0.0; ///< of the interaction with another patch: the largest
-  double across = 0.0;    ///< of the frame's origin, in the mean plane of all patches
   std::vector<double> distance;
   std::vector<double> pressure;
   double normal_force = 0.0;
@@ -103,13 +102,12 @@ struct Trial {
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
+  std::optional<double> left_out_s;            ///< as in the plan
 
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] bool touches_edge() const;
   /// Patches that are neither strangers nor one.
   [[nodiscard]] bool partly_close() const;
-  /// The one with the largest normal force.
-  [[nodiscard]] const PatchTrial& main() const;
   [[nodiscard]] double peak_pressure() const;
   [[nodiscard]] double normal_force() const;
   /// The patch in contact that holds the deepest place of another one; none if there is none.

@@ -105,6 +105,22 @@ TEST(SolveScene, ResidualsAreRecomputedOnlyWhenAskedFor) {
   EXPECT_LT(complementarity, 1e-5);
 }
 
+TEST(SceneSolver, GridsGivenAndChosenMayTakeTurns) {
+  Scene scene = small_scene(3.0);
+  scene.accuracy = 1e-2;
+  const auto grid = scene.grid;
+  SceneSolver solver;
+  for (int round = 0; round < 3; ++round) {
+    scene.grid = grid;
+    const SceneResult given = solver.solve(scene);
+    scene.grid.reset();
+    for (int step = 0; step < 2; ++step) {
+      const SceneResult chosen = solver.solve(scene);
+      EXPECT_NEAR(chosen.left->pmax, given.left->pmax, scene.accuracy * given.left->pmax);
+    }
+  }
+}
+
 TEST(SolveSceneErrors, UnknownProfileListsTheKnownOnes) {
   Scene scene;
   scene.rail = "60E9";
