@@ -122,7 +122,7 @@ typedef struct wrc_solver wrc_solver;
 
 /*
  * Keeps profiles, influence coefficients, transform plans and memory between solutions, and the
- * positions, depths and extents of the last contact as the start of the next one. For vehicle
+ * positions, extents and pressures of the last contact as the start of the next one. For vehicle
  * simulations: one solver a wheelset, solved every time step. A jump of the contact is never
  * missed: every search is global. "left.jump" tells it. Since 0.1.
  */

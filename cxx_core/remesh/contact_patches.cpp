@@ -63,18 +63,12 @@ ContactPatches find_contact_patches(const ContactScan& scan, double depth) {
 }
 
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame) {
-  constexpr double unset = std::numeric_limits<double>::infinity();
-  PlaneArea area{unset, -unset, unset, -unset};
+  PlaneArea area = PlaneArea::empty();
   for (const double y : {patch.y_first, patch.y_last}) {
     const double z = rail.graph().at_lateral(y).height;
     for (const double x : {patch.x_first, patch.x_last}) {
       const Vector3 from_origin = Vector3{x, y, z} - frame.origin;
-      const double lateral = dot(from_origin, frame.lateral);
-      const double longitudinal = dot(from_origin, frame.longitudinal);
-      area.lateral_first = std::min(area.lateral_first, lateral);
-      area.lateral_last = std::max(area.lateral_last, lateral);
-      area.longitudinal_first = std::min(area.longitudinal_first, longitudinal);
-      area.longitudinal_last = std::max(area.longitudinal_last, longitudinal);
+      area.include(dot(from_origin, frame.lateral), dot(from_origin, frame.longitudinal));
     }
   }
   // Penetration at a single place of the scan has no width of its own: give it a little.

@@ -7,7 +7,9 @@
 /// Units mm; frame of remesh/contact_frame.hpp. Thread rule: pure functions.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "remesh/grid.hpp"
 
@@ -24,6 +26,22 @@ struct PlaneArea {
   [[nodiscard]] double length() const { return longitudinal_last - longitudinal_first; }
   /// Moves each edge outwards by a share of width and length.
   [[nodiscard]] PlaneArea widened(double share) const;
+
+  /// Holds no place yet.
+  [[nodiscard]] static PlaneArea empty() {
+    constexpr double unset = std::numeric_limits<double>::infinity();
+    return {unset, -unset, unset, -unset};
+  }
+  /// Moves edges outwards until the place is inside.
+  void include(double lateral, double longitudinal) {
+    include(PlaneArea{lateral, lateral, longitudinal, longitudinal});
+  }
+  void include(const PlaneArea& other) {
+    lateral_first = std::min(lateral_first, other.lateral_first);
+    lateral_last = std::max(lateral_last, other.lateral_last);
+    longitudinal_first = std::min(longitudinal_first, other.longitudinal_first);
+    longitudinal_last = std::max(longitudinal_last, other.longitudinal_last);
+  }
 };
 
 /// Equally spaced elements that fill an area.

@@ -1,7 +1,7 @@
 #include "scene/missed_contact.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mechanics/displacement_bound.hpp"
 #include "mechanics/displacement_operator.hpp"
@@ -90,10 +90,8 @@ bool add_missed_contact(const WheelSurface& wheel, const RailSurface& rail,
               limit) {
         missed_here = true;
         const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);
-        larger.lateral_first = std::min(larger.lateral_first, lateral - missed_margin);
-        larger.lateral_last = std::max(larger.lateral_last, lateral + missed_margin);
-        larger.longitudinal_first = std::min(larger.longitudinal_first, longitudinal - half_length);
-        larger.longitudinal_last = std::max(larger.longitudinal_last, longitudinal + half_length);
+        larger.include({lateral - missed_margin, lateral + missed_margin,
+                        longitudinal - half_length, longitudinal + half_length});
       }
     }
     if (missed_here) {

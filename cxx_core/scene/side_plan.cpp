@@ -50,13 +50,6 @@ ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
 
 } // namespace
 
-void include(PlaneArea& area, const PlaneArea& other) {
-  area.lateral_first = std::min(area.lateral_first, other.lateral_first);
-  area.lateral_last = std::max(area.lateral_last, other.lateral_last);
-  area.longitudinal_first = std::min(area.longitudinal_first, other.longitudinal_first);
-  area.longitudinal_last = std::max(area.longitudinal_last, other.longitudinal_last);
-}
-
 /// In the vertical convention the patches near the main one are one: they have the same plane.
 void SidePlanner::join_in_one_plane(SidePlan& plan) const {
   const ContactPatch main = plan.found.patches[plan.found.main];
@@ -84,20 +77,13 @@ ContactFrame SidePlanner::frame_of(const ContactPatch& patch) const {
 
 PlaneArea SidePlanner::carried_over(const PlaneArea& area, const ContactFrame& from,
                                     const ContactFrame& to) const {
-  PlaneArea result{
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  PlaneArea result = PlaneArea::empty();
   for (const double lateral : {area.lateral_first, area.lateral_last}) {
     for (const double longitudinal : {area.longitudinal_first, area.longitudinal_last}) {
       const Vector3 place = from.to_track(longitudinal, lateral, 0.0);
       const Vector3 on_rail{place.x, place.y, rail_.graph().at_lateral(place.y).height};
       const Vector3 from_origin = on_rail - to.origin;
-      result.lateral_first = std::min(result.lateral_first, dot(from_origin, to.lateral));
-      result.lateral_last = std::max(result.lateral_last, dot(from_origin, to.lateral));
-      result.longitudinal_first =
-          std::min(result.longitudinal_first, dot(from_origin, to.longitudinal));
-      result.longitudinal_last =
-          std::max(result.longitudinal_last, dot(from_origin, to.longitudinal));
+      result.include(dot(from_origin, to.lateral), dot(from_origin, to.longitudinal));
     }
   }
   return result;
@@ -193,7 +179,7 @@ SidePlan SidePlanner::next_plan(const Trial& trial, double depth,
     bool joined_others = false;
     for (const PatchTrial& other : trial.patches) {
       if (&other != last && !other.no_contact() && patch.place.holds(other.place)) {
-        include(area, carried_over(area_around(other), other.frame, patch.frame));
+        area.include(carried_over(area_around(other), other.frame, patch.frame));
         joined_others = true;
       }
     }

@@ -50,9 +50,6 @@ struct SidePlan {
       left_out_s; ///< on the wheel: a patch that the vertical convention leaves out
 };
 
-/// The ends of both areas.
-void include(PlaneArea& area, const PlaneArea& other);
-
 class SidePlanner {
 public:
   /// References must outlive the planner. With a grid given by hand areas fit the contact as

@@ -46,11 +46,11 @@ SceneResult solve_scene(const Scene& scene);
 /// Solves scenes one after the other and keeps what the next one can use.
 ///
 /// Profiles, influence coefficients, transform plans and memory are kept; they change no bit of a
-/// result. Positions, depths and extents of the last contact are kept too and serve as the start of
-/// the next solution; results then agree with those of solve_scene within the accuracy asked. Every
-/// contact search is global all the same, so a jump of the contact is never missed.
-/// A profile read from a file is kept by its name: forget() after the file has changed.
-/// Thread rule: one object serves one thread at a time.
+/// result. Positions, extents and pressures of the last contact are kept too and serve as the start
+/// of the next solution; results then agree with those of solve_scene within the accuracy asked.
+/// Every contact search is global all the same, so a jump of the contact is never missed. A profile
+/// read from a file is kept by its name: forget() after the file has changed. Thread rule: one
+/// object serves one thread at a time.
 class SceneSolver {
 public:
   SceneSolver();
