@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "error.hpp"
+#include "floating_point.hpp"
+#include "handle_table.hpp"
+#include "mechanics/material.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "mechanics/pressure_field.hpp"
@@ -17,67 +20,150 @@
 #include "scene/solve_scene.hpp"
 #include "wrcontact.h"
 
-struct wrc_scene {
-  wrc::Scene scene;
-  std::optional<wrc::SceneResult> result;
+namespace wrc {
+
+struct SceneObject {
+  Scene scene;
+  std::optional<SceneResult> result;
   // Made of the result when they are first asked for.
-  mutable std::vector<std::string> number_names;
-  mutable std::vector<std::pair<std::string, std::string>> texts;
+  std::vector<std::string> number_names;
+  std::vector<std::pair<std::string, std::string>> texts;
   std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one asked for
+  std::string input_text; ///< the last text of an input asked for
   std::string error;
 
   /// Takes a new result in; returns the status that tells of it.
-  wrc_status take_result(wrc::SceneResult&& new_result);
+  wrc_status take_result(SceneResult&& new_result);
 };
 
-struct wrc_solver {
-  wrc::SceneSolver solver;
+struct SolverObject {
+  SceneSolver solver;
   std::string error;
 };
 
-struct wrc_profile {
-  std::optional<wrc::Profile> profile;
+struct ProfileObject {
+  std::optional<Profile> profile;
   std::vector<std::string> corrections;
   std::string error;
 };
 
 /// What was asked at the last solve of a wrc_normal, and what came out.
-struct wrc_normal_result {
+struct NormalResult {
   std::shared_ptr<const std::vector<double>> distance; ///< what the problem's span refers to
-  wrc::NormalProblem problem;
-  wrc::NormalSolution solution; ///< displacement: empty until it is asked for
-  wrc::PressureRegion summary;
-  std::optional<wrc::Residuals> residuals;
+  NormalProblem problem;
+  NormalSolution solution; ///< displacement: empty until it is asked for
+  PressureRegion summary;
+  std::optional<Residuals> residuals;
 };
 
-struct wrc_normal {
+struct NormalObject {
+  NormalObject() {
+    const Material steel{210000.0, 0.3};
+    problem.combined_modulus = combined_modulus(steel, steel);
+  }
+
   std::shared_ptr<const std::vector<double>> distance;
-  wrc::NormalProblem problem; ///< its span is set at each solve
+  NormalProblem problem; ///< its span is set at each solve
   bool paper_method = false;
-  wrc::Precision precision = wrc::Precision::mixed;
-  wrc::PlannerRigor rigor = wrc::PlannerRigor::estimate;
-  std::optional<wrc::NormalSolver> solver; ///< none until first used with these settings
-  std::optional<wrc_normal_result> result;
+  Precision precision = Precision::mixed;
+  PlannerRigor rigor = PlannerRigor::estimate;
+  std::optional<NormalSolver> solver; ///< none until first used with these settings
+  std::optional<NormalResult> result;
   std::string error;
 };
 
-namespace wrc {
+/// From the kind of a handle to the kind of object it stands for, and the table of these.
+template <class Handle> struct ObjectOf;
+template <> struct ObjectOf<wrc_scene> {
+  using type = SceneObject;
+  static constexpr const char* missing = "scene = NULL: a handle must be given";
+};
+template <> struct ObjectOf<wrc_solver> {
+  using type = SolverObject;
+  static constexpr const char* missing = "solver = NULL: a handle must be given";
+};
+template <> struct ObjectOf<wrc_profile> {
+  using type = ProfileObject;
+  static constexpr const char* missing = "profile = NULL: a handle must be given";
+};
+template <> struct ObjectOf<wrc_normal> {
+  using type = NormalObject;
+  static constexpr const char* missing = "normal = NULL: a handle must be given";
+};
+
+template <class Handle> using Object = typename ObjectOf<std::remove_const_t<Handle>>::type;
+
+/// Why an object cannot be used.
+template <class AnObject> const char* reason_of(const InUse<AnObject>& used) noexcept {
+  return used.exists() ? "the handle is in use by another thread"
+                       : "the handle has been destroyed, or is one of another kind";
+}
 
 /// Turns the exception in flight into a status and a text. Never throws.
 wrc_status status_of_current_exception(std::string& error) noexcept;
 /// Keeps a text if memory allows.
 void keep_text(std::string& error, const char* text) noexcept;
 
-/// Runs a body that returns a status; nothing it throws gets past here.
-template <class Handle, class Body> wrc_status guard(Handle* handle, Body&& body) noexcept {
-  if (handle == nullptr) {
-    return WRC_INVALID_ARGUMENT;
-  }
+template <class Handle> std::uintptr_t number_of_handle(Handle* handle) noexcept {
+  return reinterpret_cast<std::uintptr_t>(handle);
+}
+
+template <class Handle> auto entry_of(Handle* handle) {
+  return HandleTable<Object<Handle>>::instance().find(number_of_handle(handle));
+}
+
+/// The object of a handle, for this call alone.
+template <class Handle> InUse<Object<Handle>> use(Handle* handle) {
+  return InUse<Object<Handle>>(entry_of(handle));
+}
+
+/// Runs a body that returns a status; what it throws becomes a status and the object's error text.
+template <class AnObject, class Body> wrc_status run(AnObject& object, Body&& body) noexcept {
   try {
-    handle->error.clear();
+    object.error.clear();
     return std::forward<Body>(body)();
   } catch (...) {
-    return status_of_current_exception(handle->error);
+    return status_of_current_exception(object.error);
+  }
+}
+
+/// Runs a body that returns a status with the object of a handle; nothing it throws gets past here,
+/// and the caller's floating-point environment is untouched.
+template <class Handle, class Body> wrc_status guard(Handle* handle, Body&& body) noexcept {
+  try {
+    const auto used = use(handle);
+    if (!used.held()) {
+      return used.exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+    }
+    const DefaultFloatingPoint floating_point;
+    return run(used.object(), [&] { return std::forward<Body>(body)(used.object()); });
+  } catch (...) {
+    return WRC_OUT_OF_MEMORY; // of a lock
+  }
+}
+
+/// As guard, for functions that return something else; `otherwise` if the handle cannot be used.
+/// The error text of the last call stays.
+template <class Value, class Handle, class Body>
+Value look_at(Handle* handle, Value otherwise, Body&& body) noexcept {
+  try {
+    const auto used = use(handle);
+    const DefaultFloatingPoint floating_point;
+    return used.held() ? static_cast<Value>(std::forward<Body>(body)(used.object())) : otherwise;
+  } catch (...) {
+    return otherwise;
+  }
+}
+
+template <class Handle> const char* error_of(Handle* handle) noexcept {
+  if (handle == nullptr) {
+    return ObjectOf<std::remove_const_t<Handle>>::missing;
+  }
+  try {
+    const auto used = use(handle);
+    return used.held() ? used.object().error.c_str() : reason_of(used);
+  } catch (...) {
+    return "";
   }
 }
 
@@ -87,11 +173,20 @@ template <class Handle> wrc_status create(Handle** handle) noexcept {
     return WRC_INVALID_ARGUMENT;
   }
   *handle = nullptr;
+  const DefaultFloatingPoint floating_point;
   try {
-    *handle = new Handle;
+    *handle = reinterpret_cast<Handle*>(HandleTable<Object<Handle>>::instance().add());
     return WRC_OK;
   } catch (...) {
     return WRC_OUT_OF_MEMORY;
+  }
+}
+
+template <class Handle> void destroy(Handle* handle) noexcept {
+  try {
+    HandleTable<Object<Handle>>::instance().remove(number_of_handle(handle));
+  } catch (...) {
+    // A lock that cannot be had: the object stays.
   }
 }
 

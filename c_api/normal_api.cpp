@@ -10,7 +10,6 @@
 
 namespace {
 
-constexpr double steel_modulus = 210000.0 / (2.0 * (1.0 - 0.3 * 0.3));
 constexpr double most_iterations = 1e9;
 
 [[noreturn]] void refuse_name(const char* what, const std::string& name, const char* known) {
@@ -62,16 +61,16 @@ void set_number(wrc::NormalProblem& problem, const std::string& key, double valu
 
 /// Runs a body that needs results.
 template <class Body> wrc_status with_result(wrc_normal* normal, Body&& body) {
-  return wrc::guard(normal, [&]() -> wrc_status {
-    if (!normal->result) {
-      normal->error = "the normal contact has not been solved yet";
+  return wrc::guard(normal, [&](wrc::NormalObject& object) -> wrc_status {
+    if (!object.result) {
+      object.error = "the normal contact has not been solved yet";
       return WRC_NO_RESULT;
     }
-    return body(*normal->result);
+    return body(object, *object.result);
   });
 }
 
-const std::vector<double>& displacement_of(wrc_normal_result& result) {
+const std::vector<double>& displacement_of(wrc::NormalResult& result) {
   if (result.solution.displacement.empty()) {
     std::vector<double> displacement(result.solution.pressure.size());
     wrc::DisplacementOperator(result.problem.grid, result.problem.combined_modulus)
@@ -81,7 +80,7 @@ const std::vector<double>& displacement_of(wrc_normal_result& result) {
   return result.solution.displacement;
 }
 
-const wrc::Residuals& residuals_of(wrc_normal_result& result) {
+const wrc::Residuals& residuals_of(wrc::NormalResult& result) {
   if (!result.residuals) {
     result.residuals =
         wrc::compute_residuals(result.problem, result.solution.pressure, result.solution.approach);
@@ -89,7 +88,7 @@ const wrc::Residuals& residuals_of(wrc_normal_result& result) {
   return *result.residuals;
 }
 
-double number_of(wrc_normal_result& result, const std::string& name) {
+double number_of(wrc::NormalResult& result, const std::string& name) {
   if (name == "approach") {
     return result.solution.approach;
   }
@@ -131,25 +130,21 @@ double number_of(wrc_normal_result& result, const std::string& name) {
 extern "C" {
 
 wrc_status wrc_normal_create(wrc_normal** normal) {
-  const wrc_status status = wrc::create(normal);
-  if (status == WRC_OK) {
-    (*normal)->problem.combined_modulus = steel_modulus;
-  }
-  return status;
+  return wrc::create(normal);
 }
 
 void wrc_normal_destroy(wrc_normal* normal) {
-  delete normal;
+  wrc::destroy(normal);
 }
 
 const char* wrc_normal_error(const wrc_normal* normal) {
-  return normal == nullptr ? "normal = NULL: a handle must be given" : normal->error.c_str();
+  return wrc::error_of(normal);
 }
 
 wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                int64_t longitudinal_count, double lateral_step,
                                double longitudinal_step) {
-  return wrc::guard(normal, [&] {
+  return wrc::guard(normal, [&](wrc::NormalObject& object) {
     wrc::Grid grid;
     // A negative number becomes 0, which check_grid refuses too.
     grid.lateral_count = static_cast<std::size_t>(std::max<int64_t>(lateral_count, 0));
@@ -157,13 +152,13 @@ wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
     grid.lateral_step = lateral_step;
     grid.longitudinal_step = longitudinal_step;
     wrc::check_grid(grid);
-    normal->problem.grid = grid;
+    object.problem.grid = grid;
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count) {
-  return wrc::guard(normal, [&] {
+  return wrc::guard(normal, [&](wrc::NormalObject& object) {
     wrc::require_pointer(values, "values");
     if (count < 1 || count > static_cast<int64_t>(wrc::maximum_element_count)) {
       wrc::throw_invalid_argument("count", std::to_string(count), "allowed is 1 to 2^26");
@@ -175,39 +170,39 @@ wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int
       wrc::throw_invalid_argument("values[" + std::to_string(bad - values) + ']', *bad,
                                   "a distance must be finite, mm");
     }
-    normal->distance = std::make_shared<const std::vector<double>>(values, end);
+    object.distance = std::make_shared<const std::vector<double>>(values, end);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value) {
-  return wrc::guard(normal, [&] {
+  return wrc::guard(normal, [&](wrc::NormalObject& object) {
     wrc::require_pointer(key, "key");
-    set_number(normal->problem, key, value);
+    set_number(object.problem, key, value);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value) {
-  return wrc::guard(normal, [&] {
+  return wrc::guard(normal, [&](wrc::NormalObject& object) {
     wrc::require_pointer(key, "key");
     wrc::require_pointer(value, "value");
     const std::string_view asked = key;
     if (asked == "solver") {
-      normal->paper_method = is_second(key, value, "default", "paper");
+      object.paper_method = is_second(key, value, "default", "paper");
     } else if (asked == "precision") {
       const auto precision = is_second(key, value, "mixed", "double") ? wrc::Precision::double_only
                                                                       : wrc::Precision::mixed;
-      if (precision != normal->precision) {
-        normal->precision = precision;
-        normal->solver.reset();
+      if (precision != object.precision) {
+        object.precision = precision;
+        object.solver.reset();
       }
     } else if (asked == "planner") {
       const auto rigor = is_second(key, value, "estimate", "measure") ? wrc::PlannerRigor::measure
                                                                       : wrc::PlannerRigor::estimate;
-      if (rigor != normal->rigor) {
-        normal->rigor = rigor;
-        normal->solver.reset();
+      if (rigor != object.rigor) {
+        object.rigor = rigor;
+        object.solver.reset();
       }
     } else {
       refuse_name("text", key, "solver, precision, planner");
@@ -217,38 +212,38 @@ wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* 
 }
 
 wrc_status wrc_normal_solve(wrc_normal* normal) {
-  return wrc::guard(normal, [&]() -> wrc_status {
-    if (normal->problem.grid.element_count() == 0) {
+  return wrc::guard(normal, [&](wrc::NormalObject& object) -> wrc_status {
+    if (object.problem.grid.element_count() == 0) {
       wrc::throw_invalid_argument("grid", "none", "wrc_normal_set_grid must be called first");
     }
-    if (!normal->distance) {
+    if (!object.distance) {
       wrc::throw_invalid_argument("undeformed_distance", "none",
                                   "wrc_normal_set_distance must be called first");
     }
-    wrc_normal_result result;
-    result.distance = normal->distance;
-    result.problem = normal->problem;
+    wrc::NormalResult result;
+    result.distance = object.distance;
+    result.problem = object.problem;
     result.problem.undeformed_distance = *result.distance;
-    if (normal->paper_method) {
+    if (object.paper_method) {
       result.solution = wrc::solve_with_polonsky_keer(result.problem);
     } else {
-      if (!normal->solver) {
-        normal->solver.emplace(normal->rigor, normal->precision);
+      if (!object.solver) {
+        object.solver.emplace(object.rigor, object.precision);
       }
-      result.solution = normal->solver->solve(result.problem);
+      result.solution = object.solver->solve(result.problem);
     }
     result.summary = wrc::summarise_pressure(result.problem.grid, result.solution.pressure);
     const bool converged = result.solution.stop_reason == wrc::StopReason::tolerance_met;
     std::string error = converged ? "" : "not converged: see stop_reason";
     // From here on nothing fails: the handle has the old results or all of the new ones.
-    normal->result = std::move(result);
-    normal->error.swap(error);
+    object.result = std::move(result);
+    object.error.swap(error);
     return converged ? WRC_OK : WRC_NOT_CONVERGED;
   });
 }
 
 wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value) {
-  return with_result(normal, [&](wrc_normal_result& result) {
+  return with_result(normal, [&](wrc::NormalObject&, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     *value = number_of(result, name);
@@ -257,7 +252,7 @@ wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value
 }
 
 wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value) {
-  return with_result(normal, [&](wrc_normal_result& result) {
+  return with_result(normal, [&](wrc::NormalObject&, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     if (std::string_view(name) != "stop_reason") {
@@ -271,7 +266,7 @@ wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** va
 
 wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values, int64_t capacity,
                             int64_t* count) {
-  return with_result(normal, [&](wrc_normal_result& result) {
+  return with_result(normal, [&](wrc::NormalObject& object, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
     const std::string_view asked = name;
     if (asked != "pressure" && asked != "displacement") {
@@ -282,7 +277,7 @@ wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values
     if (asked == "displacement" && capacity >= static_cast<int64_t>(length)) {
       from = displacement_of(result).data();
     }
-    return wrc::copy_values(from, length, values, capacity, count, normal->error);
+    return wrc::copy_values(from, length, values, capacity, count, object.error);
   });
 }
 }

@@ -10,12 +10,12 @@ namespace {
 
 /// Runs a body that needs a loaded profile.
 template <class Body> wrc_status with_profile(wrc_profile* profile, Body&& body) {
-  return wrc::guard(profile, [&]() -> wrc_status {
-    if (!profile->profile) {
-      profile->error = "no profile has been loaded into the handle";
+  return wrc::guard(profile, [&](wrc::ProfileObject& object) -> wrc_status {
+    if (!object.profile) {
+      object.error = "no profile has been loaded into the handle";
       return WRC_NO_RESULT;
     }
-    return body(*profile->profile);
+    return body(object, *object.profile);
   });
 }
 
@@ -78,35 +78,63 @@ wrc_status wrc_profile_create(wrc_profile** profile) {
 }
 
 void wrc_profile_destroy(wrc_profile* profile) {
-  delete profile;
+  wrc::destroy(profile);
 }
 
 const char* wrc_profile_error(const wrc_profile* profile) {
-  return profile == nullptr ? "profile = NULL: a handle must be given" : profile->error.c_str();
+  return wrc::error_of(profile);
 }
 
 wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name) {
-  return wrc::guard(profile, [&] {
+  return wrc::guard(profile, [&](wrc::ProfileObject& object) {
     wrc::require_pointer(name, "name");
-    profile->profile = wrc::standard_profile(name);
-    profile->corrections.clear();
+    object.profile = wrc::standard_profile(name);
+    object.corrections.clear();
     return WRC_OK;
   });
 }
 
 wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
                                  const wrc_read_options* options) {
-  return wrc::guard(profile, [&] {
+  return wrc::guard(profile, [&](wrc::ProfileObject& object) {
     wrc::require_pointer(path, "path");
     wrc::ReadResult read = wrc::read_profile(path, options_from(options));
-    profile->profile = std::move(read.profile);
-    profile->corrections = std::move(read.corrections);
+    object.profile = std::move(read.profile);
+    object.corrections = std::move(read.corrections);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name, const double* lateral,
+                                  const double* height, int64_t count,
+                                  const wrc_read_options* options) {
+  return wrc::guard(profile, [&](wrc::ProfileObject& object) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(lateral, "lateral");
+    wrc::require_pointer(height, "height");
+    wrc::require_pointer(options, "options");
+    constexpr auto most = static_cast<int64_t>(wrc::ReadLimits::most_points);
+    if (count < 1 || count > most) {
+      wrc::throw_invalid_argument("count", std::to_string(count),
+                                  "allowed is 1 to " + std::to_string(most));
+    }
+    const wrc::ReadOptions given = options_from(options);
+    if (!given.kind) {
+      wrc::throw_invalid_argument("kind_given", 0.0, "the kind of a profile must be given");
+    }
+    std::vector<wrc::Position> points;
+    for (int64_t i = 0; i < count; ++i) {
+      points.push_back({lateral[i], height[i]});
+    }
+    wrc::ReadResult read = wrc::profile_through(points, name, given);
+    object.profile = std::move(read.profile);
+    object.corrections = std::move(read.corrections);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_profile_write(wrc_profile* profile, const char* path, double spacing) {
-  return with_profile(profile, [&](const wrc::Profile& loaded) {
+  return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     wrc::require_pointer(path, "path");
     wrc::write_profile(loaded, path, spacing);
     return WRC_OK;
@@ -114,7 +142,7 @@ wrc_status wrc_profile_write(wrc_profile* profile, const char* path, double spac
 }
 
 wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind) {
-  return with_profile(profile, [&](const wrc::Profile& loaded) {
+  return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     wrc::require_pointer(kind, "kind");
     *kind = loaded.kind == wrc::ProfileKind::wheel ? WRC_WHEEL : WRC_RAIL;
     return WRC_OK;
@@ -122,7 +150,7 @@ wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind) {
 }
 
 wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value) {
-  return with_profile(profile, [&](const wrc::Profile& loaded) {
+  return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     const std::string_view asked = name;
@@ -144,14 +172,15 @@ wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char**
 }
 
 const char* wrc_profile_correction(const wrc_profile* profile, int64_t index) {
-  return profile != nullptr && index >= 0 &&
-                 index < static_cast<int64_t>(profile->corrections.size())
-             ? profile->corrections[static_cast<std::size_t>(index)].c_str()
-             : nullptr;
+  return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
+    return index >= 0 && index < static_cast<int64_t>(object.corrections.size())
+               ? object.corrections[static_cast<std::size_t>(index)].c_str()
+               : nullptr;
+  });
 }
 
 wrc_status wrc_profile_length(wrc_profile* profile, double* length) {
-  return with_profile(profile, [&](const wrc::Profile& loaded) {
+  return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     wrc::require_pointer(length, "length");
     *length = loaded.curve.length();
     return WRC_OK;
@@ -159,15 +188,15 @@ wrc_status wrc_profile_length(wrc_profile* profile, double* length) {
 }
 
 wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t capacity, int64_t* count) {
-  return with_profile(profile, [&](const wrc::Profile& loaded) {
+  return with_profile(profile, [&](wrc::ProfileObject& object, const wrc::Profile& loaded) {
     const auto starts = loaded.curve.starts();
-    return wrc::copy_values(starts.data(), starts.size(), arcs, capacity, count, profile->error);
+    return wrc::copy_values(starts.data(), starts.size(), arcs, capacity, count, object.error);
   });
 }
 
 wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, double* height,
                           double* angle, double* curvature) {
-  return with_profile(profile, [&](const wrc::Profile& loaded) {
+  return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     if (!std::isfinite(arc)) {
       wrc::throw_invalid_argument("arc", arc, "a finite arc length, mm");
     }

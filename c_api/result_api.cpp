@@ -5,36 +5,35 @@
 namespace {
 
 /// Names of the numbers at hand; none without a result.
-const std::vector<std::string>& number_names_of(const wrc_scene* scene) {
+const std::vector<std::string>& number_names_of(wrc::SceneObject& scene) {
   static const std::vector<std::string> none;
-  if (scene == nullptr || !scene->result) {
+  if (!scene.result) {
     return none;
   }
-  if (scene->number_names.empty()) {
-    scene->number_names = wrc::number_names(*scene->result);
+  if (scene.number_names.empty()) {
+    scene.number_names = wrc::number_names(*scene.result);
   }
-  return scene->number_names;
+  return scene.number_names;
 }
 
 /// Texts by name; none without a result.
-const std::vector<std::pair<std::string, std::string>>& texts_of(const wrc_scene* scene) {
+const std::vector<std::pair<std::string, std::string>>& texts_of(wrc::SceneObject& scene) {
   static const std::vector<std::pair<std::string, std::string>> none;
-  if (scene == nullptr || !scene->result) {
+  if (!scene.result) {
     return none;
   }
-  if (scene->texts.empty()) {
-    scene->texts = wrc::text_values(*scene->result);
+  if (scene.texts.empty()) {
+    scene.texts = wrc::text_values(*scene.result, scene.scene.convention);
   }
-  return scene->texts;
+  return scene.texts;
 }
 
-/// A count, or 0 if there is no memory to find it.
-template <class Count> int64_t counted(Count&& count) noexcept {
-  try {
-    return static_cast<int64_t>(count());
-  } catch (...) {
-    return 0;
-  }
+/// One of a list of texts; NULL past its end.
+template <class List, class Text>
+const char* text_at(const List& list, int64_t index, Text&& text) {
+  return index >= 0 && index < static_cast<int64_t>(list.size())
+             ? text(list[static_cast<std::size_t>(index)]).c_str()
+             : nullptr;
 }
 
 [[noreturn]] void throw_unknown(const char* what, const char* name) {
@@ -44,12 +43,12 @@ template <class Count> int64_t counted(Count&& count) noexcept {
 
 /// Runs a body that needs results.
 template <class Body> wrc_status with_result(wrc_scene* scene, Body&& body) {
-  return wrc::guard(scene, [&]() -> wrc_status {
-    if (!scene->result) {
-      scene->error = "the scene has not been solved yet";
+  return wrc::guard(scene, [&](wrc::SceneObject& object) -> wrc_status {
+    if (!object.result) {
+      object.error = "the scene has not been solved yet";
       return WRC_NO_RESULT;
     }
-    return body();
+    return body(object);
   });
 }
 
@@ -58,10 +57,10 @@ template <class Body> wrc_status with_result(wrc_scene* scene, Body&& body) {
 extern "C" {
 
 wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
-  return with_result(scene, [&] {
+  return with_result(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    const auto found = wrc::number_value(*scene->result, name);
+    const auto found = wrc::number_value(*object.result, name, object.scene.convention);
     if (!found) {
       throw_unknown("result", name);
     }
@@ -71,10 +70,10 @@ wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
 }
 
 wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value) {
-  return with_result(scene, [&] {
+  return with_result(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    const auto& texts = texts_of(scene);
+    const auto& texts = texts_of(object);
     const auto found = std::find_if(texts.begin(), texts.end(),
                                     [name](const auto& entry) { return entry.first == name; });
     if (found == texts.end()) {
@@ -87,37 +86,41 @@ wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value
 
 wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values, int64_t capacity,
                            int64_t* count) {
-  return with_result(scene, [&] {
+  return with_result(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
-    if (!scene->field || scene->field->first != name) {
-      auto computed = wrc::field_values(*scene->result, name);
+    if (!object.field || object.field->first != name) {
+      auto computed = wrc::field_values(*object.result, name, object.scene.convention);
       if (!computed) {
         throw_unknown("field", name);
       }
-      scene->field.emplace(name, std::move(*computed));
+      object.field.emplace(name, std::move(*computed));
     }
-    const std::vector<double>& field = scene->field->second;
-    return wrc::copy_values(field.data(), field.size(), values, capacity, count, scene->error);
+    const std::vector<double>& field = object.field->second;
+    return wrc::copy_values(field.data(), field.size(), values, capacity, count, object.error);
   });
 }
 
 int64_t wrc_scene_number_count(const wrc_scene* scene) {
-  return counted([&] { return number_names_of(scene).size(); });
+  return wrc::look_at<int64_t>(
+      scene, 0, [](wrc::SceneObject& object) { return number_names_of(object).size(); });
 }
 
 const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index) {
-  return index >= 0 && index < wrc_scene_number_count(scene)
-             ? scene->number_names[static_cast<std::size_t>(index)].c_str()
-             : nullptr;
+  return wrc::look_at<const char*>(scene, nullptr, [index](wrc::SceneObject& object) {
+    return text_at(number_names_of(object), index,
+                   [](const std::string& name) -> const std::string& { return name; });
+  });
 }
 
 int64_t wrc_scene_text_count(const wrc_scene* scene) {
-  return counted([&] { return texts_of(scene).size(); });
+  return wrc::look_at<int64_t>(scene, 0,
+                               [](wrc::SceneObject& object) { return texts_of(object).size(); });
 }
 
 const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index) {
-  return index >= 0 && index < wrc_scene_text_count(scene)
-             ? scene->texts[static_cast<std::size_t>(index)].first.c_str()
-             : nullptr;
+  return wrc::look_at<const char*>(scene, nullptr, [index](wrc::SceneObject& object) {
+    return text_at(texts_of(object), index,
+                   [](const auto& text) -> const std::string& { return text.first; });
+  });
 }
 }

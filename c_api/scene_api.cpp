@@ -1,7 +1,8 @@
 #include "handles.hpp"
+#include "scene/scene_file.hpp"
 #include "scene/scene_keys.hpp"
 
-wrc_status wrc_scene::take_result(wrc::SceneResult&& new_result) {
+wrc_status wrc::SceneObject::take_result(wrc::SceneResult&& new_result) {
   bool converged = true;
   for (const auto* side : {&new_result.left, &new_result.right}) {
     converged = converged && (!*side || (*side)->stop_reason == wrc::StopReason::tolerance_met);
@@ -16,6 +17,21 @@ wrc_status wrc_scene::take_result(wrc::SceneResult&& new_result) {
   return converged ? WRC_OK : WRC_NOT_CONVERGED;
 }
 
+namespace {
+
+/// The value of a key that has one of a type. Throws Error(unknown_name, invalid_argument).
+template <class Type>
+Type value_of_type(const wrc::Scene& scene, const char* key, const char* type) {
+  wrc::KeyValue value = wrc::key_value(scene, key);
+  if (Type* found = std::get_if<Type>(&value)) {
+    return std::move(*found);
+  }
+  throw wrc::Error(wrc::ErrorCode::invalid_argument,
+                   std::string(key) + ": its value is no " + type);
+}
+
+} // namespace
+
 extern "C" {
 
 wrc_status wrc_scene_create(wrc_scene** scene) {
@@ -23,33 +39,38 @@ wrc_status wrc_scene_create(wrc_scene** scene) {
 }
 
 void wrc_scene_destroy(wrc_scene* scene) {
-  delete scene;
+  wrc::destroy(scene);
 }
 
 const char* wrc_scene_error(const wrc_scene* scene) {
-  return scene == nullptr ? "scene = NULL: a handle must be given" : scene->error.c_str();
+  return wrc::error_of(scene);
 }
 
 wrc_status wrc_scene_set_number(wrc_scene* scene, const char* key, double value) {
-  return wrc::guard(scene, [&] {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(key, "key");
-    wrc::set_number(scene->scene, key, value);
+    wrc::set_number(object.scene, key, value);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const char* value) {
-  return wrc::guard(scene, [&] {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(key, "key");
     wrc::require_pointer(value, "value");
-    wrc::set_text(scene->scene, key, value);
+    const wrc::Convention before = object.scene.convention;
+    wrc::set_text(object.scene, key, value);
+    if (object.scene.convention != before) { // results at hand are told in the new one
+      object.texts.clear();
+      object.field.reset();
+    }
     return WRC_OK;
   });
 }
 
 wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, const double* values,
                                  int64_t count) {
-  return wrc::guard(scene, [&] {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(key, "key");
     if (count < 0) {
       wrc::throw_invalid_argument("count", static_cast<double>(count), "0 or more");
@@ -57,13 +78,71 @@ wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, const double
     if (count > 0) {
       wrc::require_pointer(values, "values");
     }
-    wrc::set_numbers(scene->scene, key, {values, static_cast<std::size_t>(count)});
+    wrc::set_numbers(object.scene, key, {values, static_cast<std::size_t>(count)});
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_set_profile(wrc_scene* scene, const char* key, wrc_profile* profile) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(profile, "profile");
+    const auto given = wrc::use(profile);
+    if (!given.held()) {
+      object.error = std::string("profile: ") + wrc::reason_of(given);
+      return given.exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+    }
+    if (!given.object().profile) {
+      object.error = "no profile has been loaded into the handle";
+      return WRC_NO_RESULT;
+    }
+    wrc::set_profile(object.scene, key, *given.object().profile);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_get_number(wrc_scene* scene, const char* key, double* value) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(value, "value");
+    *value = value_of_type<double>(object.scene, key, "number");
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_get_text(wrc_scene* scene, const char* key, const char** value) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(value, "value");
+    object.input_text = value_of_type<std::string>(object.scene, key, "text");
+    *value = object.input_text.c_str();
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_get_numbers(wrc_scene* scene, const char* key, double* values,
+                                 int64_t capacity, int64_t* count) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(key, "key");
+    const auto list = value_of_type<std::vector<double>>(object.scene, key, "list of numbers");
+    return wrc::copy_values(list.data(), list.size(), values, capacity, count, object.error);
+  });
+}
+
+wrc_status wrc_scene_write(wrc_scene* scene, const char* path) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(path, "path");
+    wrc::write_scene(object.scene, path);
     return WRC_OK;
   });
 }
 
 int64_t wrc_scene_key_count(void) {
-  return static_cast<int64_t>(wrc::scene_keys().size());
+  try {
+    return static_cast<int64_t>(wrc::scene_keys().size());
+  } catch (...) { // no memory for the table
+    return 0;
+  }
 }
 
 wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_value,
@@ -82,6 +161,8 @@ wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_
 }
 
 wrc_status wrc_scene_solve(wrc_scene* scene) {
-  return wrc::guard(scene, [&] { return scene->take_result(wrc::solve_scene(scene->scene)); });
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    return object.take_result(wrc::solve_scene(object.scene));
+  });
 }
 }

@@ -26,6 +26,8 @@ const char* wrc_status_name(wrc_status status) {
     return "array too small";
   case WRC_NO_RESULT:
     return "no result";
+  case WRC_BUSY:
+    return "handle in use";
   default:
     return "unknown status";
   }

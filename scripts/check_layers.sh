@@ -19,12 +19,12 @@ check() {
   fi
 }
 
-check cxx_core/profile 'error\.hpp|(vector_clones|reductions)\.hpp|profile/'
-check cxx_core/geometry 'error\.hpp|(vector_clones|reductions)\.hpp|profile/|geometry/'
-check cxx_core/remesh 'error\.hpp|(vector_clones|reductions)\.hpp|profile/|geometry/|remesh/'
-check cxx_core/mechanics 'error\.hpp|(vector_clones|reductions)\.hpp|remesh/grid\.hpp|mechanics/'
-check cxx_core/scene 'error\.hpp|(vector_clones|reductions)\.hpp|profile/|geometry/|remesh/|mechanics/|scene/'
-check c_api 'error\.hpp|(vector_clones|reductions)\.hpp|profile/|mechanics/|scene/|handles\.hpp|wrcontact\.h'
+check cxx_core/profile 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/'
+check cxx_core/geometry 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/'
+check cxx_core/remesh 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/|remesh/'
+check cxx_core/mechanics 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|remesh/grid\.hpp|mechanics/'
+check cxx_core/scene 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/|remesh/|mechanics/|scene/'
+check c_api 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|mechanics/|scene/|(handles|handle_table|floating_point)\.hpp|wrcontact\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'

@@ -6,14 +6,20 @@
  * spaced grid in the plane of each patch, and solves the non-Hertzian normal contact of elastic
  * half-spaces for all patches of a wheel together.
  *
- * Units:   mm, N, MPa, rad.
+ * Units:   mm, N, MPa, rad; a scene may ask for m, N, Pa, rad (key convention.units).
  * Frame:   track frame, x forward, y to the left, z up, right-handed; origin at the track centre in
  *          the plane of the rail tops. Roll > 0 lifts the left wheel, yaw > 0 is anticlockwise seen
- *          from above. Profile coordinates are positive to the field side.
+ *          from above. Profile coordinates are positive to the field side. A scene may ask for
+ *          y to the right and z down (key convention.frame).
  * Errors:  functions return WRC_OK or another wrc_status. The text of the last failure of a handle
  *          stays on the handle (wrc_scene_error and so on) until its next call. A failed call
- *          leaves the handle as it was. Nothing throws, prints or ends the program.
- * Threads: a handle must not be used by two threads at once; different handles are independent.
+ *          leaves the handle as it was. Nothing throws, prints or ends the program, but for one
+ *          case that is not ours: FFTW itself stops it when there is no memory for a plan.
+ * Handles: a handle is a number in a pointer's clothes, looked up at each call: one that was
+ *          destroyed, or is of another kind, is refused with WRC_INVALID_ARGUMENT.
+ * Threads: all functions may be called by any thread. A handle serves one call at a time; another
+ *          one meanwhile gets WRC_BUSY. Different handles are independent.
+ * Floats:  the caller's rounding mode, traps and flags do not matter, and stay as they are.
  * Text:    UTF-8, ended by a zero byte. Returned text belongs to the handle and lives until the
  *          handle is changed or destroyed.
  *
@@ -49,6 +55,7 @@ typedef int32_t wrc_status;
 #define WRC_NOT_CONVERGED 8    /* results are there, but not to the tolerance; see stop_reason */
 #define WRC_TOO_SMALL 9        /* the caller's array is too small; the length needed is returned */
 #define WRC_NO_RESULT 10       /* the handle has not been solved or loaded yet */
+#define WRC_BUSY 11            /* the handle is in use by another thread; since 0.2 */
 
 /* Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
 WRC_API const char* wrc_status_name(wrc_status status);
@@ -70,12 +77,26 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
  * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
  * defaults and permitted values. Keys of one subject replace each other: the later call counts
  * (load.vertical and load.left, material.poisson and material.wheel.poisson, solve.accuracy and
- * solve.grid). WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
+ * solve.grid). The keys convention.units and convention.frame say in which units and frame numbers
+ * are given to and told by the calls that follow; what was set before keeps its meaning. The key
+ * solve.until stops after one of the three modules. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT.
+ * Since 0.1.
  */
 WRC_API wrc_status wrc_scene_set_number(wrc_scene* scene, const char* key, double value);
 WRC_API wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const char* value);
 WRC_API wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, const double* values,
                                          int64_t count);
+
+/*
+ * The values of keys, in the scene's convention: a text where a word stands ("solve", "none"), or
+ * else a number or a list, copied as by wrc_scene_field. WRC_INVALID_ARGUMENT if the value is of
+ * another type, or if there is no single one (load.vertical with different loads of the wheels).
+ * Since 0.2.
+ */
+WRC_API wrc_status wrc_scene_get_number(wrc_scene* scene, const char* key, double* value);
+WRC_API wrc_status wrc_scene_get_text(wrc_scene* scene, const char* key, const char** value);
+WRC_API wrc_status wrc_scene_get_numbers(wrc_scene* scene, const char* key, double* values,
+                                         int64_t capacity, int64_t* count);
 
 /* What is told of a key; each text belongs to the library and stays. Since 0.1. */
 WRC_API int64_t wrc_scene_key_count(void);
@@ -87,6 +108,14 @@ WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** 
  * usable results; on any other failure the results of the last success remain. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
+
+/*
+ * Writes the scene as a TOML file that wrc_case replays: with the same library on the same machine
+ * bit for bit what wrc_scene_solve gives. Numbers are in mm, N, MPa, y left, z up, whatever the
+ * scene's convention. Profiles given by wrc_scene_set_profile go into files of their points beside
+ * it. WRC_FILE_UNREADABLE if it cannot be written. Since 0.2.
+ */
+WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
 
 /*
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
@@ -270,6 +299,21 @@ WRC_API wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
 /* Writes a file, two columns or by extension .prr/.prw, with points `spacing` mm apart along the
  * arc; written aside, then renamed. Since 0.1. */
 WRC_API wrc_status wrc_profile_write(wrc_profile* profile, const char* path, double spacing);
+
+/*
+ * A profile through points, `count` of each coordinate in mm in either order, copied; treated as
+ * the points of a file (docs of the options above), whose kind must be given. `name` stands for
+ * them in messages. WRC_INVALID_ARGUMENT. Since 0.2.
+ */
+WRC_API wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name,
+                                          const double* lateral, const double* height,
+                                          int64_t count, const wrc_read_options* options);
+/*
+ * Lets a scene use a loaded profile, of which it keeps a copy: a wheel for "wheelset.wheel", a rail
+ * for "track.rail". Setting that key by name takes it away again. WRC_INVALID_ARGUMENT,
+ * WRC_NO_RESULT for an empty profile. Since 0.2.
+ */
+WRC_API wrc_status wrc_scene_set_profile(wrc_scene* scene, const char* key, wrc_profile* profile);
 
 /* Kind, and texts: "name", "title", "source", "confidence". Since 0.1. */
 WRC_API wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind);

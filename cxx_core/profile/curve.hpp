@@ -15,6 +15,7 @@
 /// Thread rule: immutable after construction, safe to share.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -22,6 +23,9 @@
 #include "profile/quintic.hpp"
 
 namespace wrc {
+
+/// (lateral, height).
+using Position = std::array<double, 2>;
 
 /// The curve at one place; derivatives are with respect to arc length.
 struct CurvePoint {

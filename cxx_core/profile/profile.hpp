@@ -23,6 +23,8 @@ struct Profile {
   std::string source;     ///< where the numbers come from
   std::string confidence; ///< how sure they are
   Curve curve;
+  /// What the curve was drawn through; none of a built-in profile.
+  std::vector<Position> points{};
 };
 
 /// Names of the built-in profiles, in the order in which they are listed for users.

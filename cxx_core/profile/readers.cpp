@@ -226,16 +226,26 @@ std::vector<Position> settle_points(RawProfile& raw, ProfileKind& kind, const Re
 }
 
 /// Smooths if asked to, then joins the points. A fault there is one of the file's points.
-Curve join(std::vector<Position> points, const ReadOptions& options, Log& log) {
+void join(Profile& profile, const ReadOptions& options, Log& log) {
   try {
     if (options.smoothing_wavelength > 0.0) {
-      points = smooth_points(points, options.smoothing_wavelength);
+      profile.points = smooth_points(profile.points, options.smoothing_wavelength);
       log.note("smoothed, waves of " + text_of(options.smoothing_wavelength) + " mm are halved");
     }
-    return curve_through(points);
+    profile.curve = curve_through(profile.points);
   } catch (const Error& error) {
     log.refuse(error.what());
   }
+}
+
+/// What the formats have in common, once their points are there.
+ReadResult complete(RawProfile& raw, std::string_view name, const ReadOptions& options, Log& log) {
+  Profile profile;
+  profile.points = settle_points(raw, profile.kind, options, log);
+  profile.name = std::filesystem::path(name).stem().string();
+  profile.title = raw.title.empty() ? profile.name : raw.title;
+  join(profile, options, log);
+  return {std::move(profile), std::move(log.corrections())};
 }
 
 RawProfile parse(std::string_view text, ProfileFormat format, Log& log) {
@@ -302,22 +312,37 @@ ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::s
   if (text.empty())
     log.refuse("is empty");
   RawProfile raw = parse(text, format, log);
-  ProfileKind kind = ProfileKind::wheel;
-  const std::vector<Position> points = settle_points(raw, kind, options, log);
-  Profile profile;
-  profile.name = std::filesystem::path(name).stem().string();
-  profile.kind = kind;
-  profile.title = raw.title.empty() ? profile.name : raw.title;
-  profile.source = "file " + std::filesystem::path(name).filename().string();
-  profile.confidence = "as the file";
-  profile.curve = join(points, options, log);
-  return {std::move(profile), std::move(log.corrections())};
+  ReadResult result = complete(raw, name, options, log);
+  result.profile.source = "file " + std::filesystem::path(name).filename().string();
+  result.profile.confidence = "as the file";
+  return result;
 }
 
 ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& options) {
   check_options(options);
   const ProfileFormat format = format_of(path);
   return read_profile_text(content_of(path), format, path.string(), options);
+}
+
+ReadResult profile_through(std::span<const Position> points, std::string_view name,
+                           const ReadOptions& options) {
+  check_options(options);
+  Log log(name, options.strict);
+  RawProfile raw;
+  try {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const double coordinate : points[i])
+        if (!std::isfinite(coordinate))
+          log.refuse("point " + std::to_string(i) + " is not finite");
+      reading::add_point(raw, points[i], i, log);
+    }
+    ReadResult result = complete(raw, name, options, log);
+    result.profile.source = "points given by the program";
+    result.profile.confidence = "as the points";
+    return result;
+  } catch (const Error& error) { // of a file that is none
+    throw Error(ErrorCode::invalid_argument, error.what());
+  }
 }
 
 } // namespace wrc

@@ -17,6 +17,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,5 +68,10 @@ ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& op
 /// if the content does not.
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
                              const ReadOptions& options = {});
+
+/// The same from points at hand, [lateral, height], in either order. Throws
+/// Error(invalid_argument).
+ReadResult profile_through(std::span<const Position> points, std::string_view name,
+                           const ReadOptions& options);
 
 } // namespace wrc

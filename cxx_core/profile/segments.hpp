@@ -22,9 +22,6 @@
 
 namespace wrc {
 
-/// (lateral, height).
-using Position = std::array<double, 2>;
-
 struct LineSegment {
   Position start;
   Position end;

@@ -1,13 +1,11 @@
 #include "profile/writers.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <string>
-#include <system_error>
 
 #include "error.hpp"
 #include "profile/readers.hpp"
-#include "profile/segments.hpp"
+#include "written_file.hpp"
 
 namespace wrc {
 namespace {
@@ -83,20 +81,11 @@ std::string text_for(const Profile& profile, const std::filesystem::path& path, 
 } // namespace
 
 void write_profile(const Profile& profile, const std::filesystem::path& path, double spacing) {
-  const std::string text = text_for(profile, path, spacing);
-  std::filesystem::path aside = path;
-  aside += ".partial";
-  std::ofstream stream(aside, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  std::error_code fault;
-  if (stream)
-    std::filesystem::rename(aside, path, fault);
-  if (!stream || fault) {
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    throw Error(ErrorCode::file_unreadable, path.string() + ": cannot be written");
-  }
+  write_file(path, text_for(profile, path, spacing));
+}
+
+void write_points(const Profile& profile, const std::filesystem::path& path) {
+  write_file(path, columns_text(profile, profile.points));
 }
 
 } // namespace wrc

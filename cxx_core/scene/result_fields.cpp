@@ -55,34 +55,40 @@ template <class Coordinate> Values wheel_outline(const SideResult& side, Coordin
   return values;
 }
 
+constexpr Dimension length{Quantity::length, false};
+constexpr Dimension turning_length{Quantity::length, true};
+
 struct PatchField {
   std::string_view name;
+  Dimension dimension;
   Values (*compute)(const SideDetails&, const PatchResult&);
 };
 
 constexpr std::array patch_fields{
-    PatchField{"x",
+    PatchField{"x", length,
                [](const SideDetails&, const PatchResult& patch) {
                  return element_places(patch, [](const Vector3& place) { return place.x; });
                }},
-    PatchField{"y",
+    PatchField{"y", turning_length,
                [](const SideDetails& side, const PatchResult& patch) {
                  const double mirror = side.mirror;
                  return element_places(patch,
                                        [mirror](const Vector3& place) { return mirror * place.y; });
                }},
-    PatchField{"z",
+    PatchField{"z", turning_length,
                [](const SideDetails&, const PatchResult& patch) {
                  return element_places(patch, [](const Vector3& place) { return place.z; });
                }},
     PatchField{
-        "undeformed_distance",
+        "undeformed_distance", length,
         [](const SideDetails&, const PatchResult& patch) { return patch.undeformed_distance; }},
     PatchField{"pressure",
+               {Quantity::stress, false},
                [](const SideDetails&, const PatchResult& patch) { return patch.pressure; }},
-    PatchField{"displacement", displacement},
+    PatchField{"displacement", length, displacement},
 };
 
+/// All in the track frame: y and z.
 struct Outline {
   std::string_view name;
   Values (*compute)(const SideResult&);
@@ -115,7 +121,16 @@ constexpr std::array outlines{
 
 } // namespace
 
-std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name) {
+std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name,
+                                                const Convention& convention) {
+  const auto all_told = [&convention](Values values, const Dimension& dimension) {
+    if (convention != Convention{}) {
+      for (double& value : values) {
+        value = told(value, convention, dimension);
+      }
+    }
+    return values;
+  };
   const auto take = [&name](std::string_view prefix) {
     const bool there = name.starts_with(prefix);
     name.remove_prefix(there ? prefix.size() : 0);
@@ -128,7 +143,7 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
   }
   for (const Outline& outline : outlines) {
     if (outline.name == name) {
-      return outline.compute(*side);
+      return all_told(outline.compute(*side), turning_length);
     }
   }
   std::size_t index = 0;
@@ -141,7 +156,9 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
   }
   for (const PatchField& field : patch_fields) {
     if (field.name == name) {
-      return side->patches.empty() ? Values{} : field.compute(side->details, side->patches[index]);
+      return side->patches.empty()
+                 ? Values{}
+                 : all_told(field.compute(side->details, side->patches[index]), field.dimension);
     }
   }
   return std::nullopt;

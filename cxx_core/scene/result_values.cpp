@@ -10,19 +10,37 @@
 namespace wrc {
 namespace {
 
+/// A number in mm, y left, z up, and what it is.
+struct Value {
+  double value;
+  Dimension dimension;
+};
+
+constexpr Dimension pure{Quantity::number, false};
+constexpr Dimension turning_force{Quantity::number, true}; ///< also a force per angle
+constexpr Dimension length{Quantity::length, false};
+constexpr Dimension turning_length{Quantity::length, true};
+constexpr Dimension surface{Quantity::area, false};
+constexpr Dimension stress{Quantity::stress, false};
+constexpr Dimension moment{Quantity::moment, false};
+constexpr Dimension turning_moment{Quantity::moment, true};
+constexpr Dimension stiffness{Quantity::stiffness, false};
+
 /// A name and how to read its value.
 template <class Owner> struct Number {
   std::string_view name;
+  Dimension dimension;
   double (*value)(const Owner&);
 };
 
 /// The value of a name in a table; none if it is not there.
 template <class Owner, std::size_t count>
-std::optional<double> find_in(const std::array<Number<Owner>, count>& table, const Owner& owner,
-                              std::string_view name) {
+std::optional<Value> find_in(const std::array<Number<Owner>, count>& table, const Owner& owner,
+                             std::string_view name) {
   const auto found = std::find_if(table.begin(), table.end(),
                                   [name](const auto& entry) { return entry.name == name; });
-  return found == table.end() ? std::nullopt : std::optional(found->value(owner));
+  return found == table.end() ? std::nullopt
+                              : std::optional(Value{found->value(owner), found->dimension});
 }
 
 template <class Owner, std::size_t count>
@@ -34,21 +52,22 @@ void add_names(std::vector<std::string>& names, const std::string& prefix,
 }
 
 constexpr std::array place_numbers{
-    Number<ContactPlace>{"x", [](const ContactPlace& p) { return p.x; }},
-    Number<ContactPlace>{"y", [](const ContactPlace& p) { return p.y; }},
-    Number<ContactPlace>{"z", [](const ContactPlace& p) { return p.z; }},
-    Number<ContactPlace>{"s_wheel", [](const ContactPlace& p) { return p.s_wheel; }},
-    Number<ContactPlace>{"w_wheel", [](const ContactPlace& p) { return p.w_wheel; }},
-    Number<ContactPlace>{"t_rail", [](const ContactPlace& p) { return p.t_rail; }},
-    Number<ContactPlace>{"v_rail", [](const ContactPlace& p) { return p.v_rail; }},
-    Number<ContactPlace>{"rolling_radius", [](const ContactPlace& p) { return p.rolling_radius; }},
-    Number<ContactPlace>{"wheel_angle", [](const ContactPlace& p) { return p.wheel_angle; }},
+    Number<ContactPlace>{"x", length, [](const ContactPlace& p) { return p.x; }},
+    Number<ContactPlace>{"y", turning_length, [](const ContactPlace& p) { return p.y; }},
+    Number<ContactPlace>{"z", turning_length, [](const ContactPlace& p) { return p.z; }},
+    Number<ContactPlace>{"s_wheel", length, [](const ContactPlace& p) { return p.s_wheel; }},
+    Number<ContactPlace>{"w_wheel", length, [](const ContactPlace& p) { return p.w_wheel; }},
+    Number<ContactPlace>{"t_rail", length, [](const ContactPlace& p) { return p.t_rail; }},
+    Number<ContactPlace>{"v_rail", length, [](const ContactPlace& p) { return p.v_rail; }},
+    Number<ContactPlace>{"rolling_radius", length,
+                         [](const ContactPlace& p) { return p.rolling_radius; }},
+    Number<ContactPlace>{"wheel_angle", pure, [](const ContactPlace& p) { return p.wheel_angle; }},
 };
 
 /// Told of a touch only; a patch has an angle of its own.
 constexpr std::array touch_numbers{
-    Number<ContactPlace>{"angle", [](const ContactPlace& p) { return p.angle; }},
-    Number<ContactPlace>{"distance", [](const ContactPlace& p) { return p.distance; }},
+    Number<ContactPlace>{"angle", pure, [](const ContactPlace& p) { return p.angle; }},
+    Number<ContactPlace>{"distance", length, [](const ContactPlace& p) { return p.distance; }},
 };
 
 /// Computed when it is asked for.
@@ -57,44 +76,53 @@ double area_of_patch(const PatchResult& patch) {
 }
 
 constexpr std::array patch_numbers{
-    Number<PatchResult>{"pmax", [](const PatchResult& p) { return p.pmax; }},
-    Number<PatchResult>{"area", area_of_patch},
-    Number<PatchResult>{"pmax_element", [](const PatchResult& p) { return p.pmax_element; }},
-    Number<PatchResult>{"normal_force", [](const PatchResult& p) { return p.normal_force; }},
-    Number<PatchResult>{"vertical_force", [](const PatchResult& p) { return p.force.z; }},
-    Number<PatchResult>{"lateral_force", [](const PatchResult& p) { return p.force.y; }},
-    Number<PatchResult>{"longitudinal_force", [](const PatchResult& p) { return p.force.x; }},
-    Number<PatchResult>{"moment.x", [](const PatchResult& p) { return p.moment.x; }},
-    Number<PatchResult>{"moment.y", [](const PatchResult& p) { return p.moment.y; }},
-    Number<PatchResult>{"moment.z", [](const PatchResult& p) { return p.moment.z; }},
-    Number<PatchResult>{"approach", [](const PatchResult& p) { return p.approach; }},
-    Number<PatchResult>{"angle", [](const PatchResult& p) { return p.angle; }},
-    Number<PatchResult>{"semi_axes.0",
+    Number<PatchResult>{"pmax", stress, [](const PatchResult& p) { return p.pmax; }},
+    Number<PatchResult>{"area", surface, area_of_patch},
+    Number<PatchResult>{"pmax_element", stress,
+                        [](const PatchResult& p) { return p.pmax_element; }},
+    Number<PatchResult>{"normal_force", pure, [](const PatchResult& p) { return p.normal_force; }},
+    Number<PatchResult>{"vertical_force", turning_force,
+                        [](const PatchResult& p) { return p.force.z; }},
+    Number<PatchResult>{"lateral_force", turning_force,
+                        [](const PatchResult& p) { return p.force.y; }},
+    Number<PatchResult>{"longitudinal_force", pure, [](const PatchResult& p) { return p.force.x; }},
+    Number<PatchResult>{"moment.x", moment, [](const PatchResult& p) { return p.moment.x; }},
+    Number<PatchResult>{"moment.y", turning_moment,
+                        [](const PatchResult& p) { return p.moment.y; }},
+    Number<PatchResult>{"moment.z", turning_moment,
+                        [](const PatchResult& p) { return p.moment.z; }},
+    Number<PatchResult>{"approach", length, [](const PatchResult& p) { return p.approach; }},
+    Number<PatchResult>{"angle", pure, [](const PatchResult& p) { return p.angle; }},
+    Number<PatchResult>{"semi_axes.0", length,
                         [](const PatchResult& p) { return p.semi_axis_longitudinal; }},
-    Number<PatchResult>{"semi_axes.1", [](const PatchResult& p) { return p.semi_axis_lateral; }},
-    Number<PatchResult>{"radii.0", [](const PatchResult& p) { return p.radius_longitudinal; }},
-    Number<PatchResult>{"radii.1", [](const PatchResult& p) { return p.radius_lateral; }},
-    Number<PatchResult>{"closeness", [](const PatchResult& p) { return p.closeness; }},
-    Number<PatchResult>{"regions",
+    Number<PatchResult>{"semi_axes.1", length,
+                        [](const PatchResult& p) { return p.semi_axis_lateral; }},
+    Number<PatchResult>{"radii.0", length,
+                        [](const PatchResult& p) { return p.radius_longitudinal; }},
+    Number<PatchResult>{"radii.1", length, [](const PatchResult& p) { return p.radius_lateral; }},
+    Number<PatchResult>{"closeness", pure, [](const PatchResult& p) { return p.closeness; }},
+    Number<PatchResult>{"regions", pure,
                         [](const PatchResult& p) {
                           return static_cast<double>(pressure_regions(p.grid, p.pressure).size());
                         }},
-    Number<PatchResult>{"fill", [](const PatchResult& p) { return p.fill; }},
+    Number<PatchResult>{"fill", pure, [](const PatchResult& p) { return p.fill; }},
     Number<PatchResult>{
-        "grid.0", [](const PatchResult& p) { return static_cast<double>(p.grid.lateral_count); }},
+        "grid.0", pure,
+        [](const PatchResult& p) { return static_cast<double>(p.grid.lateral_count); }},
     Number<PatchResult>{
-        "grid.1",
+        "grid.1", pure,
         [](const PatchResult& p) { return static_cast<double>(p.grid.longitudinal_count); }},
-    Number<PatchResult>{"element_size.0", [](const PatchResult& p) { return p.grid.lateral_step; }},
-    Number<PatchResult>{"element_size.1",
+    Number<PatchResult>{"element_size.0", length,
+                        [](const PatchResult& p) { return p.grid.lateral_step; }},
+    Number<PatchResult>{"element_size.1", length,
                         [](const PatchResult& p) { return p.grid.longitudinal_step; }},
 };
 
 constexpr std::array side_numbers{
-    Number<SideResult>{"vertical", [](const SideResult& r) { return r.vertical; }},
-    Number<SideResult>{"pmax", [](const SideResult& r) { return r.pmax; }},
-    Number<SideResult>{"pmax_element", [](const SideResult& r) { return r.pmax_element; }},
-    Number<SideResult>{"area",
+    Number<SideResult>{"vertical", turning_length, [](const SideResult& r) { return r.vertical; }},
+    Number<SideResult>{"pmax", stress, [](const SideResult& r) { return r.pmax; }},
+    Number<SideResult>{"pmax_element", stress, [](const SideResult& r) { return r.pmax_element; }},
+    Number<SideResult>{"area", surface,
                        [](const SideResult& r) {
                          double area = 0.0;
                          for (const PatchResult& patch : r.patches) {
@@ -102,24 +130,26 @@ constexpr std::array side_numbers{
                          }
                          return area;
                        }},
-    Number<SideResult>{"normal_force", [](const SideResult& r) { return r.normal_force; }},
-    Number<SideResult>{"vertical_force", [](const SideResult& r) { return r.force.z; }},
-    Number<SideResult>{"lateral_force", [](const SideResult& r) { return r.force.y; }},
-    Number<SideResult>{"longitudinal_force", [](const SideResult& r) { return r.force.x; }},
-    Number<SideResult>{"moment.x", [](const SideResult& r) { return r.moment.x; }},
-    Number<SideResult>{"moment.y", [](const SideResult& r) { return r.moment.y; }},
-    Number<SideResult>{"moment.z", [](const SideResult& r) { return r.moment.z; }},
-    Number<SideResult>{"jump", [](const SideResult& r) { return r.jump; }},
-    Number<SideResult>{"approach", [](const SideResult& r) { return r.approach; }},
-    Number<SideResult>{"depth", [](const SideResult& r) { return r.depth; }},
-    Number<SideResult>{"angle", [](const SideResult& r) { return r.angle; }},
-    Number<SideResult>{"iterations",
+    Number<SideResult>{"normal_force", pure, [](const SideResult& r) { return r.normal_force; }},
+    Number<SideResult>{"vertical_force", turning_force,
+                       [](const SideResult& r) { return r.force.z; }},
+    Number<SideResult>{"lateral_force", turning_force,
+                       [](const SideResult& r) { return r.force.y; }},
+    Number<SideResult>{"longitudinal_force", pure, [](const SideResult& r) { return r.force.x; }},
+    Number<SideResult>{"moment.x", moment, [](const SideResult& r) { return r.moment.x; }},
+    Number<SideResult>{"moment.y", turning_moment, [](const SideResult& r) { return r.moment.y; }},
+    Number<SideResult>{"moment.z", turning_moment, [](const SideResult& r) { return r.moment.z; }},
+    Number<SideResult>{"jump", length, [](const SideResult& r) { return r.jump; }},
+    Number<SideResult>{"approach", length, [](const SideResult& r) { return r.approach; }},
+    Number<SideResult>{"depth", length, [](const SideResult& r) { return r.depth; }},
+    Number<SideResult>{"angle", pure, [](const SideResult& r) { return r.angle; }},
+    Number<SideResult>{"iterations", pure,
                        [](const SideResult& r) { return static_cast<double>(r.iterations); }},
-    Number<SideResult>{"convolutions",
+    Number<SideResult>{"convolutions", pure,
                        [](const SideResult& r) { return static_cast<double>(r.convolutions); }},
-    Number<SideResult>{"solutions",
+    Number<SideResult>{"solutions", pure,
                        [](const SideResult& r) { return static_cast<double>(r.solutions); }},
-    Number<SideResult>{"regrown",
+    Number<SideResult>{"regrown", pure,
                        [](const SideResult& r) { return static_cast<double>(r.regrown); }},
 };
 
@@ -128,45 +158,49 @@ constexpr std::array<std::string_view, 5> first_patch_names{"fill", "grid.0", "g
                                                             "element_size.0", "element_size.1"};
 
 constexpr std::array residual_numbers{
-    Number<Residuals>{"load_balance", [](const Residuals& r) { return r.load_balance; }},
-    Number<Residuals>{"least_gap", [](const Residuals& r) { return r.least_gap; }},
-    Number<Residuals>{"complementarity", [](const Residuals& r) { return r.complementarity; }},
+    Number<Residuals>{"load_balance", pure, [](const Residuals& r) { return r.load_balance; }},
+    Number<Residuals>{"least_gap", pure, [](const Residuals& r) { return r.least_gap; }},
+    Number<Residuals>{"complementarity", pure,
+                      [](const Residuals& r) { return r.complementarity; }},
 };
 
 constexpr std::array sensitivity_numbers{
-    Number<SideRates>{"lateral_force.lateral",
+    Number<SideRates>{"lateral_force.lateral", stiffness,
                       [](const SideRates& r) { return r.force.lateral.force.y; }},
-    Number<SideRates>{"lateral_force.vertical",
+    Number<SideRates>{"lateral_force.vertical", stiffness,
                       [](const SideRates& r) { return r.force.vertical.force.y; }},
-    Number<SideRates>{"lateral_force.roll",
+    Number<SideRates>{"lateral_force.roll", turning_force,
                       [](const SideRates& r) { return r.force.roll.force.y; }},
-    Number<SideRates>{"vertical_force.lateral",
+    Number<SideRates>{"vertical_force.lateral", stiffness,
                       [](const SideRates& r) { return r.force.lateral.force.z; }},
-    Number<SideRates>{"vertical_force.vertical",
+    Number<SideRates>{"vertical_force.vertical", stiffness,
                       [](const SideRates& r) { return r.force.vertical.force.z; }},
-    Number<SideRates>{"vertical_force.roll",
+    Number<SideRates>{"vertical_force.roll", turning_force,
                       [](const SideRates& r) { return r.force.roll.force.z; }},
 };
 
 /// With the height following, so that the vertical force stays.
 constexpr std::array condensed_numbers{
-    Number<CondensedRates>{"lateral_force.lateral",
+    Number<CondensedRates>{"lateral_force.lateral", stiffness,
                            [](const CondensedRates& r) { return r.lateral.wheel.force.y; }},
-    Number<CondensedRates>{"lateral_force.roll",
+    Number<CondensedRates>{"lateral_force.roll", turning_force,
                            [](const CondensedRates& r) { return r.roll.wheel.force.y; }},
-    Number<CondensedRates>{"vertical.lateral",
+    Number<CondensedRates>{"vertical.lateral", pure,
                            [](const CondensedRates& r) { return r.lateral.vertical; }},
-    Number<CondensedRates>{"vertical.roll",
+    Number<CondensedRates>{"vertical.roll", turning_length,
                            [](const CondensedRates& r) { return r.roll.vertical; }},
 };
 
 constexpr std::array time_numbers{
-    Number<StageMilliseconds>{"profile", [](const StageMilliseconds& t) { return t.profile; }},
-    Number<StageMilliseconds>{"setup", [](const StageMilliseconds& t) { return t.setup; }},
-    Number<StageMilliseconds>{"geometry", [](const StageMilliseconds& t) { return t.geometry; }},
-    Number<StageMilliseconds>{"remesh", [](const StageMilliseconds& t) { return t.remesh; }},
-    Number<StageMilliseconds>{"mechanics", [](const StageMilliseconds& t) { return t.mechanics; }},
-    Number<StageMilliseconds>{"total", [](const StageMilliseconds& t) { return t.total; }},
+    Number<StageMilliseconds>{"profile", pure,
+                              [](const StageMilliseconds& t) { return t.profile; }},
+    Number<StageMilliseconds>{"setup", pure, [](const StageMilliseconds& t) { return t.setup; }},
+    Number<StageMilliseconds>{"geometry", pure,
+                              [](const StageMilliseconds& t) { return t.geometry; }},
+    Number<StageMilliseconds>{"remesh", pure, [](const StageMilliseconds& t) { return t.remesh; }},
+    Number<StageMilliseconds>{"mechanics", pure,
+                              [](const StageMilliseconds& t) { return t.mechanics; }},
+    Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
 };
 
 /// Takes a prefix off a name.
@@ -188,12 +222,12 @@ bool take_index(std::string_view& name, std::size_t count, std::size_t& index) {
   return take(name, ".");
 }
 
-std::optional<double> touch_value(const ContactPlace& place, std::string_view name) {
+std::optional<Value> touch_value(const ContactPlace& place, std::string_view name) {
   const auto value = find_in(place_numbers, place, name);
   return value ? value : find_in(touch_numbers, place, name);
 }
 
-std::optional<double> sensitivity_value(SideResult& side, std::string_view name) {
+std::optional<Value> sensitivity_value(SideResult& side, std::string_view name) {
   // Unknown names cost no solution.
   const bool at_load = take(name, "at_load.");
   const bool known = at_load ? find_in(condensed_numbers, CondensedRates{}, name).has_value()
@@ -206,7 +240,7 @@ std::optional<double> sensitivity_value(SideResult& side, std::string_view name)
                  : find_in(sensitivity_numbers, *rates, name);
 }
 
-std::optional<double> side_value(SideResult& side, std::string_view name) {
+std::optional<Value> side_value(SideResult& side, std::string_view name) {
   std::size_t index = 0;
   if (take(name, "rigid_contact.")) {
     return touch_value(side.rigid_contact, name);
@@ -237,13 +271,16 @@ std::optional<double> side_value(SideResult& side, std::string_view name) {
   }
   if (take(name, "residuals.")) {
     // Unknown names cost no convolution.
-    const auto known = find_in(residual_numbers, Residuals{}, name);
+    const bool known = find_in(residual_numbers, Residuals{}, name) && side.solved;
     return known ? find_in(residual_numbers, residuals_of(side), name) : std::nullopt;
   }
   if (take(name, "sensitivities.")) {
     return sensitivity_value(side, name);
   }
-  return name == "error_estimate" ? side.error_estimate : find_in(side_numbers, side, name);
+  if (name == "error_estimate") {
+    return side.error_estimate ? std::optional(Value{*side.error_estimate, pure}) : std::nullopt;
+  }
+  return find_in(side_numbers, side, name);
 }
 
 void add_side_names(std::vector<std::string>& names, const std::string& prefix,
@@ -268,8 +305,8 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
   if (side.error_estimate) {
     names.push_back(prefix + "error_estimate");
   }
-  add_names(names, prefix + "residuals.", residual_numbers);
-  if (!side.patches.empty()) {
+  if (side.solved) {
+    add_names(names, prefix + "residuals.", residual_numbers);
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }
@@ -289,6 +326,25 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
   }
 }
 
+std::optional<Value> value_of(SceneResult& result, std::string_view name) {
+  if (name == "roll") {
+    return Value{result.roll, pure};
+  }
+  if (name == "vertical") {
+    return Value{result.vertical, turning_length};
+  }
+  if (name == "rolling_radius_difference" && result.rolling_radius_difference) {
+    return Value{*result.rolling_radius_difference, length};
+  }
+  if (take(name, "time_ms.")) {
+    return find_in(time_numbers, result.time, name);
+  }
+  if (take(name, "left.")) {
+    return result.left ? side_value(*result.left, name) : std::nullopt;
+  }
+  return take(name, "right.") && result.right ? side_value(*result.right, name) : std::nullopt;
+}
+
 } // namespace
 
 std::vector<std::string> number_names(const SceneResult& result) {
@@ -306,30 +362,19 @@ std::vector<std::string> number_names(const SceneResult& result) {
   return names;
 }
 
-std::optional<double> number_value(SceneResult& result, std::string_view name) {
-  if (name == "roll") {
-    return result.roll;
-  }
-  if (name == "vertical") {
-    return result.vertical;
-  }
-  if (name == "rolling_radius_difference") {
-    return result.rolling_radius_difference;
-  }
-  if (take(name, "time_ms.")) {
-    return find_in(time_numbers, result.time, name);
-  }
-  if (take(name, "left.")) {
-    return result.left ? side_value(*result.left, name) : std::nullopt;
-  }
-  return take(name, "right.") && result.right ? side_value(*result.right, name) : std::nullopt;
+std::optional<double> number_value(SceneResult& result, std::string_view name,
+                                   const Convention& convention) {
+  const auto value = value_of(result, name);
+  return value ? std::optional(told(value->value, convention, value->dimension)) : std::nullopt;
 }
 
-std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result) {
+std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,
+                                                             const Convention& convention) {
   std::vector<std::pair<std::string, std::string>> texts;
   texts.emplace_back("model", result.model);
   texts.emplace_back("solver", result.solver);
-  texts.emplace_back("units", "mm, N, MPa, rad");
+  texts.emplace_back("units", name_of(convention.units));
+  texts.emplace_back("frame", name_of(convention.frame));
   for (std::size_t i = 0; i < result.corrections.size(); ++i) {
     texts.emplace_back("corrections." + std::to_string(i), result.corrections[i]);
   }

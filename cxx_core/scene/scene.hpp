@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,18 +15,26 @@
 #include "geometry/wheel_surface.hpp"
 #include "mechanics/material.hpp"
 #include "mechanics/normal_solver.hpp"
+#include "profile/profile.hpp"
 #include "remesh/contact_frame.hpp"
+#include "scene/convention.hpp"
+#include "scene/module.hpp"
 
 namespace wrc {
 
 enum class SideChoice { both, left, right };
 
 struct Scene {
+  Convention convention; ///< of the numbers outside; those here are in mm, y left, z up
+
   TrackDimensions track;
-  std::string rail = "60E1";   ///< name of a built-in profile, or a file
+  std::string rail = "60E1"; ///< name of a built-in profile, or a file
+  /// Used instead of `rail` if given, which is then its name.
+  std::shared_ptr<const Profile> rail_profile;
   double rail_smoothing = 0.0; ///< wavelength in mm for a rail read from a file; 0: none
   WheelsetDimensions wheelset;
   std::string wheel = "S1002";
+  std::shared_ptr<const Profile> wheel_profile; ///< as rail_profile
   double wheel_smoothing = 0.0;
 
   Material wheel_material{210000.0, 0.3};
@@ -41,6 +50,7 @@ struct Scene {
   std::optional<double> normal_load; ///< instead: force along the patch's normal, each wheel
 
   SideChoice side = SideChoice::both;
+  Module until = Module::mechanics; ///< the last one to run
   GapConvention gap = GapConvention::tangent;
   std::string model = "auto";
   std::string solver = "default";

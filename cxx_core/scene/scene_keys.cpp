@@ -4,29 +4,126 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <vector>
+#include <utility>
 
 #include "error.hpp"
 
 namespace wrc {
 namespace {
 
-using SetNumber = std::function<void(Scene&, double)>;
-/// Takes a word; false if the word is not one of those permitted.
-using SetText = std::function<bool(Scene&, std::string_view)>;
-using SetNumbers = std::function<bool(Scene&, std::span<const double>)>;
-
 struct Key {
   KeyDescription description;
-  double least = 0.0; ///< range of a number, ends included
+  Dimension dimension;
+  double least = 0.0; ///< range of a number in mm, y left, z up, ends included
   double greatest = 0.0;
   bool whole = false; ///< whole numbers only
-  SetNumber set_number;
-  SetText set_text;
-  SetNumbers set_numbers;
+  /// Numbers in mm, y left, z up. Setting returns false for what is not permitted.
+  std::function<KeyValue(const Scene&)> get;
+  std::function<void(Scene&, double)> set_number;
+  std::function<bool(Scene&, std::string_view)> set_text;
+  std::function<bool(Scene&, std::span<const double>)> set_numbers;
 };
 
-constexpr double largest_grid_count = 8192.0;
+constexpr Dimension pure{Quantity::number, false};
+constexpr Dimension turning_angle{Quantity::number, true};
+constexpr Dimension length{Quantity::length, false};
+constexpr Dimension turning_length{Quantity::length, true};
+constexpr Dimension stress{Quantity::stress, false};
+
+struct Range {
+  double least;
+  double greatest;
+};
+
+/// A number with one place in the scene; `place` takes scenes that are const and others.
+template <class Place>
+Key number_key(KeyDescription description, Range range, Dimension dimension, Place place) {
+  Key key;
+  key.description = description;
+  key.dimension = dimension;
+  key.least = range.least;
+  key.greatest = range.greatest;
+  key.get = [place](const Scene& scene) { return KeyValue(place(scene)); };
+  key.set_number = [place](Scene& scene, double value) { place(scene) = value; };
+  return key;
+}
+
+/// A number that is held in two places, of wheel and rail or left and right.
+template <class Place, class Other>
+Key number_key(KeyDescription description, Range range, Dimension dimension, Place place,
+               Other other) {
+  Key key = number_key(description, range, dimension, place);
+  key.get = [place, other](const Scene& scene) {
+    return place(scene) == other(scene) ? KeyValue(place(scene)) : KeyValue();
+  };
+  key.set_number = [place, other](Scene& scene, double value) {
+    place(scene) = value;
+    other(scene) = value;
+  };
+  return key;
+}
+
+/// A word for each value of a place.
+template <class Value, class Place>
+Key word_key(KeyDescription description, std::vector<std::pair<std::string_view, Value>> words,
+             Place place) {
+  Key key;
+  key.description = description;
+  key.get = [words, place](const Scene& scene) {
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [&](const auto& word) { return word.second == place(scene); });
+    return KeyValue(std::string(found->first));
+  };
+  key.set_text = [words, place](Scene& scene, std::string_view value) {
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [value](const auto& word) { return word.first == value; });
+    if (found != words.end()) {
+      place(scene) = found->second;
+    }
+    return found != words.end();
+  };
+  return key;
+}
+
+using StringWords = std::vector<std::pair<std::string_view, std::string>>;
+
+/// The name of a profile, which takes the place of a profile given by hand.
+Key profile_key(KeyDescription description, std::string Scene::*name,
+                std::shared_ptr<const Profile> Scene::*profile) {
+  Key key;
+  key.description = description;
+  key.get = [name](const Scene& scene) { return KeyValue(scene.*name); };
+  key.set_text = [name, profile](Scene& scene, std::string_view value) {
+    if (value.empty()) {
+      return false;
+    }
+    scene.*name = value; // may fail for want of memory: first
+    (scene.*profile).reset();
+    return true;
+  };
+  return key;
+}
+
+/// A number that a word unsets.
+Key optional_key(KeyDescription description, Range range, Dimension dimension,
+                 std::optional<double> Scene::*member, std::string_view word) {
+  Key key;
+  key.description = description;
+  key.dimension = dimension;
+  key.least = range.least;
+  key.greatest = range.greatest;
+  key.get = [member, word](const Scene& scene) {
+    return scene.*member ? KeyValue(*(scene.*member)) : KeyValue(std::string(word));
+  };
+  key.set_number = [member](Scene& scene, double value) { scene.*member = value; };
+  key.set_text = [member, word](Scene& scene, std::string_view value) {
+    if (value == word) {
+      (scene.*member).reset();
+    }
+    return value == word;
+  };
+  return key;
+}
 
 /// "1:n" as the angle atan(1/n).
 bool parse_cant(std::string_view text, double& cant) {
@@ -48,259 +145,262 @@ bool parse_cant(std::string_view text, double& cant) {
   return true;
 }
 
-Key number_key(KeyDescription description, double least, double greatest, SetNumber set) {
-  return {description, least, greatest, false, std::move(set), {}, {}};
-}
-
-Key word_key(KeyDescription description, SetText set) {
-  return {description, 0.0, 0.0, false, {}, std::move(set), {}};
-}
-
-SetText one_of(std::vector<std::string_view> words, std::string Scene::*member) {
-  return [words = std::move(words), member](Scene& scene, std::string_view value) {
-    if (std::find(words.begin(), words.end(), value) == words.end()) {
-      return false;
-    }
-    scene.*member = value;
-    return true;
-  };
-}
-
-SetText profile_name(std::string Scene::*member) {
-  return [member](Scene& scene, std::string_view value) {
-    if (value.empty()) {
-      return false;
-    }
-    scene.*member = value;
-    return true;
-  };
+std::vector<Key> convention_keys() {
+  std::vector<Key> keys;
+  keys.push_back(word_key<Units>(
+      {"convention.units", "\"mm\"", "\"mm\" or \"SI\"",
+       "units of all numbers set and told after this: mm, N, MPa, rad "
+       "or m, N, Pa, rad"},
+      {{"mm", Units::mm}, {"SI", Units::si}}, [](auto& s) -> auto& { return s.convention.units; }));
+  keys.push_back(word_key<TrackFrame>(
+      {"convention.frame", "\"left-up\"", "\"left-up\" or \"right-down\"",
+       "frame of all numbers set and told after this: x forward, y left, z up or x forward, y "
+       "right, z down"},
+      {{"left-up", TrackFrame::left_up}, {"right-down", TrackFrame::right_down}},
+      [](auto& s) -> auto& { return s.convention.frame; }));
+  return keys;
 }
 
 std::vector<Key> track_keys() {
   std::vector<Key> keys;
-  keys.push_back(number_key({"track.gauge", "1435.0", "600 to 1700 mm",
-                             "distance of the gauge faces at the gauge height"},
-                            600.0, 1700.0, [](Scene& s, double v) { s.track.gauge = v; }));
-  keys.push_back(number_key({"track.gauge_height", "14.0", "1 to 30 mm",
-                             "where the gauge is measured, below the top of the inclined rail"},
-                            1.0, 30.0, [](Scene& s, double v) { s.track.gauge_height = v; }));
-  Key cant =
-      number_key({"track.cant", "\"1:40\"", "\"1:n\" or \"-1:n\" with n >= 5, or -0.2 to 0.2 rad",
-                  "inclination of the rails towards the track centre"},
-                 -0.2, 0.2, [](Scene& s, double v) { s.track.cant = v; });
+  keys.push_back(number_key(
+      {"track.gauge", "1435.0", "600 to 1700 mm",
+       "distance of the gauge faces at the gauge height"},
+      {600.0, 1700.0}, length, [](auto& s) -> auto& { return s.track.gauge; }));
+  keys.push_back(number_key(
+      {"track.gauge_height", "14.0", "1 to 30 mm",
+       "where the gauge is measured, below the top of the inclined rail"},
+      {1.0, 30.0}, length, [](auto& s) -> auto& { return s.track.gauge_height; }));
+  Key cant = number_key(
+      {"track.cant", "\"1:40\"", "\"1:n\" or \"-1:n\" with n >= 5, or -0.2 to 0.2 rad",
+       "inclination of the rails towards the track centre"},
+      {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.cant; });
   cant.set_text = [](Scene& s, std::string_view v) { return parse_cant(v, s.track.cant); };
   keys.push_back(cant);
-  keys.push_back(word_key(
+  keys.push_back(profile_key(
       {"track.rail", "\"60E1\"", "a text: a built-in rail or a profile file", "rail profile"},
-      profile_name(&Scene::rail)));
-  keys.push_back(number_key({"track.rail_smoothing", "0.0", "0 (none) to 100 mm",
-                             "smoothing wavelength of a rail profile read from a file"},
-                            0.0, 100.0, [](Scene& s, double v) { s.rail_smoothing = v; }));
+      &Scene::rail, &Scene::rail_profile));
+  keys.push_back(number_key(
+      {"track.rail_smoothing", "0.0", "0 (none) to 100 mm",
+       "smoothing wavelength of a rail profile read from a file"},
+      {0.0, 100.0}, length, [](auto& s) -> auto& { return s.rail_smoothing; }));
   return keys;
 }
 
 std::vector<Key> wheelset_keys() {
   std::vector<Key> keys;
-  keys.push_back(word_key({"wheelset.wheel", "\"S1002\"",
-                           "a text: a built-in wheel or a profile file", "wheel profile"},
-                          profile_name(&Scene::wheel)));
-  keys.push_back(number_key({"wheelset.wheel_smoothing", "0.0", "0 (none) to 100 mm",
-                             "smoothing wavelength of a wheel profile read from a file"},
-                            0.0, 100.0, [](Scene& s, double v) { s.wheel_smoothing = v; }));
-  keys.push_back(number_key({"wheelset.back_to_back", "1360.0", "500 to 1650 mm",
-                             "distance of the inner faces of the wheels"},
-                            500.0, 1650.0,
-                            [](Scene& s, double v) { s.wheelset.back_to_back = v; }));
-  keys.push_back(number_key({"wheelset.tape_offset", "70.0", "20 to 120 mm",
-                             "distance from the inner face to the taping line"},
-                            20.0, 120.0, [](Scene& s, double v) { s.wheelset.tape_offset = v; }));
+  keys.push_back(profile_key({"wheelset.wheel", "\"S1002\"",
+                              "a text: a built-in wheel or a profile file", "wheel profile"},
+                             &Scene::wheel, &Scene::wheel_profile));
+  keys.push_back(number_key(
+      {"wheelset.wheel_smoothing", "0.0", "0 (none) to 100 mm",
+       "smoothing wavelength of a wheel profile read from a file"},
+      {0.0, 100.0}, length, [](auto& s) -> auto& { return s.wheel_smoothing; }));
+  keys.push_back(number_key(
+      {"wheelset.back_to_back", "1360.0", "500 to 1650 mm",
+       "distance of the inner faces of the wheels"},
+      {500.0, 1650.0}, length, [](auto& s) -> auto& { return s.wheelset.back_to_back; }));
+  keys.push_back(number_key(
+      {"wheelset.tape_offset", "70.0", "20 to 120 mm",
+       "distance from the inner face to the taping line"},
+      {20.0, 120.0}, length, [](auto& s) -> auto& { return s.wheelset.tape_offset; }));
   keys.push_back(number_key(
       {"wheelset.radius", "460.0", "50 to 5000 mm", "nominal rolling radius, at the taping line"},
-      50.0, 5000.0, [](Scene& s, double v) { s.wheelset.radius = v; }));
+      {50.0, 5000.0}, length, [](auto& s) -> auto& { return s.wheelset.radius; }));
   return keys;
 }
 
 std::vector<Key> material_keys() {
   constexpr std::string_view modulus_range = "1 to 1e9 MPa";
   constexpr std::string_view poisson_range = "0 to 0.5";
-  std::vector<Key> keys;
-  const auto modulus = [&](std::string_view name, std::string_view meaning, SetNumber set) {
-    keys.push_back(
-        number_key({name, "210000.0", modulus_range, meaning}, 1.0, 1e9, std::move(set)));
+  const auto wheel_modulus = [](auto& s) -> auto& {
+    return s.wheel_material.youngs_modulus;
   };
-  const auto poisson = [&](std::string_view name, std::string_view meaning, SetNumber set) {
-    keys.push_back(number_key({name, "0.3", poisson_range, meaning}, 0.0, 0.5, std::move(set)));
+  const auto rail_modulus = [](auto& s) -> auto& {
+    return s.rail_material.youngs_modulus;
   };
-  modulus("material.youngs_modulus", "Young's modulus of wheel and rail", [](Scene& s, double v) {
-    s.wheel_material.youngs_modulus = s.rail_material.youngs_modulus = v;
-  });
-  poisson("material.poisson", "Poisson's ratio of wheel and rail",
-          [](Scene& s, double v) { s.wheel_material.poisson = s.rail_material.poisson = v; });
-  modulus("material.wheel.youngs_modulus", "Young's modulus of the wheel alone",
-          [](Scene& s, double v) { s.wheel_material.youngs_modulus = v; });
-  poisson("material.wheel.poisson", "Poisson's ratio of the wheel alone",
-          [](Scene& s, double v) { s.wheel_material.poisson = v; });
-  modulus("material.rail.youngs_modulus", "Young's modulus of the rail alone",
-          [](Scene& s, double v) { s.rail_material.youngs_modulus = v; });
-  poisson("material.rail.poisson", "Poisson's ratio of the rail alone",
-          [](Scene& s, double v) { s.rail_material.poisson = v; });
-  return keys;
+  const auto wheel_poisson = [](auto& s) -> auto& {
+    return s.wheel_material.poisson;
+  };
+  const auto rail_poisson = [](auto& s) -> auto& {
+    return s.rail_material.poisson;
+  };
+  const auto modulus = [&](std::string_view name, std::string_view meaning, auto... places) {
+    return number_key({name, "210000.0", modulus_range, meaning}, {1.0, 1e9}, stress, places...);
+  };
+  const auto poisson = [&](std::string_view name, std::string_view meaning, auto... places) {
+    return number_key({name, "0.3", poisson_range, meaning}, {0.0, 0.5}, pure, places...);
+  };
+  return {
+      modulus("material.youngs_modulus", "Young's modulus of wheel and rail", wheel_modulus,
+              rail_modulus),
+      poisson("material.poisson", "Poisson's ratio of wheel and rail", wheel_poisson, rail_poisson),
+      modulus("material.wheel.youngs_modulus", "Young's modulus of the wheel alone", wheel_modulus),
+      poisson("material.wheel.poisson", "Poisson's ratio of the wheel alone", wheel_poisson),
+      modulus("material.rail.youngs_modulus", "Young's modulus of the rail alone", rail_modulus),
+      poisson("material.rail.poisson", "Poisson's ratio of the rail alone", rail_poisson)};
 }
 
 std::vector<Key> pose_keys() {
   std::vector<Key> keys;
-  keys.push_back(number_key({"pose.lateral", "0.0", "-100 to 100 mm",
-                             "displacement of the wheelset's centre to the left"},
-                            -100.0, 100.0, [](Scene& s, double v) { s.lateral = v; }));
-  keys.push_back(number_key({"pose.yaw", "0.0", "-0.2 to 0.2 rad", "anticlockwise seen from above"},
-                            -0.2, 0.2, [](Scene& s, double v) { s.yaw = v; }));
-  Key roll = number_key({"pose.roll", "\"solve\"", "\"solve\", \"en15302\" or -0.2 to 0.2 rad",
-                         "lifts the left wheel; solved: both wheels touch; en15302: none, each "
-                         "wheel by itself"},
-                        -0.2, 0.2, [](Scene& s, double v) { s.roll = v; });
-  roll.set_text = [](Scene& s, std::string_view v) {
-    if (v == "solve") {
-      s.roll.reset();
-    } else if (v == "en15302") {
+  keys.push_back(number_key(
+      {"pose.lateral", "0.0", "-100 to 100 mm",
+       "displacement of the wheelset's centre to the left"},
+      {-100.0, 100.0}, turning_length, [](auto& s) -> auto& { return s.lateral; }));
+  keys.push_back(number_key(
+      {"pose.yaw", "0.0", "-0.2 to 0.2 rad", "anticlockwise seen from above"}, {-0.2, 0.2},
+      turning_angle, [](auto& s) -> auto& { return s.yaw; }));
+  Key roll = optional_key({"pose.roll", "\"solve\"", "\"solve\", \"en15302\" or -0.2 to 0.2 rad",
+                           "lifts the left wheel; solved: both wheels touch; en15302: none, each "
+                           "wheel by itself"},
+                          {-0.2, 0.2}, pure, &Scene::roll, "solve");
+  roll.set_text = [solve = roll.set_text](Scene& s, std::string_view v) {
+    if (v == "en15302") {
       s.roll = 0.0;
     }
-    return v == "solve" || v == "en15302";
+    return v == "en15302" || solve(s, v);
   };
   keys.push_back(roll);
-  Key vertical = number_key({"pose.vertical", "\"solve\"", "\"solve\" or 0 to 6000 mm",
-                             "height of the wheelset's centre above the rail tops; a number "
-                             "prescribes the position, and forces come out"},
-                            0.0, 6000.0, [](Scene& s, double v) { s.vertical = v; });
-  vertical.set_text = [](Scene& s, std::string_view v) {
-    if (v == "solve") {
-      s.vertical.reset();
-    }
-    return v == "solve";
-  };
-  keys.push_back(vertical);
+  keys.push_back(optional_key({"pose.vertical", "\"solve\"", "\"solve\" or 0 to 6000 mm",
+                               "height of the wheelset's centre above the rail tops; a number "
+                               "prescribes the position, and forces come out"},
+                              {0.0, 6000.0}, turning_length, &Scene::vertical, "solve"));
   return keys;
 }
 
 std::vector<Key> load_keys() {
-  constexpr double greatest_load = 1e12;
-  constexpr std::string_view range = "0 to 1e12 N";
-  std::vector<Key> keys;
-  keys.push_back(number_key({"load.vertical", "80000.0", range, "vertical force on each wheel"},
-                            0.0, greatest_load, [](Scene& s, double v) {
-                              s.left_load = s.right_load = v;
-                              s.normal_load.reset();
-                            }));
-  keys.push_back(number_key({"load.left", "80000.0", range, "vertical force on the left wheel"},
-                            0.0, greatest_load, [](Scene& s, double v) {
-                              s.left_load = v;
-                              s.normal_load.reset();
-                            }));
-  keys.push_back(number_key({"load.right", "80000.0", range, "vertical force on the right wheel"},
-                            0.0, greatest_load, [](Scene& s, double v) {
-                              s.right_load = v;
-                              s.normal_load.reset();
-                            }));
-  keys.push_back(number_key({"load.normal", "none", range,
-                             "instead: force along the gap's direction on each wheel (the paper)"},
-                            0.0, greatest_load, [](Scene& s, double v) { s.normal_load = v; }));
+  constexpr Range range{0.0, 1e12};
+  constexpr std::string_view allowed = "0 to 1e12 N";
+  const auto left = [](auto& s) -> auto& {
+    return s.left_load;
+  };
+  const auto right = [](auto& s) -> auto& {
+    return s.right_load;
+  };
+  std::vector<Key> keys{
+      number_key({"load.vertical", "80000.0", allowed, "vertical force on each wheel"}, range, pure,
+                 left, right),
+      number_key({"load.left", "80000.0", allowed, "vertical force on the left wheel"}, range, pure,
+                 left),
+      number_key({"load.right", "80000.0", allowed, "vertical force on the right wheel"}, range,
+                 pure, right)};
+  for (Key& key : keys) {
+    key.set_number = [set = key.set_number](Scene& s, double v) {
+      set(s, v);
+      s.normal_load.reset();
+    };
+  }
+  keys.push_back(optional_key({"load.normal", "\"none\"", "\"none\" or 0 to 1e12 N",
+                               "instead: force along the gap's direction on each wheel (the "
+                               "paper)"},
+                              range, pure, &Scene::normal_load, "none"));
   return keys;
 }
 
-bool set_grid(Scene& scene, std::span<const double> counts) {
-  const auto permitted = [](double count) {
-    return count >= 1.0 && count <= largest_grid_count && count == std::floor(count);
+constexpr double largest_count = 8192.0;
+constexpr std::string_view by_accuracy = "by accuracy";
+
+Key grid_key() {
+  Key key;
+  key.description = {"solve.grid", "\"by accuracy\"",
+                     "[lateral, longitudinal], each 1 to 8192, or \"by accuracy\"",
+                     "number of elements of the potential contact area, by hand"};
+  key.get = [](const Scene& scene) {
+    return scene.grid ? KeyValue(std::vector<double>{static_cast<double>((*scene.grid)[0]),
+                                                     static_cast<double>((*scene.grid)[1])})
+                      : KeyValue(std::string(by_accuracy));
   };
-  if (counts.size() != 2 || !std::all_of(counts.begin(), counts.end(), permitted)) {
-    return false;
-  }
-  scene.grid = {{static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1])}};
-  return true;
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == by_accuracy) {
+      scene.grid.reset();
+    }
+    return value == by_accuracy;
+  };
+  key.set_numbers = [](Scene& scene, std::span<const double> counts) {
+    const auto permitted = [](double count) {
+      return count >= 1.0 && count <= largest_count && count == std::floor(count);
+    };
+    if (counts.size() != 2 || !std::all_of(counts.begin(), counts.end(), permitted)) {
+      return false;
+    }
+    scene.grid = {{static_cast<std::size_t>(counts[0]), static_cast<std::size_t>(counts[1])}};
+    return true;
+  };
+  return key;
 }
 
 std::vector<Key> solve_keys() {
   std::vector<Key> keys;
-  keys.push_back(
-      word_key({"solve.side", "\"both\"", "\"both\", \"left\" or \"right\"", "wheels to solve"},
-               [](Scene& s, std::string_view v) {
-                 if (v == "both") {
-                   s.side = SideChoice::both;
-                 } else if (v == "left") {
-                   s.side = SideChoice::left;
-                 } else if (v == "right") {
-                   s.side = SideChoice::right;
-                 } else {
-                   return false;
-                 }
-                 return true;
-               }));
-  keys.push_back(word_key({"solve.gap", "\"tangent\"", "\"tangent\" or \"vertical\"",
-                           "direction in which distances are measured; vertical as in the paper"},
-                          [](Scene& s, std::string_view v) {
-                            if (v == "tangent") {
-                              s.gap = GapConvention::tangent;
-                            } else if (v == "vertical") {
-                              s.gap = GapConvention::vertical;
-                            } else {
-                              return false;
-                            }
-                            return true;
-                          }));
-  keys.push_back(word_key({"solve.model", "\"auto\"", "\"auto\" or \"half-space\"",
-                           "contact model; auto takes the half-space"},
-                          one_of({"auto", "half-space"}, &Scene::model)));
-  keys.push_back(
-      word_key({"solve.solver", "\"default\"", "\"default\" or \"paper\"",
-                "solver of the half-space: paper is Polonsky & Keer 1999, for comparison"},
-               one_of({"default", "paper"}, &Scene::solver)));
-  keys.push_back(number_key({"solve.accuracy", "1e-3", "1e-5 to 0.1",
-                             "relative error asked of pmax and approach; chooses the grid"},
-                            1e-5, 0.1, [](Scene& s, double v) {
-                              s.accuracy = v;
-                              s.grid.reset();
-                            }));
-  Key grid{{"solve.grid", "chosen by accuracy", "[lateral, longitudinal], each 1 to 8192",
-            "number of elements of the potential contact area, by hand"},
-           0.0,
-           0.0,
-           false,
-           {},
-           {},
-           set_grid};
-  keys.push_back(grid);
-  keys.push_back(
-      number_key({"solve.tolerance", "1e-5", "1e-13 to 0.1",
-                  "of the iteration on a grid given by hand: largest error of a pressure "
-                  "relative to the largest (solver paper: of the gaps); else it follows "
-                  "from the accuracy"},
-                 1e-13, 0.1, [](Scene& s, double v) { s.tolerance = v; }));
-  keys.push_back(word_key({"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
-                           "of the iteration; mixed is faster and meets the same tolerance"},
-                          [](Scene& s, std::string_view v) {
-                            s.precision = v == "double" ? Precision::double_only : Precision::mixed;
-                            return v == "double" || v == "mixed";
-                          }));
-  keys.push_back(word_key({"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",
-                           "how FFTW chooses its algorithms: by rule, or by trying them once"},
-                          [](Scene& s, std::string_view v) {
-                            s.planner =
-                                v == "measure" ? PlannerRigor::measure : PlannerRigor::estimate;
-                            return v == "measure" || v == "estimate";
-                          }));
-  keys.push_back(word_key({"solve.interaction", "\"near\"", "\"near\" or \"all\"",
-                           "which patches of a wheel feel each other elastically: those about to "
-                           "join, or all, as if in one plane"},
-                          [](Scene& s, std::string_view v) {
-                            s.interaction = v == "all";
-                            return v == "all" || v == "near";
-                          }));
-  keys.push_back(number_key({"solve.near_tolerance", "0.1", "0 to 10 mm",
-                             "further contacts listed whose distance is less at the first touch"},
-                            0.0, 10.0, [](Scene& s, double v) { s.near_tolerance = v; }));
-  Key threads =
-      number_key({"solve.threads", "1", "a whole number, 1 to 1024",
-                  "threads; the result does not depend on them"},
-                 1.0, 1024.0, [](Scene& s, double v) { s.threads = static_cast<int>(v); });
+  keys.push_back(word_key<SideChoice>(
+      {"solve.side", "\"both\"", "\"both\", \"left\" or \"right\"", "wheels to solve"},
+      {{"both", SideChoice::both}, {"left", SideChoice::left}, {"right", SideChoice::right}},
+      [](auto& s) -> auto& { return s.side; }));
+  keys.push_back(word_key<Module>(
+      {"solve.until", "\"mechanics\"", "\"geometry\", \"remesh\" or \"mechanics\"",
+       "the last module to run: contact points; patches, grids and undeformed distances; "
+       "pressures"},
+      {{"geometry", Module::geometry},
+       {"remesh", Module::remesh},
+       {"mechanics", Module::mechanics}},
+      [](auto& s) -> auto& { return s.until; }));
+  keys.push_back(word_key<GapConvention>(
+      {"solve.gap", "\"tangent\"", "\"tangent\" or \"vertical\"",
+       "direction in which distances are measured; vertical as in the paper"},
+      {{"tangent", GapConvention::tangent}, {"vertical", GapConvention::vertical}},
+      [](auto& s) -> auto& { return s.gap; }));
+  keys.push_back(word_key(
+      {"solve.model", "\"auto\"", "\"auto\" or \"half-space\"",
+       "contact model; auto takes the half-space"},
+      StringWords{{"auto", "auto"}, {"half-space", "half-space"}},
+      [](auto& s) -> auto& { return s.model; }));
+  keys.push_back(word_key(
+      {"solve.solver", "\"default\"", "\"default\" or \"paper\"",
+       "solver of the half-space: paper is Polonsky & Keer 1999, for comparison"},
+      StringWords{{"default", "default"}, {"paper", "paper"}},
+      [](auto& s) -> auto& { return s.solver; }));
+  Key accuracy = number_key(
+      {"solve.accuracy", "1e-3", "1e-5 to 0.1",
+       "relative error asked of pmax and approach; chooses the grid"},
+      {1e-5, 0.1}, pure, [](auto& s) -> auto& { return s.accuracy; });
+  accuracy.set_number = [](Scene& s, double v) {
+    s.accuracy = v;
+    s.grid.reset();
+  };
+  keys.push_back(accuracy);
+  keys.push_back(grid_key());
+  keys.push_back(number_key(
+      {"solve.tolerance", "1e-5", "1e-13 to 0.1",
+       "of the iteration on a grid given by hand: largest error of a pressure "
+       "relative to the largest (solver paper: of the gaps); else it follows "
+       "from the accuracy"},
+      {1e-13, 0.1}, pure, [](auto& s) -> auto& { return s.tolerance; }));
+  keys.push_back(word_key<Precision>(
+      {"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
+       "of the iteration; mixed is faster and meets the same tolerance"},
+      {{"mixed", Precision::mixed}, {"double", Precision::double_only}},
+      [](auto& s) -> auto& { return s.precision; }));
+  keys.push_back(word_key<PlannerRigor>(
+      {"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",
+       "how FFTW chooses its algorithms: by rule, or by trying them once"},
+      {{"estimate", PlannerRigor::estimate}, {"measure", PlannerRigor::measure}},
+      [](auto& s) -> auto& { return s.planner; }));
+  keys.push_back(word_key<bool>(
+      {"solve.interaction", "\"near\"", "\"near\" or \"all\"",
+       "which patches of a wheel feel each other elastically: those "
+       "about to join, or all, as if in one plane"},
+      {{"near", false}, {"all", true}}, [](auto& s) -> auto& { return s.interaction; }));
+  keys.push_back(number_key(
+      {"solve.near_tolerance", "0.1", "0 to 10 mm",
+       "further contacts listed whose distance is less at the first touch"},
+      {0.0, 10.0}, length, [](auto& s) -> auto& { return s.near_tolerance; }));
+  Key threads;
+  threads.description = {"solve.threads", "1", "a whole number, 1 to 1024",
+                         "threads; the result does not depend on them"};
+  threads.least = 1.0;
+  threads.greatest = 1024.0;
   threads.whole = true;
+  threads.get = [](const Scene& s) { return KeyValue(static_cast<double>(s.threads)); };
+  threads.set_number = [](Scene& s, double v) { s.threads = static_cast<int>(v); };
   keys.push_back(threads);
   return keys;
 }
@@ -308,8 +408,8 @@ std::vector<Key> solve_keys() {
 const std::vector<Key>& keys() {
   static const std::vector<Key> all = [] {
     std::vector<Key> collected;
-    for (auto* part :
-         {track_keys, wheelset_keys, material_keys, pose_keys, load_keys, solve_keys}) {
+    for (auto* part : {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys,
+                       load_keys, solve_keys}) {
       for (Key& key : part()) {
         collected.push_back(std::move(key));
       }
@@ -338,6 +438,15 @@ const Key& find_key(std::string_view name) {
                          "allowed is " + std::string(key.description.allowed));
 }
 
+/// Ranges are told in mm, y left, z up: so is the value then.
+[[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given,
+                                double inside) {
+  if (convention == Convention{} || key.dimension.quantity == pure.quantity) {
+    refuse(key, text_of(given));
+  }
+  refuse(key, text_of(given) + " (in mm, N, MPa, y left, z up: " + text_of(inside) + ')');
+}
+
 } // namespace
 
 std::span<const KeyDescription> scene_keys() {
@@ -351,14 +460,24 @@ std::span<const KeyDescription> scene_keys() {
   return descriptions;
 }
 
+KeyValue key_value(const Scene& scene, std::string_view name) {
+  const Key& key = find_key(name);
+  KeyValue value = key.get(scene);
+  if (double* number = std::get_if<double>(&value)) {
+    *number = told(*number, scene.convention, key.dimension);
+  }
+  return value;
+}
+
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
+  const double inside = taken(value, scene.convention, key.dimension);
   const bool permitted =
-      value >= key.least && value <= key.greatest && (!key.whole || value == std::floor(value));
+      inside >= key.least && inside <= key.greatest && (!key.whole || inside == std::floor(inside));
   if (!key.set_number || !permitted) {
-    refuse(key, text_of(value));
+    refuse_number(key, scene.convention, value, inside);
   }
-  key.set_number(scene, value);
+  key.set_number(scene, inside);
 }
 
 void set_text(Scene& scene, std::string_view name, std::string_view value) {
@@ -376,6 +495,21 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
       text += (text.size() > 1 ? ", " : "") + text_of(value);
     }
     refuse(key, text + "]");
+  }
+}
+
+void set_profile(Scene& scene, std::string_view name, const Profile& profile) {
+  const Key& key = find_key(name);
+  const bool is_wheel = name == "wheelset.wheel";
+  const ProfileKind kind = is_wheel ? ProfileKind::wheel : ProfileKind::rail;
+  if ((!is_wheel && name != "track.rail") || profile.kind != kind) {
+    throw_invalid_argument(std::string(name), "profile \"" + profile.name + '"',
+                           "allowed are a wheel for wheelset.wheel and a rail for track.rail");
+  }
+  auto given = std::make_shared<const Profile>(profile);
+  key.set_text(scene, profile.name);
+  if (!profile.points.empty()) { // or else it is built in
+    (is_wheel ? scene.wheel_profile : scene.rail_profile) = std::move(given);
   }
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -23,10 +25,20 @@ struct KeyDescription {
 /// All keys, in the order of a scene file.
 std::span<const KeyDescription> scene_keys();
 
-/// Set a key. Each throws Error(unknown_name) for an unknown key and Error(invalid_argument) for a
-/// value of the wrong type or outside its range; the scene is then unchanged.
+/// A value of a key: none if it is not set, or if no single value tells it (load.vertical with
+/// different loads of the wheels).
+using KeyValue = std::variant<std::monostate, double, std::string, std::vector<double>>;
+
+/// Value of a key, in the scene's convention. Throws Error(unknown_name).
+KeyValue key_value(const Scene& scene, std::string_view key);
+
+/// Set a key, with numbers in the scene's convention. Each throws Error(unknown_name) for an
+/// unknown key and Error(invalid_argument) for a value of the wrong type or outside its range; the
+/// scene is then unchanged.
 void set_number(Scene& scene, std::string_view key, double value);
 void set_text(Scene& scene, std::string_view key, std::string_view value);
 void set_numbers(Scene& scene, std::string_view key, std::span<const double> values);
+/// "track.rail" or "wheelset.wheel": a profile of that kind, in place of one by name.
+void set_profile(Scene& scene, std::string_view key, const Profile& profile);
 
 } // namespace wrc

@@ -139,6 +139,7 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   if (!solution.in_contact) {
     return result;
   }
+  result.solved = solution.solved;
   result.pmax = solution.peak_pressure;
   result.depth = solution.next_depth;
   result.error_estimate = solution.error_estimate;
@@ -155,7 +156,9 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   }
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
-  result.centroid = mean_place(result.patches, result.normal_force);
+  if (result.solved) {
+    result.centroid = mean_place(result.patches, result.normal_force);
+  }
   return result;
 }
 

@@ -95,6 +95,8 @@ private:
   /// `starts`: pressures near the answer for each patch, in its plane; empty if there are none.
   Trial try_plan(const SidePlan& plan, double tolerance,
                  const std::vector<std::optional<StartPressure>>& starts);
+  /// The grids of a plan and the undeformed distances on them; no pressures yet.
+  Trial sample(const SidePlan& plan);
   JointSolution solve_joint(const JointProblem& problem);
   /// Contact touches an edge that can still move.
   [[nodiscard]] bool must_grow(const Trial& trial) const;
@@ -110,6 +112,7 @@ private:
   [[nodiscard]] double tolerance() const {
     return request_.grid ? request_.tolerance : iteration_share * request_.accuracy;
   }
+  Trial sample_penetration(double depth);
   Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
   Trial solve_on_final_grid(Trial coarse_trial, const Resolution& resolution);
   /// The solution on the grids that were enough the last time; none if more has changed.
@@ -208,8 +211,7 @@ std::vector<std::optional<StartPressure>> starts_from(const SideMemory& memory) 
   return starts;
 }
 
-Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
-                           const std::vector<std::optional<StartPressure>>& starts) {
+Trial SideSolver::sample(const SidePlan& plan) {
   Trial trial;
   trial.depth = plan.depth;
   trial.links = plan.found.links;
@@ -229,7 +231,12 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
     made.distance = sample_undeformed_distance(pair, patch.frame, made.grid);
   }
   result_.times.remesh += seconds_since(remesh_start);
+  return trial;
+}
 
+Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
+                           const std::vector<std::optional<StartPressure>>& starts) {
+  Trial trial = sample(plan);
   const auto mechanics_start = Clock::now();
   std::vector<PatchGap> gaps;
   for (const PatchTrial& patch : trial.patches) {
@@ -292,6 +299,7 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
   trial.approach = solution.approach;
   trial.stop_reason = solution.stop_reason;
   trial.pressure_error = solution.pressure_error;
+  const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
   const double along = request_.normal_load ? main_frame.normal.z : 1.0;
   trial.next_depth = plan.depth + solution.approach / along;
   result_.times.mechanics += seconds_since(mechanics_start);
@@ -613,7 +621,8 @@ void SideSolver::warn_about(const Trial& trial) {
 }
 
 void SideSolver::take(Trial trial) {
-  result_.in_contact = !trial.no_contact();
+  result_.solved = request_.until == Module::mechanics;
+  result_.in_contact = !result_.solved || !trial.no_contact();
   result_.depth = trial.depth;
   result_.approach = trial.approach;
   result_.next_depth = trial.next_depth;
@@ -627,7 +636,7 @@ void SideSolver::take(Trial trial) {
   }
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < trial.patches.size(); ++k) {
-    if (!trial.patches[k].no_contact()) {
+    if (!result_.solved || !trial.patches[k].no_contact()) {
       order.push_back(k);
     }
   }
@@ -659,17 +668,38 @@ void SideSolver::take(Trial trial) {
   }
 }
 
+/// The potential contact areas of penetration, with the elements that solutions start with.
+Trial SideSolver::sample_penetration(double depth) {
+  SidePlan plan = planner_.first_plan(depth, usual_resolution());
+  for (PatchPlan& patch : plan.patches) {
+    patch.mesh.counts = request_.grid;
+  }
+  Trial trial = sample(plan);
+  for (PatchTrial& patch : trial.patches) {
+    patch.pressure.assign(patch.grid.element_count(), 0.0);
+  }
+  trial.next_depth = depth;
+  return trial;
+}
+
 SideSolution SideSolver::solve() {
   if (equilibrium_.scan.candidates.front().at_profile_end) {
     result_.warnings.emplace_back(
         "contact at the end of a profile, or where the rail turns upright");
   }
   result_.vertical = equilibrium_.vertical;
+  if (request_.until == Module::geometry) {
+    return std::move(result_);
+  }
   const double load = position_is_prescribed() ? 1.0 : prescribed_load();
   const double depth = load > 0.0 ? first_depth() : 0.0;
   if (!(depth > 0.0)) {
     result_.warnings.emplace_back(position_is_prescribed() ? "no contact at this height"
                                                            : "no load");
+    return std::move(result_);
+  }
+  if (request_.until == Module::remesh) {
+    take(sample_penetration(depth));
     return std::move(result_);
   }
   std::optional<Trial> trial = solve_as_before(depth);

@@ -20,6 +20,8 @@
 /// patch. Patches that are close turn their planes towards each other and feel each other in part
 /// (closeness of contact_patches.hpp), so that nothing jumps when they join; patches that are far
 /// apart do not feel each other unless `interaction` is set.
+/// A side may also stop after the geometry (no patches), or after the remesh: the patches of
+/// penetration at the depth estimated or prescribed, their grids and undeformed distances.
 /// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
 /// Thread rule: solver and memory serve one thread at a time; otherwise a pure function.
 /// Not known here: friction; forces between the wheels; patches that are not plane.
@@ -38,6 +40,7 @@
 #include "remesh/contact_frame.hpp"
 #include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "scene/module.hpp"
 #include "scene/side_plan.hpp"
 #include "scene/trial.hpp"
 
@@ -58,6 +61,7 @@ struct SideRequest {
   SolverChoice solver = SolverChoice::standard;
   bool interaction = false; ///< patches feel each other in full, however far apart
   int maximum_iterations = 5000;
+  Module until = Module::mechanics; ///< the last one to run
 };
 
 struct StageTimes {
@@ -83,6 +87,7 @@ struct PatchSolution {
 
 struct SideSolution {
   bool in_contact = false;
+  bool solved = false;                ///< there are pressures
   std::vector<PatchSolution> patches; ///< largest normal force first; with pressure only
   double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
   double depth = 0.0;         ///< vertical, from the first touch to that height

@@ -18,9 +18,17 @@ double milliseconds_since(Clock::time_point start) {
   return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A built-in profile by name, or else a file of that name.
-Profile load_profile(const std::string& name, ProfileKind kind, double smoothing,
-                     const std::string& key, std::vector<std::string>& corrections) {
+/// A profile given by hand, or else a built-in one by name, or else a file of that name.
+Profile load_profile(const std::shared_ptr<const Profile>& given, const std::string& name,
+                     ProfileKind kind, double smoothing, const std::string& key,
+                     std::vector<std::string>& corrections) {
+  if (given) {
+    if (smoothing > 0.0) {
+      throw_invalid_argument(key + "_smoothing", smoothing,
+                             "allowed is 0 with a profile given by the program");
+    }
+    return *given;
+  }
   const auto names = standard_profile_names(kind);
   if (std::find(names.begin(), names.end(), name) != names.end()) {
     if (smoothing > 0.0) {
@@ -54,6 +62,7 @@ Profile load_profile(const std::string& name, ProfileKind kind, double smoothing
 
 /// What a profile was made from.
 template <class Dimensions> struct SurfaceKey {
+  std::shared_ptr<const Profile> given;
   std::string name;
   double smoothing = 0.0;
   Dimensions dimensions;
@@ -132,7 +141,8 @@ double jump_of(const ContactScan& scan, const SideState::Touch& last, double lat
 /// Whether the last contact says anything about the next one.
 bool is_comparable(const Scene& one, const Scene& other) {
   return one.wheel == other.wheel && one.rail == other.rail &&
-         one.wheel_smoothing == other.wheel_smoothing &&
+         one.wheel_profile == other.wheel_profile && one.rail_profile == other.rail_profile &&
+         one.until == other.until && one.wheel_smoothing == other.wheel_smoothing &&
          one.rail_smoothing == other.rail_smoothing && one.wheelset == other.wheelset &&
          one.track == other.track && one.wheel_material == other.wheel_material &&
          one.rail_material == other.rail_material && one.gap == other.gap &&
@@ -164,7 +174,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
       const auto profile_start = Clock::now();
       Entry entry{key, nullptr, {}};
       const Profile profile =
-          load_profile(key.name, kind, key.smoothing, scene_key, entry.corrections);
+          load_profile(key.given, key.name, kind, key.smoothing, scene_key, entry.corrections);
       const auto surface_start = Clock::now();
       result.time.profile +=
           1e3 * std::chrono::duration<double>(surface_start - profile_start).count();
@@ -173,12 +183,15 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
       return entry;
     });
   };
-  const auto wheel_entry = make_entry(
-      &wheels, SurfaceKey<WheelsetDimensions>{scene.wheel, scene.wheel_smoothing, scene.wheelset},
-      ProfileKind::wheel, "wheelset.wheel");
-  const auto rail_entry =
-      make_entry(&rails, SurfaceKey<TrackDimensions>{scene.rail, scene.rail_smoothing, scene.track},
-                 ProfileKind::rail, "track.rail");
+  const auto wheel_entry =
+      make_entry(&wheels,
+                 SurfaceKey<WheelsetDimensions>{scene.wheel_profile, scene.wheel,
+                                                scene.wheel_smoothing, scene.wheelset},
+                 ProfileKind::wheel, "wheelset.wheel");
+  const auto rail_entry = make_entry(&rails,
+                                     SurfaceKey<TrackDimensions>{scene.rail_profile, scene.rail,
+                                                                 scene.rail_smoothing, scene.track},
+                                     ProfileKind::rail, "track.rail");
   const std::shared_ptr<const WheelSurface> wheel = wheel_entry.surface;
   const std::shared_ptr<const RailSurface> rail = rail_entry.surface;
   result.corrections = wheel_entry.corrections;
@@ -234,6 +247,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     side_request.tolerance = scene.tolerance;
     side_request.interaction = scene.interaction;
     side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
+    side_request.until = scene.until;
     return solve_side(*wheel, *rail, equilibrium_of_side, side_request, *side.solver, side.memory);
   };
   const auto note_jump = [&scene](SideResult& result_of_side, const SideEquilibrium& found,

@@ -52,6 +52,16 @@ void Scene::set(const std::string& key, const std::vector<double>& values) {
                               static_cast<std::int64_t>(values.size())));
 }
 
+std::string Scene::input_text(const std::string& key) const {
+  const char* value = nullptr;
+  check(wrc_scene_get_text(handle_.get(), key.c_str(), &value));
+  return value;
+}
+
+void Scene::write(const std::string& path) const {
+  check(wrc_scene_write(handle_.get(), path.c_str()));
+}
+
 bool Scene::solve() {
   const wrc_status status = wrc_scene_solve(handle_.get());
   if (status != WRC_NOT_CONVERGED) {

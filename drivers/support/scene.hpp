@@ -38,6 +38,11 @@ public:
   void set(const std::string& key, const std::string& value);
   void set(const std::string& key, const std::vector<double>& values);
 
+  /// The word a key is set to.
+  [[nodiscard]] std::string input_text(const std::string& key) const;
+  /// Writes a scene file with all keys.
+  void write(const std::string& path) const;
+
   /// False if the iteration has not converged; the results are usable all the same.
   bool solve();
 

@@ -11,7 +11,7 @@ namespace {
 
 std::string keys_text() {
   std::ostringstream text;
-  text << "Keys of a scene (units mm, N, MPa, rad):\n";
+  text << "Keys of a scene (mm, N, MPa, rad, y left, z up unless convention says otherwise):\n";
   for (const driver::Key& key : driver::scene_keys()) {
     text << "  " << std::left << std::setw(30) << key.name << key.meaning << "\n"
          << std::string(32, ' ') << "default " << key.default_value << "; allowed: " << key.allowed
@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   std::string vtk;
   std::string plot;
   std::string field;
+  std::string save;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add_option("--set", assignments,
                  "set a key of the scene; may be repeated. Numbers and words need no quotes, lists "
@@ -57,6 +58,8 @@ int main(int argc, char** argv) {
   app.add_option("--plot", plot, "draw profiles, patches and pressures")->type_name("FILE.png|svg");
   app.add_option("--field", field, "write the fields of all patches as CSV, one line an element")
       ->type_name("FILE.csv");
+  app.add_option("--save", save, "write the scene with all its keys, to be solved again")
+      ->type_name("FILE.toml");
   app.footer("\n" + keys_text() + names_text() +
              "\nExamples:\n"
              "  wrc_case --set pose.lateral=5 --plot picture.png\n"
@@ -73,18 +76,26 @@ int main(int argc, char** argv) {
     }
     driver::apply_assignments(scene, assignments);
     const bool converged = scene.solve();
+    if (!save.empty()) {
+      scene.write(save);
+    }
+    // Numbers for programs are in the units and the frame asked for ...
     if (json) {
       driver::print_json(scene, std::cout);
     } else if (csv) {
       driver::print_csv(scene, std::cout);
-    } else {
+    }
+    if (!field.empty()) {
+      driver::write_field(scene, field);
+    }
+    // ... what people look at says its units.
+    scene.set("convention.units", std::string("mm"));
+    scene.set("convention.frame", std::string("left-up"));
+    if (!json && !csv) {
       driver::print_table(scene, std::cout);
     }
     if (!vtk.empty()) {
       driver::write_vtk(scene, vtk);
-    }
-    if (!field.empty()) {
-      driver::write_field(scene, field);
     }
     if (!plot.empty()) {
       driver::draw_scene(scene, plot);

@@ -270,24 +270,31 @@ void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
 void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
+  const bool has_pressures = scene.input_text("solve.until") == "mechanics";
   std::vector<DrawnSide> sides;
   PressureAxes axes;
   for (const std::string& name : scene.sides()) {
-    axes.include(sides.emplace_back(write_side(out, scene, name)));
+    DrawnSide& side = sides.emplace_back(write_side(out, scene, name));
+    if (!has_pressures) {
+      side.patches.clear();
+    }
+    axes.include(side);
   }
   out << "set grid lc rgb '#dddddd'\n"
          "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
          "'#e69138', 1 '#990000')\nset tics out nomirror\n"
-      << "set multiplot layout 2," << sides.size() << "\n";
+      << "set multiplot layout " << (has_pressures ? 2 : 1) << ',' << sides.size() << "\n";
   for (const DrawnSide& side : sides) {
     plot_outlines(out, scene, side);
   }
-  for (const DrawnSide& side : sides) {
-    plot_pressure(out, scene, side, axes);
+  if (has_pressures) {
+    for (const DrawnSide& side : sides) {
+      plot_pressure(out, scene, side, axes);
+    }
   }
   out << "unset multiplot\n";
   const int columns = std::max(static_cast<int>(sides.size()), 1);
-  gnuplot.draw(path, 650 * columns, 900);
+  gnuplot.draw(path, 650 * columns, has_pressures ? 900 : 450);
 }
 
 } // namespace driver

@@ -133,7 +133,7 @@ private:
   std::vector<PatchName> patches_;
 };
 
-void print_patches(const Scene& scene, std::ostream& out) {
+void print_patch_forces(const Scene& scene, std::ostream& out) {
   const PatchPrinter table(scene, out);
   std::vector<PatchPrinter::Column> forces{{"pmax", "MPa", "pmax", 10, 1},
                                            {"area", "mm2", "area", 9, 2},
@@ -151,6 +151,10 @@ void print_patches(const Scene& scene, std::ostream& out) {
     forces.push_back({"regions", "", "regions", 9, 0});
   }
   table.print("Patches", forces);
+}
+
+void print_patch_places(const Scene& scene, std::ostream& out) {
+  const PatchPrinter table(scene, out);
   table.print("Places", {{"reference", "y, mm", "y", 11, 3},
                          {"", "z, mm", "z", 9, 3},
                          {"", "s_wheel", "s_wheel", 9, 3},
@@ -200,23 +204,9 @@ bool is_count(const std::string& name) {
 
 } // namespace
 
-void print_table(const Scene& scene, std::ostream& out) {
-  out << std::fixed << std::setprecision(6) << "Wheelset: roll " << 1e3 * scene.number("roll")
-      << " mrad, centre " << std::setprecision(4) << scene.number("vertical")
-      << " mm above the rail tops";
-  if (scene.has_number("rolling_radius_difference")) {
-    out << ", rolling radius difference " << scene.number("rolling_radius_difference") << " mm";
-  }
-  out << "\nModel: " << scene.text("model") << ", solver " << scene.text("solver") << '\n'
-      << std::defaultfloat;
-  const TablePrinter table(scene, out);
-  table.head("Rigid contact");
-  table.line("on wheel, from taping line", "mm", "rigid_contact.s_wheel", 4);
-  table.line("on rail, from its axis", "mm", "rigid_contact.t_rail", 4);
-  table.line("track y", "mm", "rigid_contact.y", 4);
-  table.line("track z", "mm", "rigid_contact.z", 4);
-  table.line("contact angle", "mrad", "rigid_contact.angle", 3, 1e3);
-  table.line("rolling radius", "mm", "rigid_contact.rolling_radius", 4);
+namespace {
+
+void print_solution(const TablePrinter& table) {
   table.head("Contact, all patches");
   table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
@@ -234,7 +224,35 @@ void print_table(const Scene& scene, std::ostream& out) {
   table.scientific("load balance", "residuals.load_balance");
   table.scientific("least gap / displacement", "residuals.least_gap");
   table.scientific("complementarity", "residuals.complementarity");
-  print_patches(scene, out);
+}
+
+} // namespace
+
+void print_table(const Scene& scene, std::ostream& out) {
+  out << std::fixed << std::setprecision(6) << "Wheelset: roll " << 1e3 * scene.number("roll")
+      << " mrad, centre " << std::setprecision(4) << scene.number("vertical")
+      << " mm above the rail tops";
+  if (scene.has_number("rolling_radius_difference")) {
+    out << ", rolling radius difference " << scene.number("rolling_radius_difference") << " mm";
+  }
+  out << "\nModel: " << scene.text("model") << ", solver " << scene.text("solver") << '\n'
+      << std::defaultfloat;
+  const TablePrinter table(scene, out);
+  table.head("Rigid contact");
+  table.line("on wheel, from taping line", "mm", "rigid_contact.s_wheel", 4);
+  table.line("on rail, from its axis", "mm", "rigid_contact.t_rail", 4);
+  table.line("track y", "mm", "rigid_contact.y", 4);
+  table.line("track z", "mm", "rigid_contact.z", 4);
+  table.line("contact angle", "mrad", "rigid_contact.angle", 3, 1e3);
+  table.line("rolling radius", "mm", "rigid_contact.rolling_radius", 4);
+  const std::string until = scene.input_text("solve.until");
+  if (until == "mechanics") {
+    print_solution(table);
+    print_patch_forces(scene, out);
+  }
+  if (until != "geometry") {
+    print_patch_places(scene, out);
+  }
   out << '\n';
   print_near_contacts(scene, out);
   print_texts(scene, out);

@@ -12,13 +12,13 @@ namespace {
 TEST(Library, NamesItsVersionAndEveryStatus) {
   EXPECT_STREQ(wrc_version(), WRCONTACT_EXPECTED_VERSION);
   std::set<std::string> names;
-  for (wrc_status status = WRC_OK; status <= WRC_NO_RESULT; ++status) {
+  for (wrc_status status = WRC_OK; status <= WRC_BUSY; ++status) {
     const std::string name = wrc_status_name(status);
     EXPECT_NE(name, "unknown status") << status;
     EXPECT_TRUE(names.insert(name).second) << name;
   }
   EXPECT_STREQ(wrc_status_name(-1), "unknown status");
-  EXPECT_STREQ(wrc_status_name(WRC_NO_RESULT + 1), "unknown status");
+  EXPECT_STREQ(wrc_status_name(WRC_BUSY + 1), "unknown status");
 }
 
 TEST(SceneHandle, CreateRefusesNull) {

@@ -34,6 +34,42 @@ TEST_F(WrcCase, DefaultIsTable1) {
   EXPECT_EQ(file_count(), 0) << "files appeared unasked";
 }
 
+TEST_F(WrcCase, ASavedSceneIsReplayedBitForBit) {
+  json first = solve_json(two_patches + "--set pose.yaw=0.003 --set load.left=71234.567 "
+                                        "--save saved.toml");
+  json again = solve_json("saved.toml");
+  first.erase("time_ms");
+  again.erase("time_ms");
+  EXPECT_EQ(first, again);
+}
+
+TEST_F(WrcCase, UnitsAndFrameAreThoseAskedFor) {
+  const json usual = solve_json(small + "--set pose.lateral=3");
+  const json asked = solve_json(small + "--set convention.units=SI --set "
+                                        "convention.frame=right-down --set pose.lateral=-0.003");
+  EXPECT_EQ(asked.at("units"), "m, N, Pa, rad");
+  const double lateral = usual.at("left").at("rigid_contact").at("y");
+  EXPECT_DOUBLE_EQ(asked.at("left").at("rigid_contact").at("y"), -1e-3 * lateral);
+  const Outcome table = solve(small + "--set convention.units=SI --set pose.lateral=0.003");
+  const Outcome usual_table = solve(small + "--set pose.lateral=3");
+  const auto without_times = [](const std::string& text) {
+    return text.substr(0, text.find("Time"));
+  };
+  EXPECT_EQ(without_times(table.out), without_times(usual_table.out));
+}
+
+TEST_F(WrcCase, StopsAfterTheModuleAskedFor) {
+  const json geometry = solve_json(small + "--set solve.until=geometry");
+  EXPECT_TRUE(geometry.at("left").at("rigid_contact").at("y").is_number());
+  const json remesh = solve_json(small + "--set solve.until=remesh");
+  EXPECT_EQ(remesh.at("left").at("patches").size(), 1U);
+  for (const char* module : {"geometry", "remesh"}) {
+    const Outcome table = solve(small + "--set solve.until=" + module + " --plot picture.png");
+    EXPECT_EQ(table.exit_code, 0) << table.error;
+    EXPECT_NE(table.out.find("rolling radius"), std::string::npos);
+  }
+}
+
 TEST_F(WrcCase, JsonHasEveryKey) {
   const json result = solve_json("");
   for (const char* key : {"roll", "vertical"}) {

@@ -1,0 +1,296 @@
+// wrcontact for C++: the C interface with owned handles and exceptions; header only, C++17.
+//
+// Everything is documented in wrcontact.h: units, frame, keys, names of results, thread rules.
+// Handles are owned and can be moved, not copied. A failure throws wrcontact::Error with the status
+// and the text of the handle; a solution that has not converged does not throw: solve() returns
+// false and the results are there. Nothing here crosses the library's boundary but C calls, so a
+// program may be built with another compiler or standard library than the library. Since 0.2.
+#ifndef WRCONTACT_HPP
+#define WRCONTACT_HPP
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wrcontact.h"
+
+namespace wrcontact {
+
+class Error : public std::runtime_error {
+public:
+  Error(wrc_status status, const std::string& text)
+      : std::runtime_error(text.empty() ? wrc_status_name(status) : text), status_(status) {}
+  wrc_status status() const noexcept { return status_; }
+
+private:
+  wrc_status status_;
+};
+
+namespace detail {
+
+/// A handle and the functions of its kind.
+template <class Handle, wrc_status (*create)(Handle**), void (*destroy)(Handle*),
+          const char* (*error)(const Handle*)>
+class Owner {
+public:
+  Owner() {
+    const wrc_status status = create(&handle_);
+    if (status != WRC_OK) {
+      throw Error(status, "");
+    }
+  }
+  ~Owner() { destroy(handle_); }
+  Owner(Owner&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+  Owner& operator=(Owner&& other) noexcept {
+    std::swap(handle_, other.handle_);
+    return *this;
+  }
+  Owner(const Owner&) = delete;
+  Owner& operator=(const Owner&) = delete;
+
+  /// For calls of the C interface; still owned here.
+  Handle* handle() const noexcept { return handle_; }
+
+protected:
+  void check(wrc_status status) const {
+    if (status != WRC_OK) {
+      throw Error(status, error(handle_));
+    }
+  }
+  /// Whether a solution has converged; throws if there is none.
+  bool converged(wrc_status status) const {
+    if (status != WRC_NOT_CONVERGED) {
+      check(status);
+    }
+    return status == WRC_OK;
+  }
+  /// All values of a call that copies as wrc_scene_field does.
+  template <class Copy> std::vector<double> copied(Copy&& copy) const {
+    std::int64_t count = 0;
+    check(copy(nullptr, std::int64_t{0}, &count));
+    std::vector<double> values(static_cast<std::size_t>(count));
+    check(copy(values.data(), count, &count));
+    return values;
+  }
+
+private:
+  Handle* handle_ = nullptr;
+};
+
+} // namespace detail
+
+/// A wheel or rail profile (wrc_profile).
+class Profile : public detail::Owner<wrc_profile, wrc_profile_create, wrc_profile_destroy,
+                                     wrc_profile_error> {
+public:
+  void load_standard(const std::string& name) {
+    check(wrc_profile_load_standard(handle(), name.c_str()));
+  }
+  void load_file(const std::string& path, const wrc_read_options* options = nullptr) {
+    check(wrc_profile_load_file(handle(), path.c_str(), options));
+  }
+  /// `kind` is WRC_WHEEL or WRC_RAIL.
+  void set_points(const std::string& name, std::int32_t kind, const std::vector<double>& lateral,
+                  const std::vector<double>& height, double smoothing_wavelength = 0.0) {
+    if (lateral.size() != height.size()) {
+      throw Error(WRC_INVALID_ARGUMENT, "lateral and height differ in length");
+    }
+    wrc_read_options options{};
+    options.struct_size = sizeof options;
+    options.kind = kind;
+    options.kind_given = 1;
+    options.smoothing_wavelength = smoothing_wavelength;
+    check(wrc_profile_set_points(handle(), name.c_str(), lateral.data(), height.data(),
+                                 static_cast<std::int64_t>(lateral.size()), &options));
+  }
+  void write(const std::string& path, double spacing) const {
+    check(wrc_profile_write(handle(), path.c_str(), spacing));
+  }
+
+  std::int32_t kind() const {
+    std::int32_t kind = 0;
+    check(wrc_profile_kind(handle(), &kind));
+    return kind;
+  }
+  std::string text(const std::string& name) const {
+    const char* value = nullptr;
+    check(wrc_profile_text(handle(), name.c_str(), &value));
+    return value;
+  }
+  std::vector<std::string> corrections() const {
+    std::vector<std::string> lines;
+    for (std::int64_t i = 0; const char* line = wrc_profile_correction(handle(), i); ++i) {
+      lines.emplace_back(line);
+    }
+    return lines;
+  }
+  double length() const {
+    double length = 0.0;
+    check(wrc_profile_length(handle(), &length));
+    return length;
+  }
+  std::vector<double> nodes() const {
+    return copied([this](double* values, std::int64_t capacity, std::int64_t* count) {
+      return wrc_profile_nodes(handle(), values, capacity, count);
+    });
+  }
+
+  struct Point {
+    double lateral, height, angle, curvature;
+  };
+  Point at(double arc) const {
+    Point point{};
+    check(wrc_profile_at(handle(), arc, &point.lateral, &point.height, &point.angle,
+                         &point.curvature));
+    return point;
+  }
+};
+
+/// What is asked, and its results (wrc_scene).
+class Scene
+    : public detail::Owner<wrc_scene, wrc_scene_create, wrc_scene_destroy, wrc_scene_error> {
+public:
+  void set(const std::string& key, double value) {
+    check(wrc_scene_set_number(handle(), key.c_str(), value));
+  }
+  void set(const std::string& key, const std::string& value) {
+    check(wrc_scene_set_text(handle(), key.c_str(), value.c_str()));
+  }
+  void set(const std::string& key, const char* value) {
+    check(wrc_scene_set_text(handle(), key.c_str(), value));
+  }
+  void set(const std::string& key, const std::vector<double>& values) {
+    check(wrc_scene_set_numbers(handle(), key.c_str(), values.data(),
+                                static_cast<std::int64_t>(values.size())));
+  }
+  void set(const std::string& key, const Profile& profile) {
+    check(wrc_scene_set_profile(handle(), key.c_str(), profile.handle()));
+  }
+  double get_number(const std::string& key) const {
+    double value = 0.0;
+    check(wrc_scene_get_number(handle(), key.c_str(), &value));
+    return value;
+  }
+  std::string get_text(const std::string& key) const {
+    const char* value = nullptr;
+    check(wrc_scene_get_text(handle(), key.c_str(), &value));
+    return value;
+  }
+  std::vector<double> get_numbers(const std::string& key) const {
+    return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
+      return wrc_scene_get_numbers(handle(), key.c_str(), values, capacity, count);
+    });
+  }
+  /// A file that wrc_case replays.
+  void write(const std::string& path) const { check(wrc_scene_write(handle(), path.c_str())); }
+
+  /// False if the iteration has not converged.
+  bool solve() { return converged(wrc_scene_solve(handle())); }
+
+  bool has_number(const std::string& name) const {
+    double value = 0.0;
+    return wrc_scene_number(handle(), name.c_str(), &value) == WRC_OK;
+  }
+  double number(const std::string& name) const {
+    double value = 0.0;
+    check(wrc_scene_number(handle(), name.c_str(), &value));
+    return value;
+  }
+  std::string text(const std::string& name) const {
+    const char* value = nullptr;
+    check(wrc_scene_text(handle(), name.c_str(), &value));
+    return value;
+  }
+  std::vector<double> field(const std::string& name) const {
+    return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
+      return wrc_scene_field(handle(), name.c_str(), values, capacity, count);
+    });
+  }
+  std::vector<std::string> number_names() const {
+    std::vector<std::string> names;
+    for (std::int64_t i = 0; const char* name = wrc_scene_number_name(handle(), i); ++i) {
+      names.emplace_back(name);
+    }
+    return names;
+  }
+  std::vector<std::string> text_names() const {
+    std::vector<std::string> names;
+    for (std::int64_t i = 0; const char* name = wrc_scene_text_name(handle(), i); ++i) {
+      names.emplace_back(name);
+    }
+    return names;
+  }
+
+private:
+  friend class Solver;
+};
+
+/// What is kept from one scene to the next (wrc_solver).
+class Solver
+    : public detail::Owner<wrc_solver, wrc_solver_create, wrc_solver_destroy, wrc_solver_error> {
+public:
+  /// False if the iteration has not converged; failures are those of the scene.
+  bool solve(Scene& scene) { return scene.converged(wrc_solver_solve(handle(), scene.handle())); }
+  void forget_positions() { check(wrc_solver_forget(handle(), 0)); }
+  void forget() { check(wrc_solver_forget(handle(), 1)); }
+};
+
+/// Solves each scene by itself; the status of each.
+inline std::vector<wrc_status> solve_batch(const std::vector<Scene*>& scenes,
+                                           std::int32_t threads) {
+  std::vector<wrc_scene*> handles;
+  for (const Scene* scene : scenes) {
+    handles.push_back(scene->handle());
+  }
+  std::vector<wrc_status> statuses(scenes.size(), WRC_INVALID_ARGUMENT);
+  // Handles are owned, so that only the number of threads can be refused for all of them.
+  wrc_solve_batch(handles.data(), static_cast<std::int64_t>(handles.size()), threads,
+                  statuses.data());
+  return statuses;
+}
+
+/// A gap of the caller's on a grid (wrc_normal).
+class NormalContact
+    : public detail::Owner<wrc_normal, wrc_normal_create, wrc_normal_destroy, wrc_normal_error> {
+public:
+  void set_grid(std::int64_t lateral_count, std::int64_t longitudinal_count, double lateral_step,
+                double longitudinal_step) {
+    check(wrc_normal_set_grid(handle(), lateral_count, longitudinal_count, lateral_step,
+                              longitudinal_step));
+  }
+  void set_distance(const std::vector<double>& values) {
+    check(
+        wrc_normal_set_distance(handle(), values.data(), static_cast<std::int64_t>(values.size())));
+  }
+  void set(const std::string& key, double value) {
+    check(wrc_normal_set_number(handle(), key.c_str(), value));
+  }
+  void set(const std::string& key, const std::string& value) {
+    check(wrc_normal_set_text(handle(), key.c_str(), value.c_str()));
+  }
+  /// False if the iteration has not converged.
+  bool solve() { return converged(wrc_normal_solve(handle())); }
+
+  double number(const std::string& name) const {
+    double value = 0.0;
+    check(wrc_normal_number(handle(), name.c_str(), &value));
+    return value;
+  }
+  std::string text(const std::string& name) const {
+    const char* value = nullptr;
+    check(wrc_normal_text(handle(), name.c_str(), &value));
+    return value;
+  }
+  std::vector<double> field(const std::string& name) const {
+    return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
+      return wrc_normal_field(handle(), name.c_str(), values, capacity, count);
+    });
+  }
+};
+
+} // namespace wrcontact
+
+#endif

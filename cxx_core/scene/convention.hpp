@@ -1,0 +1,94 @@
+/// In which units and frame a scene's numbers are given and told.
+///
+/// Inside, everything is in mm, N, MPa, rad in the track frame of geometry/frames.hpp (x forward,
+/// y left, z up). Outside it may be m, N, Pa, rad, and the frame turned by half a turn about x
+/// (x forward, y right, z down), as many vehicle codes have it: lateral and vertical components of
+/// vectors, and of rotations and moments, then change their sign. Angles about x (roll, contact
+/// angle) stay, and so does all that is measured along a profile or along a normal.
+/// Powers of ten are exact, so that both ways agree to the last rounding.
+/// Thread rule: pure functions.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace wrc {
+
+enum class Units { mm, si };
+enum class TrackFrame { left_up, right_down };
+
+struct Convention {
+  Units units = Units::mm;
+  TrackFrame frame = TrackFrame::left_up;
+  bool operator==(const Convention&) const = default;
+};
+
+enum class Quantity : std::uint8_t {
+  number, ///< the same in all units: counts, ratios, angles, forces, forces per angle, ms
+  length,
+  area,
+  stress,
+  moment,   ///< force times length
+  stiffness ///< force per length
+};
+
+/// What a number is: its quantity, and whether it changes its sign with the frame.
+struct Dimension {
+  Quantity quantity = Quantity::number;
+  bool turns = false;
+};
+
+/// mm, N, MPa per m, N, Pa: inside = outside * scale_of(quantity) / shrink_of(quantity).
+constexpr double scale_of(Quantity quantity) {
+  switch (quantity) {
+  case Quantity::length:
+  case Quantity::moment:
+    return 1e3;
+  case Quantity::area:
+    return 1e6;
+  default:
+    return 1.0;
+  }
+}
+
+constexpr double shrink_of(Quantity quantity) {
+  switch (quantity) {
+  case Quantity::stress:
+    return 1e6;
+  case Quantity::stiffness:
+    return 1e3;
+  default:
+    return 1.0;
+  }
+}
+
+/// Without a zero of negative sign.
+constexpr double turned(double value, const Convention& convention, const Dimension& dimension) {
+  return dimension.turns && convention.frame == TrackFrame::right_down ? 0.0 - value : value;
+}
+
+/// From inside to the caller.
+constexpr double told(double value, const Convention& convention, const Dimension& dimension) {
+  const double in_units = convention.units == Units::si
+                              ? value / scale_of(dimension.quantity) * shrink_of(dimension.quantity)
+                              : value;
+  return turned(in_units, convention, dimension);
+}
+
+/// From the caller to inside.
+constexpr double taken(double value, const Convention& convention, const Dimension& dimension) {
+  const double in_units = convention.units == Units::si
+                              ? value * scale_of(dimension.quantity) / shrink_of(dimension.quantity)
+                              : value;
+  return turned(in_units, convention, dimension);
+}
+
+constexpr std::string_view name_of(Units units) {
+  return units == Units::si ? "m, N, Pa, rad" : "mm, N, MPa, rad";
+}
+
+constexpr std::string_view name_of(TrackFrame frame) {
+  return frame == TrackFrame::right_down ? "x forward, y right, z down" : "x forward, y left, z up";
+}
+
+} // namespace wrc

@@ -1,0 +1,113 @@
+#include "scene/scene_file.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "error.hpp"
+#include "profile/readers.hpp"
+#include "profile/writers.hpp"
+#include "scene/scene_keys.hpp"
+#include "written_file.hpp"
+
+namespace wrc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A TOML basic string.
+std::string quoted(const std::string& text) {
+  constexpr const char* hexadecimal = "0123456789ABCDEF";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += {'\\', c};
+    } else if (code < 0x20 || code == 0x7F) {
+      result += {'\\', 'u', '0', '0', hexadecimal[code / 16], hexadecimal[code % 16]};
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string toml_of(double value) {
+  const std::string text = text_of(value);
+  const bool is_float = text.find_first_of(".e") != std::string::npos;
+  return is_float ? text : text + ".0";
+}
+
+std::string toml_of(const std::vector<double>& values) {
+  std::string text = "[";
+  for (const double value : values) {
+    text += (text.size() > 1 ? ", " : "") + toml_of(value);
+  }
+  return text + ']';
+}
+
+/// The name under which a profile is found again from anywhere.
+std::string lasting_name(const std::string& name, ProfileKind kind) {
+  const auto standard = standard_profile_names(kind);
+  return std::find(standard.begin(), standard.end(), name) != standard.end()
+             ? name
+             : fs::absolute(name).string();
+}
+
+/// Writes the points of a profile given by hand; returns the file's name.
+std::string write_beside(const Profile& profile, const fs::path& scene_path) {
+  const bool wheel = profile.kind == ProfileKind::wheel;
+  fs::path path = scene_path;
+  path.replace_extension(wheel ? ".wheel.txt" : ".rail.txt");
+  write_points(profile, path);
+  ReadOptions options;
+  options.kind = profile.kind;
+  if (read_profile(path, options).profile.points != profile.points) {
+    throw_invalid_argument(wheel ? "wheelset.wheel" : "track.rail", '"' + profile.name + '"',
+                           "its points do not read back as they are: give it as a file");
+  }
+  return path.filename().string();
+}
+
+} // namespace
+
+void write_scene(const Scene& scene, const fs::path& path) {
+  Scene lasting = scene;
+  lasting.convention = {};
+  for (const auto& [profile, name, smoothing, kind] :
+       {std::tuple(&scene.wheel_profile, &lasting.wheel, &lasting.wheel_smoothing,
+                   ProfileKind::wheel),
+        std::tuple(&scene.rail_profile, &lasting.rail, &lasting.rail_smoothing,
+                   ProfileKind::rail)}) {
+    if (*profile) {
+      *name = write_beside(**profile, path);
+      *smoothing = 0.0;
+    } else {
+      *name = lasting_name(*name, kind);
+    }
+  }
+  std::string text = "# A scene of wrcontact, written by the library; mm, N, MPa, rad.\n";
+  std::string table;
+  for (const KeyDescription& key : scene_keys()) {
+    const KeyValue value = key_value(lasting, key.name);
+    if (std::holds_alternative<std::monostate>(value)) {
+      continue; // told by the keys of its two parts
+    }
+    const std::size_t dot = key.name.rfind('.');
+    if (key.name.substr(0, dot) != table) {
+      table = key.name.substr(0, dot);
+      text += "\n[" + table + "]\n";
+    }
+    text += std::string(key.name.substr(dot + 1)) + " = ";
+    if (const auto* number = std::get_if<double>(&value)) {
+      text += toml_of(*number);
+    } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+      text += toml_of(*numbers);
+    } else {
+      text += quoted(std::get<std::string>(value));
+    }
+    text += '\n';
+  }
+  write_file(path, text);
+}
+
+} // namespace wrc

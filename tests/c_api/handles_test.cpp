@@ -1,0 +1,172 @@
+/// Handles that were destroyed, never were, are of another kind or in use; and the caller's
+/// floating-point environment.
+#include <atomic>
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <thread>
+
+#include "all_results.hpp"
+
+namespace {
+
+template <class Handle> Handle* handle_of(std::uintptr_t number) {
+  return reinterpret_cast<Handle*>(number);
+}
+
+TEST(Handles, MayBeDestroyedTwice) {
+  wrc_scene* scene = nullptr;
+  ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
+  wrc_scene_destroy(scene);
+  wrc_scene_destroy(scene);
+  EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_scene_error(scene), "destroyed"));
+  wrc_solver* solver = nullptr;
+  ASSERT_EQ(wrc_solver_create(&solver), WRC_OK);
+  wrc_solver_destroy(solver);
+  wrc_solver_destroy(solver);
+  EXPECT_EQ(wrc_solver_forget(solver, 1), WRC_INVALID_ARGUMENT);
+  wrc_profile* profile = nullptr;
+  ASSERT_EQ(wrc_profile_create(&profile), WRC_OK);
+  wrc_profile_destroy(profile);
+  wrc_profile_destroy(profile);
+  EXPECT_EQ(wrc_profile_load_standard(profile, "S1002"), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_profile_correction(profile, 0), nullptr);
+  wrc_normal* normal = nullptr;
+  ASSERT_EQ(wrc_normal_create(&normal), WRC_OK);
+  wrc_normal_destroy(normal);
+  wrc_normal_destroy(normal);
+  EXPECT_EQ(wrc_normal_solve(normal), WRC_INVALID_ARGUMENT);
+}
+
+TEST(Handles, AnyNumberIsRefused) {
+  for (const std::uintptr_t number :
+       {std::uintptr_t{1}, std::uintptr_t{7}, std::uintptr_t{0xDEADBEEF},
+        std::numeric_limits<std::uintptr_t>::max()}) {
+    EXPECT_EQ(wrc_scene_solve(handle_of<wrc_scene>(number)), WRC_INVALID_ARGUMENT);
+    EXPECT_EQ(wrc_normal_solve(handle_of<wrc_normal>(number)), WRC_INVALID_ARGUMENT);
+    wrc_profile_destroy(handle_of<wrc_profile>(number));
+    EXPECT_EQ(wrc_scene_number_count(handle_of<wrc_scene>(number)), 0);
+  }
+}
+
+TEST(Handles, OneOfAnotherKindIsRefused) {
+  const ScenePointer scene = make_small_scene();
+  const SolverPointer solver = make_solver();
+  auto* mistaken = reinterpret_cast<wrc_scene*>(solver.get());
+  EXPECT_EQ(wrc_scene_solve(mistaken), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_scene_error(mistaken), "another kind"));
+  wrc_scene_destroy(mistaken);
+  EXPECT_EQ(wrc_solver_solve(solver.get(), mistaken), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_solver_error(solver.get()), "another kind"));
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  wrc_scene* scenes[] = {scene.get(), mistaken};
+  EXPECT_EQ(wrc_solve_batch(scenes, 2, 1, nullptr), WRC_INVALID_ARGUMENT);
+}
+
+TEST(Handles, OneInUseIsRefusedUntilItsCallEnds) {
+  // The planner's lock is taken in the middle of a first solution: that call waits there.
+  struct Gate {
+    std::atomic<bool> reached{false};
+    std::atomic<bool> open{false};
+  } gate;
+  const auto wait = [](void* context) {
+    auto* at = static_cast<Gate*>(context);
+    at->reached = true;
+    while (!at->open) {
+      std::this_thread::yield();
+    }
+  };
+  ASSERT_EQ(wrc_set_planner_lock(
+                wait, [](void*) {}, &gate),
+            WRC_OK);
+  const ScenePointer scene = make_small_scene();
+  wrc_status status = -1;
+  std::thread solving([&] { status = wrc_scene_solve(scene.get()); });
+  while (!gate.reached) {
+    std::this_thread::yield();
+  }
+  double value = 0.0;
+  EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_BUSY);
+  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 1.0), WRC_BUSY);
+  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "in use"));
+  EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
+  wrc_scene* scenes[] = {scene.get()};
+  EXPECT_EQ(wrc_solve_batch(scenes, 1, 1, nullptr), WRC_BUSY);
+  const SolverPointer solver = make_solver();
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_BUSY);
+  gate.open = true;
+  solving.join();
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(status, WRC_OK);
+  EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_OK);
+}
+
+TEST(Handles, MayBeDestroyedDuringACall) {
+  struct Gate {
+    std::atomic<bool> reached{false};
+    std::atomic<bool> open{false};
+  } gate;
+  const auto wait = [](void* context) {
+    auto* at = static_cast<Gate*>(context);
+    at->reached = true;
+    while (!at->open) {
+      std::this_thread::yield();
+    }
+  };
+  ASSERT_EQ(wrc_set_planner_lock(
+                wait, [](void*) {}, &gate),
+            WRC_OK);
+  wrc_scene* scene = nullptr;
+  ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
+  wrc_status status = -1;
+  std::thread solving([&] { status = wrc_scene_solve(scene); });
+  while (!gate.reached) {
+    std::this_thread::yield();
+  }
+  wrc_scene_destroy(scene);
+  gate.open = true;
+  solving.join();
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(status, WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
+}
+
+TEST(FloatingPoint, FlagsAndRoundingStayTheCallers) {
+  const ScenePointer scene = make_small_scene();
+  std::feclearexcept(FE_ALL_EXCEPT);
+  std::feraiseexcept(FE_DIVBYZERO);
+  ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  EXPECT_EQ(std::fetestexcept(FE_ALL_EXCEPT), FE_DIVBYZERO);
+  std::fesetround(FE_TONEAREST);
+  std::feclearexcept(FE_ALL_EXCEPT);
+  const ScenePointer usual = make_small_scene();
+  EXPECT_EQ(wrc_scene_solve(usual.get()), WRC_OK);
+  expect_same_bits(scene.get(), usual.get(), "rounding upward outside");
+}
+
+#if defined(__GLIBC__)
+TEST(FloatingPoint, TrapsOfTheCallerDoNotFire) {
+  const ScenePointer scene = make_scene();
+  const SolverPointer solver = make_solver();
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW);
+  wrc_scene* handles[] = {scene.get()};
+  const wrc_status single = wrc_scene_solve(scene.get());
+  const wrc_status kept = wrc_solver_solve(solver.get(), scene.get());
+  const wrc_status batch = wrc_solve_batch(handles, 1, 2, nullptr);
+  double value = 0.0;
+  const wrc_status rates =
+      wrc_scene_number(scene.get(), "left.sensitivities.vertical_force.vertical", &value);
+  const int traps = fedisableexcept(FE_ALL_EXCEPT);
+  EXPECT_EQ(traps, FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW);
+  EXPECT_EQ(single, WRC_OK);
+  EXPECT_EQ(kept, WRC_OK);
+  EXPECT_EQ(batch, WRC_OK);
+  EXPECT_EQ(rates, WRC_OK);
+}
+#endif
+
+} // namespace
