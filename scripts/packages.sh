@@ -5,4 +5,4 @@ build_packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
   gnuplot-nox fonts-dejavu-core
 )
-check_packages=(clang clang-format clang-tidy binutils qemu-user)
+check_packages=(clang clang-format clang-tidy binutils qemu-user abigail-tools)
