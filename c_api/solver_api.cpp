@@ -8,6 +8,7 @@
 namespace {
 
 constexpr int32_t most_threads = 1024;
+constexpr int64_t most_scenes = int64_t{1} << 24;
 using SceneInUse = std::unique_ptr<wrc::InUse<wrc::SceneObject>>;
 
 /// All scenes of a batch, or the status that tells why they cannot be had.
@@ -86,7 +87,8 @@ wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles) {
 
 wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
                            wrc_status* statuses) {
-  if (count < 0 || threads < 1 || threads > most_threads || (count > 0 && scenes == nullptr)) {
+  if (count < 0 || count > most_scenes || threads < 1 || threads > most_threads ||
+      (count > 0 && scenes == nullptr)) {
     return WRC_INVALID_ARGUMENT;
   }
   try {

@@ -172,10 +172,10 @@ WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
 WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
 
 /*
- * Solves many scenes, each by itself as wrc_scene_solve does, on up to `threads` threads (1 to
- * 1024); bit for bit the same for any number of them. The handles must all be different. The status
- * of each goes to statuses (may be NULL), its error text to its scene. Returns WRC_OK if all were
- * solved, otherwise the status of the first that was not. Since 0.1.
+ * Solves many scenes (at most 2^24), each by itself as wrc_scene_solve does, on up to `threads`
+ * threads (1 to 1024); bit for bit the same for any number of them. The handles must all be
+ * different. The status of each goes to statuses (may be NULL), its error text to its scene.
+ * Returns WRC_OK if all were solved, otherwise the status of the first that was not. Since 0.1.
  */
 WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
                                    wrc_status* statuses);

@@ -19,7 +19,6 @@ constexpr double least_axis_ratio = 1e-4;
 constexpr double depth_accuracy = 0.01;
 constexpr double first_depth = 0.05;
 constexpr double smallest_depth = 1e-300;
-constexpr double greatest_depth = 50.0;
 constexpr double largest_depth_factor = 1e4;
 constexpr int depth_iterations = 400;
 

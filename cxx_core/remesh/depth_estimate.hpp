@@ -12,6 +12,9 @@
 
 namespace wrc {
 
+/// Depth beyond which profiles no longer say what meets what, mm: about twice that of a flange.
+constexpr double greatest_depth = 50.0;
+
 enum class LoadDirection {
   vertical,   ///< sum of cos(angle) N
   main_normal ///< along the normal of the main patch: sum of cos(angle - angle of main) N

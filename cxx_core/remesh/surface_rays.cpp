@@ -51,7 +51,8 @@ std::optional<double> RailRay::solve(double longitudinal, double lateral) {
     point_ = at(arc);
     const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
     const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
-    if (facing < least_facing_cosine) {
+    // Places that are no numbers are met by no ray either.
+    if (!(facing >= least_facing_cosine) || !std::isfinite(offset)) {
       return std::nullopt;
     }
     const double step = std::clamp(offset / facing, -largest_step, largest_step);

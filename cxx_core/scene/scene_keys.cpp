@@ -490,11 +490,15 @@ void set_text(Scene& scene, std::string_view name, std::string_view value) {
 void set_numbers(Scene& scene, std::string_view name, std::span<const double> values) {
   const Key& key = find_key(name);
   if (!key.set_numbers || !key.set_numbers(scene, values)) {
+    // Of a list of any length only the start is read.
+    constexpr std::size_t most_told = 4;
     std::string text = "[";
-    for (const double value : values) {
+    for (const double value : values.first(std::min(values.size(), most_told))) {
       text += (text.size() > 1 ? ", " : "") + text_of(value);
     }
-    refuse(key, text + "]");
+    refuse(key, text + (values.size() > most_told
+                            ? ", ...], " + std::to_string(values.size()) + " values"
+                            : "]"));
   }
 }
 

@@ -70,6 +70,9 @@ constexpr double least_resolution_share = 0.35;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;
+/// Depth that positions can just tell apart, mm: their rounding, 1e-13 mm, is 1e-4 of it. On steel
+/// it takes about 2e-7 N.
+constexpr double least_depth = 1e-9;
 
 using Clock = std::chrono::steady_clock;
 
@@ -693,10 +696,26 @@ SideSolution SideSolver::solve() {
   }
   const double load = position_is_prescribed() ? 1.0 : prescribed_load();
   const double depth = load > 0.0 ? first_depth() : 0.0;
-  if (!(depth > 0.0)) {
-    result_.warnings.emplace_back(position_is_prescribed() ? "no contact at this height"
-                                                           : "no load");
+  if (!(depth >= least_depth)) {
+    if (position_is_prescribed()) {
+      result_.warnings.emplace_back("no contact at this height");
+    } else if (load > 0.0) {
+      result_.warnings.push_back(
+          "the load, " + text_of(load) + " N, is taken for none: it presses " +
+          "wheel and rail together by less than " + text_of(least_depth) + " mm");
+    } else {
+      result_.warnings.emplace_back("no load");
+    }
     return std::move(result_);
+  }
+  if (!(depth < greatest_depth)) {
+    throw_invalid_argument(position_is_prescribed() ? "pose.vertical"
+                           : request_.normal_load   ? "load.normal"
+                                                    : "load of a wheel",
+                           position_is_prescribed() ? *request_.vertical : load,
+                           "wheel and rail would overlap by " + short_text_of(depth) +
+                               " mm or more; allowed is less than " + text_of(greatest_depth) +
+                               " mm");
   }
   if (request_.until == Module::remesh) {
     take(sample_penetration(depth));

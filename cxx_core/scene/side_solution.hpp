@@ -108,7 +108,8 @@ struct SideSolution {
   std::vector<std::string> warnings;
 };
 
-/// `memory` is read if valid, and written.
+/// `memory` is read if valid, and written. Loads too small to tell from none give no contact, with
+/// a warning; loads and positions with an absurd overlap throw Error(invalid_argument).
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,
                         NormalSolver& solver, SideMemory& memory);

@@ -118,6 +118,19 @@ void set_all(Scene& scene, const std::map<std::string, Value>& values) {
 
 } // namespace
 
+namespace {
+
+bool is_standard(const std::string& name, std::int32_t kind) {
+  for (std::int64_t i = 0; const char* known = wrc_profile_standard_name(kind, i); ++i) {
+    if (name == known) {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
 void apply_scene_file(Scene& scene, const std::string& path) {
   std::error_code trouble;
   const auto size = fs::file_size(path, trouble);
@@ -137,9 +150,11 @@ void apply_scene_file(Scene& scene, const std::string& path) {
          << error.description();
     throw Failure(text.str());
   }
-  for (const char* key : {"track.rail", "wheelset.wheel"}) {
+  for (const auto& [key, kind] :
+       {std::pair("track.rail", WRC_RAIL), std::pair("wheelset.wheel", WRC_WHEEL)}) {
     const auto found = values.find(key);
-    if (found != values.end() && std::holds_alternative<std::string>(found->second)) {
+    if (found != values.end() && std::holds_alternative<std::string>(found->second) &&
+        !is_standard(std::get<std::string>(found->second), kind)) {
       const fs::path beside = fs::path(path).parent_path() / std::get<std::string>(found->second);
       if (fs::is_regular_file(beside, trouble)) {
         found->second = beside.string();

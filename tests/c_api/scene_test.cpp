@@ -267,4 +267,39 @@ TEST(SceneKeys, TheLaterCallOfOneSubjectCounts) {
   EXPECT_NEAR(number_of(s, "left.normal_force"), 40000.0, 40000.0 * load_balance);
 }
 
+TEST(SceneExtremes, LoadsTooSmallToTellFromNoneGiveNoContact) {
+  const ScenePointer scene = make_small_scene();
+  // On steel the boundary is near 2e-7 N.
+  for (const double load : {5e-324, 1e-300, 1e-30, 1e-12, 1e-7}) {
+    ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", load), WRC_OK);
+    ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+    EXPECT_EQ(number_of(scene.get(), "left.normal_force"), 0.0) << load;
+    const char* warning = nullptr;
+    ASSERT_EQ(wrc_scene_text(scene.get(), "left.warnings.0", &warning), WRC_OK);
+    EXPECT_TRUE(contains(warning, "taken for none")) << warning;
+  }
+  for (const double load : {1e-6, 1e-3}) {
+    ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", load), WRC_OK);
+    ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+    EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), load, 1e-6 * load);
+  }
+}
+
+TEST(SceneExtremes, AnAbsurdOverlapIsRefused) {
+  const ScenePointer scene = make_small_scene();
+  for (const double load : {1.5e9, 1e10, 1e12}) {
+    ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", load), WRC_OK);
+    EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT) << load;
+    EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "50 mm")) << wrc_scene_error(scene.get());
+  }
+  ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", 1e9), WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), 1e9, 1e3);
+  ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.vertical", 409.0), WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "pose.vertical = 409"));
+  ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.vertical", 411.0), WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+}
+
 } // namespace

@@ -1,0 +1,502 @@
+// Calls of the whole interface in random order with random arguments, good and bad: nothing may
+// crash, hang, print or end the program, and every status must be one that there is.
+//
+// Usage: call_sequences COUNT SEED. Files are written into the working folder. Nothing is printed
+// if all goes well. Arrays are as long as the counts given, or the counts are absurd: a count that
+// is merely wrong is beyond what a C function can know.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "wrcontact.h"
+
+/// There if no_side_effects.c has been preloaded.
+extern "C" __attribute__((weak)) void watch_calls(int begin);
+
+namespace {
+
+std::mt19937_64 generator;
+
+std::uint64_t below(std::uint64_t end) {
+  return generator() % end;
+}
+
+template <class List> const auto& any_of(const List& list) {
+  return list[below(std::size(list))];
+}
+
+double any_number() {
+  static const std::array special{0.0,
+                                  -0.0,
+                                  1.0,
+                                  -1.0,
+                                  0.3,
+                                  2.0,
+                                  1e-3,
+                                  40.0,
+                                  1435.0,
+                                  460.0,
+                                  8e4,
+                                  2.1e5,
+                                  1e300,
+                                  -1e300,
+                                  std::numeric_limits<double>::max(),
+                                  std::numeric_limits<double>::denorm_min(),
+                                  std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::quiet_NaN()};
+  if (below(3) == 0) {
+    return any_of(special);
+  }
+  const double exponent = -6.0 + 12.0 * static_cast<double>(below(1000)) / 1000.0;
+  return (below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent);
+}
+
+/// Keys, names, words, paths and nonsense.
+const char* any_text() {
+  static const std::string endless(20000, 'x');
+  static const std::vector<const char*> texts = [] {
+    std::vector<const char*> list{nullptr,
+                                  "",
+                                  ".",
+                                  "left.",
+                                  "left.patches.",
+                                  "left.patches.0.",
+                                  "left.patches.99999999999999999999.pmax",
+                                  "left.patches.-1.pmax",
+                                  "left.patches.0.pressure",
+                                  "right.patches.1.undeformed_distance",
+                                  "left.displacement",
+                                  "right.rail_y",
+                                  "left.wheel_z",
+                                  "left.pmax",
+                                  "right.area",
+                                  "left.residuals.least_gap",
+                                  "left.sensitivities.vertical_force.vertical",
+                                  "left.sensitivities.at_load.vertical.roll",
+                                  "roll",
+                                  "units",
+                                  "model",
+                                  "left.stop_reason",
+                                  "left.warnings.0",
+                                  "solve",
+                                  "none",
+                                  "both",
+                                  "left",
+                                  "tangent",
+                                  "vertical",
+                                  "geometry",
+                                  "remesh",
+                                  "mechanics",
+                                  "SI",
+                                  "mm",
+                                  "right-down",
+                                  "left-up",
+                                  "paper",
+                                  "default",
+                                  "double",
+                                  "mixed",
+                                  "1:20",
+                                  "-1:1e999",
+                                  "S1002",
+                                  "60E1",
+                                  "CHN60",
+                                  "LMA",
+                                  "a file.txt",
+                                  "a scene.toml",
+                                  "wheel.prw",
+                                  "rail.prr",
+                                  "worn.whl",
+                                  "/",
+                                  "/dev/zero",
+                                  "/proc/self/mem",
+                                  "nowhere/at all.txt",
+                                  "\xff\xfe\x01\n\"\\",
+                                  "pmax",
+                                  "approach",
+                                  "pressure",
+                                  "displacement",
+                                  "normal_load",
+                                  "combined_modulus",
+                                  "tolerance",
+                                  "maximum_iterations",
+                                  "solver",
+                                  "precision",
+                                  "stop_reason",
+                                  "title",
+                                  "name"};
+    list.push_back(endless.c_str());
+    for (std::int64_t i = 0; i < wrc_scene_key_count(); ++i) {
+      const char* text[4] = {};
+      wrc_scene_key(i, &text[0], &text[1], &text[2], &text[3]);
+      // Plans by trial take seconds each.
+      if (std::string(text[0]) != "solve.planner") {
+        list.push_back(text[0]);
+        list.push_back(text[0]);
+      }
+    }
+    return list;
+  }();
+  return any_of(texts);
+}
+
+constexpr std::size_t array_length = 4096;
+
+double* any_array() {
+  static std::array<double, array_length> values{};
+  for (std::size_t i = 0; i < 64; ++i) {
+    values[below(array_length)] = any_number();
+  }
+  if (below(4) == 0) { // a paraboloid
+    for (std::size_t i = 0; i < array_length; ++i) {
+      const double x = static_cast<double>(i % 16) - 7.5;
+      const double y = static_cast<double>(i / 16) - 7.5;
+      values[i] = 1e-4 * (x * x + y * y);
+    }
+  }
+  return below(16) == 0 ? nullptr : values.data();
+}
+
+/// Within the arrays, or absurd.
+std::int64_t any_count() {
+  static constexpr std::array<std::int64_t, 7> absurd{0,
+                                                      -1,
+                                                      std::numeric_limits<std::int64_t>::max(),
+                                                      std::numeric_limits<std::int64_t>::min(),
+                                                      std::int64_t{1} << 60,
+                                                      -7,
+                                                      (std::int64_t{1} << 31) + 1};
+  switch (below(4)) {
+  case 0:
+    return any_of(absurd);
+  case 1:
+    return 2;
+  case 2:
+    return 256;
+  default:
+    return static_cast<std::int64_t>(below(array_length));
+  }
+}
+
+std::int64_t any_capacity() {
+  const std::int64_t count = any_count();
+  return count > static_cast<std::int64_t>(array_length) ? 0 : count;
+}
+
+template <class Value> Value* maybe(Value* pointer) {
+  return below(16) == 0 ? nullptr : pointer;
+}
+
+/// Handles of a kind, alive, destroyed and never made.
+template <class Handle> class Pool {
+public:
+  Pool(wrc_status (*create)(Handle**), void (*destroy)(Handle*))
+      : create_(create), destroy_(destroy) {}
+
+  void make() {
+    Handle* handle = nullptr;
+    if (create_(&handle) == WRC_OK) {
+      handles_[below(handles_.size())] = handle; // what stood there is lost, as in bad programs
+      all_.push_back(handle);
+    }
+  }
+  void destroy_one() { destroy_(any()); }
+  Handle* any() {
+    switch (below(24)) {
+    case 0:
+      return nullptr;
+    case 1:
+      return reinterpret_cast<Handle*>(generator());
+    case 2: // of any kind: numbers are small
+      return reinterpret_cast<Handle*>(16 * below(4000));
+    default:
+      return any_of(handles_);
+    }
+  }
+  void destroy_all() {
+    for (Handle* handle : all_) {
+      destroy_(handle);
+    }
+    all_.clear();
+  }
+
+private:
+  wrc_status (*create_)(Handle**);
+  void (*destroy_)(Handle*);
+  std::array<Handle*, 3> handles_{};
+  std::vector<Handle*> all_;
+};
+
+Pool<wrc_scene> scenes(wrc_scene_create, wrc_scene_destroy);
+Pool<wrc_solver> solvers(wrc_solver_create, wrc_solver_destroy);
+Pool<wrc_profile> profiles(wrc_profile_create, wrc_profile_destroy);
+Pool<wrc_normal> normals(wrc_normal_create, wrc_normal_destroy);
+
+/// Solutions that take milliseconds: a small grid, at most.
+void bound_cost(wrc_scene* scene) {
+  const double grid[] = {static_cast<double>(1 + below(40)), static_cast<double>(1 + below(40))};
+  wrc_scene_set_numbers(scene, "solve.grid", grid, 2);
+  wrc_scene_set_number(scene, "solve.threads", static_cast<double>(1 + below(2)));
+}
+
+wrc_status call_scene() {
+  wrc_scene* scene = scenes.any();
+  double number = 0.0;
+  const char* text = nullptr;
+  std::int64_t count = 0;
+  switch (below(20)) {
+  case 0:
+    scenes.make();
+    return WRC_OK;
+  case 1:
+    scenes.destroy_one();
+    return WRC_OK;
+  case 2:
+  case 3:
+  case 4:
+    return wrc_scene_set_number(scene, any_text(), any_number());
+  case 5:
+  case 6:
+    return wrc_scene_set_text(scene, any_text(), any_text());
+  case 7:
+    return wrc_scene_set_numbers(scene, any_text(), any_array(), any_count());
+  case 8:
+    return wrc_scene_get_number(scene, any_text(), maybe(&number));
+  case 9:
+    return wrc_scene_get_text(scene, any_text(), maybe(&text));
+  case 10:
+    return wrc_scene_get_numbers(scene, any_text(), any_array(), any_capacity(), maybe(&count));
+  case 11:
+    return wrc_scene_set_profile(scene, any_text(), profiles.any());
+  case 12:
+    return wrc_scene_write(scene, any_text());
+  case 13:
+    bound_cost(scene);
+    return wrc_scene_solve(scene);
+  case 14:
+    return wrc_scene_number(scene, any_text(), maybe(&number));
+  case 15:
+    return wrc_scene_text(scene, any_text(), maybe(&text));
+  case 16:
+    return wrc_scene_field(scene, any_text(), any_array(), any_capacity(), maybe(&count));
+  case 17:
+    wrc_scene_number_name(scene, any_count());
+    wrc_scene_text_name(scene, any_count());
+    return wrc_scene_number_count(scene) >= 0 && wrc_scene_text_count(scene) >= 0 ? WRC_OK : -1;
+  case 18:
+    return wrc_scene_error(scene) != nullptr ? WRC_OK : -1;
+  default: {
+    const char* texts[4] = {};
+    return wrc_scene_key(any_count(), maybe(&texts[0]), &texts[1], &texts[2], &texts[3]);
+  }
+  }
+}
+
+wrc_status call_solver() {
+  wrc_solver* solver = solvers.any();
+  wrc_scene* scene = scenes.any();
+  switch (below(6)) {
+  case 0:
+    solvers.make();
+    return WRC_OK;
+  case 1:
+    solvers.destroy_one();
+    return WRC_OK;
+  case 2:
+    bound_cost(scene);
+    return wrc_solver_solve(solver, scene);
+  case 3:
+    return wrc_solver_forget(solver, static_cast<std::int32_t>(below(3)) - 1);
+  case 4:
+    return wrc_solver_error(solver) != nullptr ? WRC_OK : -1;
+  default: {
+    wrc_scene* batch[3] = {scene, scenes.any(), scenes.any()};
+    for (wrc_scene* each : batch) {
+      bound_cost(each);
+    }
+    wrc_status statuses[3] = {};
+    static constexpr std::array<std::int64_t, 5> counts{0, 1, 3, -1,
+                                                        std::numeric_limits<std::int64_t>::max()};
+    return wrc_solve_batch(maybe(batch), any_of(counts), static_cast<std::int32_t>(below(4)),
+                           maybe(statuses));
+  }
+  }
+}
+
+wrc_status call_profile() {
+  wrc_profile* profile = profiles.any();
+  double number = 0.0;
+  const char* text = nullptr;
+  std::int64_t count = 0;
+  std::int32_t kind = 0;
+  wrc_read_options options{};
+  options.struct_size = below(4) == 0 ? generator() : sizeof options;
+  options.kind_given = static_cast<std::int32_t>(below(2));
+  options.kind = static_cast<std::int32_t>(below(3));
+  options.mirror_lateral = static_cast<std::int32_t>(below(4)) - 1;
+  options.strict = static_cast<std::int32_t>(below(2));
+  options.scale = below(2) == 0 ? 0.0 : any_number();
+  options.smoothing_wavelength = below(2) == 0 ? 0.0 : any_number();
+  if (options.struct_size > sizeof options) {
+    options.struct_size = below(2) == 0 ? 8 : 0; // the caller's struct is no longer than this
+  }
+  switch (below(13)) {
+  case 0:
+    profiles.make();
+    return WRC_OK;
+  case 1:
+    profiles.destroy_one();
+    return WRC_OK;
+  case 2:
+  case 3:
+    return wrc_profile_load_standard(profile, any_text());
+  case 4:
+    return wrc_profile_load_file(profile, any_text(), maybe(&options));
+  case 5: {
+    static std::array<double, array_length> lateral{};
+    for (std::size_t i = 0; i < array_length; ++i) {
+      lateral[i] = static_cast<double>(i) - 30.0;
+    }
+    return wrc_profile_set_points(profile, any_text(), maybe(lateral.data()), any_array(),
+                                  below(2) == 0 ? 60 : any_count(), maybe(&options));
+  }
+  case 6:
+    return wrc_profile_write(profile, any_text(), any_number());
+  case 7:
+    return wrc_profile_kind(profile, maybe(&kind));
+  case 8:
+    return wrc_profile_text(profile, any_text(), maybe(&text));
+  case 9:
+    return wrc_profile_length(profile, maybe(&number));
+  case 10:
+    return wrc_profile_nodes(profile, any_array(), any_capacity(), maybe(&count));
+  case 11:
+    wrc_profile_correction(profile, any_count());
+    wrc_profile_standard_name(static_cast<std::int32_t>(below(4)) - 1, any_count());
+    return wrc_profile_error(profile) != nullptr ? WRC_OK : -1;
+  default:
+    return wrc_profile_at(profile, any_number(), maybe(&number), nullptr, nullptr, nullptr);
+  }
+}
+
+wrc_status call_normal() {
+  wrc_normal* normal = normals.any();
+  double number = 0.0;
+  const char* text = nullptr;
+  std::int64_t count = 0;
+  switch (below(12)) {
+  case 0:
+    normals.make();
+    return WRC_OK;
+  case 1:
+    normals.destroy_one();
+    return WRC_OK;
+  case 2:
+    return wrc_normal_set_grid(normal, any_count(), any_count(), any_number(), any_number());
+  case 3:
+    return wrc_normal_set_grid(normal, 16, 16, std::abs(any_number()), 0.1);
+  case 4:
+  case 5:
+    return wrc_normal_set_distance(normal, any_array(), below(2) == 0 ? 256 : any_count());
+  case 6:
+    return wrc_normal_set_number(normal, any_text(), any_number());
+  case 7:
+    wrc_normal_set_number(normal, "maximum_iterations", 200.0);
+    return wrc_normal_solve(normal);
+  case 8:
+    return wrc_normal_set_text(normal, any_text(), any_text());
+  case 9:
+    return wrc_normal_number(normal, any_text(), maybe(&number));
+  case 10:
+    return wrc_normal_text(normal, any_text(), maybe(&text));
+  default:
+    return wrc_normal_error(normal) != nullptr
+               ? wrc_normal_field(normal, any_text(), any_array(), any_capacity(), maybe(&count))
+               : -1;
+  }
+}
+
+wrc_status call_process() {
+  double time = 0.0;
+  void (*const one_function)(void*) = below(2) == 0 ? nullptr : +[](void*) {};
+  static constexpr std::array<std::int64_t, 6> sizes{
+      0, 1, 16, -1, std::numeric_limits<std::int64_t>::max(), std::int64_t{1} << 40};
+  switch (below(5)) {
+  case 0:
+    return wrc_load_wisdom(any_text());
+  case 1:
+    return wrc_save_wisdom(maybe("wisdom"));
+  case 2:
+    return wrc_measure_transform(any_of(sizes), any_of(sizes),
+                                 static_cast<std::int32_t>(below(4)) - 1, maybe(&time));
+  case 3:
+    return wrc_set_planner_lock(nullptr, one_function, nullptr);
+  default:
+    return wrc_version() != nullptr &&
+                   wrc_status_name(static_cast<wrc_status>(generator())) != nullptr
+               ? WRC_OK
+               : -1;
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fputs("usage: call_sequences COUNT SEED\n", stderr);
+    return 2;
+  }
+  const long count = std::strtol(argv[1], nullptr, 10);
+  generator.seed(std::strtoull(argv[2], nullptr, 10));
+  if (watch_calls != nullptr) {
+    watch_calls(1);
+  }
+  constexpr long calls_of_a_sequence = 100;
+  for (long i = 0; i < count; ++i) {
+    for (long k = 0; k < calls_of_a_sequence; ++k) {
+      wrc_status status = WRC_OK;
+      switch (below(16)) {
+      case 0:
+        status = call_process();
+        break;
+      case 1:
+      case 2:
+        status = call_solver();
+        break;
+      case 3:
+      case 4:
+      case 5:
+        status = call_profile();
+        break;
+      case 6:
+      case 7:
+      case 8:
+      case 9:
+        status = call_normal();
+        break;
+      default:
+        status = call_scene();
+      }
+      if (status < WRC_OK || status > WRC_BUSY || status == WRC_INTERNAL) {
+        std::fprintf(stderr, "sequence %ld, call %ld: status %d\n", i, k, status);
+        return 1;
+      }
+    }
+    if (i % 50 == 49) {
+      scenes.destroy_all();
+      solvers.destroy_all();
+      profiles.destroy_all();
+      normals.destroy_all();
+    }
+  }
+  if (watch_calls != nullptr) {
+    watch_calls(0);
+  }
+  return 0;
+}
