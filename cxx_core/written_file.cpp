@@ -8,6 +8,11 @@
 namespace wrc {
 
 void write_file(const std::filesystem::path& path, const std::string& content) {
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown) &&
+      !std::filesystem::is_regular_file(path, unknown)) { // a device would become a file
+    throw Error(ErrorCode::file_unreadable, path.string() + ": is there and is no regular file");
+  }
   std::filesystem::path aside = path;
   aside += ".partial";
   std::ofstream stream(aside, std::ios::binary | std::ios::trunc);

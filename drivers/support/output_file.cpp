@@ -10,6 +10,10 @@ namespace driver {
 namespace fs = std::filesystem;
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), aside_(path_) {
+  std::error_code unknown;
+  if (fs::exists(path_, unknown) && !fs::is_regular_file(path_, unknown)) {
+    throw Failure("cannot write " + path_.string() + ": it is there and is no regular file");
+  }
   aside_ += ".part" + std::to_string(getpid()) + path_.extension().string();
   stream_.open(aside_);
   if (!stream_) {

@@ -287,14 +287,14 @@ TEST(SceneExtremes, LoadsTooSmallToTellFromNoneGiveNoContact) {
 
 TEST(SceneExtremes, AnAbsurdOverlapIsRefused) {
   const ScenePointer scene = make_small_scene();
-  for (const double load : {1.5e9, 1e10, 1e12}) {
+  for (const double load : {1e9, 1e10, 1e12}) {
     ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", load), WRC_OK);
     EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT) << load;
     EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "50 mm")) << wrc_scene_error(scene.get());
   }
-  ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", 1e9), WRC_OK);
+  ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", 5e8), WRC_OK);
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
-  EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), 1e9, 1e3);
+  EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), 5e8, 500.0);
   ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.vertical", 409.0), WRC_OK);
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT);
   EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "pose.vertical = 409"));
