@@ -51,9 +51,9 @@ constexpr std::array touch_numbers{
     Number<ContactPlace>{"distance", [](const ContactPlace& p) { return p.distance; }},
 };
 
-/// Computed when it is asked for.
+/// Computed when it is asked for, unless a model has told it.
 double area_of_patch(const PatchResult& patch) {
-  return contact_area(patch.grid, patch.pressure);
+  return patch.area ? *patch.area : contact_area(patch.grid, patch.pressure);
 }
 
 constexpr std::array patch_numbers{
@@ -243,6 +243,9 @@ std::optional<double> side_value(SideResult& side, std::string_view name) {
   if (take(name, "sensitivities.")) {
     return sensitivity_value(side, name);
   }
+  if (name == "validity") {
+    return side.validity;
+  }
   return name == "error_estimate" ? side.error_estimate : find_in(side_numbers, side, name);
 }
 
@@ -268,8 +271,11 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
   if (side.error_estimate) {
     names.push_back(prefix + "error_estimate");
   }
+  if (side.validity) {
+    names.push_back(prefix + "validity");
+  }
   add_names(names, prefix + "residuals.", residual_numbers);
-  if (!side.patches.empty()) {
+  if (!side.patches.empty() && !side.validity) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }
@@ -283,6 +289,8 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
 
 void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
                     const std::string& prefix, const SideResult& side) {
+  texts.emplace_back(prefix + "model", side.model);
+  texts.emplace_back(prefix + "model_reason", side.model_reason);
   texts.emplace_back(prefix + "stop_reason", name_of(side.stop_reason));
   for (std::size_t i = 0; i < side.warnings.size(); ++i) {
     texts.emplace_back(prefix + "warnings." + std::to_string(i), side.warnings[i]);

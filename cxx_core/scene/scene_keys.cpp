@@ -245,9 +245,10 @@ std::vector<Key> solve_keys() {
                             }
                             return true;
                           }));
-  keys.push_back(word_key({"solve.model", "\"auto\"", "\"auto\" or \"half-space\"",
-                           "contact model; auto takes the half-space"},
-                          one_of({"auto", "half-space"}, &Scene::model)));
+  keys.push_back(word_key(
+      {"solve.model", "\"auto\"", "\"auto\", \"half-space\", \"hertz\" or \"kik-piotrowski\"",
+       "contact model; auto takes the half-space"},
+      one_of({"auto", "half-space", "hertz", "kik-piotrowski"}, &Scene::model)));
   keys.push_back(
       word_key({"solve.solver", "\"default\"", "\"default\" or \"paper\"",
                 "solver of the half-space: paper is Polonsky & Keer 1999, for comparison"},

@@ -79,6 +79,7 @@ struct PatchSolution {
   /// Along the normal, from where the bodies touch there: the deepest vertical penetration times
   /// the cosine of the angle.
   double approach = 0.0;
+  std::optional<double> area; ///< of an approximate model, in closed form
 };
 
 struct SideSolution {
@@ -94,6 +95,7 @@ struct SideSolution {
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
+  std::optional<double> validity;       ///< of an approximate model, see patch_model.hpp
   StopReason stop_reason = StopReason::tolerance_met;
   int iterations = 0;   ///< of all solutions together
   int convolutions = 0; ///< likewise: applications of the influence coefficients
