@@ -40,6 +40,10 @@ constexpr double vertical_convention_limit = 0.15;
 /// Elements across the contact with which an accuracy of 1e-2 starts, across the rail. Profiles are
 /// not smooth there, their curvature jumps.
 constexpr double first_lateral_resolution = 20.0;
+/// Grids are no coarser than this accuracy asks for: with fewer elements pmax changes by chance
+/// from step to step, which costs a moving wheel more new starts than it saves, and one run in ten
+/// is worse than asked (docs/accuracy.md).
+constexpr double coarsest_accuracy = 1e-2;
 /// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
 constexpr double longitudinal_share = 0.35;
 /// Elements across the contact at which it gives up.
@@ -107,8 +111,12 @@ private:
   /// For each patch of a trial, from those of the patch with the largest pressure.
   [[nodiscard]] static std::vector<Resolution> by_patch(const Trial& trial,
                                                         const Resolution& resolution);
+  /// The accuracy that grids are made for; met is the one asked.
+  [[nodiscard]] double grid_accuracy() const {
+    return std::min(request_.accuracy, coarsest_accuracy);
+  }
   [[nodiscard]] double tolerance() const {
-    return request_.grid ? request_.tolerance : iteration_share * request_.accuracy;
+    return request_.grid ? request_.tolerance : iteration_share * grid_accuracy();
   }
   Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
   Trial solve_on_final_grid(Trial coarse_trial, const Resolution& resolution);
@@ -312,8 +320,8 @@ Resolution SideSolver::start_resolution() const {
 }
 
 Resolution SideSolver::usual_resolution() const {
-  return {first_lateral_resolution * std::cbrt(1e-2 / request_.accuracy),
-          longitudinal_resolution(longitudinal_share * request_.accuracy)};
+  return {first_lateral_resolution * std::cbrt(1e-2 / grid_accuracy()),
+          longitudinal_resolution(longitudinal_share * grid_accuracy())};
 }
 
 std::vector<Resolution> SideSolver::by_patch(const Trial& trial, const Resolution& resolution) {
@@ -403,7 +411,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
     }
   }
   const double coarse_tolerance =
-      std::min(iteration_share * coarse_depth_share, iteration_share * request_.accuracy);
+      std::min(iteration_share * coarse_depth_share, iteration_share * grid_accuracy());
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
     trial = try_plan(plan, coarse_tolerance, {});
@@ -701,7 +709,7 @@ void SideSolver::remember(const Trial& trial) {
   double factor = 1.0;
   if (estimated_) {
     // As many elements as are enough, by the second order of the error.
-    factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * request_.accuracy)), 0.5, 1.0);
+    factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * grid_accuracy())), 0.5, 1.0);
     const double error = *result_.error_estimate + lateral_error_ * (1.0 / (factor * factor) - 1.0);
     // A grid given by hand says nothing of those that an accuracy chooses.
     memory_.error_estimate =
