@@ -27,6 +27,9 @@ constexpr int bisection_interval = 8;
 /// share of the contact angles' spread.
 constexpr double settled_share = 1e-3;
 constexpr int settling_steps = 20;
+/// Validity below which a warning is due: from there on errors of pmax reach tens of per cent in
+/// both models (docs/accuracy.md).
+constexpr double good_validity = 0.8;
 /// The least of Hertz's lateral curvature, in longitudinal ones, that a first depth is taken from.
 constexpr double least_curvature_share = 1e-3;
 
@@ -222,6 +225,14 @@ void ApproximateSide::take_patches() {
                    });
   result_.in_contact = !result_.patches.empty();
   result_.validity = validity;
+  if (validity < good_validity) {
+    result_.warnings.push_back("validity " + short_text_of(validity) + " (good from " +
+                               text_of(good_validity) +
+                               " on): pmax may be off by tens of per cent");
+  }
+  if (request_.interaction && result_.patches.size() > 1) {
+    result_.warnings.emplace_back("patches do not feel each other in this model");
+  }
 }
 
 SideSolution ApproximateSide::solve() {

@@ -19,7 +19,7 @@ class HertzPatch final : public PatchModel {
 public:
   HertzPatch(const ModelSide& side, const ContactPatch& place, const ContactStrip& contact)
       : PatchModel(tangent_frame(contact.rail, std::atan(contact.rail_slope))), side_(side),
-        contact_(contact), curvature_(contact.lateral_curvature),
+        place_(place), contact_(contact), curvature_(contact.lateral_curvature),
         lateral_per_s_(contact.lateral_rate / frame_.lateral.y) {
     if (!(curvature_ > 0.0)) {
       const double half_width =
@@ -66,8 +66,11 @@ private:
     return std::max(0.0, depth - (side_.first_touch + contact_.distance)) * frame_.normal.z;
   }
   [[nodiscard]] double validity_within(double half_width) const;
+  /// Of the gap at both ends of virtual penetration against the parabola there: a share below 1.
+  [[nodiscard]] double width_difference() const;
 
   const ModelSide& side_;
+  ContactPatch place_;
   ContactStrip contact_;
   double curvature_;     ///< S
   double lateral_per_s_; ///< along the tangent
@@ -98,21 +101,38 @@ ModelledPatch HertzPatch::solve(double depth) {
   return patch;
 }
 
+double HertzPatch::width_difference() const {
+  const double gap = virtual_penetration_share * place_.deepest * frame_.normal.z;
+  double difference = 0.0;
+  for (const double end : {place_.contact_first, place_.contact_last}) {
+    const double y = (end - contact_.rail.y) / frame_.normal.z;
+    const double ratio = 0.5 * curvature_ * y * y / gap;
+    difference = std::max(difference, 1.0 - std::min(ratio, 1.0 / ratio));
+  }
+  return difference;
+}
+
 double HertzPatch::validity_within(double half_width) const {
   const double edge_gap = 0.5 * curvature_ * half_width * half_width;
   double difference = 0.0;
-  for (int i = -compared_places; i <= compared_places; ++i) {
-    const double way = half_width * i / compared_places / lateral_per_s_;
-    const auto strip = side_.strips.at(contact_.s + way);
+  const auto compare_at = [&](double s) {
+    const auto strip = side_.strips.at(s);
     if (!strip) {
-      return 0.0;
+      return false;
     }
     const double gap = (strip->distance - contact_.distance) /
                        (frame_.normal.z + strip->rail_slope * frame_.lateral.z);
     const double y = dot(strip->rail - contact_.rail, frame_.lateral);
     difference = std::max(difference, std::abs(gap - 0.5 * curvature_ * y * y));
+    return true;
+  };
+  bool inside = true;
+  for (int i = -compared_places; i <= compared_places; ++i) {
+    inside = compare_at(contact_.s + half_width * i / compared_places / lateral_per_s_) && inside;
   }
-  return std::max(0.0, 1.0 - difference / edge_gap);
+  // Another lobe lies beyond the ellipse, but not beyond the virtual penetration.
+  difference = std::max(difference / edge_gap, width_difference());
+  return inside ? std::max(0.0, 1.0 - difference) : 0.0;
 }
 
 } // namespace

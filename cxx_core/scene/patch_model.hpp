@@ -13,7 +13,9 @@
 ///
 /// Validity, between 0 and 1: 1 less the largest difference between the lateral shape found and the
 /// one that the model's half-space solution stands on, as a share of that:
-///   Hertz: |gap - S y^2/2| over S b^2/2 within the ellipse, |y| <= b;
+///   Hertz: |gap - S y^2/2| over S b^2/2 within the ellipse, |y| <= b; and at both ends of virtual
+///   penetration, of which one lies in another lobe if there is one, gap and S y^2/2, the smaller
+///   one against the larger;
 ///   Kik & Piotrowski: |l^2/l_max^2 - (1 - (y/w)^2)|, against the ellipse of the same area and
 ///   length about the same centre, at the strips and at both ends.
 /// 0 if several regions make up the patch, or if contact ends at the end of a profile or at the

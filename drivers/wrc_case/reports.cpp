@@ -231,6 +231,11 @@ void print_table(const Scene& scene, std::ostream& out) {
   table.line("iterations", "", "iterations", 0);
   table.line("convolutions", "", "convolutions", 0);
   table.scientific("estimated relative error", "error_estimate");
+  const std::vector<std::string> sides = scene.sides();
+  if (std::all_of(sides.begin(), sides.end(),
+                  [&](const auto& side) { return scene.has_number(side + ".validity"); })) {
+    table.line("validity of the model", "", "validity", 3);
+  }
   table.scientific("load balance", "residuals.load_balance");
   table.scientific("least gap / displacement", "residuals.least_gap");
   table.scientific("complementarity", "residuals.complementarity");

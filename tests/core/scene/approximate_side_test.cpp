@@ -166,13 +166,13 @@ TEST(ApproximateSide, YawedStripsAreThoseOfTheStraightWheelAtSmallYaw) {
   EXPECT_NEAR(yawed.left->depth / straight.left->depth, 1.0, 1e-4);
 }
 
-/// Measured against the half-space solution, rounded up to the next per cent.
+/// Measured against the half-space solution: errors rounded up to the next per cent, validity down.
 TEST(ApproximateSide, CalmContactsAreNearTheHalfSpace) {
   struct Case {
-    double lateral, yaw, hertz, virtual_penetration;
+    double lateral, yaw, hertz, virtual_penetration, validity;
   };
-  for (const Case& calm : {Case{-5.0, 0.0, 0.01, 0.08}, Case{-3.0, 0.0, 0.01, 0.08},
-                           Case{3.0, 0.0, 0.01, 0.10}, Case{3.0, 0.02, 0.02, 0.10}}) {
+  for (const Case& calm : {Case{-5.0, 0.0, 0.01, 0.08, 0.75}, Case{-3.0, 0.0, 0.01, 0.08, 0.7},
+                           Case{3.0, 0.0, 0.01, 0.10, 0.7}, Case{3.0, 0.02, 0.02, 0.10, 0.65}}) {
     const Scene scene = scene_at(calm.lateral, calm.yaw);
     const SceneResult exact = solve_with("half-space", scene);
     const SceneResult hertz = solve_with("hertz", scene);
@@ -181,7 +181,7 @@ TEST(ApproximateSide, CalmContactsAreNearTheHalfSpace) {
     EXPECT_NEAR(quick.left->pmax / exact.left->pmax, 1.0, calm.virtual_penetration) << calm.lateral;
     EXPECT_NEAR(hertz.left->depth / exact.left->depth, 1.0, 0.01);
     EXPECT_NEAR(quick.left->depth / exact.left->depth, 1.0, 0.05);
-    EXPECT_GT(*hertz.left->validity, 0.7);
+    EXPECT_GT(*hertz.left->validity, calm.validity);
     EXPECT_GT(*quick.left->validity, 0.7);
   }
 }
@@ -194,6 +194,17 @@ TEST(ApproximateSide, TwoLobesAreMissedAndValiditySaysSo) {
   EXPECT_LT(quick.left->pmax, 0.7 * exact.left->pmax);
   EXPECT_GT(quick.left->pmax, 0.4 * exact.left->pmax);
   EXPECT_EQ(*quick.left->validity, 0.0);
+  ASSERT_FALSE(quick.left->warnings.empty());
+  EXPECT_EQ(quick.left->warnings.back().substr(0, 10), "validity 0");
+}
+
+/// The ellipse itself is a good one; the other lobe lies beyond it.
+TEST(ApproximateSide, HertzsValidityKnowsOfAnotherLobe) {
+  const Scene scene = scene_at(5.25);
+  const SceneResult exact = solve_with("half-space", scene);
+  const SceneResult hertz = solve_with("hertz", scene);
+  EXPECT_GT(std::abs(hertz.left->pmax / exact.left->pmax - 1.0), 0.15);
+  EXPECT_LT(*hertz.left->validity, 0.1);
 }
 
 TEST(ApproximateSide, LoadIsMetFromSmallToLarge) {
