@@ -70,9 +70,9 @@ constexpr std::array touch_numbers{
     Number<ContactPlace>{"distance", length, [](const ContactPlace& p) { return p.distance; }},
 };
 
-/// Computed when it is asked for.
+/// Computed when it is asked for, unless a model has told it.
 double area_of_patch(const PatchResult& patch) {
-  return contact_area(patch.grid, patch.pressure);
+  return patch.area ? *patch.area : contact_area(patch.grid, patch.pressure);
 }
 
 constexpr std::array patch_numbers{
@@ -280,6 +280,9 @@ std::optional<Value> side_value(SideResult& side, std::string_view name) {
   if (name == "error_estimate") {
     return side.error_estimate ? std::optional(Value{*side.error_estimate, pure}) : std::nullopt;
   }
+  if (name == "validity") {
+    return side.validity ? std::optional(Value{*side.validity, pure}) : std::nullopt;
+  }
   return find_in(side_numbers, side, name);
 }
 
@@ -305,8 +308,13 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
   if (side.error_estimate) {
     names.push_back(prefix + "error_estimate");
   }
+  if (side.validity) {
+    names.push_back(prefix + "validity");
+  }
   if (side.solved) {
     add_names(names, prefix + "residuals.", residual_numbers);
+  }
+  if (side.solved && !side.validity) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }
@@ -320,6 +328,8 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
 
 void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
                     const std::string& prefix, const SideResult& side) {
+  texts.emplace_back(prefix + "model", side.model);
+  texts.emplace_back(prefix + "model_reason", side.model_reason);
   texts.emplace_back(prefix + "stop_reason", name_of(side.stop_reason));
   for (std::size_t i = 0; i < side.warnings.size(); ++i) {
     texts.emplace_back(prefix + "warnings." + std::to_string(i), side.warnings[i]);

@@ -349,9 +349,12 @@ std::vector<Key> solve_keys() {
       {{"tangent", GapConvention::tangent}, {"vertical", GapConvention::vertical}},
       [](auto& s) -> auto& { return s.gap; }));
   keys.push_back(word_key(
-      {"solve.model", "\"auto\"", "\"auto\" or \"half-space\"",
+      {"solve.model", "\"auto\"", "\"auto\", \"half-space\", \"hertz\" or \"kik-piotrowski\"",
        "contact model; auto takes the half-space"},
-      StringWords{{"auto", "auto"}, {"half-space", "half-space"}},
+      StringWords{{"auto", "auto"},
+                  {"half-space", "half-space"},
+                  {"hertz", "hertz"},
+                  {"kik-piotrowski", "kik-piotrowski"}},
       [](auto& s) -> auto& { return s.model; }));
   keys.push_back(word_key(
       {"solve.solver", "\"default\"", "\"default\" or \"paper\"",

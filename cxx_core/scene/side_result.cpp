@@ -84,6 +84,7 @@ PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined
   result.undeformed_distance = std::move(patch.undeformed_distance);
   result.pressure = std::move(patch.pressure);
   result.share = patch.share;
+  result.area = patch.area;
   return result;
 }
 
@@ -143,6 +144,7 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   result.pmax = solution.peak_pressure;
   result.depth = solution.next_depth;
   result.error_estimate = solution.error_estimate;
+  result.validity = solution.validity;
   result.stop_reason = solution.stop_reason;
   const PosedPair pair{*wheel, *rail, equilibrium.pose, solution.vertical};
   for (PatchSolution& patch : solution.patches) {

@@ -53,6 +53,8 @@ struct PatchResult {
   std::vector<double> undeformed_distance;
   std::vector<double> pressure;
   double share = 1.0; ///< of the joint problem's approach
+  /// Of an approximate model; that of a half-space solution is computed from the pressures.
+  std::optional<double> area;
 };
 
 /// What the fields of all patches have in common.
@@ -94,6 +96,9 @@ struct SideResult {
   double depth = 0.0;    ///< vertical approach, from the first touch
   double angle = 0.0;    ///< of the first patch
   std::optional<double> error_estimate;
+  std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
+  std::string model;              ///< used for this side, and ...
+  std::string model_reason;       ///< ... why
   int iterations = 0;
   int convolutions = 0;
   int solutions = 0;

@@ -115,7 +115,7 @@ SideRates compute_rates(const SideResult& side) {
 } // namespace
 
 const SideRates* sensitivities_of(SideResult& side) {
-  if (side.patches.empty() || !side.solved) {
+  if (side.patches.empty() || !side.solved || side.validity) {
     return nullptr;
   }
   if (!side.sensitivities) {

@@ -15,7 +15,7 @@
 
 namespace wrc {
 
-/// Computed once; none without contact.
+/// Computed once; none without contact, nor for an approximate model.
 const SideRates* sensitivities_of(SideResult& side);
 
 } // namespace wrc

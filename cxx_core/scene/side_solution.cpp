@@ -40,6 +40,10 @@ constexpr double vertical_convention_limit = 0.15;
 /// Elements across the contact with which an accuracy of 1e-2 starts, across the rail. Profiles are
 /// not smooth there, their curvature jumps.
 constexpr double first_lateral_resolution = 20.0;
+/// Grids are no coarser than this accuracy asks for: with fewer elements pmax changes by chance
+/// from step to step, which costs a moving wheel more new starts than it saves, and one run in ten
+/// is worse than asked (docs/accuracy.md).
+constexpr double coarsest_accuracy = 1e-2;
 /// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
 constexpr double longitudinal_share = 0.35;
 /// Elements across the contact at which it gives up.
@@ -112,8 +116,12 @@ private:
   /// For each patch of a trial, from those of the patch with the largest pressure.
   [[nodiscard]] static std::vector<Resolution> by_patch(const Trial& trial,
                                                         const Resolution& resolution);
+  /// The accuracy that grids are made for; met is the one asked.
+  [[nodiscard]] double grid_accuracy() const {
+    return std::min(request_.accuracy, coarsest_accuracy);
+  }
   [[nodiscard]] double tolerance() const {
-    return request_.grid ? request_.tolerance : iteration_share * request_.accuracy;
+    return request_.grid ? request_.tolerance : iteration_share * grid_accuracy();
   }
   Trial sample_penetration(double depth);
   Trial settle_on_coarse_grids(double depth, const Resolution& resolution);
@@ -323,8 +331,8 @@ Resolution SideSolver::start_resolution() const {
 }
 
 Resolution SideSolver::usual_resolution() const {
-  return {first_lateral_resolution * std::cbrt(1e-2 / request_.accuracy),
-          longitudinal_resolution(longitudinal_share * request_.accuracy)};
+  return {first_lateral_resolution * std::cbrt(1e-2 / grid_accuracy()),
+          longitudinal_resolution(longitudinal_share * grid_accuracy())};
 }
 
 std::vector<Resolution> SideSolver::by_patch(const Trial& trial, const Resolution& resolution) {
@@ -414,7 +422,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
     }
   }
   const double coarse_tolerance =
-      std::min(iteration_share * coarse_depth_share, iteration_share * request_.accuracy);
+      std::min(iteration_share * coarse_depth_share, iteration_share * grid_accuracy());
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
     trial = try_plan(plan, coarse_tolerance, {});
@@ -694,28 +702,9 @@ SideSolution SideSolver::solve() {
   if (request_.until == Module::geometry) {
     return std::move(result_);
   }
-  const double load = position_is_prescribed() ? 1.0 : prescribed_load();
-  const double depth = load > 0.0 ? first_depth() : 0.0;
-  if (!(depth >= least_depth)) {
-    if (position_is_prescribed()) {
-      result_.warnings.emplace_back("no contact at this height");
-    } else if (load > 0.0) {
-      result_.warnings.push_back(
-          "the load, " + text_of(load) + " N, is taken for none: it presses " +
-          "wheel and rail together by less than " + text_of(least_depth) + " mm");
-    } else {
-      result_.warnings.emplace_back("no load");
-    }
+  const double depth = position_is_prescribed() || prescribed_load() > 0.0 ? first_depth() : 0.0;
+  if (!is_in_contact(request_, depth, result_.warnings)) {
     return std::move(result_);
-  }
-  if (!(depth < greatest_depth)) {
-    throw_invalid_argument(position_is_prescribed() ? "pose.vertical"
-                           : request_.normal_load   ? "load.normal"
-                                                    : "load of a wheel",
-                           position_is_prescribed() ? *request_.vertical : load,
-                           "wheel and rail would overlap by " + short_text_of(depth) +
-                               " mm or more; allowed is less than " + text_of(greatest_depth) +
-                               " mm");
   }
   if (request_.until == Module::remesh) {
     take(sample_penetration(depth));
@@ -750,7 +739,7 @@ void SideSolver::remember(const Trial& trial) {
   double factor = 1.0;
   if (estimated_) {
     // As many elements as are enough, by the second order of the error.
-    factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * request_.accuracy)), 0.5, 1.0);
+    factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * grid_accuracy())), 0.5, 1.0);
     const double error = *result_.error_estimate + lateral_error_ * (1.0 / (factor * factor) - 1.0);
     // A grid given by hand says nothing of those that an accuracy chooses.
     memory_.error_estimate =
@@ -782,6 +771,31 @@ void SideSolver::remember(const Trial& trial) {
 }
 
 } // namespace
+
+bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings) {
+  const double load = request.normal_load.value_or(request.vertical_load.value_or(0.0));
+  if (!(depth >= least_depth)) {
+    if (request.vertical) {
+      warnings.emplace_back("no contact at this height");
+    } else if (load > 0.0) {
+      warnings.push_back("the load, " + text_of(load) + " N, is taken for none: it presses wheel " +
+                         "and rail together by less than " + text_of(least_depth) + " mm");
+    } else {
+      warnings.emplace_back("no load");
+    }
+    return false;
+  }
+  if (!(depth < greatest_depth)) {
+    throw_invalid_argument(request.vertical      ? "pose.vertical"
+                           : request.normal_load ? "load.normal"
+                                                 : "load of a wheel",
+                           request.vertical.value_or(load),
+                           "wheel and rail would overlap by " + short_text_of(depth) +
+                               " mm or more; allowed is less than " + text_of(greatest_depth) +
+                               " mm");
+  }
+  return true;
+}
 
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,

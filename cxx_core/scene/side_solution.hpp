@@ -83,6 +83,7 @@ struct PatchSolution {
   /// Along the normal, from where the bodies touch there: the deepest vertical penetration times
   /// the cosine of the angle.
   double approach = 0.0;
+  std::optional<double> area; ///< of an approximate model, in closed form
 };
 
 struct SideSolution {
@@ -99,6 +100,7 @@ struct SideSolution {
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
+  std::optional<double> validity;       ///< of an approximate model, see patch_model.hpp
   StopReason stop_reason = StopReason::tolerance_met;
   int iterations = 0;   ///< of all solutions together
   int convolutions = 0; ///< likewise: applications of the influence coefficients
@@ -108,8 +110,11 @@ struct SideSolution {
   std::vector<std::string> warnings;
 };
 
-/// `memory` is read if valid, and written. Loads too small to tell from none give no contact, with
-/// a warning; loads and positions with an absurd overlap throw Error(invalid_argument).
+/// Whether there is contact at a depth found from the request. If not, a warning says why: loads too
+/// small to tell from none are taken for none. An absurd overlap throws Error(invalid_argument).
+bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings);
+
+/// `memory` is read if valid, and written.
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,
                         NormalSolver& solver, SideMemory& memory);

@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "profile/readers.hpp"
+#include "scene/model_choice.hpp"
 
 namespace wrc {
 namespace {
@@ -228,7 +229,8 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   result.vertical = equilibrium.vertical;
   result.time.geometry = milliseconds_since(geometry_start);
 
-  result.model = "half-space";
+  const ModelChoice choice = choose_model(scene);
+  result.model = choice.name;
   result.solver = scene.solver == "paper" ? "paper" : "default";
   const auto solve_one = [&](const SideEquilibrium& equilibrium_of_side, double load,
                              SideState& side) {
@@ -248,10 +250,16 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     side_request.interaction = scene.interaction;
     side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
     side_request.until = scene.until;
+    if (choice.approximate && scene.until == Module::mechanics) {
+      return solve_side_approximately(*wheel, *rail, equilibrium_of_side, side_request,
+                                      *choice.approximate);
+    }
     return solve_side(*wheel, *rail, equilibrium_of_side, side_request, *side.solver, side.memory);
   };
-  const auto note_jump = [&scene](SideResult& result_of_side, const SideEquilibrium& found,
-                                  double mirror, SideState& side) {
+  const auto complete = [&](SideResult& result_of_side, const SideEquilibrium& found, double mirror,
+                            SideState& side) {
+    result_of_side.model = choice.name;
+    result_of_side.model_reason = choice.reason;
     const double lateral = mirror * scene.lateral;
     if (side.touch) {
       result_of_side.jump = jump_of(found.scan, *side.touch, lateral);
@@ -277,13 +285,13 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     SideSolution solution = solve_one(*equilibrium.left, scene.left_load, left);
     add_times(solution);
     result.left = make_side_result(std::move(solution), wheel, rail, *equilibrium.left, 1.0);
-    note_jump(*result.left, *equilibrium.left, 1.0, left);
+    complete(*result.left, *equilibrium.left, 1.0, left);
   }
   if (equilibrium.right) {
     SideSolution solution = other.get();
     add_times(solution);
     result.right = make_side_result(std::move(solution), wheel, rail, *equilibrium.right, -1.0);
-    note_jump(*result.right, *equilibrium.right, -1.0, right);
+    complete(*result.right, *equilibrium.right, -1.0, right);
   }
   if (result.left && result.right) {
     result.rolling_radius_difference =

@@ -25,6 +25,8 @@ public:
   Solver();
   /// Solves like Scene::solve, with what is kept.
   bool solve(Scene& scene);
+  /// The next solution starts without positions of earlier ones.
+  void forget_positions();
 
 private:
   std::unique_ptr<wrc_solver, void (*)(wrc_solver*)> handle_;

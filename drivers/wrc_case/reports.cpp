@@ -202,11 +202,7 @@ bool is_count(const std::string& name) {
                      [&name](const char* count) { return name.ends_with(count); });
 }
 
-} // namespace
-
-namespace {
-
-void print_solution(const TablePrinter& table) {
+void print_solution(const Scene& scene, const TablePrinter& table) {
   table.head("Contact, all patches");
   table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
@@ -221,6 +217,11 @@ void print_solution(const TablePrinter& table) {
   table.line("iterations", "", "iterations", 0);
   table.line("convolutions", "", "convolutions", 0);
   table.scientific("estimated relative error", "error_estimate");
+  const std::vector<std::string> sides = scene.sides();
+  if (std::all_of(sides.begin(), sides.end(),
+                  [&](const auto& side) { return scene.has_number(side + ".validity"); })) {
+    table.line("validity of the model", "", "validity", 3);
+  }
   table.scientific("load balance", "residuals.load_balance");
   table.scientific("least gap / displacement", "residuals.least_gap");
   table.scientific("complementarity", "residuals.complementarity");
@@ -247,7 +248,7 @@ void print_table(const Scene& scene, std::ostream& out) {
   table.line("rolling radius", "mm", "rigid_contact.rolling_radius", 4);
   const std::string until = scene.input_text("solve.until");
   if (until == "mechanics") {
-    print_solution(table);
+    print_solution(scene, table);
     print_patch_forces(scene, out);
   }
   if (until != "geometry") {

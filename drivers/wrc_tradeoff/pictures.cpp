@@ -1,0 +1,216 @@
+#include "wrc_tradeoff/pictures.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "support/gnuplot.hpp"
+#include "wrc_tradeoff/statistics.hpp"
+
+namespace tradeoff {
+namespace {
+
+constexpr double least_shown = 1e-7;
+
+/// Points of several kinds on one picture; kinds without points are left out, which gnuplot would
+/// refuse.
+class Series {
+public:
+  std::ostringstream& add(const std::string& style, const std::string& title) {
+    kinds_.push_back({style + " title '" + title + '\'', std::ostringstream()});
+    return kinds_.back().points;
+  }
+  void plot(std::ostream& script, const std::string& first = "") const {
+    script << "plot " << first;
+    const char* separator = first.empty() ? "" : ", ";
+    for (const Kind& kind : kinds_) {
+      if (!kind.points.view().empty()) {
+        script << separator << "'-' " << kind.style;
+        separator = ", ";
+      }
+    }
+    script << '\n';
+    for (const Kind& kind : kinds_) {
+      if (!kind.points.view().empty()) {
+        script << kind.points.view() << "e\n";
+      }
+    }
+  }
+
+private:
+  struct Kind {
+    std::string style;
+    std::ostringstream points;
+  };
+  std::deque<Kind> kinds_;
+};
+
+using ErrorOf = std::function<double(const WheelError&)>;
+
+/// Warm times of all scenes and errors of all wheels of a way.
+struct Cloud {
+  std::vector<double> times;
+  std::vector<double> errors;
+};
+
+Cloud cloud_of(const std::vector<Measured>& all, const Way& way, const ErrorOf& error_of) {
+  Cloud cloud;
+  for (const Measured& measured : all) {
+    for (const Run& run : measured.runs) {
+      if (run.way.label == way.label && run.way.accuracy == way.accuracy &&
+          run.way.grid == way.grid) {
+        cloud.times.push_back(run.warm_ms);
+        for (const WheelError& error : run.warm) {
+          cloud.errors.push_back(std::max(error_of(error), least_shown));
+        }
+      }
+    }
+  }
+  return cloud;
+}
+
+void draw_work_precision(const std::vector<Measured>& all, const std::filesystem::path& path) {
+  driver::Gnuplot plot;
+  auto& script = plot.script();
+  script << "set multiplot layout 1,3\nset logscale xy\nset grid\nset xlabel 'median time, both "
+            "wheels, warm, ms'\nset format y '10^{%T}'\nset key bottom left\n";
+  const std::pair<const char*, ErrorOf> quantities[] = {
+      {"pmax", [](const WheelError& error) { return error.pmax; }},
+      {"approach", [](const WheelError& error) { return error.approach; }},
+      {"area", [](const WheelError& error) { return error.area; }}};
+  for (const auto& [quantity, error_of] : quantities) {
+    script << "set title '" << quantity << "'\nset ylabel 'relative error: median, and to 95 %'\n";
+    Series series;
+    for (const char* label : {"auto", "double", "grid", "hertz", "kik-piotrowski"}) {
+      auto& points = series.add("using 1:2:3:4 with yerrorlines pt 7 ps 0.6", label);
+      for (const Way& way : all_ways(true)) {
+        const Cloud cloud = way.label == label ? cloud_of(all, way, error_of) : Cloud{};
+        if (!cloud.times.empty()) {
+          const double middle = median(cloud.errors);
+          points << median(cloud.times) << ' ' << middle << ' ' << middle << ' '
+                 << quantile(cloud.errors, 0.95) << '\n';
+        }
+      }
+    }
+    series.plot(script);
+  }
+  script << "unset multiplot\n";
+  plot.draw(path, 1500, 500);
+}
+
+void draw_asked(const std::vector<Measured>& all, const std::filesystem::path& path) {
+  driver::Gnuplot plot;
+  auto& script = plot.script();
+  script << "set logscale xy\nset grid\nset xlabel 'accuracy asked'\nset ylabel 'error of pmax and "
+            "approach, the larger one'\nset format '10^{%T}'\nset key bottom right\n"
+            "set xrange [2e-4:2e-1]\n";
+  const std::pair<const char*, double AskedRow::*> lines[] = {{"worst", &AskedRow::worst},
+                                                              {"99 %", &AskedRow::error_99},
+                                                              {"95 %", &AskedRow::error_95},
+                                                              {"median", &AskedRow::median_error}};
+  Series series;
+  for (const auto& [title, member] : lines) {
+    auto& points = series.add("with linespoints pt 7", title);
+    for (const AskedRow& row : asked_rows(all)) {
+      if (row.label == "auto" && row.samples > 0) {
+        points << row.asked << ' ' << row.*member << '\n';
+      }
+    }
+  }
+  series.plot(script, "x with lines dt 2 lc 'black' title 'as asked', 3*x with lines dt 3 lc "
+                      "'black' title 'three times'");
+  plot.draw(path, 700, 600);
+}
+
+void draw_estimate(const std::vector<Measured>& all, const std::filesystem::path& path) {
+  driver::Gnuplot plot;
+  auto& script = plot.script();
+  script << "set logscale xy\nset grid\nset xlabel 'estimated error'\nset ylabel 'error of pmax "
+            "and approach, the larger one'\nset format '10^{%T}'\nset key bottom right\n"
+            "set xrange [1e-5:1]\nset yrange [1e-7:1]\n";
+  Series series;
+  for (const double asked : accuracies) {
+    std::ostringstream title;
+    title << "asked " << asked;
+    auto& points = series.add("with points pt 7 ps 0.3", title.str());
+    for (const Measured& measured : all) {
+      for (const Run& run : measured.runs) {
+        if (run.way.label != "auto" || run.way.accuracy != asked) {
+          continue;
+        }
+        for (const WheelError& error : run.cold) {
+          if (error.estimate) {
+            points << *error.estimate << ' ' << std::max(error.controlled(), least_shown) << '\n';
+          }
+        }
+      }
+    }
+  }
+  series.plot(script, "x with lines lc 'black' title 'as estimated', x/10 with lines dt 2 lc "
+                      "'black' title 'a tenth'");
+  plot.draw(path, 700, 600);
+}
+
+/// Whether a model meets 10 % of pmax and approach of a wheel.
+bool is_enough(const Measured& measured, const std::string& model, std::size_t side) {
+  return std::any_of(measured.runs.begin(), measured.runs.end(), [&](const Run& run) {
+    return run.way.label == model && run.cold[side].controlled() <= 0.1;
+  });
+}
+
+void draw_models(const std::vector<Measured>& all, const std::filesystem::path& path) {
+  driver::Gnuplot plot;
+  auto& script = plot.script();
+  script << "set multiplot layout 1,2\nset grid\nset logscale y\nset xlabel 'validity'\nset ylabel "
+            "'error of pmax'\nset format y '10^{%T}'\nset key bottom left\nset xrange "
+            "[-0.02:1.02]\nset title 'errors of models'\n";
+  Series errors;
+  for (const char* label : {"hertz", "kik-piotrowski"}) {
+    auto& points = errors.add("with points pt 7 ps 0.4", label);
+    for (const Measured& measured : all) {
+      for (const Run& run : measured.runs) {
+        if (run.way.label != label) {
+          continue;
+        }
+        for (const WheelError& error : run.cold) {
+          points << error.validity.value_or(0.0) << ' ' << std::max(error.pmax, least_shown)
+                 << '\n';
+        }
+      }
+    }
+  }
+  errors.plot(script);
+  script << "set xlabel 'displacement towards the flange, mm'\nset ylabel 'load on a wheel, N'\n"
+            "set format y '10^{%T}'\nset xrange [*:*]\nset key outside bottom center horizontal\n"
+            "set title 'cheapest model within 10 % of pmax and approach'\n";
+  Series winners;
+  auto& hertz = winners.add("with points pt 7 ps 0.6", "hertz");
+  auto& quick = winners.add("with points pt 7 ps 0.6", "kik-piotrowski only");
+  auto& half_space = winners.add("with points pt 7 ps 0.6", "half-space only");
+  for (const Measured& measured : all) {
+    for (std::size_t side = 0; side < 2 && measured.failure.empty(); ++side) {
+      auto& points = is_enough(measured, "hertz", side)            ? hertz
+                     : is_enough(measured, "kik-piotrowski", side) ? quick
+                                                                   : half_space;
+      // Seen from the left wheel: the right one moves the other way.
+      points << (side == 0 ? 1.0 : -1.0) * measured.scene.number_or("pose.lateral", 0.0) << ' '
+             << measured.scene.number_or("load.vertical", 80000.0) << '\n';
+    }
+  }
+  winners.plot(script);
+  script << "unset multiplot\n";
+  plot.draw(path, 1300, 550);
+}
+
+} // namespace
+
+void draw_pictures(const std::vector<Measured>& all, const std::filesystem::path& folder) {
+  draw_work_precision(all, folder / "tradeoff_work_precision.png");
+  draw_asked(all, folder / "tradeoff_asked.png");
+  draw_estimate(all, folder / "tradeoff_estimate.png");
+  draw_models(all, folder / "tradeoff_models.png");
+}
+
+} // namespace tradeoff

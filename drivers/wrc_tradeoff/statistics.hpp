@@ -1,0 +1,62 @@
+/// What the measurements of all scenes say together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tradeoff {
+
+struct Measured;
+
+/// The value below which this share of the values lies, between neighbours; NaN of none.
+double quantile(std::vector<double> values, double share);
+double median(const std::vector<double>& values);
+
+/// Of an accuracy asked, over all wheels, cold and warm.
+struct AskedRow {
+  std::string label; ///< of the way
+  double asked = 0.0;
+  int samples = 0;
+  double met = 0.0; ///< share with pmax and approach within the accuracy
+  double median_error = 0.0;
+  double error_95 = 0.0;
+  double error_99 = 0.0;
+  double worst = 0.0;
+  double bounded = 0.0;         ///< share of estimates that are no less than the error
+  double median_estimate = 0.0; ///< over the error
+  double told = 0.0;            ///< share of misses of which a warning or the estimate told
+  double median_warm_ms = 0.0;
+  double median_cold_ms = 0.0;
+};
+std::vector<AskedRow> asked_rows(const std::vector<Measured>& all);
+
+/// A wheel's run beyond the accuracy asked.
+struct Miss {
+  std::string scene, group, side, state, label, warnings;
+  double asked = 0.0, pmax = 0.0, approach = 0.0, estimate = 0.0, truth_uncertainty = 0.0;
+};
+std::vector<Miss> misses(const std::vector<Measured>& all);
+
+/// Of a model: errors of pmax and approach by validity.
+struct ModelRow {
+  std::string label;
+  double validity_from = 0.0, validity_to = 0.0;
+  int samples = 0;
+  double median_pmax = 0.0, pmax_95 = 0.0, worst_pmax = 0.0, median_approach = 0.0,
+         approach_95 = 0.0;
+  double within_10 = 0.0; ///< share with both errors below 10 %
+  double median_warm_ms = 0.0;
+};
+std::vector<ModelRow> model_rows(const std::vector<Measured>& all);
+
+/// The automatic choice against the best grid by hand, of the scenes with grids.
+struct HandRow {
+  double asked = 0.0;
+  int scenes = 0;            ///< with a grid that meets the accuracy
+  double median_ratio = 0.0; ///< time of auto over that of the best grid, warm
+  double ratio_90 = 0.0;
+  double within = 0.0; ///< share within 1.5 times
+};
+std::vector<HandRow> hand_rows(const std::vector<Measured>& all);
+
+} // namespace tradeoff
