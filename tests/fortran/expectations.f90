@@ -1,0 +1,34 @@
+!> What the Fortran tests expect, and how many times it was not so.
+module expectations
+  use, intrinsic :: iso_fortran_env, only: error_unit, real64
+  implicit none
+  private
+  public :: expect, near, same, finish
+  integer :: failures = 0
+
+contains
+
+  subroutine expect(condition, what)
+    logical, intent(in) :: condition
+    character(*), intent(in) :: what
+    if (condition) return
+    failures = failures + 1
+    write (error_unit, '(2a)') 'not so: ', what
+  end subroutine expect
+
+  pure elemental logical function near(value, expected, tolerance)
+    real(real64), intent(in) :: value, expected, tolerance
+    near = abs(value - expected) <= tolerance*abs(expected)
+  end function near
+
+  !> The same number, bit for bit.
+  pure elemental logical function same(value, expected)
+    real(real64), intent(in) :: value, expected
+    same = value >= expected .and. value <= expected
+  end function same
+
+  subroutine finish()
+    if (failures > 0) error stop 'expectations failed'
+  end subroutine finish
+
+end module expectations
