@@ -24,7 +24,7 @@ end module counted_lock
 !> (namelist_test.f90): keys, convention, names of results, fields of rank 2, profiles, solvers,
 !> batches, normal contact, the library.
 program module_test
-  use, intrinsic :: iso_c_binding, only: c_funloc, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
+  use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
   use, intrinsic :: iso_fortran_env, only: real64
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
   use wrcontact
@@ -384,6 +384,7 @@ contains
   subroutine the_library_tells_of_itself()
     integer :: stat, i, found
     integer(c_int), target :: locked
+    type(c_funptr) :: lock, unlock
     character(:), allocatable :: name, default_value, allowed, meaning
     character(200) :: errmsg
     type(contact_scene) :: scene
@@ -415,13 +416,16 @@ contains
     call expect(stat == wrc_file_unreadable, 'no folder')
 
     locked = 0
-    call set_planner_lock(c_funloc(count_lock), c_funloc(count_unlock), c_loc(locked))
+    ! In variables: gfortran 12 puts constant addresses where the linker cannot reach them.
+    lock = c_funloc(count_lock)
+    unlock = c_funloc(count_unlock)
+    call set_planner_lock(lock, unlock, c_loc(locked))
     call small(scene)
     call scene%set('solve.grid', [37, 23])
     call scene%solve()
     call expect(locked > 0 .and. locked/1000 == mod(locked, 1000), 'taken and given back as often')
     call set_planner_lock(c_null_funptr, c_null_funptr, c_null_ptr)
-    call set_planner_lock(c_funloc(count_lock), c_null_funptr, c_null_ptr, stat)
+    call set_planner_lock(lock, c_null_funptr, c_null_ptr, stat)
     call expect(stat == wrc_invalid_argument, 'half a lock')
   end subroutine the_library_tells_of_itself
 
