@@ -3,7 +3,7 @@ module expectations
   use, intrinsic :: iso_fortran_env, only: error_unit, real64
   implicit none
   private
-  public :: expect, near, same, finish
+  public :: expect, finish, is_nan, near, same
   integer :: failures = 0
 
 contains
@@ -26,6 +26,12 @@ contains
     real(real64), intent(in) :: value, expected
     same = value >= expected .and. value <= expected
   end function same
+
+  !> By hand, since gfortran 12's own is of the wrong kind with -fdefault-integer-8.
+  pure elemental logical function is_nan(value)
+    real(real64), intent(in) :: value
+    is_nan = .not. abs(value) >= 0.0_real64
+  end function is_nan
 
   subroutine finish()
     if (failures > 0) error stop 'expectations failed'

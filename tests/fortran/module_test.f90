@@ -8,14 +8,14 @@ contains
     type(c_ptr), value :: context
     integer(c_int), pointer :: locked
     call c_f_pointer(context, locked)
-    locked = locked + 1
+    locked = locked + 1_c_int
   end subroutine count_lock
 
   subroutine count_unlock(context) bind(C)
     type(c_ptr), value :: context
     integer(c_int), pointer :: locked
     call c_f_pointer(context, locked)
-    locked = locked + 1000
+    locked = locked + 1000_c_int
   end subroutine count_unlock
 
 end module counted_lock
@@ -26,9 +26,8 @@ end module counted_lock
 program module_test
   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
   use, intrinsic :: iso_fortran_env, only: real64
-  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
   use wrcontact
-  use expectations, only: expect, finish, near, same
+  use expectations, only: expect, finish, is_nan, near, same
   use counted_lock, only: count_lock, count_unlock
   implicit none
 
@@ -72,7 +71,7 @@ contains
     call scene%create()
     call expect(same(scene%get_number('track.gauge'), 1435.0_real64), 'a default')
     call expect(scene%get_text('pose.roll') == 'solve', 'a word')
-    call expect(ieee_is_nan(scene%get_number('pose.roll', stat)), 'a word is no number')
+    call expect(is_nan(scene%get_number('pose.roll', stat)), 'a word is no number')
     call expect(stat == wrc_invalid_argument, 'and says so')
     word = scene%get_text('track.gauge', stat)
     call expect(stat == wrc_invalid_argument .and. len(word) == 0, 'a number is no word')
@@ -314,7 +313,7 @@ contains
       end do
     end do
     call normal%create()
-    call expect(ieee_is_nan(normal%number('pmax', stat)), 'not solved')
+    call expect(is_nan(normal%number('pmax', stat)), 'not solved')
     call expect(stat == wrc_no_result, 'and says so')
     p = normal%field_2d('pressure', stat)
     call expect(stat == wrc_no_result .and. size(p) == 0, 'no field yet')
@@ -406,7 +405,7 @@ contains
     call expect(standard_profile_name(wrc_rail, 1) == '60E1', 'first rail')
     call expect(len(standard_profile_name(wrc_rail, 1000)) == 0, 'past the end')
     call expect(measure_transform(16, 16, 3) > 0.0_real64, 'a time')
-    call expect(ieee_is_nan(measure_transform(0, 16, 3, stat)), 'no size')
+    call expect(is_nan(measure_transform(0, 16, 3, stat)), 'no size')
     call expect(stat == wrc_invalid_argument, 'is refused')
     call save_wisdom('module_test_wisdom')
     call load_wisdom('module_test_wisdom')
@@ -423,7 +422,7 @@ contains
     call small(scene)
     call scene%set('solve.grid', [37, 23])
     call scene%solve()
-    call expect(locked > 0 .and. locked/1000 == mod(locked, 1000), 'taken and given back as often')
+    call expect(locked > 0 .and. locked/1000_c_int == mod(locked, 1000_c_int), 'taken and given back as often')
     call set_planner_lock(c_null_funptr, c_null_funptr, c_null_ptr)
     call set_planner_lock(lock, c_null_funptr, c_null_ptr, stat)
     call expect(stat == wrc_invalid_argument, 'half a lock')
