@@ -25,6 +25,8 @@ awk '
     expect(conicity > 0.15 && conicity < 0.22, "conicity " conicity)
     expect(near(first[2], 3, 0.01), "starts at 3 mm: " first[2])
     expect(second[2] < 0.6*first[2], "dies away: " second[2])
+    # What its equations give with the contact to 1 %; without the saturation 1.70.
+    expect(near(second[2], 1.567, 0.04), "decay as known: " second[2])
     # The gauge corners are reached at 5 mm and stop the motion before 8 mm; a limit cycle, since
     # both halves reach the same.
     expect(second[3] > 5 && second[3] < 8, "between the gauge corners: " second[3])
