@@ -1,32 +1,36 @@
-!> Wheel/rail contact from Fortran: scenes are set, solved and read through one derived type.
-!>
-!> Units mm, N, MPa, rad; frame, keys and names of results as in wrcontact.h. Example:
+!> Wheel/rail contact from Fortran. Units, frame, keys and names of results as in wrcontact.h and
+!> docs/results.md; docs/fortran.md shows how to use it. Example:
 !>
 !>     use wrcontact, only: contact_scene
 !>     type(contact_scene) :: scene
 !>     call scene%create()
 !>     call scene%set('pose.lateral', 3.0_real64)
 !>     call scene%set('track.rail', '54E3')
-!>     call scene%set('solve.grid', [256.0_real64, 128.0_real64])
+!>     call scene%set('solve.grid', [256, 128])
 !>     call scene%solve()
 !>     print *, scene%number('left.pmax'), maxval(scene%field('left.pressure'))
 !>
 !> Errors: every procedure takes the optional arguments `stat` (one of the wrc_* constants, 0 if all
 !> went well) and `errmsg` (the text of a failure; untouched by success). Without `stat` a failure
 !> ends the program by `error stop` with the text. wrc_not_converged counts as a failure; results
-!> are there all the same for who asks for `stat`.
-!> Assignment: after `a = b` both are the same scene; it is destroyed with the last of them.
-!> Threads: one thread at a time for a scene and all that were assigned from it.
-!> The module ships as source, since .mod files belong to one compiler and version.
+!> are there all the same for who asks for `stat`. After a failure numbers are not-a-number, texts
+!> empty and fields of no length.
+!> Assignment: after `a = b` both are the same object; it is destroyed with the last of them.
+!> Threads: one thread at a time for an object and all that were assigned from it.
+!> Fields of rank 2 are shaped (longitudinal, lateral), as the library keeps them.
+!> The module ships as source (this file and those it includes), since .mod files belong to one
+!> compiler and version.
 module wrcontact
-  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, &
-    c_int64_t, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funptr, &
+    c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
   use, intrinsic :: iso_fortran_env, only: real64
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   implicit none
   private
 
-  public :: contact_scene, library_version
+  public :: contact_scene, contact_solver, contact_profile, normal_contact
+  public :: solve_batch, library_version, status_name, scene_key_count, scene_key
+  public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, measure_transform
 
   !> Values of `stat`; those of wrc_status in wrcontact.h.
   integer, parameter, public :: wrc_ok = 0
@@ -40,123 +44,155 @@ module wrcontact
   integer, parameter, public :: wrc_not_converged = 8
   integer, parameter, public :: wrc_too_small = 9
   integer, parameter, public :: wrc_no_result = 10
+  integer, parameter, public :: wrc_busy = 11
+  !> Kinds of profiles.
+  integer, parameter, public :: wrc_wheel = 0
+  integer, parameter, public :: wrc_rail = 1
+
+  integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4
 
   !> What variables that were assigned to each other have in common.
   type :: shared_handle
     type(c_ptr) :: handle = c_null_ptr
+    integer :: kind = 0
     integer :: references = 0
+    !> Of a normal contact: elements along and across the rail, the shape of a distance of rank 2 (0
+    !> if there is none), and the elements when it was last solved.
+    integer(c_int64_t) :: grid(2) = 0, distance(2) = 0, solved(2) = 0
   end type shared_handle
 
+  !> A wheel or rail profile.
+  type :: contact_profile
+    private
+    type(shared_handle), pointer :: shared => null()
+  contains
+    !> An empty profile; one held before is given up.
+    procedure :: create => profile_create
+    !> load_standard(name): a built-in profile.
+    procedure :: load_standard => profile_load_standard
+    !> load_file(path, kind, mirror_lateral, mirror_height, strict, scale, smoothing_wavelength): all
+    !> but the path may be left out; see wrc_read_options in wrcontact.h.
+    procedure :: load_file => profile_load_file
+    !> set_points(name, kind, lateral, height) and the options of load_file.
+    procedure :: set_points => profile_set_points
+    !> write(path, spacing): points `spacing` mm apart along the arc.
+    procedure :: write => profile_write
+    !> wrc_wheel or wrc_rail; -1 after a failure.
+    procedure :: kind => profile_kind_of
+    !> text(name): 'name', 'title', 'source', 'confidence'.
+    procedure :: text => profile_text
+    procedure :: correction_count => profile_correction_count
+    !> correction(i), i from 1: what was corrected while reading; empty past the end.
+    procedure :: correction => profile_correction
+    !> Arc length, mm.
+    procedure :: length => profile_length
+    !> Arc lengths of the nodes, mm.
+    procedure :: nodes => profile_nodes
+    !> at(arc, lateral, height, angle, curvature): the curve there; all but the arc may be left out.
+    procedure :: at => profile_at
+    generic :: assignment(=) => share
+    procedure, private :: share => profile_share
+    ! Elemental, since a scalar finalizer skips arrays.
+    final :: profile_release
+  end type contact_profile
+
+  !> What is asked, and its results.
   type :: contact_scene
     private
     type(shared_handle), pointer :: shared => null()
   contains
     !> A scene with the defaults of the paper's Table 1; one held before is given up.
-    procedure :: create
-    !> set(key, value): a real(real64), a character or a rank-1 real(real64) array.
-    generic :: set => set_number, set_text, set_numbers
-    procedure :: solve
-    !> number(name): a scalar result; not-a-number after a failure.
-    procedure :: number
-    !> text(name): a text result; empty after a failure.
-    procedure :: text
+    procedure :: create => scene_create
+    !> set(key, value): a real(real64), an integer, a character, a rank-1 array of numbers, or a
+    !> profile.
+    generic :: set => set_number, set_integer, set_text, set_numbers, set_integers, set_profile
+    procedure :: set_profile => scene_set_profile
+    !> read_namelist(unit) or read_namelist(path): sets what namelist groups give; see
+    !> wrcontact_namelist.inc.
+    generic :: read_namelist => read_unit, read_path
+    !> Values of keys.
+    procedure :: get_number => scene_get_number
+    procedure :: get_text => scene_get_text
+    procedure :: get_numbers => scene_get_numbers
+    procedure :: solve => scene_solve
+    !> write(path): a file that wrc_case replays.
+    procedure :: write => scene_write
+    !> number(name): a scalar result.
+    procedure :: number => scene_number
+    procedure :: has_number => scene_has_number
+    !> text(name): a text result.
+    procedure :: text => scene_text
     !> field(name): a field of a patch ('left.patches.1.pressure'; 'left.pressure' is that of patch
-    !> 0), longitudinal index fastest, or an outline ('left.rail_y'); of no length after a failure.
-    procedure :: field
+    !> 0), longitudinal index fastest, or an outline ('left.rail_y').
+    procedure :: field => scene_field
+    !> field_2d(name): a field of a patch, shaped (longitudinal, lateral).
+    procedure :: field_2d => scene_field_2d
+    !> Names of all results at hand: number_name(i), text_name(i), i from 1.
+    procedure :: number_count => scene_number_count
+    procedure :: number_name => scene_number_name
+    procedure :: text_count => scene_text_count
+    procedure :: text_name => scene_text_name
     generic :: assignment(=) => share
-    procedure, private :: set_number, set_text, set_numbers, share
-    procedure, private :: c_handle
-    ! Elemental, since a scalar finalizer skips arrays.
-    final :: release
+    procedure, private :: set_number => scene_set_number
+    procedure, private :: set_integer => scene_set_integer
+    procedure, private :: set_text => scene_set_text
+    procedure, private :: set_numbers => scene_set_numbers
+    procedure, private :: set_integers => scene_set_integers
+    procedure, private :: read_unit => scene_read_unit
+    procedure, private :: read_path => scene_read_path
+    procedure, private :: share => scene_share
+    final :: scene_release
   end type contact_scene
 
-  interface
-    function wrc_version() bind(C) result(text)
-      import :: c_ptr
-      type(c_ptr) :: text
-    end function wrc_version
+  !> What is kept from one scene to the next, for vehicle simulations.
+  type :: contact_solver
+    private
+    type(shared_handle), pointer :: shared => null()
+  contains
+    procedure :: create => solver_create
+    !> solve(scene): as scene%solve(), faster when the scene has changed little.
+    procedure :: solve => solver_solve
+    !> forget(profiles): positions; with profiles=.true. also everything else.
+    procedure :: forget => solver_forget
+    generic :: assignment(=) => share
+    procedure, private :: share => solver_share
+    final :: solver_release
+  end type contact_solver
 
-    function wrc_scene_create(scene) bind(C) result(status)
-      import :: c_int32_t, c_ptr
-      type(c_ptr), intent(out) :: scene
-      integer(c_int32_t) :: status
-    end function wrc_scene_create
+  !> Normal contact of a gap given by the caller; keys and names of results in wrcontact.h.
+  type :: normal_contact
+    private
+    type(shared_handle), pointer :: shared => null()
+  contains
+    !> An empty problem; one held before is given up.
+    procedure :: create => normal_create
+    !> set_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step)
+    procedure :: set_grid => normal_set_grid
+    !> set_distance(values): of rank 1, longitudinal index fastest, or of rank 2, shaped
+    !> (longitudinal, lateral).
+    generic :: set_distance => set_distance_1, set_distance_2
+    !> set(key, value): a real(real64), an integer or a character.
+    generic :: set => set_number, set_integer, set_text
+    procedure :: solve => normal_solve
+    procedure :: number => normal_number
+    procedure :: text => normal_text
+    procedure :: field => normal_field
+    procedure :: field_2d => normal_field_2d
+    generic :: assignment(=) => share
+    procedure, private :: set_distance_1 => normal_set_distance_1
+    procedure, private :: set_distance_2 => normal_set_distance_2
+    procedure, private :: set_number => normal_set_number
+    procedure, private :: set_integer => normal_set_integer
+    procedure, private :: set_text => normal_set_text
+    procedure, private :: share => normal_share
+    final :: normal_release
+  end type normal_contact
 
-    subroutine wrc_scene_destroy(scene) bind(C)
-      import :: c_ptr
-      type(c_ptr), value :: scene
-    end subroutine wrc_scene_destroy
-
-    function wrc_scene_error(scene) bind(C) result(text)
-      import :: c_ptr
-      type(c_ptr), value :: scene
-      type(c_ptr) :: text
-    end function wrc_scene_error
-
-    function wrc_scene_set_number(scene, key, value) bind(C) result(status)
-      import :: c_char, c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: scene
-      character(kind=c_char), intent(in) :: key(*)
-      real(c_double), value :: value
-      integer(c_int32_t) :: status
-    end function wrc_scene_set_number
-
-    function wrc_scene_set_text(scene, key, value) bind(C) result(status)
-      import :: c_char, c_int32_t, c_ptr
-      type(c_ptr), value :: scene
-      character(kind=c_char), intent(in) :: key(*), value(*)
-      integer(c_int32_t) :: status
-    end function wrc_scene_set_text
-
-    function wrc_scene_set_numbers(scene, key, values, count) bind(C) result(status)
-      import :: c_char, c_double, c_int32_t, c_int64_t, c_ptr
-      type(c_ptr), value :: scene
-      character(kind=c_char), intent(in) :: key(*)
-      real(c_double), intent(in) :: values(*)
-      integer(c_int64_t), value :: count
-      integer(c_int32_t) :: status
-    end function wrc_scene_set_numbers
-
-    function wrc_scene_solve(scene) bind(C) result(status)
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: scene
-      integer(c_int32_t) :: status
-    end function wrc_scene_solve
-
-    function wrc_scene_number(scene, name, value) bind(C) result(status)
-      import :: c_char, c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: scene
-      character(kind=c_char), intent(in) :: name(*)
-      real(c_double), intent(inout) :: value
-      integer(c_int32_t) :: status
-    end function wrc_scene_number
-
-    function wrc_scene_text(scene, name, value) bind(C) result(status)
-      import :: c_char, c_int32_t, c_ptr
-      type(c_ptr), value :: scene
-      character(kind=c_char), intent(in) :: name(*)
-      type(c_ptr), intent(inout) :: value
-      integer(c_int32_t) :: status
-    end function wrc_scene_text
-
-    function wrc_scene_field(scene, name, values, capacity, count) bind(C) result(status)
-      import :: c_char, c_double, c_int32_t, c_int64_t, c_ptr
-      type(c_ptr), value :: scene
-      character(kind=c_char), intent(in) :: name(*)
-      type(c_ptr), value :: values
-      integer(c_int64_t), value :: capacity
-      integer(c_int64_t), intent(inout) :: count
-      integer(c_int32_t) :: status
-    end function wrc_scene_field
-
-    function strlen(text) bind(C) result(length)
-      import :: c_ptr, c_size_t
-      type(c_ptr), value :: text
-      integer(c_size_t) :: length
-    end function strlen
-  end interface
+  include 'wrcontact_c.inc'
 
 contains
+
+  ! ---- The library ------------------------------------------------------------------------------
 
   !> Version of the library, for example '0.1.0'.
   function library_version() result(version)
@@ -164,77 +200,235 @@ contains
     version = fortran_text(wrc_version())
   end function library_version
 
-  subroutine create(self, stat, errmsg)
+  !> Name of a status, for example 'invalid argument'.
+  function status_name(status) result(name)
+    integer, intent(in) :: status
+    character(:), allocatable :: name
+    name = fortran_text(wrc_status_name(int(status, c_int32_t)))
+  end function status_name
+
+  integer function scene_key_count()
+    scene_key_count = int(wrc_scene_key_count())
+  end function scene_key_count
+
+  !> What is told of a key of scenes; index from 1.
+  subroutine scene_key(index, name, default_value, allowed, meaning, stat, errmsg)
+    integer, intent(in) :: index
+    character(:), allocatable, intent(out), optional :: name, default_value, allowed, meaning
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: told(4)
+    integer(c_int32_t) :: status
+    told = c_null_ptr
+    status = wrc_scene_key(int(index, c_int64_t) - 1, told(1), told(2), told(3), told(4))
+    if (present(name)) name = fortran_text(told(1))
+    if (present(default_value)) default_value = fortran_text(told(2))
+    if (present(allowed)) allowed = fortran_text(told(3))
+    if (present(meaning)) meaning = fortran_text(told(4))
+    call report(status, 'there is no such key of a scene', stat, errmsg)
+  end subroutine scene_key
+
+  !> Name of a built-in profile of a kind, index from 1; empty past the end.
+  function standard_profile_name(kind, index) result(name)
+    integer, intent(in) :: kind, index
+    character(:), allocatable :: name
+    name = fortran_text(wrc_profile_standard_name(int(kind, c_int32_t), int(index, c_int64_t) - 1))
+  end function standard_profile_name
+
+  !> Wisdom of the planner "measure"; see wrcontact.h.
+  subroutine load_wisdom(path, stat, errmsg)
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(wrc_load_wisdom(c_text(path)), 'no wisdom was read from '//trim(path), stat, errmsg)
+  end subroutine load_wisdom
+
+  subroutine save_wisdom(path, stat, errmsg)
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(wrc_save_wisdom(c_text(path)), 'wisdom was not written to '//trim(path), stat, &
+      errmsg)
+  end subroutine save_wisdom
+
+  !> A lock of the program's own around all planning of transforms: bind(C) procedures that take
+  !> `context` by value, or c_null_funptr for both.
+  subroutine set_planner_lock(lock, unlock, context, stat, errmsg)
+    type(c_funptr), intent(in) :: lock, unlock
+    type(c_ptr), intent(in) :: context
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(wrc_set_planner_lock(lock, unlock, context), 'a planner lock takes both functions', &
+      stat, errmsg)
+  end subroutine set_planner_lock
+
+  !> Median time in ms of a pair of transforms of rows x columns values; see wrcontact.h.
+  function measure_transform(rows, columns, repeats, stat, errmsg) result(median)
+    integer, intent(in) :: rows, columns, repeats
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(real64) :: median
+    median = ieee_value(median, ieee_quiet_nan)
+    call report(wrc_measure_transform(int(rows, c_int64_t), int(columns, c_int64_t), &
+      int(repeats, c_int32_t), median), 'sizes and repeats are 1 or more', stat, errmsg)
+  end function measure_transform
+
+  ! ---- Scenes -----------------------------------------------------------------------------------
+
+  subroutine scene_create(self, stat, errmsg)
     class(contact_scene), intent(inout) :: self
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(shared_handle), pointer :: fresh
-    integer :: allocation
-    integer(c_int32_t) :: status
+    call take_new(self%shared, scene_kind, stat, errmsg)
+  end subroutine scene_create
 
-    ! A failure leaves the scene held before.
-    status = int(wrc_out_of_memory, c_int32_t)
-    allocate (fresh, stat=allocation)
-    if (allocation == 0) then
-      status = wrc_scene_create(fresh%handle)
-      if (status == wrc_ok) then
-        call let_go(self%shared)
-        fresh%references = 1
-        self%shared => fresh
-      else
-        deallocate (fresh)
-      end if
-    end if
-    call report(status, 'out of memory', stat, errmsg)
-  end subroutine create
+  impure elemental subroutine scene_share(self, other)
+    class(contact_scene), intent(inout) :: self
+    type(contact_scene), intent(in) :: other
+    call take(self%shared, other%shared)
+  end subroutine scene_share
 
-  subroutine set_number(self, key, value, stat, errmsg)
+  impure elemental subroutine scene_release(self)
+    type(contact_scene), intent(inout) :: self
+    call let_go(self%shared)
+  end subroutine scene_release
+
+  subroutine scene_set_number(self, key, value, stat, errmsg)
     class(contact_scene), intent(in) :: self
     character(*), intent(in) :: key
     real(real64), intent(in) :: value
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call report_of(self, wrc_scene_set_number(self%c_handle(), c_text(key), value), stat, errmsg)
-  end subroutine set_number
+    call report_of(self%shared, scene_kind, &
+      wrc_scene_set_number(address(self%shared), c_text(key), value), stat, errmsg)
+  end subroutine scene_set_number
 
-  subroutine set_text(self, key, value, stat, errmsg)
+  subroutine scene_set_integer(self, key, value, stat, errmsg)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: key
+    integer, intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%set_number(key, real(value, real64), stat, errmsg)
+  end subroutine scene_set_integer
+
+  subroutine scene_set_text(self, key, value, stat, errmsg)
     class(contact_scene), intent(in) :: self
     character(*), intent(in) :: key, value
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call report_of(self, wrc_scene_set_text(self%c_handle(), c_text(key), c_text(value)), stat, &
-      errmsg)
-  end subroutine set_text
+    call report_of(self%shared, scene_kind, &
+      wrc_scene_set_text(address(self%shared), c_text(key), c_text(value)), stat, errmsg)
+  end subroutine scene_set_text
 
-  subroutine set_numbers(self, key, values, stat, errmsg)
+  subroutine scene_set_numbers(self, key, values, stat, errmsg)
     class(contact_scene), intent(in) :: self
     character(*), intent(in) :: key
     real(real64), intent(in) :: values(:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     ! A slice with a stride is copied for the call; the library keeps no pointer to it.
-    call report_of(self, wrc_scene_set_numbers(self%c_handle(), c_text(key), values, &
-      size(values, kind=c_int64_t)), stat, errmsg)
-  end subroutine set_numbers
+    call report_of(self%shared, scene_kind, wrc_scene_set_numbers(address(self%shared), &
+      c_text(key), values, size(values, kind=c_int64_t)), stat, errmsg)
+  end subroutine scene_set_numbers
 
-  subroutine solve(self, stat, errmsg)
+  subroutine scene_set_integers(self, key, values, stat, errmsg)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: key
+    integer, intent(in) :: values(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%set_numbers(key, real(values, real64), stat, errmsg)
+  end subroutine scene_set_integers
+
+  !> Lets the scene use a loaded profile ('wheelset.wheel', 'track.rail'), of which it keeps a copy.
+  subroutine scene_set_profile(self, key, profile, stat, errmsg)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: key
+    class(contact_profile), intent(in) :: profile
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report_of(self%shared, scene_kind, wrc_scene_set_profile(address(self%shared), &
+      c_text(key), address(profile%shared)), stat, errmsg)
+  end subroutine scene_set_profile
+
+  function scene_get_number(self, key, stat, errmsg) result(value)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: key
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(real64) :: value
+    value = ieee_value(value, ieee_quiet_nan)
+    call report_of(self%shared, scene_kind, &
+      wrc_scene_get_number(address(self%shared), c_text(key), value), stat, errmsg)
+  end function scene_get_number
+
+  function scene_get_text(self, key, stat, errmsg) result(value)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: key
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: value
+    type(c_ptr) :: letters
+    letters = c_null_ptr
+    call report_of(self%shared, scene_kind, &
+      wrc_scene_get_text(address(self%shared), c_text(key), letters), stat, errmsg)
+    value = fortran_text(letters)
+  end function scene_get_text
+
+  function scene_get_numbers(self, key, stat, errmsg) result(values)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: key
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(real64), allocatable :: values(:)
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status
+    count = 0
+    status = wrc_scene_get_numbers(address(self%shared), c_text(key), capacity=0_c_int64_t, &
+      count=count)
+    allocate (values(count))
+    if (status == wrc_ok .and. count > 0) then
+      status = wrc_scene_get_numbers(address(self%shared), c_text(key), values, count, count)
+    end if
+    call report_of(self%shared, scene_kind, status, stat, errmsg)
+  end function scene_get_numbers
+
+  subroutine scene_solve(self, stat, errmsg)
     class(contact_scene), intent(in) :: self
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call report_of(self, wrc_scene_solve(self%c_handle()), stat, errmsg)
-  end subroutine solve
+    call report_of(self%shared, scene_kind, wrc_scene_solve(address(self%shared)), stat, errmsg)
+  end subroutine scene_solve
 
-  function number(self, name, stat, errmsg) result(value)
+  subroutine scene_write(self, path, stat, errmsg)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report_of(self%shared, scene_kind, wrc_scene_write(address(self%shared), c_text(path)), &
+      stat, errmsg)
+  end subroutine scene_write
+
+  function scene_number(self, name, stat, errmsg) result(value)
     class(contact_scene), intent(in) :: self
     character(*), intent(in) :: name
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(real64) :: value
     value = ieee_value(value, ieee_quiet_nan)
-    call report_of(self, wrc_scene_number(self%c_handle(), c_text(name), value), stat, errmsg)
-  end function number
+    call report_of(self%shared, scene_kind, &
+      wrc_scene_number(address(self%shared), c_text(name), value), stat, errmsg)
+  end function scene_number
 
-  function text(self, name, stat, errmsg) result(value)
+  logical function scene_has_number(self, name)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: name
+    real(real64) :: value
+    scene_has_number = wrc_scene_number(address(self%shared), c_text(name), value) == wrc_ok
+  end function scene_has_number
+
+  function scene_text(self, name, stat, errmsg) result(value)
     class(contact_scene), intent(in) :: self
     character(*), intent(in) :: name
     integer, intent(out), optional :: stat
@@ -242,70 +436,264 @@ contains
     character(:), allocatable :: value
     type(c_ptr) :: letters
     letters = c_null_ptr
-    call report_of(self, wrc_scene_text(self%c_handle(), c_text(name), letters), stat, errmsg)
+    call report_of(self%shared, scene_kind, &
+      wrc_scene_text(address(self%shared), c_text(name), letters), stat, errmsg)
     value = fortran_text(letters)
-  end function text
+  end function scene_text
 
-  function field(self, name, stat, errmsg) result(values)
+  function scene_field(self, name, stat, errmsg) result(values)
     class(contact_scene), intent(in) :: self
     character(*), intent(in) :: name
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    real(real64), allocatable, target :: values(:)
+    real(real64), allocatable :: values(:)
     integer(c_int64_t) :: count
     integer(c_int32_t) :: status
-
     count = 0
-    status = wrc_scene_field(self%c_handle(), c_text(name), c_null_ptr, 0_c_int64_t, count)
+    status = wrc_scene_field(address(self%shared), c_text(name), capacity=0_c_int64_t, count=count)
     allocate (values(count))
     if (status == wrc_ok .and. count > 0) then
-      status = wrc_scene_field(self%c_handle(), c_text(name), c_loc(values), count, count)
+      status = wrc_scene_field(address(self%shared), c_text(name), values, count, count)
     end if
-    call report_of(self, status, stat, errmsg)
-  end function field
+    call report_of(self%shared, scene_kind, status, stat, errmsg)
+  end function scene_field
+
+  function scene_field_2d(self, name, stat, errmsg) result(values)
+    class(contact_scene), intent(in) :: self
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(real64), allocatable :: values(:, :)
+    real(real64) :: lateral, longitudinal
+    integer(c_int64_t) :: count, grid(2)
+    integer(c_int32_t) :: status
+    character(:), allocatable :: patch
+
+    count = 0
+    grid = 0
+    status = wrc_scene_field(address(self%shared), c_text(name), capacity=0_c_int64_t, count=count)
+    if (status == wrc_ok .and. count > 0) then
+      patch = name(:index(name, '.', back=.true.))
+      lateral = 0.0_real64
+      longitudinal = 0.0_real64
+      status = wrc_scene_number(address(self%shared), c_text(patch//'grid.0'), lateral)
+      if (status == wrc_ok) status = wrc_scene_number(address(self%shared), &
+        c_text(patch//'grid.1'), longitudinal)
+      grid = nint([longitudinal, lateral], c_int64_t)
+      if (status == wrc_ok .and. product(grid) /= count) then
+        allocate (values(0, 0))
+        call report(int(wrc_invalid_argument, c_int32_t), trim(name)//' is not on a grid: take field', &
+          stat, errmsg)
+        return
+      end if
+    end if
+    if (status /= wrc_ok) grid = 0
+    allocate (values(grid(1), grid(2)))
+    if (status == wrc_ok .and. count > 0) then
+      status = wrc_scene_field(address(self%shared), c_text(name), values, count, count)
+    end if
+    call report_of(self%shared, scene_kind, status, stat, errmsg)
+  end function scene_field_2d
+
+  integer function scene_number_count(self)
+    class(contact_scene), intent(in) :: self
+    scene_number_count = int(wrc_scene_number_count(address(self%shared)))
+  end function scene_number_count
+
+  !> Empty past the end.
+  function scene_number_name(self, index) result(name)
+    class(contact_scene), intent(in) :: self
+    integer, intent(in) :: index
+    character(:), allocatable :: name
+    name = fortran_text(wrc_scene_number_name(address(self%shared), int(index, c_int64_t) - 1))
+  end function scene_number_name
+
+  integer function scene_text_count(self)
+    class(contact_scene), intent(in) :: self
+    scene_text_count = int(wrc_scene_text_count(address(self%shared)))
+  end function scene_text_count
+
+  function scene_text_name(self, index) result(name)
+    class(contact_scene), intent(in) :: self
+    integer, intent(in) :: index
+    character(:), allocatable :: name
+    name = fortran_text(wrc_scene_text_name(address(self%shared), int(index, c_int64_t) - 1))
+  end function scene_text_name
+
+  ! ---- Solvers ----------------------------------------------------------------------------------
+
+  subroutine solver_create(self, stat, errmsg)
+    class(contact_solver), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call take_new(self%shared, solver_kind, stat, errmsg)
+  end subroutine solver_create
+
+  impure elemental subroutine solver_share(self, other)
+    class(contact_solver), intent(inout) :: self
+    type(contact_solver), intent(in) :: other
+    call take(self%shared, other%shared)
+  end subroutine solver_share
+
+  impure elemental subroutine solver_release(self)
+    type(contact_solver), intent(inout) :: self
+    call let_go(self%shared)
+  end subroutine solver_release
+
+  subroutine solver_solve(self, scene, stat, errmsg)
+    class(contact_solver), intent(in) :: self
+    class(contact_scene), intent(in) :: scene
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    status = wrc_solver_solve(address(self%shared), address(scene%shared))
+    if (associated(self%shared)) then
+      call report_of(scene%shared, scene_kind, status, stat, errmsg)
+    else
+      call report_of(self%shared, solver_kind, status, stat, errmsg)
+    end if
+  end subroutine solver_solve
+
+  subroutine solver_forget(self, profiles, stat, errmsg)
+    class(contact_solver), intent(in) :: self
+    logical, intent(in), optional :: profiles
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: everything
+    everything = 0
+    if (present(profiles)) then
+      if (profiles) everything = 1
+    end if
+    call report_of(self%shared, solver_kind, wrc_solver_forget(address(self%shared), everything), &
+      stat, errmsg)
+  end subroutine solver_forget
+
+  !> Solves each scene by itself on up to `threads` threads. The status of each goes to `statuses`;
+  !> `stat` and `errmsg` are those of the first that failed.
+  subroutine solve_batch(scenes, threads, statuses, stat, errmsg)
+    type(contact_scene), intent(in) :: scenes(:)
+    integer, intent(in) :: threads
+    integer, intent(out), optional :: statuses(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr), allocatable :: handles(:)
+    integer(c_int32_t), allocatable :: each(:)
+    integer(c_int32_t) :: status
+    integer :: i, first
+
+    if (present(statuses)) then
+      if (size(statuses) < size(scenes)) then
+        call report(int(wrc_too_small, c_int32_t), 'there are fewer statuses than scenes', stat, &
+          errmsg)
+        return
+      end if
+    end if
+    handles = [(address(scenes(i)%shared), i=1, size(scenes))]
+    allocate (each(size(scenes)), source=int(wrc_ok, c_int32_t))
+    status = wrc_solve_batch(handles, size(handles, kind=c_int64_t), int(threads, c_int32_t), each)
+    if (present(statuses)) statuses(:size(each)) = int(each)
+    first = findloc(each /= wrc_ok, .true., dim=1)
+    if (first > 0) then
+      call report_of(scenes(first)%shared, scene_kind, status, stat, errmsg)
+    else
+      call report(status, 'the batch was refused: threads are 1 to 1024, handles all different', &
+        stat, errmsg)
+    end if
+  end subroutine solve_batch
+
+  include 'wrcontact_normal.inc'
+  include 'wrcontact_profile.inc'
+  include 'wrcontact_namelist.inc'
+
+  ! ---- Handles, texts and errors ----------------------------------------------------------------
+
+  subroutine take_new(shared, kind, stat, errmsg)
+    type(shared_handle), pointer, intent(inout) :: shared
+    integer, intent(in) :: kind
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(shared_handle), pointer :: fresh
+    integer :: allocation
+    integer(c_int32_t) :: status
+
+    ! A failure leaves the object held before.
+    status = int(wrc_out_of_memory, c_int32_t)
+    allocate (fresh, stat=allocation)
+    if (allocation == 0) then
+      select case (kind)
+      case (scene_kind); status = wrc_scene_create(fresh%handle)
+      case (solver_kind); status = wrc_solver_create(fresh%handle)
+      case (profile_kind); status = wrc_profile_create(fresh%handle)
+      case (normal_kind); status = wrc_normal_create(fresh%handle)
+      end select
+      if (status == wrc_ok) then
+        fresh%kind = kind
+        call let_go(shared)
+        fresh%references = 1
+        shared => fresh
+      else
+        deallocate (fresh)
+      end if
+    end if
+    call report(status, 'out of memory', stat, errmsg)
+  end subroutine take_new
 
   ! Plain assignment would copy the pointer without counting, and finalize it twice.
-  impure elemental subroutine share(self, other)
-    class(contact_scene), intent(inout) :: self
-    type(contact_scene), intent(in) :: other
+  subroutine take(shared, other)
+    type(shared_handle), pointer, intent(inout) :: shared
+    type(shared_handle), pointer, intent(in) :: other
     type(shared_handle), pointer :: taken
-    taken => other%shared
+    taken => other
     if (associated(taken)) taken%references = taken%references + 1
-    call let_go(self%shared)
-    self%shared => taken
-  end subroutine share
+    call let_go(shared)
+    shared => taken
+  end subroutine take
 
-  impure elemental subroutine release(self)
-    type(contact_scene), intent(inout) :: self
-    call let_go(self%shared)
-  end subroutine release
-
-  !> Gives up one reference, and the scene with the last one.
+  !> Gives up one reference, and the object with the last one.
   subroutine let_go(shared)
     type(shared_handle), pointer, intent(inout) :: shared
     if (.not. associated(shared)) return
     shared%references = shared%references - 1
     if (shared%references == 0) then
-      call wrc_scene_destroy(shared%handle)
+      select case (shared%kind)
+      case (scene_kind); call wrc_scene_destroy(shared%handle)
+      case (solver_kind); call wrc_solver_destroy(shared%handle)
+      case (profile_kind); call wrc_profile_destroy(shared%handle)
+      case (normal_kind); call wrc_normal_destroy(shared%handle)
+      end select
       deallocate (shared)
     end if
     shared => null()
   end subroutine let_go
 
   !> The handle for C; NULL, which every function refuses, if there is none yet.
-  function c_handle(self) result(handle)
-    class(contact_scene), intent(in) :: self
+  function address(shared) result(handle)
+    type(shared_handle), pointer, intent(in) :: shared
     type(c_ptr) :: handle
     handle = c_null_ptr
-    if (associated(self%shared)) handle = self%shared%handle
-  end function c_handle
+    if (associated(shared)) handle = shared%handle
+  end function address
 
-  subroutine report_of(self, status, stat, errmsg)
-    class(contact_scene), intent(in) :: self
+  subroutine report_of(shared, kind, status, stat, errmsg)
+    type(shared_handle), pointer, intent(in) :: shared
+    integer, intent(in) :: kind
     integer(c_int32_t), intent(in) :: status
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call report(status, fortran_text(wrc_scene_error(self%c_handle())), stat, errmsg)
+    if (status == wrc_ok) then
+      if (present(stat)) stat = wrc_ok
+      return
+    end if
+    select case (kind)
+    case (scene_kind)
+      call report(status, fortran_text(wrc_scene_error(address(shared))), stat, errmsg)
+    case (solver_kind)
+      call report(status, fortran_text(wrc_solver_error(address(shared))), stat, errmsg)
+    case (profile_kind)
+      call report(status, fortran_text(wrc_profile_error(address(shared))), stat, errmsg)
+    case (normal_kind)
+      call report(status, fortran_text(wrc_normal_error(address(shared))), stat, errmsg)
+    end select
   end subroutine report_of
 
   subroutine report(status, failure, stat, errmsg)

@@ -46,12 +46,19 @@ if [ -n "$above" ]; then
   failures=1
 fi
 
-# Fortran reaches the library through its own module's C bindings only.
-fortran=$(git ls-files fortran_bindings | xargs -r grep -niE '^[[:space:]]*use[ ,]' |
+# Fortran reaches the library through its own module's C bindings only; programs in Fortran use the
+# module or the F77 layer as their users do.
+fortran=$(git ls-files fortran_bindings drivers/fortran | xargs -r grep -niE '^[[:space:]]*use[ ,]' |
   grep -viE 'iso_c_binding|iso_fortran_env|wrcontact' || true)
 if [ -n "$fortran" ]; then
-  echo "fortran_bindings uses more than the C interface:"
+  echo "Fortran uses more than the C interface and its module:"
   echo "$fortran"
+  failures=1
+fi
+bindings=$(git ls-files drivers/fortran | xargs -r grep -niE 'bind\(c' || true)
+if [ -n "$bindings" ]; then
+  echo "drivers in Fortran bind C functions themselves:"
+  echo "$bindings"
   failures=1
 fi
 exit "$failures"

@@ -1,0 +1,567 @@
+c Wheel/rail contact for programs in FORTRAN 77: external subroutines,
+c no module, nothing to include for the caller. Compile this file (which
+c includes wrcontact_f77.inc) with the program, link with -lwrcontact;
+c docs/fortran.md shows a complete program.
+c
+c   INTEGER*8 HANDLE         scene, solver, profile or normal contact
+c   REAL*8                   all numbers; mm, N, MPa, rad, y left, z up,
+c                            unless the scene's convention is another
+c   CHARACTER*(*)            keys and texts; trailing blanks do not
+c                            count
+c   INTEGER                  counts, and IERR, always last, always set:
+c                            0, or a status of wrcontact.h (1 invalid
+c                            argument, 2 unknown name, 3 file
+c                            unreadable, 4 file malformed, 5 no contact,
+c                            6 out of memory, 7 internal, 8 not
+c                            converged: results are there, 9 too small,
+c                            10 no result, 11 busy)
+c
+c Keys, names of results and ranges: wrcontact.h, docs/results.md.
+c
+c Integers of the program may have 4 or 8 bytes (-fdefault-integer-8),
+c whatever this file is compiled with: WRCNEW is given KIND(0), to be
+c written just so, and marks the handle with it. A handle belongs to
+c program parts that were compiled with the same option.
+c
+c   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    makes a 'scene', 'solver',
+c                                          'profile' or 'normal'
+c   WRCDEL(HANDLE, IERR)                   gives it back, sets it to 0
+c   WRCERR(HANDLE, TEXT, IERR)             text of its last failure
+c   WRCVER(TEXT)                           version of the library
+c
+c   WRCSET(HANDLE, KEY, VALUE, IERR)       number of a scene or normal
+c   WRCSTX(HANDLE, KEY, TEXT, IERR)        text of a scene or normal
+c   WRCSTN(SCENE, KEY, VALUES, N, IERR)    numbers
+c   WRCGET(SCENE, KEY, VALUE, IERR)        the number of a key
+c   WRCGTX(SCENE, KEY, TEXT, IERR)         the text of a key
+c   WRCPUT(SCENE, KEY, PROFIL, IERR)       lets the scene use a profile
+c   WRCWRT(SCENE, PATH, IERR)              a file that wrc_case replays
+c
+c   WRCSOL(HANDLE, IERR)                   solves a scene or normal
+c   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
+c                                          scene with what is kept
+c   WRCFOR(SOLVER, MODE, IERR)             forgets: 0 positions, 1 all
+c
+c   WRCNUM(HANDLE, NAME, VALUE, IERR)      a result of a scene or normal
+c   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text, also of a profile
+c   WRCFLD(HANDLE, NAME, VALUES, LENV, N, IERR)
+c        a field: N values, longitudinal index fastest, if LENV is at
+c        least N; else nothing but N. LENV = 0 asks for N, without error
+c
+c   WRCSTD(PROFIL, NAME, IERR)             a built-in profile
+c   WRCFIL(PROFIL, PATH, IERR)             a profile's file
+c   WRCPTS(PROFIL, NAME, IKIND, Y, Z, N, IERR)
+c        a profile through points; IKIND 0: wheel, 1: rail
+c
+c   WRCGRD(NORMAL, NLAT, NLON, DLAT, DLON, IERR)   grid
+c   WRCGAP(NORMAL, DIST, N, IERR)          undeformed distance at the
+c                                          element centres, as a field
+c
+c Numbers keep their values when a call fails; texts become blank.
+
+c The C interface, and what the subroutines share.
+      module wrcontact_f77_c
+      use, intrinsic :: iso_c_binding
+      implicit none
+      public
+
+      integer, parameter :: scene_mark = 1, solver_mark = 2
+      integer, parameter :: profile_mark = 4, normal_mark = 8
+
+      include 'wrcontact_f77.inc'
+
+      contains
+
+c Handles are multiples of 16. The low two bits say how many bytes the
+c caller's integers have (1: 4, 2: 8), the next two what the handle is.
+
+c Address and width of a handle that is of one of the kinds; status 1
+c without. The width is that of IERR in any case.
+      subroutine look(handle, kinds, address, kind, width, status)
+      integer(c_int64_t), intent(in) :: handle
+      integer, intent(in) :: kinds
+      type(c_ptr), intent(out) :: address
+      integer, intent(out) :: kind, width
+      integer(c_int32_t), intent(out) :: status
+      integer(c_int64_t) :: number
+      width = 4*int(iand(handle, 3_c_int64_t))
+      kind = int(ishft(1_c_int64_t, int(iand(ishft(handle, -2),
+     &  3_c_int64_t))))
+      number = iand(handle, not(15_c_int64_t))
+      address = transfer(number, c_null_ptr)
+      status = 0
+      if (width .ne. 4 .and. width .ne. 8 .or. number .eq. 0) then
+        status = 1
+c       Four bytes that are not zero make eight that are not zero.
+        if (width .ne. 8) width = 4
+        kind = 0
+        address = c_null_ptr
+      else if (iand(kind, kinds) .eq. 0) then
+        status = 1
+        address = c_null_ptr
+      end if
+      end subroutine look
+
+c The caller's integer of 4 or 8 bytes.
+      integer(c_int64_t) function taken(number, width)
+      integer(c_int32_t), intent(in), target :: number(*)
+      integer, intent(in) :: width
+      integer(c_int64_t), pointer :: wide
+      if (width .eq. 8) then
+        call c_f_pointer(c_loc(number), wide)
+        taken = wide
+      else
+        taken = number(1)
+      end if
+      end function taken
+
+      subroutine give(value, number, width)
+      integer(c_int64_t), intent(in) :: value
+      integer(c_int32_t), intent(inout), target :: number(*)
+      integer, intent(in) :: width
+      integer(c_int64_t), pointer :: wide
+      if (width .eq. 8) then
+        call c_f_pointer(c_loc(number), wide)
+        wide = value
+      else
+        number(1) = int(value, c_int32_t)
+      end if
+      end subroutine give
+
+      subroutine finish(status, ierr, width)
+      integer(c_int32_t), intent(in) :: status
+      integer(c_int32_t), intent(inout) :: ierr(*)
+      integer, intent(in) :: width
+      call give(int(status, c_int64_t), ierr, width)
+      end subroutine finish
+
+      function letters(text)
+      character*(*), intent(in) :: text
+      character(len_trim(text) + 1, c_char) :: letters
+      letters = trim(text)//c_null_char
+      end function letters
+
+c Blank if there is none; status 9 if it was cut.
+      subroutine copy(address, text, status)
+      type(c_ptr), intent(in) :: address
+      character*(*), intent(inout) :: text
+      integer(c_int32_t), intent(inout) :: status
+      character(kind=c_char), pointer :: letter(:)
+      integer :: i, length
+      text = ' '
+      if (.not. c_associated(address)) return
+      length = int(strlen(address))
+      call c_f_pointer(address, letter, [length])
+      do i = 1, min(length, len(text))
+        text(i:i) = letter(i)
+      end do
+      if (length .gt. len(text) .and. status .eq. 0) status = 9
+      end subroutine copy
+      end module wrcontact_f77_c
+
+      subroutine wrcnew(handle, what, kind0, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) what
+      integer*4 kind0(*), ierr(*)
+      type(c_ptr) made
+      integer*4 status
+      integer width, mark
+      handle = 0
+      made = c_null_ptr
+      status = 1
+      mark = 0
+c     KIND(0) is 4 in four bytes, or 8 in eight: the first four bytes
+c     are 8, or 0 where the most significant ones come first.
+      width = 0
+      if (kind0(1) .eq. 4) width = 4
+      if (kind0(1) .eq. 8) width = 8
+      if (kind0(1) .eq. 0) then
+        if (kind0(2) .eq. 8) width = 8
+      end if
+      if (width .eq. 0) then
+        call finish(status, ierr, 4)
+        return
+      end if
+      if (what .eq. 'scene' .or. what .eq. 'SCENE') then
+        status = wrc_scene_create(made)
+      else if (what .eq. 'solver' .or. what .eq. 'SOLVER') then
+        mark = 1
+        status = wrc_solver_create(made)
+      else if (what .eq. 'profile' .or. what .eq. 'PROFILE') then
+        mark = 2
+        status = wrc_profile_create(made)
+      else if (what .eq. 'normal' .or. what .eq. 'NORMAL') then
+        mark = 3
+        status = wrc_normal_create(made)
+      else
+        status = 2
+      end if
+      if (status .eq. 0) handle = transfer(made, handle) + 4*mark
+     &  + width/4
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcdel(handle, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(handle, 15, address, kind, width, status)
+      if (kind .eq. scene_mark) call wrc_scene_destroy(address)
+      if (kind .eq. solver_mark) call wrc_solver_destroy(address)
+      if (kind .eq. profile_mark) call wrc_profile_destroy(address)
+      if (kind .eq. normal_mark) call wrc_normal_destroy(address)
+      handle = 0
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcerr(handle, text, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) text
+      integer*4 ierr(*), status
+      type(c_ptr) address, told
+      integer kind, width
+      call look(handle, 15, address, kind, width, status)
+      if (status .ne. 0) then
+        text = 'the handle was not made by WRCNEW with KIND(0)'
+      else
+        told = c_null_ptr
+        if (kind .eq. scene_mark) told = wrc_scene_error(address)
+        if (kind .eq. solver_mark) told = wrc_solver_error(address)
+        if (kind .eq. profile_mark) told = wrc_profile_error(address)
+        if (kind .eq. normal_mark) told = wrc_normal_error(address)
+        call copy(told, text, status)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcver(text)
+      use wrcontact_f77_c
+      implicit none
+      character*(*) text
+      integer*4 status
+      status = 0
+      call copy(wrc_version(), text, status)
+      end
+
+      subroutine wrcset(handle, key, value, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) key
+      real*8 value
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(handle, scene_mark + normal_mark, address, kind, width,
+     &  status)
+      if (status .eq. 0) then
+        if (kind .eq. scene_mark) then
+          status = wrc_scene_set_number(address, letters(key), value)
+        else
+          status = wrc_normal_set_number(address, letters(key), value)
+        end if
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcstx(handle, key, text, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) key, text
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(handle, scene_mark + normal_mark, address, kind, width,
+     &  status)
+      if (status .eq. 0) then
+        if (kind .eq. scene_mark) then
+          status = wrc_scene_set_text(address, letters(key),
+     &      letters(text))
+        else
+          status = wrc_normal_set_text(address, letters(key),
+     &      letters(text))
+        end if
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcstn(scene, key, values, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) key
+      real*8 values(*)
+      integer*4 n(*), ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_set_numbers(address,
+     &  letters(key), values, taken(n, width))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcget(scene, key, value, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) key
+      real*8 value
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_get_number(address,
+     &  letters(key), value)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcgtx(scene, key, text, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) key, text
+      integer*4 ierr(*), status
+      type(c_ptr) address, told
+      integer kind, width
+      told = c_null_ptr
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_get_text(address,
+     &  letters(key), told)
+      call copy(told, text, status)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcput(scene, key, profil, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene, profil
+      character*(*) key
+      integer*4 ierr(*), status
+      type(c_ptr) address, curve
+      integer kind, width, other
+      call look(profil, profile_mark, curve, kind, other, status)
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_set_profile(address,
+     &  letters(key), curve)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcwrt(scene, path, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) path
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_write(address,
+     &  letters(path))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcsol(handle, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(handle, scene_mark + normal_mark, address, kind, width,
+     &  status)
+      if (status .eq. 0) then
+        if (kind .eq. scene_mark) then
+          status = wrc_scene_solve(address)
+        else
+          status = wrc_normal_solve(address)
+        end if
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcstp(solver, scene, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 solver, scene
+      integer*4 ierr(*), status
+      type(c_ptr) address, posed
+      integer kind, width, other
+      call look(scene, scene_mark, posed, kind, other, status)
+      call look(solver, solver_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_solver_solve(address, posed)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcfor(solver, mode, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 solver
+      integer*4 mode(*), ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(solver, solver_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_solver_forget(address,
+     &  int(taken(mode, width), c_int32_t))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcnum(handle, name, value, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) name
+      real*8 value
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(handle, scene_mark + normal_mark, address, kind, width,
+     &  status)
+      if (status .eq. 0) then
+        if (kind .eq. scene_mark) then
+          status = wrc_scene_number(address, letters(name), value)
+        else
+          status = wrc_normal_number(address, letters(name), value)
+        end if
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrctxt(handle, name, text, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) name, text
+      integer*4 ierr(*), status
+      type(c_ptr) address, told
+      integer kind, width
+      told = c_null_ptr
+      call look(handle, scene_mark + profile_mark + normal_mark,
+     &  address, kind, width, status)
+      if (status .eq. 0) then
+        if (kind .eq. scene_mark) then
+          status = wrc_scene_text(address, letters(name), told)
+        else if (kind .eq. profile_mark) then
+          status = wrc_profile_text(address, letters(name), told)
+        else
+          status = wrc_normal_text(address, letters(name), told)
+        end if
+      end if
+      call copy(told, text, status)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcfld(handle, name, values, lenv, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) name
+      real*8 values(*)
+      integer*4 lenv(*), n(*), ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      integer*8 capacity, count
+      call look(handle, scene_mark + normal_mark, address, kind, width,
+     &  status)
+      if (status .eq. 0) then
+        count = 0
+        capacity = taken(lenv, width)
+        if (kind .eq. scene_mark) then
+          status = wrc_scene_field(address, letters(name), values,
+     &      capacity, count)
+        else
+          status = wrc_normal_field(address, letters(name), values,
+     &      capacity, count)
+        end if
+        call give(count, n, width)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcstd(profil, name, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 profil
+      character*(*) name
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(profil, profile_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_profile_load_standard(address,
+     &  letters(name))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcfil(profil, path, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 profil
+      character*(*) path
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      type(wrc_read_options) options
+      integer kind, width
+      call look(profil, profile_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        options = wrc_read_options(0, 0, 0, 0, 0, 0, 0, 0, 0)
+        options%struct_size = c_sizeof(options)
+        status = wrc_profile_load_file(address, letters(path), options)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcpts(profil, name, ikind, y, z, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 profil
+      character*(*) name
+      integer*4 ikind(*), n(*), ierr(*), status
+      real*8 y(*), z(*)
+      type(c_ptr) address
+      type(wrc_read_options) options
+      integer kind, width
+      call look(profil, profile_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        options = wrc_read_options(0, 0, 1, 0, 0, 0, 0, 0, 0)
+        options%struct_size = c_sizeof(options)
+        options%kind = int(taken(ikind, width), c_int32_t)
+        status = wrc_profile_set_points(address, letters(name), y, z,
+     &    taken(n, width), options)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcgrd(normal, nlat, nlon, dlat, dlon, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 normal
+      integer*4 nlat(*), nlon(*), ierr(*), status
+      real*8 dlat, dlon
+      type(c_ptr) address
+      integer kind, width
+      call look(normal, normal_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_normal_set_grid(address,
+     &  taken(nlat, width), taken(nlon, width), dlat, dlon)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcgap(normal, dist, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 normal
+      real*8 dist(*)
+      integer*4 n(*), ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(normal, normal_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_normal_set_distance(address, dist,
+     &  taken(n, width))
+      call finish(status, ierr, width)
+      end

@@ -1,0 +1,325 @@
+c The F77 layer as an old program calls it. Built four times: program
+c and layer each with integers of 4 and of 8 bytes. Counts and IERR are
+c filled with ones before each call, so that half a write is seen.
+      program f77tst
+      implicit none
+      integer nbad
+      common /bad/ nbad
+      nbad = 0
+      call tscene
+      call tstep
+      call tnorm
+      call tprof
+      call trefus
+      if (nbad .ne. 0) then
+        write (*, *) nbad, ' expectations failed'
+        stop 1
+      end if
+      end
+
+c Counts what is not so.
+      subroutine expect(cond, what)
+      implicit none
+      logical cond
+      character*(*) what
+      integer nbad
+      common /bad/ nbad
+      if (cond) return
+      nbad = nbad + 1
+      write (*, *) 'not so: ', what
+      end
+
+      subroutine tscene
+      implicit none
+      integer*8 scene
+      integer ierr, n, nlat, nlon, i
+      real*8 pmax, value, load, p(60000), grid(2), da, db
+      character*40 text
+      character*3 short
+      save p
+      ierr = -1
+      call wrcnew(scene, 'scene', kind(0), ierr)
+      call expect(ierr .eq. 0, 'a scene')
+      ierr = -1
+      call wrcnum(scene, 'left.pmax', value, ierr)
+      call expect(ierr .eq. 10, 'no result yet')
+      ierr = -1
+      call wrcerr(scene, text, ierr)
+      call expect(ierr .eq. 0 .and. text .ne. ' ', 'and a text')
+      ierr = -1
+      call wrcset(scene, 'pose.lateral', 3.0d0, ierr)
+      call expect(ierr .eq. 0, 'a number is set')
+      ierr = -1
+      call wrcget(scene, 'pose.lateral', value, ierr)
+      call expect(ierr .eq. 0 .and. abs(value - 3.0d0) .le. 0.0d0,
+     &  'and told')
+      ierr = -1
+      call wrcstx(scene, 'solve.side   ', 'left  ', ierr)
+      call expect(ierr .eq. 0, 'a text is set')
+      ierr = -1
+      call wrcgtx(scene, 'solve.side', text, ierr)
+      call expect(ierr .eq. 0 .and. text .eq. 'left', 'and told')
+      ierr = -1
+      call wrcsol(scene, ierr)
+      call expect(ierr .eq. 0, 'solved')
+      ierr = -1
+      call wrcnum(scene, 'left.pmax', pmax, ierr)
+c     As wrc_case prints it for the paper's Table 1 at y = 3.
+      call expect(ierr .eq. 0 .and. abs(pmax - 1454.0d0) .lt. 0.05d0,
+     &  'the pressure')
+      ierr = -1
+      call wrctxt(scene, 'units', text, ierr)
+      call expect(ierr .eq. 0 .and. text .eq. 'mm, N, MPa, rad',
+     &  'a text result')
+      ierr = -1
+      call wrctxt(scene, 'units', short, ierr)
+      call expect(ierr .eq. 9 .and. short .eq. 'mm,', 'cut to fit')
+      n = -1
+      ierr = -1
+      call wrcfld(scene, 'left.pressure', p, 0, n, ierr)
+      call expect(ierr .eq. 0 .and. n .gt. 100, 'a length')
+      i = n
+      n = -1
+      ierr = -1
+      call wrcfld(scene, 'left.pressure', p, 10, n, ierr)
+      call expect(ierr .eq. 9 .and. n .eq. i, 'too small')
+      n = -1
+      ierr = -1
+      call wrcfld(scene, 'left.pressure', p, 60000, n, ierr)
+      call expect(ierr .eq. 0 .and. n .eq. i, 'a field')
+      call wrcnum(scene, 'left.element_size.0', da, ierr)
+      call wrcnum(scene, 'left.element_size.1', db, ierr)
+      call wrcnum(scene, 'left.normal_force', value, ierr)
+      load = 0.0d0
+      do 10 i = 1, n
+        load = load + p(i)*da*db
+   10 continue
+      call expect(abs(load - value) .lt. 1.0d-9*value, 'adds up')
+      grid(1) = 32.0d0
+      grid(2) = 16.0d0
+      ierr = -1
+      call wrcstn(scene, 'solve.grid', grid, 2, ierr)
+      call expect(ierr .eq. 0, 'numbers are set')
+      call wrcsol(scene, ierr)
+      call wrcnum(scene, 'left.grid.0', value, ierr)
+      nlat = nint(value)
+      call wrcnum(scene, 'left.grid.1', value, ierr)
+      nlon = nint(value)
+      call expect(nlat .eq. 32 .and. nlon .eq. 16, 'and count')
+      ierr = -1
+      call wrcwrt(scene, 'f77_test_scene.toml', ierr)
+      call expect(ierr .eq. 0, 'written')
+      ierr = -1
+      call wrcset(scene, 'pose.sideways', 1.0d0, ierr)
+      call expect(ierr .eq. 2, 'unknown key')
+      ierr = -1
+      call wrcerr(scene, text, ierr)
+      call expect(index(text, 'pose.sideways') .gt. 0, 'named')
+      ierr = -1
+      call wrcerr(scene, short, ierr)
+      call expect(ierr .eq. 9, 'a text cut')
+      call wrcver(text)
+      call expect(index(text, '.') .gt. 1, 'a version')
+      ierr = -1
+      call wrcdel(scene, ierr)
+      call expect(ierr .eq. 0 .and. scene .eq. 0, 'given back')
+      end
+
+c A solver's steps end where a scene by itself does.
+      subroutine tstep
+      implicit none
+      integer*8 solver, scene
+      integer ierr, i
+      real*8 warm, cold
+      ierr = -1
+      call wrcnew(solver, 'SOLVER', kind(0), ierr)
+      call expect(ierr .eq. 0, 'a solver')
+      call wrcnew(scene, 'scene', kind(0), ierr)
+      do 10 i = 0, 4
+        call wrcset(scene, 'pose.lateral', 0.2d0*i, ierr)
+        ierr = -1
+        call wrcstp(solver, scene, ierr)
+        call expect(ierr .eq. 0, 'a step')
+   10 continue
+      call wrcnum(scene, 'left.pmax', warm, ierr)
+      call wrcsol(scene, ierr)
+      call wrcnum(scene, 'left.pmax', cold, ierr)
+c     Both within the accuracy of 1e-3 that is asked if nothing is said.
+      call expect(abs(warm - cold) .lt. 2.0d-3*cold, 'warm as cold')
+      ierr = -1
+      call wrcfor(solver, 0, ierr)
+      call expect(ierr .eq. 0, 'positions forgotten')
+      call wrcstp(solver, scene, ierr)
+      call wrcnum(scene, 'left.pmax', warm, ierr)
+      call expect(abs(warm - cold) .le. 0.0d0, 'bit for bit')
+      ierr = -1
+      call wrcfor(solver, 1, ierr)
+      call expect(ierr .eq. 0, 'all forgotten')
+      ierr = -1
+      call wrcset(scene, 'pose.lateral', 90.0d0, ierr)
+      call wrcstp(solver, scene, ierr)
+      call expect(ierr .eq. 5, 'no contact')
+      call wrcdel(scene, ierr)
+      call wrcdel(solver, ierr)
+      end
+
+c A sphere on a plane: Hertz.
+      subroutine tnorm
+      implicit none
+      integer n
+      parameter (n = 64)
+      integer*8 normal
+      integer ierr, m, i, j
+      real*8 h(n*n), p(n*n), a, r, e, load, step, pi, value
+      character*20 text
+      pi = acos(-1.0d0)
+      a = 5.0d0
+      r = 500.0d0
+      e = 1.1d5
+      load = 4.0d0*e*a**3/(3.0d0*r)
+      step = 2.0d0*a/45.0d0
+      do 20 j = 1, n
+        do 10 i = 1, n
+          h(i + n*(j - 1)) = step**2*((i - 32.5d0)**2
+     &      + (j - 32.5d0)**2)/(2.0d0*r)
+   10   continue
+   20 continue
+      ierr = -1
+      call wrcnew(normal, 'normal', kind(0), ierr)
+      call expect(ierr .eq. 0, 'a normal contact')
+      ierr = -1
+      call wrcgrd(normal, n, n, step, step, ierr)
+      call expect(ierr .eq. 0, 'a grid')
+      ierr = -1
+      call wrcgap(normal, h, n*n, ierr)
+      call expect(ierr .eq. 0, 'a gap')
+      call wrcset(normal, 'combined_modulus', e, ierr)
+      call wrcset(normal, 'normal_load', load, ierr)
+      call wrcstx(normal, 'precision', 'double', ierr)
+      call expect(ierr .eq. 0, 'a text of a normal contact')
+      ierr = -1
+      call wrcsol(normal, ierr)
+      call expect(ierr .eq. 0, 'solved')
+      call wrcnum(normal, 'pmax', value, ierr)
+c     0.15/45**2 by the grid, twice that to be safe.
+      call expect(abs(value/(1.5d0*load/(pi*a**2)) - 1.0d0) .lt.
+     &  1.5d-4, 'pmax of Hertz')
+      call wrctxt(normal, 'stop_reason', text, ierr)
+      call expect(text .eq. 'tolerance_met', 'converged')
+      m = -1
+      ierr = -1
+      call wrcfld(normal, 'pressure', p, n*n, m, ierr)
+      call expect(ierr .eq. 0 .and. m .eq. n*n, 'pressures')
+      ierr = -1
+      call wrcgap(normal, h, 7, ierr)
+      call wrcsol(normal, ierr)
+      call expect(ierr .eq. 1, 'a gap for each element')
+      call wrcdel(normal, ierr)
+      end
+
+c A circle of 300 mm as a rail: its radius of curvature is found.
+      subroutine tprof
+      implicit none
+      integer n
+      parameter (n = 201)
+      integer*8 rail, scene, wheel
+      integer ierr, i
+      real*8 y(n), z(n), value, known
+      character*40 text
+      ierr = -1
+      call wrcnew(rail, 'profile', kind(0), ierr)
+      call expect(ierr .eq. 0, 'a profile')
+      do 10 i = 1, n
+        y(i) = 0.3d0*(i - 101)
+        z(i) = sqrt(300.0d0**2 - y(i)**2) - 300.0d0
+   10 continue
+      call wrcnew(scene, 'scene', kind(0), ierr)
+      ierr = -1
+      call wrcput(scene, 'track.rail', rail, ierr)
+      call expect(ierr .eq. 10, 'an empty profile')
+      ierr = -1
+      call wrcpts(rail, 'a circle', 1, y, z, n, ierr)
+      call expect(ierr .eq. 0, 'points')
+      call wrctxt(rail, 'name', text, ierr)
+      call expect(ierr .eq. 0 .and. text .ne. ' ', 'with a name')
+      ierr = -1
+      call wrcput(scene, 'track.rail', rail, ierr)
+      call expect(ierr .eq. 0, 'a rail of its own')
+      ierr = -1
+      call wrcput(scene, 'wheelset.wheel', rail, ierr)
+      call expect(ierr .eq. 1, 'but no wheel')
+      ierr = -1
+      call wrcpts(rail, 'a circle', 7, y, z, n, ierr)
+      call expect(ierr .eq. 1, 'kinds are 0 and 1')
+      ierr = -1
+      call wrcstd(rail, '60E1', ierr)
+      call expect(ierr .eq. 0, 'a standard rail')
+      call wrcput(scene, 'track.rail', rail, ierr)
+      call wrcsol(scene, ierr)
+      call wrcnum(scene, 'left.pmax', value, ierr)
+      call wrcstx(scene, 'track.rail', '60E1', ierr)
+      call wrcsol(scene, ierr)
+      call wrcnum(scene, 'left.pmax', known, ierr)
+      call expect(abs(value - known) .le. 0.0d0, 'as by its name')
+      call wrcnew(wheel, 'profile', kind(0), ierr)
+      ierr = -1
+      call wrcfil(wheel, 'not_there.prw', ierr)
+      call expect(ierr .eq. 3, 'no file')
+      call wrcdel(wheel, ierr)
+      call wrcdel(rail, ierr)
+      call wrcdel(scene, ierr)
+      end
+
+c Wrong handles and wrong widths: never a crash, always IERR.
+      subroutine trefus
+      implicit none
+      integer*8 scene, solver, handle
+      integer ierr, n
+      real*8 value(1)
+      character*60 text
+      ierr = -1
+      handle = 4711
+      call wrcnew(handle, 'scene', 5, ierr)
+      call expect(ierr .ne. 0 .and. handle .eq. 0, 'no such width')
+      ierr = -1
+      call wrcnew(handle, 'wheel', kind(0), ierr)
+      call expect(ierr .eq. 2 .and. handle .eq. 0, 'nothing such')
+      ierr = 0
+      call wrcset(handle, 'pose.lateral', 1.0d0, ierr)
+      call expect(ierr .ne. 0, 'handle 0')
+      ierr = 0
+      call wrcerr(handle, text, ierr)
+      call expect(ierr .ne. 0 .and. index(text, 'WRCNEW') .gt. 0,
+     &  'its text')
+      call wrcnew(scene, 'scene', kind(0), ierr)
+      call wrcnew(solver, 'solver', kind(0), ierr)
+      ierr = -1
+      call wrcstp(scene, solver, ierr)
+      call expect(ierr .eq. 1, 'the wrong way round')
+      ierr = -1
+      call wrcset(solver, 'pose.lateral', 1.0d0, ierr)
+      call expect(ierr .eq. 1, 'a solver has no keys')
+      ierr = -1
+      call wrcgrd(scene, 4, 4, 1.0d0, 1.0d0, ierr)
+      call expect(ierr .eq. 1, 'a scene has no grid')
+      ierr = -1
+      n = -1
+      call wrcfld(solver, 'left.pressure', value, 1, n, ierr)
+      call expect(ierr .eq. 1, 'a solver has no fields')
+      ierr = -1
+      call wrcfld(scene, 'left.pressure', value, -1, n, ierr)
+      call expect(ierr .ne. 0, 'no length')
+      handle = scene
+      call wrcdel(scene, ierr)
+      ierr = -1
+      call wrcset(handle, 'pose.lateral', 1.0d0, ierr)
+      call expect(ierr .eq. 1, 'given back before')
+      ierr = 0
+      call wrcset(handle - mod(handle, 16_8), 'pose.lateral', 1.0d0,
+     &  ierr)
+      call expect(ierr .ne. 0, 'a handle without its mark')
+      ierr = -1
+      call wrcdel(handle, ierr)
+      call expect(ierr .eq. 0, 'given back twice does nothing')
+      call wrcdel(solver, ierr)
+      end
