@@ -25,6 +25,9 @@ public:
   Solver();
   /// Solves like Scene::solve, with what is kept.
   bool solve(Scene& scene);
+  /// Bit for bit as Scene::solve, but with profiles, tables and plans of earlier scenes. Tells the
+  /// status instead of throwing.
+  wrc_status solve_alone(Scene& scene);
 
 private:
   std::unique_ptr<wrc_solver, void (*)(wrc_solver*)> handle_;
@@ -54,6 +57,8 @@ public:
   /// Number of entries of a list of results, for example "left.patches".
   [[nodiscard]] int count_of(const std::string& list) const;
 
+  /// Text of the last failure.
+  [[nodiscard]] std::string error() const { return wrc_scene_error(handle_.get()); }
   [[nodiscard]] wrc_scene* handle() const { return handle_.get(); }
 
 private:

@@ -1,0 +1,92 @@
+#include "wrc_sweep/picture_data.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace driver {
+
+std::vector<Value> PictureData::values_of(const std::string& key) const {
+  const int axis = study_.axis_of(key);
+  if (axis >= 0) {
+    return study_.axes[static_cast<std::size_t>(axis)].values;
+  }
+  const auto found = study_.fixed.find(key);
+  return found == study_.fixed.end() ? std::vector<Value>() : std::vector<Value>{found->second};
+}
+
+std::vector<double> PictureData::numbers_of(const std::string& key) const {
+  std::vector<double> numbers;
+  for (const Value& value : values_of(key)) {
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr) {
+      throw Failure("picture.x = \"" + key + "\": allowed is a key whose values are numbers, not " +
+                    text_of(value));
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::int64_t PictureData::find(const Values& values) const {
+  std::int64_t scene = 0;
+  for (const Axis& axis : study_.axes) {
+    std::size_t place = 0;
+    if (const auto wanted = values.find(axis.key); wanted != values.end()) {
+      const auto same = [&](const Value& value) {
+        return text_of(value) == text_of(wanted->second);
+      };
+      place = static_cast<std::size_t>(std::find_if(axis.values.begin(), axis.values.end(), same) -
+                                       axis.values.begin());
+      if (place == axis.values.size()) {
+        return -1;
+      }
+    }
+    scene =
+        scene * static_cast<std::int64_t>(axis.values.size()) + static_cast<std::int64_t>(place);
+  }
+  return scene;
+}
+
+double PictureData::number(const Row& row, const std::string& name) const {
+  const auto found = std::find(study_.results.begin(), study_.results.end(), name);
+  return found == study_.results.end()
+             ? std::numeric_limits<double>::quiet_NaN()
+             : row.values[static_cast<std::size_t>(found - study_.results.begin())];
+}
+
+const std::vector<double>& PictureData::field(const PatchFields& patch,
+                                              const std::string& name) const {
+  const auto found = std::find(study_.fields.begin(), study_.fields.end(), name);
+  return patch.values.at(static_cast<std::size_t>(found - study_.fields.begin()));
+}
+
+std::vector<double> line_of(const PictureData& data, const std::string& x, Values where,
+                            const std::string& result) {
+  std::vector<double> line;
+  for (const double value : data.numbers_of(x)) {
+    where.insert_or_assign(x, value);
+    const std::int64_t scene = data.find(where);
+    line.push_back(scene < 0 ? std::numeric_limits<double>::quiet_NaN()
+                             : data.number(data.row(scene), result));
+  }
+  return line;
+}
+
+std::string plain(const std::string& text) {
+  std::string out;
+  for (const char letter : text) {
+    if (letter == '\'') {
+      out += '\'';
+    }
+    out += letter;
+  }
+  return out;
+}
+
+const char* line_colour(std::size_t index) {
+  constexpr std::array colours{"#0060ad", "#d55e00", "#009e73", "#7030a0", "#a08000", "#404040"};
+  return colours[index % colours.size()];
+}
+
+} // namespace driver

@@ -1,0 +1,45 @@
+/// Rows of a study, as pictures pick them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wrc_sweep/journal.hpp"
+
+namespace driver {
+
+class PictureData {
+public:
+  PictureData(const Study& study, Journal& journal) : study_(study), journal_(journal) {}
+
+  [[nodiscard]] const Study& study() const { return study_; }
+  /// Values that a key has in the study: those of its axis, or its only one.
+  [[nodiscard]] std::vector<Value> values_of(const std::string& key) const;
+  /// The same as numbers; throws Failure for texts.
+  [[nodiscard]] std::vector<double> numbers_of(const std::string& key) const;
+  /// The first scene whose keys have these values, -1 if there is none. An axis that is not named
+  /// has its first value.
+  [[nodiscard]] std::int64_t find(const Values& values) const;
+  [[nodiscard]] Row row(std::int64_t scene) const { return journal_.read(scene); }
+  /// A result of a row; NaN if it failed or has none.
+  [[nodiscard]] double number(const Row& row, const std::string& name) const;
+  /// A field of one of its patches.
+  [[nodiscard]] const std::vector<double>& field(const PatchFields& patch,
+                                                 const std::string& name) const;
+
+private:
+  const Study& study_;
+  Journal& journal_;
+};
+
+/// One line of a picture: a result over the numbers of a key. NaN where there is no result.
+std::vector<double> line_of(const PictureData& data, const std::string& x, Values where,
+                            const std::string& result);
+
+/// Without gnuplot's marks: for titles and labels in quotes.
+std::string plain(const std::string& text);
+
+/// Colours of lines, told apart also by people who see colours less well.
+const char* line_colour(std::size_t index);
+
+} // namespace driver
