@@ -58,7 +58,7 @@ std::vector<Curve> curves_of(const PictureRequest& picture, const PictureData& d
   for (const Value& value : data.values_of(picture.series)) {
     Values where = picture.where;
     where.insert_or_assign(picture.series, value);
-    curves.push_back(curve_of(picture, data, where, picture.series_label + ' ' + text_of(value)));
+    curves.push_back(curve_of(picture, data, where, series_name(picture, value)));
   }
   return curves;
 }
@@ -95,9 +95,8 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       {"amplitude, mm", "equivalent conicity", &Curve::amplitude, &Curve::conicity}};
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
-  out << "set multiplot layout 3,1 title '" << plain(picture.title)
-      << "' font ',12'\nset grid lc rgb '#dddddd'\nset tics out nomirror\nset lmargin 10\n"
-      << "set rmargin 3\nset key outside bottom center horizontal\n";
+  out << "set multiplot layout 3,1 title '" << plain(picture.title) << "' font ',12'\n"
+      << line_style;
   int block = 0;
   for (const Panel& panel : panels) {
     std::string plots;

@@ -75,7 +75,7 @@ void plot_side(std::ostream& out, const PictureRequest& picture, const PictureDa
   }
   out << "EOD\n$labels_" << side << " << EOD\n";
   // Labels where there is room for them along the wheel.
-  constexpr double room = 3.0; // mm
+  constexpr double room = 3.5; // mm
   double last = 1e9;
   for (const Connection& line : all) {
     if (std::abs(line.wheel_y - last) >= room || line.lateral == 0.0) {
@@ -93,7 +93,7 @@ void plot_side(std::ostream& out, const PictureRequest& picture, const PictureDa
       << "set xrange [" << middle + half_width << ':' << middle - half_width
       << "]\nset yrange [-25:60]\nset size ratio -1\n"
       << "plot $lines_" << side
-      << " with lines lw 1 lc rgb '#c05000' title 'touch each other', $rail_" << side
+      << " with lines lw 1.5 lc rgb '#d55e00' title 'touch each other', $rail_" << side
       << " with lines lw 2 lc rgb '#8b5a2b' title 'rail', $wheel_" << side
       << " with lines lw 2 lc rgb '#1f4e9e' title 'wheel', $labels_" << side
       << " using 1:2:3 with labels offset 0,0.8 font ',8' title ''\n";
@@ -115,8 +115,8 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
   out << "set multiplot layout 1," << picture.sides.size() << " title '" << plain(picture.title)
-      << "' font ',12'\nset grid lc rgb '#e8e8e8'\nset tics out nomirror\n"
-      << "set key outside bottom center horizontal\n";
+      << "' font ',12'\nset grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
+      << "set key outside top center horizontal\n";
   for (const std::string& side : picture.sides) {
     plot_side(out, picture, data, centred, side);
   }

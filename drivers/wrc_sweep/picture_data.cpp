@@ -84,6 +84,17 @@ std::string plain(const std::string& text) {
   return out;
 }
 
+std::string series_name(const PictureRequest& picture, const Value& value) {
+  std::string name = picture.series_label;
+  const auto place = name.find("{}");
+  return place == std::string::npos ? name + ' ' + text_of(value)
+                                    : name.replace(place, 2, text_of(value));
+}
+
+const char* const line_style = "set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
+                               "set lmargin 10\nset rmargin 3\n"
+                               "set key outside top center horizontal\n";
+
 const char* line_colour(std::size_t index) {
   constexpr std::array colours{"#0060ad", "#d55e00", "#009e73", "#7030a0", "#a08000", "#404040"};
   return colours[index % colours.size()];

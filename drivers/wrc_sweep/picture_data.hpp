@@ -39,6 +39,12 @@ std::vector<double> line_of(const PictureData& data, const std::string& x, Value
 /// Without gnuplot's marks: for titles and labels in quotes.
 std::string plain(const std::string& text);
 
+/// "cant {}" with a value in the place of {}, or behind if there is no such place.
+std::string series_name(const PictureRequest& picture, const Value& value);
+
+/// Axes, grid and legend as all pictures of lines have them.
+extern const char* const line_style;
+
 /// Colours of lines, told apart also by people who see colours less well.
 const char* line_colour(std::size_t index);
 

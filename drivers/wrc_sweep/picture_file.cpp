@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "support/profile.hpp"
+
 namespace driver {
 namespace {
 
@@ -180,7 +182,7 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   PictureRequest picture;
   picture.file = reader.text("file", study.name + ".png");
   picture.kind = kind_of(reader, reader.text("kind", "lines"));
-  picture.title = reader.text("title", study.title);
+  picture.title = with_values(reader.text("title", study.title), study);
   picture.x = reader.text("x", study.axes.empty() ? "" : study.axes.back().key);
   picture.x_label = reader.text("x_label", picture.x);
   picture.x_factor = reader.number("x_factor", 1.0);
@@ -188,6 +190,7 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   picture.series_label = reader.text("series_label", picture.series);
   picture.sides = reader.texts("sides");
   picture.x_values = reader.numbers("x_values");
+  picture.pressure_max = reader.number("pressure_max", 0.0);
   picture.where = reader.values("where");
   for (const toml::node& node : reader.tables("panels")) {
     picture.panels.push_back(read_panel(*node.as_table(), "picture.panels", study));
@@ -216,7 +219,28 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   return picture;
 }
 
+/// What a profile is called in pictures: a reconstruction says so.
+std::string profile_title(const std::string& name) {
+  try {
+    const std::string title = Profile::standard(name).text("title");
+    return title.substr(0, title.find(','));
+  } catch (const Failure&) {
+    return name; // a file
+  }
+}
+
 } // namespace
+
+std::string with_values(std::string text, const Study& study) {
+  for (const auto& [key, value] : study.fixed) {
+    const std::string mark = '{' + key + '}';
+    const std::string shown = names_profile(key) ? profile_title(text_of(value)) : text_of(value);
+    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark)) {
+      text.replace(at, mark.size(), shown);
+    }
+  }
+  return text;
+}
 
 std::vector<std::string> needed_results(const PictureRequest& picture) {
   std::vector<std::string> names;

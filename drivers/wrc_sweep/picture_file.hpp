@@ -13,4 +13,7 @@ std::vector<PictureRequest> read_pictures(const toml::table& file, const Study& 
 /// The results that a kind of picture reads, besides those that its panels name.
 std::vector<std::string> needed_results(const PictureRequest& picture);
 
+/// A title with "{track.cant}" and so on replaced by the study's value, of keys that do not vary.
+std::string with_values(std::string text, const Study& study);
+
 } // namespace driver

@@ -37,7 +37,7 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
     std::string name;
     if (!series.empty()) {
       where.insert_or_assign(picture.series, series[group]);
-      name = picture.series_label + ' ' + text_of(series[group]);
+      name = series_name(picture, series[group]);
     }
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
       const auto y = line_of(data, picture.x, where, panel.lines[i].result);
@@ -60,9 +60,8 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
   out << "set multiplot layout " << count << ",1 title '" << plain(picture.title)
-      << "' font ',12'\nset grid lc rgb '#dddddd'\nset tics out nomirror\n"
-      << "set lmargin 10\nset rmargin 3\nset key outside bottom center horizontal\n"
-      << "set xlabel '" << plain(picture.x_label) << "'\n";
+      << "' font ',12'\n"
+      << line_style << "set xlabel '" << plain(picture.x_label) << "'\n";
   for (std::size_t i = 0; i < picture.panels.size(); ++i) {
     const PanelRequest& panel = picture.panels[i];
     const std::vector<DrawnLine> lines = lines_of(picture, data, panel);

@@ -168,7 +168,7 @@ std::vector<MapRow> rows_of(std::ostream& out, const PictureRequest& picture,
     std::string label;
     if (!picture.series.empty()) {
       where.insert_or_assign(picture.series, value);
-      label = picture.series_label + ' ' + text_of(value);
+      label = series_name(picture, value);
     }
     for (const std::string& side : picture.sides) {
       MapRow& row = rows.emplace_back();
@@ -212,17 +212,20 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   }
   width += 3.0;
   height += 8.0;
+  const bool cut = picture.pressure_max > 0.0 && picture.pressure_max < pmax;
+  const double darkest = std::max(cut ? picture.pressure_max : pmax, 1.0);
   const double columns_wide = width * static_cast<double>(columns.size());
   const double rows_high = height * static_cast<double>(rows.size());
   constexpr double head = 5.0;    // mm, for the values of the columns
   constexpr double margin = 14.0; // mm, for the labels of the rows
   constexpr double foot = 5.0;    // mm, for the scale
   out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
-      << plain(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa'\nset cbtics\n"
+      << plain(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
+      << (cut ? " (darkest: this and more)" : "") << "'\nset cbtics\n"
       << "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
          "'#e69138', 1 '#990000')\n"
       << "set xrange [" << -margin << ':' << columns_wide << "]\nset yrange [" << -rows_high - foot
-      << ':' << head << "]\nset cbrange [0:" << std::max(pmax, 1.0) << "]\n"
+      << ':' << head << "]\nset cbrange [0:" << darkest << "]\n"
       << "set label '" << plain(picture.x_label) << ":' at " << -margin << ',' << 0.5 * head
       << "\n";
   for (std::size_t j = 0; j < columns.size(); ++j) {
@@ -236,12 +239,14 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Cell& cell = rows[i].cells[j];
       const double x = (static_cast<double>(j) + 0.5) * width;
+      // Each contact in the middle of its cell, wherever it lies on the wheel.
       const double middle = 0.5 * (cell.left + cell.right);
+      const double centre = 0.5 * (cell.front + cell.back);
       out << "set label '" << (std::isnan(cell.pmax) ? "failed" : rounded(cell.pmax)) << "' at "
           << x << ',' << y - 0.5 * height + 2.0 << " center font ',9'\n";
       for (const Map& map : cell.maps) {
         plots += (plots.empty() ? "plot " : ", ") + map.block + " using (" + text_of(x + middle) +
-                 "-$1):($2+(" + text_of(y + 1.0) + ")):3 with image";
+                 "-$1):($2+(" + text_of(y + 1.0 - centre) + ")):3 with image";
       }
     }
   }

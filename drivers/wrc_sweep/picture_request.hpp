@@ -34,10 +34,11 @@ struct PictureRequest {
   std::string x; ///< key of the axis to the right; patches: of the columns
   std::string x_label;
   double x_factor = 1.0;
-  std::string series; ///< key with a line, or a row of maps, for each value; empty: none
-  std::string series_label;
+  std::string series;       ///< key with a line, or a row of maps, for each value; empty: none
+  std::string series_label; ///< {} stands for the value
   std::vector<std::string> sides; ///< patches, connections: "left", "right"
   std::vector<double> x_values;   ///< patches: those drawn; empty: all
+  double pressure_max = 0.0;      ///< patches: of the darkest colour, MPa; 0: the largest there is
   Values where;                   ///< which scenes are drawn
   std::vector<PanelRequest> panels;
 };

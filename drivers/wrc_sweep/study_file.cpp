@@ -211,7 +211,7 @@ void read_study_table(const toml::table& file, Study& study) {
     }
   }
   study.name = (*table)["name"].value_or(study.name);
-  study.title = (*table)["title"].value_or(study.title);
+  study.title = with_values((*table)["title"].value_or(study.title), study);
   if (study.name.empty() || study.name.find('/') != std::string::npos) {
     throw Failure("study.name = \"" + study.name + "\": allowed is a file name without folder");
   }
