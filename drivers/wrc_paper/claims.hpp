@@ -28,6 +28,7 @@ struct Claim {
 };
 
 struct Figure {
+  int number = 0;
   std::string title;
   std::vector<std::string> pictures;
   std::vector<Claim> claims;

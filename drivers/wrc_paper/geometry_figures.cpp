@@ -51,7 +51,7 @@ Finding judge_mirror(const fs::path& folder) {
   }
   constexpr double rounding = 1e-3; // mm
   return {verdict_of(most < rounding),
-          "left at y and right at -y differ by at most " + fixed(most, 6) + " mm"};
+          "left at y and right at -y differ by at most " + small(most) + " mm"};
 }
 
 Finding judge_sudden_slope(const fs::path& folder) {
@@ -175,7 +175,7 @@ Finding judge_yaw_even(const fs::path& folder) {
   }
   constexpr double even = 1e-6; // rad
   return {verdict_of(most > even),
-          "roll at yaw and at -yaw differ by at most " + fixed(milli * most, 6) + " mrad"};
+          "roll at yaw and at -yaw differ by at most " + small(milli * most) + " mrad"};
 }
 
 Finding judge_yaw_centred(const fs::path& folder) {
@@ -184,7 +184,7 @@ Finding judge_yaw_centred(const fs::path& folder) {
     most = std::max(most, std::abs(roll));
   }
   constexpr double none = 1e-6; // rad
-  return {verdict_of(most > none), "at most " + fixed(milli * most, 6) + " mrad at 50 mrad of yaw"};
+  return {verdict_of(most > none), "at most " + small(milli * most) + " mrad at 50 mrad of yaw"};
 }
 
 Finding judge_yaw_effect(const fs::path& folder) {
@@ -214,7 +214,8 @@ const char* const reconstruction =
 std::vector<Figure> geometry_figures() {
   std::vector<Figure> figures;
   figures.push_back(
-      {"Figure 6: positions of the contact, cant 1:40",
+      {6,
+       "positions of the contact, cant 1:40",
        {"fig06.png"},
        {{"On the left wheel the contact moves from 20.0 to -37.0 mm as y goes from -10 to 10 mm",
          [](const fs::path& f) { return judge_range(f, on_wheel, 20.0, -37.0); }, reconstruction},
@@ -223,8 +224,9 @@ std::vector<Figure> geometry_figures() {
         {"It goes from the tread to the flange, and never back", judge_tread_to_flange, ""},
         {"The right side is the mirror image of the left one", judge_mirror, ""},
         {"The slope changes suddenly between 8 and 10 mm, to both sides", judge_sudden_slope,
-         "A jump needs two places that touch at once; LMA's flange root is reached earlier."}}});
-  figures.push_back({"Figure 7: roll, cant 1:40",
+         "The change at LMA's flange begins before 8 mm already."}}});
+  figures.push_back({7,
+                     "roll, cant 1:40",
                      {"fig07.png"},
                      {{"Roll is positive for negative y and negative for positive y (the paper's "
                        "sign, opposite to ours)",
@@ -233,13 +235,15 @@ std::vector<Figure> geometry_figures() {
                        "The magnitude falls where the other wheel runs onto a steeper part of its "
                        "profile first."}}});
   figures.push_back(
-      {"Figure 9: roll for cant 1:20 and 1:30",
+      {9,
+       "roll for cant 1:20 and 1:30",
        {"fig09.png"},
        {{"The magnitude of roll grows with that of y", judge_roll_grows_with_cants, reconstruction},
         {"The steeper the cant, the smaller the roll", judge_roll_falls_with_cant,
          reconstruction}}});
   figures.push_back(
-      {"Figure 10: positions on the left side for cant 1:20 and 1:30",
+      {10,
+       "positions on the left side for cant 1:20 and 1:30",
        {"fig10.png"},
        {{"From -8 to 8 mm the contact covers 45 mm for 1:20 and 40 mm for 1:30: more for the "
          "steeper cant",
@@ -247,7 +251,8 @@ std::vector<Figure> geometry_figures() {
         {"For 1:30 the place on the rail hardly changes from -2 to 4 mm", judge_unchanged,
          reconstruction}}});
   figures.push_back(
-      {"Figure 12: roll over yaw, cant 1:40 (yaw up to 50 mrad, see docs/paper_misprints.md)",
+      {12,
+       "roll over yaw, cant 1:40 (yaw up to 50 mrad, see docs/paper_misprints.md)",
        {"fig12.png"},
        {{"Off the centre the roll depends on the sign of yaw: larger for one, smaller for the "
          "other",

@@ -18,6 +18,13 @@ inline std::string fixed(double value, int decimals) {
   return text.str();
 }
 
+/// A number of which only the size matters.
+inline std::string small(double value) {
+  std::ostringstream text;
+  text << std::setprecision(1) << value;
+  return text.str();
+}
+
 inline Verdict verdict_of(bool holds) {
   return holds ? Verdict::confirmed : Verdict::not_confirmed;
 }

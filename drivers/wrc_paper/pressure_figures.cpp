@@ -63,7 +63,7 @@ Finding judge_opposite(const fs::path& folder) {
   }
   constexpr double rounding = 1e-6;
   return {verdict_of(most < rounding),
-          "left at y and right at -y differ by at most " + fixed(100.0 * most, 6) + " %"};
+          "left at y and right at -y differ by at most " + small(100.0 * most) + " %"};
 }
 
 Finding judge_cants(const fs::path& folder) {
@@ -92,9 +92,9 @@ Finding judge_cants(const fs::path& folder) {
           : 3 * as_said >= 2 * all ? Verdict::partly
                                    : Verdict::not_confirmed,
           "holds at " + std::to_string(as_said) + " of " + std::to_string(all) +
-              " displacements; the order changes near " +
-              (crossings.empty() ? "no displacement" : crossings + " mm") + "; at 0 mm " +
-              fixed(steep.at(lateral, 0.0, pmax), 0) + " (1:20), " +
+              " displacements; the order " +
+              (crossings.empty() ? "never changes" : "changes near " + crossings + " mm") +
+              "; at 0 mm " + fixed(steep.at(lateral, 0.0, pmax), 0) + " (1:20), " +
               fixed(flat.at(lateral, 0.0, pmax), 0) + " (1:30) MPa"};
 }
 
@@ -128,7 +128,7 @@ Finding judge_yaw_sign(const fs::path& folder) {
   }
   constexpr double even = 2e-3; // twice the accuracy asked
   return {verdict_of(most > even),
-          "pressures at yaw and at -yaw differ by at most " + fixed(100.0 * most, 4) + " %"};
+          "pressures at yaw and at -yaw differ by at most " + small(100.0 * most) + " %"};
 }
 
 Finding judge_yaw_shape(const fs::path& folder) {
@@ -153,19 +153,22 @@ const char* const reconstruction =
 std::vector<Figure> pressure_figures() {
   std::vector<Figure> figures;
   figures.push_back(
-      {"Figure 8: patches and largest pressures, cant 1:40",
+      {8,
+       "patches and largest pressures, cant 1:40",
        {"fig08_patches.png", "fig08_pmax.png"},
        {{"The lateral displacement has a strong influence on the pressure", judge_strong, ""},
         {"Left wheel: a mild increase up to y = 0, then a sharp decrease, then a sharp increase",
          judge_three_parts, reconstruction},
         {"The last increase is the flange on the gauge corner", judge_flange, ""},
         {"The right wheel behaves in the opposite way", judge_opposite, ""}}});
-  figures.push_back({"Figure 11: left wheel, cant 1:20 and 1:30",
+  figures.push_back({11,
+                     "left wheel, cant 1:20 and 1:30",
                      {"fig11_patches.png", "fig11_pmax.png"},
                      {{"Below y = 3 mm pressures are lower for 1:20, above they are lower for 1:30",
                        judge_cants, reconstruction}}});
   figures.push_back(
-      {"Figure 13: over yaw, y = 6 mm, cant 1:40 (yaw up to 50 mrad, see docs/paper_misprints.md)",
+      {13,
+       "over yaw, y = 6 mm, cant 1:40 (yaw up to 50 mrad, see docs/paper_misprints.md)",
        {"fig13_patches.png", "fig13_pmax.png"},
        {{"Any yaw raises the largest pressure of both wheels", judge_yaw_raises,
          "Yaw moves both contacts along their profiles; whether the pressure rises depends on the "

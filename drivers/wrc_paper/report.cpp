@@ -1,6 +1,8 @@
 #include "wrc_paper/report.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "support/csv_table.hpp"
 #include "support/scene.hpp"
@@ -48,8 +50,9 @@ constexpr std::array table2{Table2{-5.0, 1093.0, 1115.0}, Table2{-3.0, 1030.0, 1
                             Table2{-1.0, 829.0, 852.0},   Table2{1.0, 1220.0, 1165.0},
                             Table2{3.0, 1495.0, 1470.0},  Table2{5.0, 2278.0, 2150.0}};
 
-double percent(double value, double reference) {
-  return 100.0 * (value / reference - 1.0);
+std::string deviation(double value, double reference) {
+  const double percent = 100.0 * (value / reference - 1.0);
+  return std::string(percent > 0.0 ? "+" : "").append(fixed(percent, 1)) + " %";
 }
 
 void write_table2(const fs::path& folder, std::ostream& out) {
@@ -64,13 +67,11 @@ void write_table2(const fs::path& folder, std::ostream& out) {
   double most = 0.0;
   for (const Table2& row : table2) {
     const double ours = table.at("pose.lateral", row.lateral, "left.pmax");
-    const double model = percent(ours, row.model);
     out << "| " << fixed(row.lateral, 0) << " | " << fixed(row.contact, 0) << " | "
-        << fixed(row.model, 0) << " | " << fixed(ours, 1) << " | " << std::showpos
-        << fixed(model, 1) << " % | " << fixed(percent(ours, row.contact), 1) << " % |\n"
-        << std::noshowpos;
-    constexpr double stated = 6.0; // percent, between the paper's two programs
-    close += std::abs(model) < stated ? 1 : 0;
+        << fixed(row.model, 0) << " | " << fixed(ours, 1) << " | " << deviation(ours, row.model)
+        << " | " << deviation(ours, row.contact) << " |\n";
+    constexpr double stated = 0.06; // between the paper's two programs
+    close += std::abs(ours / row.model - 1.0) < stated ? 1 : 0;
     least = std::min(least, ours);
     most = std::max(most, ours);
   }
@@ -95,11 +96,11 @@ void write_table2(const fs::path& folder, std::ostream& out) {
 
 void write_figure(const fs::path& folder, const Figure& figure, std::ostream& out, int& confirmed,
                   int& all) {
-  out << "## " << figure.title << "\n\n";
+  out << "## Figure " << figure.number << ": " << figure.title << "\n\n";
   for (const Wheel& wheel : wheels) {
     for (const std::string& name : figure.pictures) {
       picture(out, folder, std::string(wheel.folder) + '/' + name,
-              figure.title + ", " + wheel.title);
+              "figure " + std::to_string(figure.number) + ", " + wheel.title);
     }
   }
   out << "| the paper says |";
@@ -172,6 +173,8 @@ void write_report(const fs::path& folder, std::ostream& out) {
   for (Figure& figure : pressure_figures()) {
     figures.push_back(std::move(figure));
   }
+  std::sort(figures.begin(), figures.end(),
+            [](const Figure& one, const Figure& other) { return one.number < other.number; });
   for (const Figure& figure : figures) {
     write_figure(folder, figure, out, confirmed, all);
   }

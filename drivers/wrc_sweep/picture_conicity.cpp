@@ -95,10 +95,10 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       {"amplitude, mm", "equivalent conicity", &Curve::amplitude, &Curve::conicity}};
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
-  out << "set multiplot layout 3,1 title '" << plain(picture.title) << "' font ',12'\n"
-      << line_style;
+  out << multiplot(3, 1, picture.title) << line_style;
   int block = 0;
   for (const Panel& panel : panels) {
+    AxisRange range;
     std::string plots;
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const std::vector<double>& x = curves[i].*panel.x;
@@ -109,6 +109,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       const std::string name = "$curve" + std::to_string(block++);
       out << name << " << EOD\n";
       for (std::size_t j = 0; j < x.size(); ++j) {
+        range.include(y[j]);
         out << x[j] << ' ' << y[j] << '\n';
       }
       out << "EOD\n";
@@ -117,7 +118,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
                plain(curves[i].title) + '\'';
     }
     out << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label << "'\n"
-        << (plots.empty() ? "plot NaN notitle" : plots) << '\n';
+        << range.command("y") << (plots.empty() ? "plot NaN notitle" : plots) << '\n';
   }
   out << "unset multiplot\n";
   gnuplot.draw(path, 760, 1200);

@@ -114,8 +114,8 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   centred.solve();
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
-  out << "set multiplot layout 1," << picture.sides.size() << " title '" << plain(picture.title)
-      << "' font ',12'\nset grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
+  out << multiplot(1, picture.sides.size(), picture.title)
+      << "set grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
       << "set key outside top center horizontal\n";
   for (const std::string& side : picture.sides) {
     plot_side(out, picture, data, centred, side);

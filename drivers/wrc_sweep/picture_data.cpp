@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace driver {
@@ -84,6 +85,18 @@ std::string plain(const std::string& text) {
   return out;
 }
 
+std::string multiplot(int rows, std::size_t columns, const std::string& title) {
+  std::string quoted; // double quotes, since the line below the title is empty but not nothing
+  for (const char letter : title) {
+    if (letter == '"' || letter == '\\') {
+      quoted += '\\';
+    }
+    quoted += letter;
+  }
+  return "set multiplot layout " + std::to_string(rows) + ',' + std::to_string(columns) +
+         " title \"" + quoted + "\\n \" font ',12'\n";
+}
+
 std::string series_name(const PictureRequest& picture, const Value& value) {
   std::string name = picture.series_label;
   const auto place = name.find("{}");
@@ -94,6 +107,24 @@ std::string series_name(const PictureRequest& picture, const Value& value) {
 const char* const line_style = "set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
                                "set lmargin 10\nset rmargin 3\n"
                                "set key outside top center horizontal\n";
+
+void AxisRange::include(double value) {
+  if (!std::isnan(value)) {
+    least_ = empty_ ? value : std::min(least_, value);
+    greatest_ = empty_ ? value : std::max(greatest_, value);
+    empty_ = false;
+  }
+}
+
+std::string AxisRange::command(const std::string& axis) const {
+  constexpr double room = 0.05;
+  constexpr double rounding = 1e-9;
+  const double size = std::max(std::abs(least_), std::abs(greatest_));
+  const double width = greatest_ - least_;
+  const double beyond = width > rounding * size ? room * width : size > 0.0 ? room * size : 1.0;
+  return "set " + axis + "range [" + text_of(least_ - beyond) + ':' + text_of(greatest_ + beyond) +
+         "]\n";
+}
 
 const char* line_colour(std::size_t index) {
   constexpr std::array colours{"#0060ad", "#d55e00", "#009e73", "#7030a0", "#a08000", "#404040"};

@@ -36,14 +36,31 @@ private:
 std::vector<double> line_of(const PictureData& data, const std::string& x, Values where,
                             const std::string& result);
 
-/// Without gnuplot's marks: for titles and labels in quotes.
+/// A text for single quotes of gnuplot.
 std::string plain(const std::string& text);
+/// Begins a picture of several plots: its layout, and a title with room below it.
+std::string multiplot(int rows, std::size_t columns, const std::string& title);
 
 /// "cant {}" with a value in the place of {}, or behind if there is no such place.
 std::string series_name(const PictureRequest& picture, const Value& value);
 
 /// Axes, grid and legend as all pictures of lines have them.
 extern const char* const line_style;
+
+/// An axis from the least to the greatest value taken in, with some room; also for equal values,
+/// and for none.
+class AxisRange {
+public:
+  /// NaN is left out.
+  void include(double value);
+  /// For example "set yrange [0:1]\n".
+  [[nodiscard]] std::string command(const std::string& axis) const;
+
+private:
+  double least_ = 0.0;
+  double greatest_ = 0.0;
+  bool empty_ = true;
+};
 
 /// Colours of lines, told apart also by people who see colours less well.
 const char* line_colour(std::size_t index);

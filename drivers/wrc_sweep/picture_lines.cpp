@@ -26,7 +26,7 @@ std::string joined(const std::string& one, const std::string& other) {
 }
 
 std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData& data,
-                                const PanelRequest& panel) {
+                                const PanelRequest& panel, AxisRange& range) {
   std::vector<DrawnLine> lines;
   const std::vector<double> x = data.numbers_of(picture.x);
   const std::vector<Value> series =
@@ -41,6 +41,9 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
     }
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
       const auto y = line_of(data, picture.x, where, panel.lines[i].result);
+      for (const double value : y) {
+        range.include(panel.y_factor * value);
+      }
       lines.push_back({joined(name, panel.lines[i].title), series.empty() ? i : group, i,
                        data_of(x, picture.x_factor, y, panel.y_factor)});
     }
@@ -54,17 +57,17 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
                 const std::filesystem::path& path) {
   constexpr int width = 760;
   constexpr int panel_height = 420;
-  constexpr int title_height = 30;
+  constexpr int title_height = 50;
   const auto count = static_cast<int>(picture.panels.size());
   const int height = title_height + panel_height * count;
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
-  out << "set multiplot layout " << count << ",1 title '" << plain(picture.title)
-      << "' font ',12'\n"
-      << line_style << "set xlabel '" << plain(picture.x_label) << "'\n";
+  out << multiplot(count, 1, picture.title) << line_style << "set xlabel '"
+      << plain(picture.x_label) << "'\n";
   for (std::size_t i = 0; i < picture.panels.size(); ++i) {
     const PanelRequest& panel = picture.panels[i];
-    const std::vector<DrawnLine> lines = lines_of(picture, data, panel);
+    AxisRange range;
+    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range);
     std::string plots;
     for (std::size_t j = 0; j < lines.size(); ++j) {
       const std::string block = "$panel" + std::to_string(i) + '_' + std::to_string(j);
@@ -75,7 +78,7 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
                std::to_string(1 + lines[j].mark % marks) + " lc rgb '" +
                line_colour(lines[j].colour) + "' title '" + plain(lines[j].title) + '\'';
     }
-    out << "set ylabel '" << plain(panel.y_label) << "'\n" << plots << '\n';
+    out << "set ylabel '" << plain(panel.y_label) << "'\n" << range.command("y") << plots << '\n';
   }
   out << "unset multiplot\n";
   gnuplot.draw(path, width, height);
