@@ -3,20 +3,6 @@
 #include "support/toml.hpp"
 
 namespace driver {
-namespace {
-
-void flatten(const toml::table& table, const std::string& prefix, Values& values) {
-  for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
-    if (const toml::table* inner = node.as_table()) {
-      flatten(*inner, name + '.', values);
-    } else {
-      values.insert_or_assign(name, value_of(name, node));
-    }
-  }
-}
-
-} // namespace
 
 void apply_scene_file(Scene& scene, const std::string& path) {
   Values values;

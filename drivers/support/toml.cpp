@@ -74,6 +74,17 @@ Value value_of(const std::string& key, const toml::node& node) {
                 ": allowed are a number, a text or a list of numbers");
 }
 
+void flatten(const toml::table& table, const std::string& prefix, Values& values) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (const toml::table* inner = node.as_table()) {
+      flatten(*inner, name + '.', values);
+    } else {
+      values.insert_or_assign(name, value_of(name, node));
+    }
+  }
+}
+
 Assignment split_assignment(const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {

@@ -28,6 +28,9 @@ std::optional<double> number_of(const toml::node& node);
 /// A number, a text or a list of numbers; throws Failure for others.
 Value value_of(const std::string& key, const toml::node& node);
 
+/// Adds the values of a table and of those within it, by names with points between.
+void flatten(const toml::table& table, const std::string& prefix, Values& values);
+
 /// "key=value" taken apart; throws Failure if there is no key.
 struct Assignment {
   std::string key;

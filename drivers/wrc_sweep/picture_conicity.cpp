@@ -24,8 +24,8 @@ Curve curve_of(const PictureRequest& picture, const PictureData& data, const Val
                const std::string& title) {
   Curve curve;
   curve.title = title;
-  const std::vector<double> lateral = data.numbers_of(picture.x);
-  const auto line = [&](const char* name) { return line_of(data, picture.x, where, name); };
+  const std::vector<double> lateral = places_of(picture, data);
+  const auto line = [&](const char* name) { return line_of(picture, data, where, name); };
   const std::vector<double> radius = line("rolling_radius_difference");
   // Both angles are turns about x; the right contact angle counts the other way round.
   const std::vector<double> left = line("left.rigid_contact.angle");
@@ -121,7 +121,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
         << range.command("y") << (plots.empty() ? "plot NaN notitle" : plots) << '\n';
   }
   out << "unset multiplot\n";
-  gnuplot.draw(path, 760, 1200);
+  gnuplot.draw(path, 860, 1200);
 }
 
 } // namespace driver

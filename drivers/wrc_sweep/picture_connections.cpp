@@ -41,7 +41,7 @@ std::vector<Connection> connections_of(const PictureRequest& picture, const Pict
       centred.number(prefix + "y") - outwards * centred.number(prefix + "s_wheel");
   const double taping_z = centred.number(prefix + "z") + centred.number(prefix + "w_wheel");
   std::vector<Connection> all;
-  for (const double lateral : data.numbers_of(picture.x)) {
+  for (const double lateral : places_of(picture, data)) {
     Values where = picture.where;
     where.insert_or_assign(picture.x, lateral);
     const std::int64_t scene = data.find(where);

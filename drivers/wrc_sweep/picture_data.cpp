@@ -62,11 +62,15 @@ const std::vector<double>& PictureData::field(const PatchFields& patch,
   return patch.values.at(static_cast<std::size_t>(found - study_.fields.begin()));
 }
 
-std::vector<double> line_of(const PictureData& data, const std::string& x, Values where,
+std::vector<double> places_of(const PictureRequest& picture, const PictureData& data) {
+  return picture.x_values.empty() ? data.numbers_of(picture.x) : picture.x_values;
+}
+
+std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
                             const std::string& result) {
   std::vector<double> line;
-  for (const double value : data.numbers_of(x)) {
-    where.insert_or_assign(x, value);
+  for (const double value : places_of(picture, data)) {
+    where.insert_or_assign(picture.x, value);
     const std::int64_t scene = data.find(where);
     line.push_back(scene < 0 ? std::numeric_limits<double>::quiet_NaN()
                              : data.number(data.row(scene), result));

@@ -32,8 +32,10 @@ private:
   Journal& journal_;
 };
 
-/// One line of a picture: a result over the numbers of a key. NaN where there is no result.
-std::vector<double> line_of(const PictureData& data, const std::string& x, Values where,
+/// The places along x that a picture shows: those it asks for, or all.
+std::vector<double> places_of(const PictureRequest& picture, const PictureData& data);
+/// One line of a picture: a result over these places. NaN where there is no result.
+std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
                             const std::string& result);
 
 /// A text for single quotes of gnuplot.

@@ -28,7 +28,7 @@ std::string joined(const std::string& one, const std::string& other) {
 std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData& data,
                                 const PanelRequest& panel, AxisRange& range) {
   std::vector<DrawnLine> lines;
-  const std::vector<double> x = data.numbers_of(picture.x);
+  const std::vector<double> x = places_of(picture, data);
   const std::vector<Value> series =
       picture.series.empty() ? std::vector<Value>{} : data.values_of(picture.series);
   const std::size_t groups = std::max<std::size_t>(series.size(), 1);
@@ -40,7 +40,7 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
       name = series_name(picture, series[group]);
     }
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-      const auto y = line_of(data, picture.x, where, panel.lines[i].result);
+      const auto y = line_of(picture, data, where, panel.lines[i].result);
       for (const double value : y) {
         range.include(panel.y_factor * value);
       }
@@ -55,7 +55,7 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
 
 void draw_lines(const PictureRequest& picture, const PictureData& data,
                 const std::filesystem::path& path) {
-  constexpr int width = 760;
+  constexpr int width = 860;
   constexpr int panel_height = 420;
   constexpr int title_height = 50;
   const auto count = static_cast<int>(picture.panels.size());

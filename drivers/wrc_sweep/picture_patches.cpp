@@ -195,8 +195,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
                   const std::filesystem::path& path) {
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
-  const std::vector<double> columns =
-      picture.x_values.empty() ? data.numbers_of(picture.x) : picture.x_values;
+  const std::vector<double> columns = places_of(picture, data);
   const std::vector<MapRow> rows = rows_of(out, picture, data, columns);
 
   // Cells as wide and high as the largest of them, with room for labels.

@@ -37,7 +37,7 @@ struct PictureRequest {
   std::string series;       ///< key with a line, or a row of maps, for each value; empty: none
   std::string series_label; ///< {} stands for the value
   std::vector<std::string> sides; ///< patches, connections: "left", "right"
-  std::vector<double> x_values;   ///< patches: those drawn; empty: all
+  std::vector<double> x_values;   ///< those drawn; empty: all
   double pressure_max = 0.0;      ///< patches: of the darkest colour, MPa; 0: the largest there is
   Values where;                   ///< which scenes are drawn
   std::vector<PanelRequest> panels;
