@@ -9,7 +9,7 @@ out=${1:-build/paper}
 scripts/install_packages.sh "${build_packages[@]}"
 echo "== building"
 cmake --preset release >/dev/null
-cmake --build --preset release --target wrc_sweep wrc_paper | tail -n 1
+cmake --build --preset release --target wrc_sweep wrc_paper wrc_benchmark | tail -n 1
 
 sweep() {
   build/release/bin/wrc_sweep "drivers/studies/$1.toml" --out "$out/$2" --restart \
@@ -28,5 +28,7 @@ for wheel in LM LMA; do
     sweep "$study" "$wheel" --set "wheelset.wheel=$wheel" --set "wheelset.radius=$radius"
   done
 done
+echo "== times"
+build/release/bin/wrc_benchmark --case table1 --grid 256x128 --json >"$out/timing.json" 2>/dev/null
 echo "== report"
 build/release/bin/wrc_paper "$out"

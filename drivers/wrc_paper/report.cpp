@@ -8,6 +8,7 @@
 #include "support/scene.hpp"
 #include "wrc_paper/claims.hpp"
 #include "wrc_paper/numbers.hpp"
+#include "wrc_paper/timing.hpp"
 
 namespace driver {
 namespace {
@@ -179,6 +180,7 @@ void write_report(const fs::path& folder, std::ostream& out) {
     write_figure(folder, figure, out, confirmed, all);
   }
   write_geometry(folder, out);
+  write_timing(folder, out);
   out << "## In short\n\nOf the paper's " << all << " statements on LM above, " << confirmed
       << " are confirmed with the reconstruction of that wheel.\n";
 }

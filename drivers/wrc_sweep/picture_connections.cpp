@@ -75,7 +75,7 @@ void plot_side(std::ostream& out, const PictureRequest& picture, const PictureDa
   }
   out << "EOD\n$labels_" << side << " << EOD\n";
   // Labels where there is room for them along the wheel.
-  constexpr double room = 3.5; // mm
+  constexpr double room = 4.5; // mm
   double last = 1e9;
   for (const Connection& line : all) {
     if (std::abs(line.wheel_y - last) >= room || line.lateral == 0.0) {

@@ -220,7 +220,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   constexpr double foot = 5.0;    // mm, for the scale
   out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
       << plain(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
-      << (cut ? " (darkest: this and more)" : "") << "'\nset cbtics\n"
+      << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
       << "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
          "'#e69138', 1 '#990000')\n"
       << "set xrange [" << -margin << ':' << columns_wide << "]\nset yrange [" << -rows_high - foot
