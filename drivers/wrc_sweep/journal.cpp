@@ -1,6 +1,10 @@
 #include "wrc_sweep/journal.hpp"
 
+#include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace driver {
 
@@ -18,7 +22,9 @@ std::string header_of(const Study& study) {
 Journal::Journal(fs::path path, const Study& study, Old old) : path_(std::move(path)) {
   places_.assign(static_cast<std::size_t>(study.scene_count()), -1);
   lengths_.assign(places_.size(), 0);
-  if (fs::exists(path_) && old != Old::restart) {
+  const bool there = fs::exists(path_) && fs::file_size(path_) > 0;
+  lock();
+  if (there && old != Old::restart) {
     if (old == Old::refuse) {
       throw Failure(path_.string() +
                     " holds rows of an interrupted run: allowed are --resume to go on and "
@@ -27,6 +33,25 @@ Journal::Journal(fs::path path, const Study& study, Old old) : path_(std::move(p
     open_old(study);
   } else {
     start(study);
+  }
+}
+
+Journal::~Journal() {
+  if (locked_ >= 0) {
+    close(locked_);
+  }
+}
+
+void Journal::lock() {
+  constexpr mode_t everybody = 0666; // less the user's mask
+  locked_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
+  if (locked_ < 0) {
+    throw Failure("cannot write " + path_.string() + ": is the folder there and writable?");
+  }
+  // Two runs that write the same results would spoil them. File systems without locks do not tell.
+  if (flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(locked_);
+    throw Failure(path_.string() + " is being written by another run: allowed is another --out");
   }
 }
 

@@ -19,8 +19,12 @@ public:
   /// What to do with a file that is there already.
   enum class Old { refuse, resume, restart };
 
-  /// Throws Failure for a file of another study, or if there is one and it is refused.
+  /// Throws Failure for a file of another study, for one that another run is writing, or if there
+  /// is one and it is refused.
   Journal(std::filesystem::path path, const Study& study, Old old);
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal();
 
   void add(const std::vector<Row>& rows);
   [[nodiscard]] bool has(std::int64_t scene) const { return place(scene) >= 0; }
@@ -36,11 +40,13 @@ private:
   [[nodiscard]] std::int64_t place(std::int64_t scene) const {
     return places_[static_cast<std::size_t>(scene)];
   }
+  void lock();
   void open_old(const Study& study);
   void start(const Study& study);
   void note(const Row& row, std::size_t length);
 
   std::filesystem::path path_;
+  int locked_ = -1; ///< descriptor; the system drops the lock with the process
   std::fstream file_;
   std::vector<std::int64_t> places_;  ///< in the file, by scene; -1: not there
   std::vector<std::int64_t> lengths_; ///< in bytes

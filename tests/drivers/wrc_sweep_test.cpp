@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <set>
 #include <sstream>
+#include <sys/file.h>
 #include <thread>
 
 #include "run_driver.hpp"
@@ -172,6 +173,16 @@ TEST_F(WrcSweep, GoesOnAfterAnInterruptOrAKill) {
     EXPECT_FALSE(exists("o/s.rows"));
   }
   EXPECT_EQ(files("s.toml --resume", "fresh"), whole) << "nothing to resume is no failure";
+}
+
+TEST_F(WrcSweep, TwoRunsDoNotWriteTheSameResults) {
+  write("s.toml", study);
+  write("o/s.rows", "");
+  const int other = open((folder() / "o/s.rows").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  sweep("s.toml --out o --restart").expect_refusal({"o/s.rows", "another run"});
+  close(other);
+  (void)files("s.toml --restart", "o");
 }
 
 TEST_F(WrcSweep, FailuresAreRows) {
