@@ -97,7 +97,8 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   return 0;
 }
 
-int sweep(const Options& options, const driver::Ranks& ranks) {
+/// `started`: all ranks have begun, so that a failure is of this one.
+int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   if (options.list_results) {
     for (const std::string& name : driver::all_results()) {
       std::cout << name << '\n';
@@ -115,6 +116,7 @@ int sweep(const Options& options, const driver::Ranks& ranks) {
     if (!ranks.agree(true)) {
       return 1;
     }
+    started = true;
     const driver::Study study = driver::read_study(options.study_file, options.assignments);
     driver::serve_study(study, options.threads, ranks);
     return 0;
@@ -168,14 +170,15 @@ int main(int argc, char** argv) {
   app.footer(footer);
   return driver::run_program(app, argc, argv, [&] {
     const driver::Ranks ranks;
+    bool started = ranks.rank() == 0;
     try {
-      return sweep(options, ranks);
+      return sweep(options, ranks, started);
     } catch (const std::exception& error) {
       if (ranks.size() == 1) {
         throw;
       }
-      if (ranks.rank() == 0) {
-        std::cerr << "wrc_sweep: " << error.what() << '\n';
+      if (started) {
+        std::cerr << "wrc_sweep, rank " << ranks.rank() << ": " << error.what() << '\n';
       }
       ranks.abort(1);
     }
