@@ -4,5 +4,6 @@ build_packages=(
   libfftw3-dev liblapack-dev
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
   gnuplot-nox fonts-dejavu-core
+  libnetcdf-dev libopenmpi-dev openmpi-bin
 )
 check_packages=(clang clang-format clang-tidy binutils qemu-user abigail-tools)

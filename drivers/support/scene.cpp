@@ -31,6 +31,11 @@ bool Solver::solve(Scene& scene) {
   return status == WRC_OK;
 }
 
+wrc_status Solver::solve_alone(Scene& scene) {
+  const wrc_status status = wrc_solver_forget(handle_.get(), 0);
+  return status == WRC_OK ? wrc_solver_solve(handle_.get(), scene.handle()) : status;
+}
+
 Scene::Scene() : handle_(create_scene(), wrc_scene_destroy) {}
 
 void Solver::forget_positions() {

@@ -27,6 +27,9 @@ public:
   bool solve(Scene& scene);
   /// The next solution starts without positions of earlier ones.
   void forget_positions();
+  /// Bit for bit as Scene::solve, but with profiles, tables and plans of earlier scenes. Tells the
+  /// status instead of throwing.
+  wrc_status solve_alone(Scene& scene);
 
 private:
   std::unique_ptr<wrc_solver, void (*)(wrc_solver*)> handle_;
@@ -61,6 +64,8 @@ public:
   /// Number of entries of a list of results, for example "left.patches".
   [[nodiscard]] int count_of(const std::string& list) const;
 
+  /// Text of the last failure.
+  [[nodiscard]] std::string error() const { return wrc_scene_error(handle_.get()); }
   [[nodiscard]] wrc_scene* handle() const { return handle_.get(); }
 
 private:

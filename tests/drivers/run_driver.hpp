@@ -83,6 +83,8 @@ protected:
     return read(name).find("<svg") != std::string::npos;
   }
 
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
 private:
   std::filesystem::path folder_;
 };

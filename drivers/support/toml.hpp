@@ -1,0 +1,43 @@
+/// toml++ and what the drivers ask of it: files of a sensible size, failures in one line.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "support/scene_value.hpp"
+
+// toml++ is a well-kept library whose headers do not follow our warning levels.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+#pragma GCC diagnostic pop
+
+namespace driver {
+
+/// Reads a file; `what` names it in failures, for example "scene file".
+toml::table read_toml(const std::string& what, const std::string& path);
+/// Parses `key = value` of an option "--set key=value".
+toml::table parse_assignment(const std::string& assignment, const std::string& key,
+                             const std::string& value);
+
+/// A node as it was written.
+std::string text_of(const toml::node& node);
+std::optional<double> number_of(const toml::node& node);
+/// A number, a text or a list of numbers; throws Failure for others.
+Value value_of(const std::string& key, const toml::node& node);
+
+/// Adds the values of a table and of those within it, by names with points between.
+void flatten(const toml::table& table, const std::string& prefix, Values& values);
+
+/// "key=value" taken apart; throws Failure if there is no key.
+struct Assignment {
+  std::string key;
+  std::string value;
+  /// Texts in quotes, lists and tables are TOML, the rest stands for itself.
+  [[nodiscard]] bool is_toml() const { return value.find_first_of("\"'[{") == 0; }
+};
+Assignment split_assignment(const std::string& assignment);
+
+} // namespace driver

@@ -1,0 +1,38 @@
+/// Equivalent conicity of a wheelset on a track.
+///
+/// The free wheelset rolls without slip: with the yaw angle psi and the lateral position y over the
+/// way x,
+///   y' = psi,   psi' = -dr(y) / (2 b r0),
+/// where dr is the rolling radius of the left wheel minus that of the right one, b half the
+/// distance of the contact points and r0 the nominal radius. A conical wheel of slope g has dr = 2
+/// g y and moves in a sine of wavelength 2 pi sqrt(b r0 / g) (Klingel 1883). The equivalent
+/// conicity of any dr at an amplitude is the slope of the conical wheel with the same wavelength L
+/// there,
+///   g = b r0 (2 pi / L)^2
+/// (UIC 519:2004, EN 15302:2021, by integration of the equation of motion). b and r0 drop out. The
+/// motion keeps psi^2/2 + U(y), U' = dr / (2 b r0), so that L is twice the integral of
+/// dy / sqrt(2 (U(turn) - U(y))) between the turning points.
+///
+/// dr is taken linear between its samples, where the integral has a closed form: nothing is lost at
+/// the turning points, where its integrand has poles. Jumps of dr are as steep as the samples are
+/// close.
+///
+/// Units mm. Amplitude is half the distance of the turning points, as in both standards. Knows
+/// nothing of how dr came about: with roll solved, or without as EN 15302 has it.
+#pragma once
+
+#include <vector>
+
+namespace driver {
+
+/// Lateral positions in ascending order and rolling radius differences there.
+struct RadiusDifference {
+  std::vector<double> lateral;
+  std::vector<double> difference;
+};
+
+/// The equivalent conicity at an amplitude. NaN if the samples do not reach that far, or if the
+/// wheelset is not led back to one position of rest between the turning points.
+double equivalent_conicity(const RadiusDifference& samples, double amplitude);
+
+} // namespace driver

@@ -1,0 +1,149 @@
+#include "wrc_sweep/journal.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace driver {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string header_of(const Study& study) {
+  const std::string text = study.fingerprint();
+  return "wrc_sweep rows 1\n" + std::to_string(text.size()) + '\n' + text + '\n';
+}
+
+} // namespace
+
+Journal::Journal(fs::path path, const Study& study, Old old) : path_(std::move(path)) {
+  places_.assign(static_cast<std::size_t>(study.scene_count()), -1);
+  lengths_.assign(places_.size(), 0);
+  const bool there = fs::exists(path_) && fs::file_size(path_) > 0;
+  lock();
+  if (there && old != Old::restart) {
+    if (old == Old::refuse) {
+      throw Failure(path_.string() +
+                    " holds rows of an interrupted run: allowed are --resume to go on and "
+                    "--restart to begin again");
+    }
+    open_old(study);
+  } else {
+    start(study);
+  }
+}
+
+Journal::~Journal() {
+  if (locked_ >= 0) {
+    close(locked_);
+  }
+}
+
+void Journal::lock() {
+  constexpr mode_t everybody = 0666; // less the user's mask
+  locked_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
+  if (locked_ < 0) {
+    throw Failure("cannot write " + path_.string() + ": is the folder there and writable?");
+  }
+  // Two runs that write the same results would spoil them. File systems without locks do not tell.
+  if (flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(locked_);
+    throw Failure(path_.string() + " is being written by another run: allowed is another --out");
+  }
+}
+
+void Journal::start(const Study& study) {
+  file_.open(path_, std::ios::in | std::ios::out | std::ios::binary | std::ios::trunc);
+  const std::string header = header_of(study);
+  file_ << header << std::flush;
+  if (!file_) {
+    throw Failure("cannot write " + path_.string() + ": is the folder there and writable?");
+  }
+  end_ = static_cast<std::int64_t>(header.size());
+}
+
+void Journal::open_old(const Study& study) {
+  std::ifstream in(path_, std::ios::binary);
+  const std::string header = header_of(study);
+  std::string found(header.size(), '\0');
+  in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  if (!in || found != header) {
+    throw Failure("--resume: " + path_.string() +
+                  " holds rows of another study (keys, values, results, fields or version differ): "
+                  "allowed is --restart to begin again");
+  }
+  end_ = static_cast<std::int64_t>(header.size());
+  // A row at a time: with fields the file may be larger than the memory.
+  constexpr std::size_t head = 2 * sizeof(std::uint64_t);
+  std::string bytes;
+  while (true) {
+    bytes.resize(head);
+    if (!in.read(bytes.data(), head)) {
+      break;
+    }
+    std::uint64_t size = 0;
+    std::memcpy(&size, bytes.data(), sizeof(size));
+    const auto left = fs::file_size(path_) - static_cast<std::uintmax_t>(in.tellg());
+    if (size > left) {
+      break;
+    }
+    bytes.resize(head + size);
+    in.read(bytes.data() + head, static_cast<std::streamsize>(size));
+    std::string_view view = bytes;
+    Row row;
+    if (!in || !take_row(view, row) || row.scene < 0 || row.scene >= study.scene_count() ||
+        row.values.size() != study.results.size() || has(row.scene)) {
+      break;
+    }
+    note(row, bytes.size());
+  }
+  in.close();
+  fs::resize_file(path_, static_cast<std::uintmax_t>(end_));
+  file_.open(path_, std::ios::in | std::ios::out | std::ios::binary);
+}
+
+void Journal::note(const Row& row, std::size_t length) {
+  const auto scene = static_cast<std::size_t>(row.scene);
+  places_[scene] = end_;
+  lengths_[scene] = static_cast<std::int64_t>(length);
+  end_ += lengths_[scene];
+  ++count_;
+  failed_ += row.status == WRC_OK ? 0 : 1;
+}
+
+void Journal::add(const std::vector<Row>& rows) {
+  file_.seekp(end_);
+  for (const Row& row : rows) {
+    std::string bytes;
+    append_bytes(row, bytes);
+    file_ << bytes;
+    note(row, bytes.size());
+  }
+  file_ << std::flush;
+  if (!file_) {
+    throw Failure("cannot write " + path_.string() + ": is the disk full?");
+  }
+}
+
+Row Journal::read(std::int64_t scene) {
+  std::string bytes(static_cast<std::size_t>(lengths_[static_cast<std::size_t>(scene)]), '\0');
+  file_.seekg(place(scene));
+  file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::string_view view = bytes;
+  Row row;
+  if (!file_ || !take_row(view, row)) {
+    throw Failure("cannot read " + path_.string() + ": has it been changed meanwhile?");
+  }
+  return row;
+}
+
+void Journal::remove() {
+  file_.close();
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+} // namespace driver

@@ -1,0 +1,58 @@
+/// The rows of a study on their way to its results: a file that outlives an interruption.
+///
+/// Rows stand in the order in which they were finished. A row that was not written whole is dropped
+/// when the file is opened again.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "wrc_sweep/row.hpp"
+#include "wrc_sweep/study.hpp"
+
+namespace driver {
+
+class Journal {
+public:
+  /// What to do with a file that is there already.
+  enum class Old { refuse, resume, restart };
+
+  /// Throws Failure for a file of another study, for one that another run is writing, or if there
+  /// is one and it is refused.
+  Journal(std::filesystem::path path, const Study& study, Old old);
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal();
+
+  void add(const std::vector<Row>& rows);
+  [[nodiscard]] bool has(std::int64_t scene) const { return place(scene) >= 0; }
+  [[nodiscard]] std::int64_t count() const { return count_; }
+  /// Rows whose status is another than WRC_OK.
+  [[nodiscard]] std::int64_t failed() const { return failed_; }
+  /// The row of a scene that it has.
+  [[nodiscard]] Row read(std::int64_t scene);
+  /// The results have been written: the file is not needed any more.
+  void remove();
+
+private:
+  [[nodiscard]] std::int64_t place(std::int64_t scene) const {
+    return places_[static_cast<std::size_t>(scene)];
+  }
+  void lock();
+  void open_old(const Study& study);
+  void start(const Study& study);
+  void note(const Row& row, std::size_t length);
+
+  std::filesystem::path path_;
+  int locked_ = -1; ///< descriptor; the system drops the lock with the process
+  std::fstream file_;
+  std::vector<std::int64_t> places_;  ///< in the file, by scene; -1: not there
+  std::vector<std::int64_t> lengths_; ///< in bytes
+  std::int64_t count_ = 0;
+  std::int64_t failed_ = 0;
+  std::int64_t end_ = 0;
+};
+
+} // namespace driver

@@ -1,0 +1,186 @@
+// wrc_sweep: solves all scenes of a study, on threads or MPI ranks, and writes tables and pictures.
+#include <filesystem>
+#include <iostream>
+#include <unistd.h>
+
+#include "support/program.hpp"
+#include "wrc_sweep/interrupt.hpp"
+#include "wrc_sweep/outputs.hpp"
+#include "wrc_sweep/pictures.hpp"
+#include "wrc_sweep/ranks.hpp"
+#include "wrc_sweep/result_names.hpp"
+#include "wrc_sweep/run.hpp"
+#include "wrc_sweep/study_file.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string study_file;
+  std::vector<std::string> assignments;
+  std::string folder = ".";
+  int threads = 1;
+  bool resume = false;
+  bool restart = false;
+  bool progress = false;
+  bool quiet = false;
+  bool no_pictures = false;
+  bool list_results = false;
+};
+
+constexpr int interrupted_code = 130; // what shells tell of Ctrl-C
+
+const char* const footer = R"(
+A study is a scene file (wrc_case --help lists the keys) in which a key may have many values:
+
+  [pose]
+  lateral = {from = -6, to = 6, step = 0.5}      # or {from, to, count}
+  yaw = [0.0, 0.005]                             # or a list
+  [wheelset]
+  wheel = ["S1002", "my_wheel.prw"]
+  [study]                                        # all of it optional
+  title = "Measured against new wheels"
+  results = ["left.pmax", "right.pmax", "roll"]  # --list-results prints all names
+  fields = ["x", "y", "z", "pressure"]           # of every patch, into the NetCDF file
+  [[picture]]
+  kind = "lines"                                 # or patches, connections, conicity
+  x = "pose.lateral"
+  series = "wheelset.wheel"
+  panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]
+
+All values are crossed; the key that stands first varies slowest. NAME.csv and NAME.nc (NetCDF-4)
+hold one row a scene with its status; a scene that cannot be solved is a row that says why. They are
+bit for bit the same for any number of threads and ranks. Ctrl-C, or a crash, loses nothing that is
+done: NAME.rows keeps it, and --resume goes on.
+
+Examples:
+  wrc_sweep study.toml --out results --threads 4
+  wrc_sweep study.toml --set 'pose.lateral=[0, 3, 6]' --set track.rail=54E3
+  wrc_sweep study.toml --out results --resume
+  mpirun -n 16 wrc_sweep study.toml --out results
+More: docs/studies.md
+)";
+
+/// What rank 0 does; the exit code.
+int lead(const Options& options, const driver::Study& study, const driver::Ranks& ranks,
+         driver::Journal& journal) {
+  const bool shown = options.progress || (!options.quiet && isatty(STDERR_FILENO) != 0);
+  driver::Progress progress(shown, journal.count(), study.scene_count());
+  driver::run_study(study, options.threads, ranks, journal, progress);
+  const fs::path folder = options.folder;
+  if (journal.count() < study.scene_count()) {
+    std::cerr << "wrc_sweep: interrupted, " << journal.count() << " of " << study.scene_count()
+              << " scenes are kept in " << (folder / (study.name + ".rows")).string()
+              << "; --resume goes on\n";
+    return interrupted_code;
+  }
+  std::vector<fs::path> written{folder / (study.name + ".csv"), folder / (study.name + ".nc")};
+  driver::write_csv(study, journal, written[0]);
+  driver::write_netcdf(study, journal, written[1]);
+  if (!options.no_pictures) {
+    const driver::PictureData data(study, journal);
+    for (const driver::PictureRequest& picture : study.pictures) {
+      for (fs::path& path : driver::draw_picture(picture, data, folder)) {
+        written.push_back(std::move(path));
+      }
+    }
+  }
+  if (!options.quiet) {
+    std::cout << study.scene_count() << " scenes, " << journal.failed()
+              << " of them with a status other than ok\n";
+    for (const fs::path& path : written) {
+      std::cout << path.string() << '\n';
+    }
+  }
+  journal.remove();
+  return 0;
+}
+
+/// `started`: all ranks have begun, so that a failure is of this one.
+int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
+  if (options.list_results) {
+    for (const std::string& name : driver::all_results()) {
+      std::cout << name << '\n';
+    }
+    return 0;
+  }
+  if (options.study_file.empty()) {
+    throw driver::Failure("STUDY is missing: allowed is a study file in TOML (see --help)");
+  }
+  if (options.resume && options.restart) {
+    throw driver::Failure("--resume --restart: allowed is one of them");
+  }
+  driver::catch_interrupts();
+  if (ranks.rank() > 0) {
+    if (!ranks.agree(true)) {
+      return 1;
+    }
+    started = true;
+    const driver::Study study = driver::read_study(options.study_file, options.assignments);
+    driver::serve_study(study, options.threads, ranks);
+    return 0;
+  }
+  std::optional<driver::Study> study;
+  std::optional<driver::Journal> journal;
+  try {
+    study = driver::read_study(options.study_file, options.assignments);
+    std::error_code trouble;
+    fs::create_directories(options.folder, trouble);
+    if (trouble) {
+      throw driver::Failure("--out " + options.folder + ": " + trouble.message());
+    }
+    using Old = driver::Journal::Old;
+    journal.emplace(fs::path(options.folder) / (study->name + ".rows"), *study,
+                    options.resume    ? Old::resume
+                    : options.restart ? Old::restart
+                                      : Old::refuse);
+  } catch (...) {
+    (void)ranks.agree(false); // the others end too
+    throw;
+  }
+  (void)ranks.agree(true);
+  return lead(options, *study, ranks, *journal);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Solves a study: a wheel/rail scene in which keys go through lists or ranges of "
+               "values, all crossed.",
+               "wrc_sweep");
+  Options options;
+  app.add_option("STUDY", options.study_file, "study file in TOML");
+  app.add_option("--out", options.folder, "folder of the results, made if it is missing")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "threads, of each rank; results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--set", options.assignments,
+                 "set a key, more than the study file does; lists and ranges as there")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--resume", options.resume, "go on with an interrupted run, if there is one");
+  app.add_flag("--restart", options.restart, "drop the rows of an interrupted run");
+  app.add_flag("--progress", options.progress, "show progress even if stderr is no terminal");
+  app.add_flag("--quiet", options.quiet, "neither progress nor what was written");
+  app.add_flag("--no-pictures", options.no_pictures, "tables only");
+  app.add_flag("--list-results", options.list_results, "print the names a study may ask for");
+  app.footer(footer);
+  return driver::run_program(app, argc, argv, [&] {
+    const driver::Ranks ranks;
+    bool started = ranks.rank() == 0;
+    try {
+      return sweep(options, ranks, started);
+    } catch (const std::exception& error) {
+      if (ranks.size() == 1) {
+        throw;
+      }
+      if (started) {
+        std::cerr << "wrc_sweep, rank " << ranks.rank() << ": " << error.what() << '\n';
+      }
+      ranks.abort(1);
+    }
+  });
+}

@@ -1,0 +1,45 @@
+/// A NetCDF-4 file being written: owned, and with failures as exceptions.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace driver {
+
+class NetcdfFile {
+public:
+  explicit NetcdfFile(const std::filesystem::path& path);
+  NetcdfFile(const NetcdfFile&) = delete;
+  NetcdfFile& operator=(const NetcdfFile&) = delete;
+  ~NetcdfFile();
+
+  int dimension(const std::string& name, std::size_t length);
+  /// Variables over dimensions.
+  int numbers(const std::string& name, const std::vector<int>& dimensions);
+  int integers(const std::string& name, const std::vector<int>& dimensions);
+  int texts(const std::string& name, const std::vector<int>& dimensions);
+  /// Compresses a variable of many numbers.
+  void compress(int variable);
+  void attribute(int variable, const std::string& name, const std::string& value);
+  void attribute(int variable, const std::string& name, const std::vector<int>& values);
+  static constexpr int whole_file = -1; ///< as a variable: attributes of the file
+
+  /// Whole variables.
+  void put(int variable, const std::vector<double>& values);
+  void put(int variable, const std::vector<std::int64_t>& values);
+  void put(int variable, const std::vector<std::string>& values);
+  /// Part of a variable with one dimension.
+  void put_part(int variable, std::size_t first, const std::vector<double>& values);
+  void close();
+
+private:
+  void check(int status) const;
+  int variable(const std::string& name, int type, const std::vector<int>& dimensions);
+
+  std::string path_;
+  int file_ = -1;
+};
+
+} // namespace driver

@@ -1,0 +1,127 @@
+// Rolling radius difference and contact angle difference over the lateral position, and equivalent
+// conicity over the amplitude.
+#include <cmath>
+
+#include "support/gnuplot.hpp"
+#include "support/output_file.hpp"
+#include "wrc_sweep/conicity.hpp"
+#include "wrc_sweep/pictures.hpp"
+
+namespace driver {
+namespace {
+
+struct Curve {
+  std::string title;
+  std::vector<double> lateral;
+  std::vector<double> radius;
+  std::vector<double> angle; ///< tan of the left contact angle minus tan of the right one
+  std::vector<double> amplitude;
+  std::vector<double> conicity;
+};
+
+/// The curve of one value of the series; positions without a result are left out.
+Curve curve_of(const PictureRequest& picture, const PictureData& data, const Values& where,
+               const std::string& title) {
+  Curve curve;
+  curve.title = title;
+  const std::vector<double> lateral = places_of(picture, data);
+  const auto line = [&](const char* name) { return line_of(picture, data, where, name); };
+  const std::vector<double> radius = line("rolling_radius_difference");
+  // Both angles are turns about x; the right contact angle counts the other way round.
+  const std::vector<double> left = line("left.rigid_contact.angle");
+  const std::vector<double> right = line("right.rigid_contact.angle");
+  for (std::size_t i = 0; i < lateral.size(); ++i) {
+    if (!std::isnan(radius[i])) {
+      curve.lateral.push_back(lateral[i]);
+      curve.radius.push_back(radius[i]);
+      curve.angle.push_back(std::tan(left[i]) + std::tan(right[i]));
+    }
+  }
+  const RadiusDifference samples{curve.lateral, curve.radius};
+  constexpr double step = 0.25;
+  constexpr double most = 12.0;
+  for (double amplitude = 2.0 * step; amplitude <= most; amplitude += step) {
+    const double conicity = equivalent_conicity(samples, amplitude);
+    if (!std::isnan(conicity)) {
+      curve.amplitude.push_back(amplitude);
+      curve.conicity.push_back(conicity);
+    }
+  }
+  return curve;
+}
+
+std::vector<Curve> curves_of(const PictureRequest& picture, const PictureData& data) {
+  if (picture.series.empty()) {
+    return {curve_of(picture, data, picture.where, "")};
+  }
+  std::vector<Curve> curves;
+  for (const Value& value : data.values_of(picture.series)) {
+    Values where = picture.where;
+    where.insert_or_assign(picture.series, value);
+    curves.push_back(curve_of(picture, data, where, series_name(picture, value)));
+  }
+  return curves;
+}
+
+void write_table(const std::vector<Curve>& curves, const std::filesystem::path& path) {
+  OutputFile file(path);
+  file.stream() << "series,amplitude,equivalent_conicity\n";
+  for (const Curve& curve : curves) {
+    for (std::size_t i = 0; i < curve.amplitude.size(); ++i) {
+      file.stream() << curve.title << ',' << text_of(curve.amplitude[i]) << ','
+                    << text_of(curve.conicity[i]) << '\n';
+    }
+  }
+  file.commit();
+}
+
+} // namespace
+
+void draw_conicity(const PictureRequest& picture, const PictureData& data,
+                   const std::filesystem::path& path, const std::filesystem::path& table) {
+  const std::vector<Curve> curves = curves_of(picture, data);
+  write_table(curves, table);
+  struct Panel {
+    const char* x_label;
+    const char* y_label;
+    std::vector<double> Curve::*x;
+    std::vector<double> Curve::*y;
+  };
+  const Panel panels[] = {
+      {"lateral displacement, mm (to the left)", "rolling radius difference, left - right, mm",
+       &Curve::lateral, &Curve::radius},
+      {"lateral displacement, mm (to the left)", "contact angle difference, tan(left) - tan(right)",
+       &Curve::lateral, &Curve::angle},
+      {"amplitude, mm", "equivalent conicity", &Curve::amplitude, &Curve::conicity}};
+  Gnuplot gnuplot;
+  std::ostream& out = gnuplot.script();
+  out << multiplot(3, 1, picture.title) << line_style;
+  int block = 0;
+  for (const Panel& panel : panels) {
+    AxisRange range;
+    std::string plots;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const std::vector<double>& x = curves[i].*panel.x;
+      const std::vector<double>& y = curves[i].*panel.y;
+      if (x.empty()) {
+        continue;
+      }
+      const std::string name = "$curve" + std::to_string(block++);
+      out << name << " << EOD\n";
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        range.include(y[j]);
+        out << x[j] << ' ' << y[j] << '\n';
+      }
+      out << "EOD\n";
+      plots += (plots.empty() ? "plot " : ", ") + name + " with lines lw 2 dt " +
+               std::to_string(i + 1) + " lc rgb '" + line_colour(i) + "' title '" +
+               plain(curves[i].title) + '\'';
+    }
+    out << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label << "'\n"
+        << range.command("y") << (plots.empty() ? "plot NaN notitle" : plots) << '\n';
+  }
+  out << "unset multiplot\n";
+  gnuplot.draw(path, 860, 1200);
+}
+
+} // namespace driver

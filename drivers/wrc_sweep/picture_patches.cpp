@@ -1,0 +1,269 @@
+// Maps of pressures side by side, all at one scale: a column for each value of the picture's x, a
+// row for each side, or for each value of its series.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+#include "support/gnuplot.hpp"
+#include "wrc_sweep/pictures.hpp"
+
+namespace driver {
+namespace {
+
+/// A patch cut down to its elements under pressure, in its own plane: mm, positive to the left and
+/// forwards.
+struct Map {
+  std::string block;
+  double left = 0.0; ///< extent
+  double right = 0.0;
+  double front = 0.0;
+  double back = 0.0;
+};
+
+struct Cell {
+  std::vector<Map> maps;
+  double left = 0.0; ///< extent of all maps
+  double right = 0.0;
+  double front = 0.0;
+  double back = 0.0;
+  double pmax = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct MapRow {
+  std::string label;
+  std::vector<Cell> cells;
+};
+
+/// Elements of a patch in its plane.
+class Plane {
+public:
+  Plane(const PictureData& data, const PatchFields& patch)
+      : patch_(patch), x_(data.field(patch, "x")), y_(data.field(patch, "y")),
+        z_(data.field(patch, "z")), pressure_(data.field(patch, "pressure")) {
+    const auto columns = static_cast<std::size_t>(patch.columns);
+    const std::size_t last = x_.size() - columns;
+    const double dy = y_[last] - y_[0];
+    const double dz = z_[last] - z_[0];
+    const double length = std::hypot(dy, dz);
+    // Rows go to the field side: to the left on the left side.
+    const double sign = patch.side == 0 ? 1.0 : -1.0;
+    if (length > 0.0) {
+      along_y_ = sign * dy / length;
+      along_z_ = sign * dz / length;
+    }
+    double force = 0.0;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      force += pressure_[i];
+      centre_y_ += pressure_[i] * y_[i];
+      centre_z_ += pressure_[i] * z_[i];
+    }
+    if (force > 0.0) {
+      centre_y_ /= force;
+      centre_z_ /= force;
+    }
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      if (pressure_[i] > 0.0) {
+        first_row_ = std::min(first_row_, i / columns);
+        last_row_ = std::max(last_row_, i / columns);
+        first_column_ = std::min(first_column_, i % columns);
+        last_column_ = std::max(last_column_, i % columns);
+      }
+    }
+  }
+
+  [[nodiscard]] double centre_y() const { return centre_y_; }
+  [[nodiscard]] double centre_z() const { return centre_z_; }
+  [[nodiscard]] bool empty() const { return first_row_ > last_row_; }
+
+  /// Writes the values; `shift` is where the centre of the patch lies in its cell.
+  void write(std::ostream& out, double shift, Map& map) const {
+    const auto columns = static_cast<std::size_t>(patch_.columns);
+    map.left = map.front = -std::numeric_limits<double>::infinity();
+    map.right = map.back = std::numeric_limits<double>::infinity();
+    out << map.block << " << EOD\n";
+    for (std::size_t row = first_row_; row <= last_row_; ++row) {
+      for (std::size_t column = first_column_; column <= last_column_; ++column) {
+        const std::size_t i = row * columns + column;
+        const double s = shift + (y_[i] - centre_y_) * along_y_ + (z_[i] - centre_z_) * along_z_;
+        map.left = std::max(map.left, s);
+        map.right = std::min(map.right, s);
+        map.front = std::max(map.front, x_[i]);
+        map.back = std::min(map.back, x_[i]);
+        out << s << ' ' << x_[i] << ' ';
+        if (pressure_[i] > 0.0) {
+          out << pressure_[i] << '\n';
+        } else {
+          out << "NaN\n";
+        }
+      }
+      out << '\n';
+    }
+    out << "EOD\n";
+  }
+
+private:
+  const PatchFields& patch_;
+  const std::vector<double>& x_;
+  const std::vector<double>& y_;
+  const std::vector<double>& z_;
+  const std::vector<double>& pressure_;
+  double along_y_ = 1.0;
+  double along_z_ = 0.0;
+  double centre_y_ = 0.0;
+  double centre_z_ = 0.0;
+  std::size_t first_row_ = std::numeric_limits<std::size_t>::max();
+  std::size_t last_row_ = 0;
+  std::size_t first_column_ = std::numeric_limits<std::size_t>::max();
+  std::size_t last_column_ = 0;
+};
+
+Cell cell_of(std::ostream& out, const PictureData& data, std::int64_t scene, std::size_t side,
+             int& blocks) {
+  Cell cell;
+  if (scene < 0) {
+    return cell;
+  }
+  const Row row = data.row(scene);
+  cell.pmax = data.number(row, std::string(side_names[side]) + ".pmax");
+  bool first = true;
+  double first_y = 0.0;
+  double first_z = 0.0;
+  for (const PatchFields& patch : row.patches) {
+    const Plane plane(data, patch);
+    // A grid of one row or column is no image.
+    if (patch.side != static_cast<std::int32_t>(side) || plane.empty() || patch.rows < 2 ||
+        patch.columns < 2) {
+      continue;
+    }
+    if (first) {
+      first_y = plane.centre_y();
+      first_z = plane.centre_z();
+    }
+    const double dy = plane.centre_y() - first_y;
+    const double shift = std::copysign(std::hypot(dy, plane.centre_z() - first_z), dy);
+    Map& map = cell.maps.emplace_back();
+    map.block = "$map" + std::to_string(blocks++);
+    plane.write(out, shift, map);
+    cell.left = first ? map.left : std::max(cell.left, map.left);
+    cell.right = first ? map.right : std::min(cell.right, map.right);
+    cell.front = first ? map.front : std::max(cell.front, map.front);
+    cell.back = first ? map.back : std::min(cell.back, map.back);
+    first = false;
+  }
+  return cell;
+}
+
+std::vector<MapRow> rows_of(std::ostream& out, const PictureRequest& picture,
+                            const PictureData& data, const std::vector<double>& columns) {
+  std::vector<MapRow> rows;
+  int blocks = 0;
+  std::vector<Value> series{std::string()};
+  if (!picture.series.empty()) {
+    series = data.values_of(picture.series);
+  }
+  for (const Value& value : series) {
+    Values where = picture.where;
+    std::string label;
+    if (!picture.series.empty()) {
+      where.insert_or_assign(picture.series, value);
+      label = series_name(picture, value);
+    }
+    for (const std::string& side : picture.sides) {
+      MapRow& row = rows.emplace_back();
+      row.label = label + (label.empty() ? "" : "\\n") + side + " wheel";
+      for (const double column : columns) {
+        where.insert_or_assign(picture.x, column);
+        row.cells.push_back(
+            cell_of(out, data, data.find(where), side == side_names[0] ? 0 : 1, blocks));
+      }
+    }
+  }
+  return rows;
+}
+
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << value;
+  return text.str();
+}
+
+} // namespace
+
+void draw_patches(const PictureRequest& picture, const PictureData& data,
+                  const std::filesystem::path& path) {
+  Gnuplot gnuplot;
+  std::ostream& out = gnuplot.script();
+  const std::vector<double> columns = places_of(picture, data);
+  const std::vector<MapRow> rows = rows_of(out, picture, data, columns);
+
+  // Cells as wide and high as the largest of them, with room for labels.
+  double width = 4.0;
+  double height = 4.0;
+  double pmax = 0.0;
+  for (const MapRow& row : rows) {
+    for (const Cell& cell : row.cells) {
+      width = std::max(width, cell.left - cell.right);
+      height = std::max(height, cell.front - cell.back);
+      pmax = std::isnan(cell.pmax) ? pmax : std::max(pmax, cell.pmax);
+    }
+  }
+  width += 3.0;
+  height += 8.0;
+  const bool cut = picture.pressure_max > 0.0 && picture.pressure_max < pmax;
+  const double darkest = std::max(cut ? picture.pressure_max : pmax, 1.0);
+  const double columns_wide = width * static_cast<double>(columns.size());
+  const double rows_high = height * static_cast<double>(rows.size());
+  constexpr double head = 5.0;    // mm, for the values of the columns
+  constexpr double margin = 14.0; // mm, for the labels of the rows
+  constexpr double foot = 5.0;    // mm, for the scale
+  out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
+      << plain(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
+      << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
+      << "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
+         "'#e69138', 1 '#990000')\n"
+      << "set xrange [" << -margin << ':' << columns_wide << "]\nset yrange [" << -rows_high - foot
+      << ':' << head << "]\nset cbrange [0:" << darkest << "]\n"
+      << "set label '" << plain(picture.x_label) << ":' at " << -margin << ',' << 0.5 * head
+      << "\n";
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    out << "set label '" << text_of(picture.x_factor * columns[j]) << "' at "
+        << (static_cast<double>(j) + 0.5) * width << ',' << 0.5 * head << " center font ',11'\n";
+  }
+  std::string plots;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double y = -(static_cast<double>(i) + 0.5) * height;
+    out << "set label \"" << rows[i].label << "\" at " << -margin << ',' << y << '\n';
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      const Cell& cell = rows[i].cells[j];
+      const double x = (static_cast<double>(j) + 0.5) * width;
+      // Each contact in the middle of its cell, wherever it lies on the wheel.
+      const double middle = 0.5 * (cell.left + cell.right);
+      const double centre = 0.5 * (cell.front + cell.back);
+      out << "set label '" << (std::isnan(cell.pmax) ? "failed" : rounded(cell.pmax)) << "' at "
+          << x << ',' << y - 0.5 * height + 2.0 << " center font ',9'\n";
+      for (const Map& map : cell.maps) {
+        plots += (plots.empty() ? "plot " : ", ") + map.block + " using (" + text_of(x + middle) +
+                 "-$1):($2+(" + text_of(y + 1.0 - centre) + ")):3 with image";
+      }
+    }
+  }
+  constexpr double bar = 10.0;
+  out << "set arrow from 0," << -rows_high - 0.5 * foot << " rto " << bar
+      << ",0 heads size 1,90 lw 1.5\nset label '10 mm; left is left, forward is up; below each "
+         "patch p_{max} in MPa' at "
+      << bar + 2.0 << ',' << -rows_high - 0.5 * foot << '\n';
+  out << (plots.empty() ? "plot NaN" : plots) << '\n';
+
+  constexpr double least_pixels = 900.0;
+  constexpr double most_pixels = 1600.0;
+  const double wide = columns_wide + margin;
+  const double pixels = std::clamp(6.0 * wide, least_pixels, most_pixels);
+  constexpr double beside_width = 140.0; // pixels, for the colour box
+  constexpr double above = 70.0;         // pixels, for the title
+  gnuplot.draw(path, static_cast<int>(pixels + beside_width),
+               static_cast<int>(pixels / wide * (rows_high + head + foot) + above));
+}
+
+} // namespace driver

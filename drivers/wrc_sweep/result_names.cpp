@@ -1,0 +1,106 @@
+#include "wrc_sweep/result_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+
+namespace driver {
+namespace {
+
+const std::string patch_count = ".patch_count";
+constexpr std::array field_names{"x", "y", "z", "undeformed_distance", "pressure", "displacement"};
+
+/// Entries of lists as entry 0; grid.1 and the like, which have no name after the number, stay.
+std::string with_first_entry(const std::string& name) {
+  std::string out;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (i > 0 && name[i - 1] == '.' && std::isdigit(static_cast<unsigned char>(name[i])) != 0) {
+      std::size_t end = i;
+      while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end])) != 0) {
+        ++end;
+      }
+      if (end < name.size()) {
+        out += '0';
+        i = end - 1;
+        continue;
+      }
+    }
+    out += name[i];
+  }
+  return out;
+}
+
+} // namespace
+
+std::vector<std::string> default_results() {
+  std::vector<std::string> names{"roll", "vertical", "rolling_radius_difference"};
+  for (const char* side : {"left", "right"}) {
+    for (const char* name :
+         {"rigid_contact.y", "rigid_contact.z", "rigid_contact.s_wheel", "rigid_contact.t_rail",
+          "rigid_contact.angle", "rigid_contact.rolling_radius", "pmax", "area", "normal_force",
+          "vertical_force", "lateral_force", "approach", "depth", "patch_count",
+          "error_estimate"}) {
+      names.push_back(std::string(side) + '.' + name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> all_results() {
+  // A scene that has whatever there is: both sides, and contacts that almost touch.
+  Scene scene;
+  scene.set("solve.accuracy", 0.1);
+  scene.set("solve.near_tolerance", 10.0);
+  scene.solve();
+  std::vector<std::string> names;
+  for (const std::string& name : scene.number_names()) {
+    const std::string first = with_first_entry(name);
+    if (std::find(names.begin(), names.end(), first) == names.end()) {
+      names.push_back(first);
+    }
+  }
+  for (const char* side : {"left", "right"}) {
+    names.push_back(side + patch_count);
+  }
+  return names;
+}
+
+void check_results(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = all_results();
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), with_first_entry(name)) == known.end()) {
+      throw Failure("study.results: \"" + name +
+                    "\" is unknown; allowed are the names that wrc_sweep --list-results prints");
+    }
+  }
+}
+
+void check_fields(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (std::find(field_names.begin(), field_names.end(), name) == field_names.end()) {
+      std::string allowed;
+      for (const char* field : field_names) {
+        allowed += (allowed.empty() ? "" : ", ") + std::string(field);
+      }
+      throw Failure("study.fields: \"" + name + "\" is unknown; allowed are " + allowed);
+    }
+  }
+}
+
+double result_of(const Scene& scene, const std::string& name) {
+  if (name.ends_with(patch_count)) {
+    const std::string side = name.substr(0, name.size() - patch_count.size());
+    if (!scene.has_number(side + ".pmax")) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    int count = 0;
+    while (scene.has_number(side + ".patches." + std::to_string(count) + ".pmax")) {
+      ++count;
+    }
+    return count;
+  }
+  return scene.number_or(name, std::numeric_limits<double>::quiet_NaN());
+}
+
+} // namespace driver

@@ -1,0 +1,23 @@
+/// Names of results that a study may ask for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/scene.hpp"
+
+namespace driver {
+
+/// What most studies want to know, the same for both sides. Nothing that differs from run to run.
+std::vector<std::string> default_results();
+/// All names, as those of a solved scene, with patches and near contacts numbered 0.
+std::vector<std::string> all_results();
+/// Throw Failure naming what is unknown; "left.patches.3.pmax" is known if "left.patches.0.pmax"
+/// is.
+void check_results(const std::vector<std::string>& names);
+void check_fields(const std::vector<std::string>& names);
+
+/// A result of a solved scene; NaN if there is none. "left.patch_count" is the number of patches.
+double result_of(const Scene& scene, const std::string& name);
+
+} // namespace driver

@@ -1,0 +1,270 @@
+#include "wrc_sweep/study_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <tuple>
+#include <utility>
+
+#include "support/toml.hpp"
+#include "wrc_sweep/picture_file.hpp"
+#include "wrc_sweep/result_names.hpp"
+
+namespace driver {
+namespace {
+
+constexpr double most_scenes = 1e8;
+
+/// 12 digits: 0.1, 0.2, 0.3 instead of 0.30000000000000004.
+double rounded(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.12g", value);
+  return std::strtod(text.data(), nullptr);
+}
+
+std::vector<Value> range_values(const std::string& key, const toml::table& range) {
+  const auto refuse = [&](const std::string& allowed) {
+    throw Failure(key + " = " + text_of(range) + ": allowed is " + allowed);
+  };
+  const std::string form = "{from, to, step} or {from, to, count}";
+  for (const auto& [name, node] : range) {
+    const bool known = name == "from" || name == "to" || name == "step" || name == "count";
+    if (!known || !number_of(node)) {
+      refuse(form + " with numbers");
+    }
+  }
+  const auto number = [&](const char* name) { return range[name].value<double>(); };
+  const auto from = number("from");
+  const auto to = number("to");
+  const auto step = number("step");
+  const auto count = number("count");
+  if (!from || !to || step.has_value() == count.has_value()) {
+    refuse(form);
+  }
+  constexpr double slack = 1e-9; // of a step: `to` itself belongs to the range
+  double values = 0.0;
+  if (step) {
+    values = std::floor((*to - *from) / *step + slack) + 1.0;
+    if (!(values >= 1.0) || !(values <= most_scenes)) {
+      refuse("a step that leads from `from` to `to` in at most 1e8 steps");
+    }
+  } else {
+    values = *count;
+    if (!(values >= 2.0) || !(values <= most_scenes) || values != std::floor(values)) {
+      refuse("a count that is a whole number, 2 to 1e8");
+    }
+  }
+  const double width = step ? *step : (*to - *from) / (values - 1.0);
+  std::vector<Value> all;
+  for (double i = 0.0; i < values; ++i) {
+    all.emplace_back(rounded(*from + i * width));
+  }
+  return all;
+}
+
+/// Reads keys with one or more values; remembers where axes stand in the file.
+class KeyReader {
+public:
+  explicit KeyReader(std::string path) : path_(std::move(path)) {}
+
+  void read(const toml::table& table, const std::string& prefix) {
+    for (const auto& [key, node] : table) {
+      const std::string name = prefix + std::string(key.str());
+      if (prefix.empty() && (name == "study" || name == "picture")) {
+        continue;
+      }
+      const toml::table* inner = node.as_table();
+      if (inner != nullptr && !inner->contains("from")) {
+        read(*inner, name + '.');
+      } else {
+        set(name, node);
+      }
+    }
+  }
+
+  void set_bare(const std::string& key, const std::string& value) {
+    remove(key);
+    fixed_.insert_or_assign(key, Bare{value});
+  }
+
+  void move_to(Study& study) {
+    std::stable_sort(axes_.begin(), axes_.end(),
+                     [](const PlacedAxis& one, const PlacedAxis& other) {
+                       return std::tie(one.line, one.column) < std::tie(other.line, other.column);
+                     });
+    study.fixed = std::move(fixed_);
+    for (PlacedAxis& axis : axes_) {
+      study.axes.push_back(std::move(axis.axis));
+    }
+  }
+
+  /// Later ones, from the command line, vary faster than those of the file.
+  void start_assignments() { from_command_line_ = true; }
+
+private:
+  struct PlacedAxis {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    Axis axis;
+  };
+
+  void remove(const std::string& key) {
+    fixed_.erase(key);
+    std::erase_if(axes_, [&](const PlacedAxis& axis) { return axis.axis.key == key; });
+  }
+
+  [[nodiscard]] Value one(const std::string& key, const toml::node& node) const {
+    Value value = value_of(key, node);
+    if (std::string* name = std::get_if<std::string>(&value); name && names_profile(key)) {
+      *name = from_command_line_ ? *name : beside(path_, *name);
+    }
+    return value;
+  }
+
+  /// Whether a list is one value of this key (solve.grid).
+  [[nodiscard]] static bool is_one_value(const std::string& key, const toml::node& node) {
+    try {
+      Scene scene;
+      set_value(scene, key, value_of(key, node));
+      return true;
+    } catch (const Failure&) {
+      return false;
+    }
+  }
+
+  void set(const std::string& key, const toml::node& node) {
+    std::vector<Value> values;
+    if (const toml::table* range = node.as_table()) {
+      values = range_values(key, *range);
+    } else if (const toml::array* array = node.as_array(); array && !is_one_value(key, node)) {
+      for (const toml::node& entry : *array) {
+        values.push_back(one(key, entry));
+      }
+      if (values.empty()) {
+        throw Failure(key + " = []: allowed is a list of at least one value");
+      }
+    } else {
+      remove(key);
+      fixed_.insert_or_assign(key, one(key, node));
+      return;
+    }
+    // A key that was varied already keeps its place.
+    const auto old = std::find_if(axes_.begin(), axes_.end(),
+                                  [&](const PlacedAxis& axis) { return axis.axis.key == key; });
+    if (old != axes_.end()) {
+      old->axis.values = std::move(values);
+      return;
+    }
+    remove(key);
+    const auto place = node.source().begin;
+    constexpr std::size_t behind_all = std::size_t{1} << 30U;
+    axes_.push_back(
+        {from_command_line_ ? behind_all : place.line, place.column, {key, std::move(values)}});
+  }
+
+  std::string path_;
+  bool from_command_line_ = false;
+  Values fixed_;
+  std::vector<PlacedAxis> axes_;
+};
+
+std::vector<std::string> names_of(const toml::table& table, const std::string& key) {
+  std::vector<std::string> names;
+  const toml::node* node = table.get(key);
+  if (node == nullptr) {
+    return names;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    throw Failure("study." + key + " = " + text_of(*node) + ": allowed is a list of texts");
+  }
+  for (const toml::node& entry : *array) {
+    if (!entry.is_string()) {
+      throw Failure("study." + key + " = " + text_of(*node) + ": allowed is a list of texts");
+    }
+    names.push_back(*entry.value<std::string>());
+  }
+  return names;
+}
+
+void read_study_table(const toml::table& file, Study& study) {
+  const toml::node* node = file.get("study");
+  if (node == nullptr) {
+    return;
+  }
+  const toml::table* table = node->as_table();
+  if (table == nullptr) {
+    throw Failure("study = " + text_of(*node) + ": allowed is a table [study]");
+  }
+  for (const auto& [key, value] : *table) {
+    const bool text = key == "name" || key == "title";
+    if (!text && key != "results" && key != "fields") {
+      throw Failure("study." + std::string(key.str()) +
+                    ": unknown key; allowed are name, title, results, fields");
+    }
+    if (text && !value.is_string()) {
+      throw Failure("study." + std::string(key.str()) + " = " + text_of(value) +
+                    ": allowed is a text");
+    }
+  }
+  study.name = (*table)["name"].value_or(study.name);
+  study.title = with_values((*table)["title"].value_or(study.title), study);
+  if (study.name.empty() || study.name.find('/') != std::string::npos) {
+    throw Failure("study.name = \"" + study.name + "\": allowed is a file name without folder");
+  }
+  study.results = names_of(*table, "results");
+  study.fields = names_of(*table, "fields");
+}
+
+/// Each value of each key on a scene that has all other keys, so that what is wrong is told before
+/// anything is solved.
+void try_values(const Study& study) {
+  Scene scene;
+  study.apply(0, scene);
+  for (const Axis& axis : study.axes) {
+    for (const Value& value : axis.values) {
+      set_value(scene, axis.key, value);
+    }
+  }
+  double count = 1.0;
+  for (const Axis& axis : study.axes) {
+    count *= static_cast<double>(axis.values.size());
+  }
+  if (count > most_scenes) {
+    throw Failure("the study has " + text_of(count) + " scenes; allowed are 1e8");
+  }
+}
+
+} // namespace
+
+Study read_study(const std::string& path, const std::vector<std::string>& assignments) {
+  const toml::table file = read_toml("study file", path);
+  Study study;
+  study.name = std::filesystem::path(path).stem().string();
+  KeyReader reader(path);
+  reader.read(file, "");
+  reader.start_assignments();
+  for (const std::string& text : assignments) {
+    const Assignment assignment = split_assignment(text);
+    if (assignment.is_toml()) {
+      reader.read(parse_assignment(text, assignment.key, assignment.value), "");
+    } else {
+      reader.set_bare(assignment.key, assignment.value);
+    }
+  }
+  reader.move_to(study);
+  try_values(study);
+  read_study_table(file, study);
+  if (study.results.empty()) {
+    study.results = default_results();
+  }
+  check_results(study.results);
+  check_fields(study.fields);
+  study.pictures = read_pictures(file, study);
+  return study;
+}
+
+} // namespace driver

@@ -1,0 +1,71 @@
+/// wrc_paper as a process: verdicts follow from the results, whatever these are.
+#include "run_driver.hpp"
+
+namespace {
+
+class WrcPaper : public Driver {
+protected:
+  /// One study, coarse, into a folder.
+  void sweep(const std::string& name, const std::string& folder,
+             const std::string& options = "--set solve.accuracy=0.1") const {
+    const Outcome outcome =
+        run(WRC_SWEEP_PROGRAM, std::string("'") + WRC_STUDIES + "/" + name + ".toml' --threads 2 " +
+                                   options + " --out " + folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  }
+  /// The line of the report about a statement.
+  [[nodiscard]] std::string line_with(const std::string& part) const {
+    const std::string report = read("report.md");
+    const auto at = report.find(part);
+    return at == std::string::npos ? "" : report.substr(at, report.find('\n', at) - at);
+  }
+};
+
+TEST_F(WrcPaper, JudgesWhatItIsGiven) {
+  if (!gnuplot_is_there()) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  sweep("fig05", "S1002", "--set 'solve.grid=[32, 16]'");
+  sweep("connections", "S1002");
+  sweep("conicity", "S1002");
+  for (const std::string wheel : {"LM", "LMA"}) {
+    for (const char* study : {"fig06_07", "fig08", "fig09_10", "fig11", "fig12", "fig13"}) {
+      sweep(study, wheel, "--set solve.accuracy=0.1 --set wheelset.wheel=" + wheel);
+    }
+  }
+  run(WRC_PAPER_PROGRAM, ".").expect_refusal({"timing.json", "scripts/paper.sh"});
+  EXPECT_FALSE(exists("report.md"));
+  write(
+      "timing.json",
+      R"({"machine": {"cpu": "c", "compiler": "g"}, "paper_total_ms": 8250.0, "rows": [)"
+      R"({"wheels": 1, "method": "default", "state": "cold", "setup_ms": 1.0, "geometry_ms": 1.0,)"
+      R"("remesh_ms": 1.0, "mechanics_ms": 7.0, "total_ms": 10.0, "iterations": 20,)"
+      R"("error_p": 1e-5, "error_pmax": 1e-4}]})");
+  ASSERT_EQ(run(WRC_PAPER_PROGRAM, ".").exit_code, 0);
+  EXPECT_NE(line_with("Its magnitude grows with that of y").find("| **confirmed**"),
+            std::string::npos);
+  EXPECT_NE(line_with("Roll is positive for negative y").find("| **confirmed**"),
+            std::string::npos);
+  EXPECT_NE(line_with("Off the centre the roll depends on the sign").find("| **not confirmed**"),
+            std::string::npos);
+  EXPECT_NE(line_with("| default | cold").find("1/825"), std::string::npos);
+  EXPECT_TRUE(is_png("timing.png"));
+
+  // A wheelset that does not roll as it should.
+  sweep("fig06_07", "LM", "--set wheelset.wheel=LM --set pose.roll=0.001");
+  ASSERT_EQ(run(WRC_PAPER_PROGRAM, ".").exit_code, 0);
+  EXPECT_NE(line_with("Its magnitude grows with that of y").find("| **not confirmed**"),
+            std::string::npos);
+  EXPECT_EQ(line_with("Roll is positive for negative y")
+                .find("y (the paper's sign, opposite to "
+                      "ours) | **confirmed**"),
+            std::string::npos);
+}
+
+TEST_F(WrcPaper, RefusesAFolderWithoutResults) {
+  run(WRC_PAPER_PROGRAM, ".").expect_refusal({"fig05.csv"});
+  run(WRC_PAPER_PROGRAM, "").expect_refusal({"DIR"});
+  EXPECT_EQ(file_count(), 0);
+}
+
+} // namespace

@@ -1,0 +1,337 @@
+/// wrc_sweep as a process: the same rows however they are computed, after an interrupt too.
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <fcntl.h>
+#include <set>
+#include <sstream>
+#include <sys/file.h>
+#include <thread>
+
+#include "run_driver.hpp"
+
+namespace {
+
+/// 35 scenes that are solved in a second.
+const std::string study = "[pose]\nlateral = {from = -3, to = 3, step = 1}\n"
+                          "yaw = [0.0, 0.01, 0.02, 0.03, 0.04]\n[solve]\ngrid = [24, 20]\n"
+                          "[study]\nfields = [\"pressure\", \"y\"]\n";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<std::string> entries_of(const std::string& line) {
+  std::vector<std::string> entries;
+  std::istringstream in(line);
+  for (std::string entry; std::getline(in, entry, ',');) {
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+class WrcSweep : public Driver {
+protected:
+  [[nodiscard]] Outcome sweep(const std::string& arguments) const {
+    return run(WRC_SWEEP_PROGRAM, arguments);
+  }
+  /// Table and NetCDF file of a study that must succeed.
+  [[nodiscard]] std::array<std::string, 2> files(const std::string& arguments,
+                                                 const std::string& folder) const {
+    const Outcome outcome = sweep(arguments + " --out " + folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+    return {read(folder + "/s.csv"), read(folder + "/s.nc")};
+  }
+  /// An entry of a table by row (0 first) and column name.
+  [[nodiscard]] std::string entry(const std::string& file, std::size_t row,
+                                  const std::string& column) const {
+    const auto lines = lines_of(read(file));
+    const auto names = entries_of(lines.at(0));
+    const auto found = std::find(names.begin(), names.end(), column);
+    EXPECT_NE(found, names.end()) << column;
+    return entries_of(lines.at(row + 1)).at(static_cast<std::size_t>(found - names.begin()));
+  }
+};
+
+TEST_F(WrcSweep, CrossesAllValuesTheLastFastest) {
+  write("s.toml", "[track]\ncant = [\"1:20\", \"1:40\"]\n[pose]\nlateral = {from = 0, to = 0.3, "
+                  "step = 0.1}\n[load]\nvertical = 0\n");
+  (void)files("s.toml", "o");
+  const auto lines = lines_of(read("o/s.csv"));
+  ASSERT_EQ(lines.size(), 9U);
+  EXPECT_TRUE(lines[0].starts_with("scene,track.cant,pose.lateral,status,message,roll,"));
+  EXPECT_TRUE(lines[1].starts_with("0,1:20,0,ok,,"));
+  EXPECT_TRUE(lines[4].starts_with("3,1:20,0.3,ok,,")) << lines[4];
+  EXPECT_TRUE(lines[5].starts_with("4,1:40,0,ok,,"));
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.find("time"), std::string::npos);
+  }
+}
+
+TEST_F(WrcSweep, RowsAreThoseOfWrcCase) {
+  write("s.toml", "[pose]\nlateral = [-2, 3]\n[solve]\naccuracy = 1e-2\n[study]\nresults = "
+                  "[\"left.pmax\", \"left.patches.0.centroid.y\", \"left.patch_count\"]\n");
+  (void)files("s.toml", "o");
+  const auto left =
+      run_json(WRC_CASE_PROGRAM, "--set pose.lateral=3 --set solve.accuracy=1e-2").at("left");
+  EXPECT_EQ(std::stod(entry("o/s.csv", 1, "left.pmax")), left.at("pmax").get<double>());
+  EXPECT_EQ(std::stod(entry("o/s.csv", 1, "left.patches.0.centroid.y")),
+            left.at("patches").at(0).at("centroid").at("y").get<double>());
+  EXPECT_EQ(entry("o/s.csv", 1, "left.patch_count"), "1");
+}
+
+TEST_F(WrcSweep, ThreadsDoNotChangeABit) {
+  write("s.toml", study);
+  const auto one = files("s.toml --threads 1", "one");
+  EXPECT_GT(one[1].size(), 100000U) << "fields are missing";
+  for (const char* threads : {"2", "5"}) {
+    EXPECT_EQ(files(std::string("s.toml --threads ") + threads, threads), one) << threads;
+  }
+}
+
+TEST_F(WrcSweep, RanksDoNotChangeABit) {
+  if (std::string(WRC_MPIEXEC).empty()) {
+    GTEST_SKIP() << "built without MPI";
+  }
+  write("s.toml", study);
+  // Leaks of the MPI library are not ours to find.
+  const std::string in_mpi = std::string("ASAN_OPTIONS=detect_leaks=0 '") + WRC_MPIEXEC + "'";
+  const auto alone = files("s.toml", "alone");
+  for (const char* ranks : {"1", "2", "3"}) {
+    for (const char* threads : {"1", "2"}) {
+      const std::string folder = std::string("ranks") + ranks + threads;
+      const Outcome outcome =
+          run("env", in_mpi + " -n " + ranks + " --allow-run-as-root --oversubscribe '" +
+                         WRC_SWEEP_PROGRAM + "' s.toml --threads " + threads + " --out " + folder);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+      EXPECT_EQ(read(folder + "/s.csv"), alone[0]) << ranks << threads;
+      EXPECT_EQ(read(folder + "/s.nc"), alone[1]) << ranks << threads;
+    }
+  }
+  const Outcome refused = run("env", in_mpi + " -n 2 --allow-run-as-root --oversubscribe '" +
+                                         WRC_SWEEP_PROGRAM + "' missing.toml");
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_NE(refused.error.find("missing.toml"), std::string::npos) << refused.error;
+}
+
+/// Runs the program until its journal has grown to some rows, then sends a signal; the exit status.
+int interrupt_when_begun(const std::filesystem::path& folder, const std::string& journal,
+                         std::uintmax_t bytes, int signal) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+    if (chdir(folder.c_str()) == 0) {
+      execl(WRC_SWEEP_PROGRAM, WRC_SWEEP_PROGRAM, "s.toml", "--out", "o",
+            static_cast<char*>(nullptr));
+    }
+    _exit(127);
+  }
+  const auto size = [&] {
+    std::error_code none;
+    const auto now = std::filesystem::file_size(folder / journal, none);
+    return none ? 0 : now;
+  };
+  int status = 0;
+  while (size() < bytes && waitpid(child, &status, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill(child, signal);
+  waitpid(child, &status, 0);
+  return status;
+}
+
+TEST_F(WrcSweep, GoesOnAfterAnInterruptOrAKill) {
+  // Finer than needed, so that the signal comes before the end.
+  write("s.toml", "[pose]\nlateral = {from = -3, to = 3, count = 60}\n[solve]\ngrid = [128, 128]\n"
+                  "[study]\nfields = [\"pressure\"]\n");
+  const auto whole = files("s.toml", "whole");
+  for (const int signal : {SIGKILL, SIGINT}) {
+    SCOPED_TRACE(signal);
+    std::filesystem::remove_all(folder() / "o");
+    constexpr std::uintmax_t some_rows = 1 << 20;
+    const int status = interrupt_when_begun(folder(), "o/s.rows", some_rows, signal);
+    if (signal == SIGKILL) {
+      EXPECT_TRUE(WIFSIGNALED(status));
+    } else {
+      ASSERT_TRUE(WIFEXITED(status));
+      EXPECT_EQ(WEXITSTATUS(status), 130);
+    }
+    EXPECT_FALSE(exists("o/s.csv"));
+    ASSERT_TRUE(exists("o/s.rows"));
+    sweep("s.toml --out o").expect_refusal({"o/s.rows", "--resume", "--restart"});
+    // A row that was being written.
+    write("o/s.rows", read("o/s.rows") + std::string(50, 'x'));
+    sweep("s.toml --set pose.yaw=0.01 --out o --resume").expect_refusal({"another study"});
+    EXPECT_EQ(files("s.toml --resume", "o"), whole);
+    EXPECT_FALSE(exists("o/s.rows"));
+  }
+  EXPECT_EQ(files("s.toml --resume", "fresh"), whole) << "nothing to resume is no failure";
+}
+
+TEST_F(WrcSweep, TwoRunsDoNotWriteTheSameResults) {
+  write("s.toml", study);
+  write("o/s.rows", "");
+  const int other = open((folder() / "o/s.rows").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  sweep("s.toml --out o --restart").expect_refusal({"o/s.rows", "another run"});
+  close(other);
+  (void)files("s.toml --restart", "o");
+}
+
+TEST_F(WrcSweep, FailuresAreRows) {
+  write("s.toml", "[pose]\nlateral = [0, 100]\n[track]\nrail = [\"60E1\", \"nowhere.prr\"]\n"
+                  "[study]\nresults = [\"left.pmax\"]\n");
+  (void)files("s.toml --set solve.accuracy=1e-2", "o");
+  EXPECT_EQ(entry("o/s.csv", 0, "status"), "ok");
+  EXPECT_GT(std::stod(entry("o/s.csv", 0, "left.pmax")), 100.0);
+  const auto lines = lines_of(read("o/s.csv"));
+  ASSERT_EQ(lines.size(), 5U);
+  for (const std::size_t row : {1U, 2U, 3U}) {
+    EXPECT_EQ(lines[row + 1].find(",ok,"), std::string::npos) << lines[row + 1];
+    EXPECT_TRUE(lines[row + 1].ends_with(",")) << "a failed scene has no results";
+  }
+  EXPECT_NE(lines[2].find("nowhere.prr"), std::string::npos) << lines[2];
+}
+
+TEST_F(WrcSweep, AssignmentsCountMoreThanTheFile) {
+  write("s.toml", "[pose]\nlateral = [0, 1, 2]\nyaw = 0.01\n[load]\nvertical = 0\n");
+  (void)files("s.toml --set pose.lateral=2 --set 'pose.yaw=[0, 0.02]' --set track.rail=54E3", "o");
+  const auto lines = lines_of(read("o/s.csv"));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_TRUE(lines[0].starts_with("scene,pose.yaw,status"));
+  EXPECT_TRUE(lines[2].starts_with("1,0.02,"));
+}
+
+TEST_F(WrcSweep, AListThatIsOneValueDoesNotVary) {
+  write("s.toml", "[solve]\ngrid = [24, 20]\n[pose]\nlateral = [0, 1]\n");
+  (void)files("s.toml", "o");
+  EXPECT_EQ(line_count(read("o/s.csv")), 3);
+  write("s.toml", "[solve]\ngrid = [[24, 20], [30, 20], [40, 30]]\n");
+  (void)files("s.toml", "two");
+  EXPECT_EQ(line_count(read("two/s.csv")), 4);
+}
+
+TEST_F(WrcSweep, ProgressIsShownWhenAsked) {
+  write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
+  EXPECT_EQ(sweep("s.toml").error, "") << "stderr is no terminal";
+  const Outcome outcome = sweep("s.toml --progress");
+  EXPECT_NE(outcome.error.find("2 of 2"), std::string::npos) << outcome.error;
+}
+
+TEST_F(WrcSweep, ConicityOfAConeIsItsSlope) {
+  if (!gnuplot_is_there()) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  std::string wheel;
+  for (int s = -60; s <= 60; ++s) { // heights towards larger radius: 1 in 20
+    wheel += std::to_string(s) + ' ' + std::to_string(-0.05 * s) + '\n';
+  }
+  write("cone.dat", wheel);
+  write(
+      "s.toml",
+      "[wheelset]\nwheel = \"cone.dat\"\n[pose]\nroll = \"en15302\"\nlateral = {from = -6, to = 6, "
+      "step = 0.5}\n[load]\nvertical = 0\n[study]\nresults = [\"rolling_radius_difference\", "
+      "\"left.rigid_contact.angle\", \"right.rigid_contact.angle\"]\n[[picture]]\nkind = "
+      "\"conicity\"\nfile = \"c.png\"\n");
+  (void)files("s.toml", "o");
+  EXPECT_TRUE(is_png("o/c.png"));
+  const auto lines = lines_of(read("o/c_by_amplitude.csv"));
+  ASSERT_GT(lines.size(), 10U);
+  constexpr double search = 1e-5; // of contact points
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    EXPECT_NEAR(std::stod(entries_of(lines[i]).at(2)), 0.05, search) << lines[i];
+  }
+}
+
+TEST_F(WrcSweep, EveryStudyOfThePaperRunsAndDraws) {
+  if (!gnuplot_is_there()) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  std::set<std::string> pictures;
+  for (const auto& file : std::filesystem::directory_iterator(WRC_STUDIES)) {
+    // Coarse: what matters is that all keys, results and pictures fit each other.
+    const std::string coarse =
+        file.path().stem() == "fig05" ? "--set 'solve.grid=[32, 16]'" : "--set solve.accuracy=0.1";
+    const Outcome outcome =
+        sweep(std::string("'").append(file.path()) + "' " + coarse + " --threads 2 --out o");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find(" 0 of them"), std::string::npos) << file.path() << outcome.out;
+    for (const std::string& line : lines_of(outcome.out)) {
+      if (line.ends_with(".png")) {
+        EXPECT_TRUE(is_png(line)) << line;
+        EXPECT_TRUE(pictures.insert(line).second) << line << " is drawn by two studies";
+      }
+    }
+  }
+  EXPECT_GE(pictures.size(), 14U);
+  // EN 15302, S1002 on 60E1 1:40: 0.175 in the literature; 0.181 with the Manchester rail.
+  constexpr double literature = 0.005;
+  const auto at_3_mm = [&](const std::string& name, const std::string& series) {
+    for (const std::string& line : lines_of(read("o/" + name + "_by_amplitude.csv"))) {
+      if (line.starts_with(series + ",3,")) {
+        return std::stod(entries_of(line).at(2));
+      }
+    }
+    return 0.0;
+  };
+  EXPECT_NEAR(at_3_mm("conicity", "roll: en15302"), 0.175, literature);
+  EXPECT_NEAR(at_3_mm("conicity", "roll: solve"), 0.175, literature);
+  EXPECT_NEAR(at_3_mm("conicity_manchester", "roll: en15302"), 0.181, literature);
+}
+
+TEST_F(WrcSweep, RefusesBadStudies) {
+  const auto refuse = [&](const std::string& text, std::initializer_list<std::string> parts) {
+    write("s.toml", text);
+    sweep("s.toml --out o").expect_refusal(parts);
+    EXPECT_FALSE(exists("o/s.rows")) << text;
+  };
+  refuse("[pose]\nsideways = [1, 2]\n", {"pose.sideways", "pose.lateral"});
+  refuse("[pose]\nlateral = [1, 1000]\n", {"pose.lateral = 1000", "-100 to 100"});
+  refuse("[pose]\nlateral = []\n", {"pose.lateral"});
+  refuse("[pose]\nlateral = {from = 1, to = 2}\n", {"pose.lateral", "{from, to, step}"});
+  refuse("[pose]\nlateral = {from = 1, to = 2, step = -1}\n", {"pose.lateral", "step"});
+  refuse("[pose]\nlateral = {from = 1, to = 2, step = 0}\n", {"pose.lateral", "step"});
+  refuse("[pose]\nlateral = {from = 1, to = 2, count = 1.5}\n", {"pose.lateral", "count"});
+  refuse("[pose]\nlateral = {from = 1, to = 2, steps = 3}\n", {"pose.lateral", "steps"});
+  refuse("[pose]\nlateral = {from = 0, to = 9, count = 9000}\nyaw = {from = 0, to = 0.1, count = "
+         "9000}\n[load]\nvertical = {from = 0, to = 1, count = 90}\n",
+         {"scenes", "allowed"});
+  refuse("[study]\nresults = [\"left.pmx\"]\n", {"left.pmx", "--list-results"});
+  refuse("[study]\nresults = \"left.pmax\"\n", {"study.results", "list of texts"});
+  refuse("[study]\nfields = [\"heat\"]\n", {"heat", "pressure"});
+  refuse("[study]\nresult = []\n", {"study.result", "results"});
+  refuse("[study]\nname = \"a/b\"\n", {"a/b", "without folder"});
+  const std::string axis = "[pose]\nlateral = [0, 1]\n";
+  refuse(axis + "[[picture]]\nkind = \"pie\"\n", {"picture.kind", "pie", "lines"});
+  refuse(axis + "[[picture]]\nx = \"pose.yaw\"\n", {"picture.x", "pose.yaw"});
+  refuse(axis + "[[picture]]\nfile = \"a.pdf\"\n", {"a.pdf", ".png"});
+  refuse(axis + "[[picture]]\nkind = \"patches\"\n", {"needs", "study.fields"});
+  refuse(axis + "[[picture]]\npanels = [{lines = [{result = \"left.area2\"}]}]\n",
+         {"picture.panels.lines.result", "left.area2"});
+  refuse(axis + "[[picture]]\ncolour = 3\n", {"picture.colour", "allowed"});
+  refuse("[pose]\nlateral = = 1\n", {"s.toml", "line 2"});
+}
+
+TEST_F(WrcSweep, RefusesBadArguments) {
+  write("s.toml", study);
+  sweep("").expect_refusal({"STUDY"});
+  sweep("missing.toml").expect_refusal({"missing.toml"});
+  sweep("s.toml --threads 0").expect_refusal({"--threads"});
+  sweep("s.toml --resume --restart").expect_refusal({"--resume", "--restart"});
+  sweep("s.toml --set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
+  sweep("s.toml --out s.toml/x").expect_refusal({"--out s.toml/x"});
+  const Outcome help = sweep("--help");
+  for (const char* part : {"{from = -6, to = 6", "--resume", "mpirun", "[[picture]]"}) {
+    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+  }
+  EXPECT_NE(sweep("--list-results").out.find("left.patches.0.pmax\n"), std::string::npos);
+}
+
+} // namespace
