@@ -156,7 +156,7 @@ InfluenceCache::inverse_spectrum(double aspect, std::size_t rows, std::size_t co
   return spectrum_of<Real>({aspect, rows, columns, Content::inverse});
 }
 
-void InfluenceCache::trim(std::size_t bytes) {
+void InfluenceCache::trim(std::size_t bytes, std::uint64_t since) {
   while (held_bytes_ > bytes) {
     std::uint64_t oldest = std::numeric_limits<std::uint64_t>::max();
     const auto look = [&oldest](const auto& kept) {
@@ -167,6 +167,9 @@ void InfluenceCache::trim(std::size_t bytes) {
     look(tables_);
     look(single_.spectra);
     look(double_.spectra);
+    if (oldest > since) {
+      return;
+    }
     const auto drop = [&](auto& kept) {
       std::erase_if(kept, [&](const auto& entry) {
         if (entry.second.last_use != oldest) {

@@ -65,9 +65,10 @@ public:
   std::shared_ptr<const KernelSpectrum<Real>> inverse_spectrum(double aspect, std::size_t rows,
                                                                std::size_t columns);
 
-  /// Drops what was used longest ago, until no more than this is held. To be called between
-  /// solutions.
-  void trim(std::size_t bytes);
+  /// Drops what was used longest ago, until no more than this is held, but nothing that was used
+  /// since a time that now() has told. To be called between solutions.
+  void trim(std::size_t bytes, std::uint64_t since);
+  [[nodiscard]] std::uint64_t now() const { return clock_; }
 
 private:
   enum class Content { direct, inverse };

@@ -31,8 +31,9 @@ constexpr double double_overlap = 1e-13;
 constexpr double start_coarseness = 0.15;
 /// Share of elements below the distance from which the first pressures are drawn.
 constexpr double start_quantile = 0.2;
-/// Memory for tables and spectra kept between calls.
-constexpr std::size_t kept_bytes = std::size_t{256} << 20;
+/// Memory for tables and spectra kept between calls, besides those of the last solution. A hunting
+/// wheelset meets new ones again and again: with more memory its steps are no faster.
+constexpr std::size_t kept_bytes = std::size_t{4} << 20;
 
 /// One grid of a patch's cascade, in its own unit of length.
 struct Level {
@@ -499,6 +500,7 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
 }
 
 JointSolution NormalSolver::State::solve(const JointProblem& problem) {
+  const std::uint64_t start = cache.now();
   count = problem.patches.size();
   approach = 0.0;
   interaction = problem.interaction;
@@ -582,7 +584,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   }
   solution.approach =
       problem.approach ? *problem.approach : least_approach + approach * approach_scale;
-  cache.trim(kept_bytes);
+  cache.trim(kept_bytes, start);
   return solution;
 }
 

@@ -131,7 +131,7 @@ TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrTrimmed) {
   const auto first_inverse = warm.inverse_spectrum<TypeParam>(1.5, 48, 64);
   EXPECT_EQ(warm.spectrum<TypeParam>(1.5, 48, 64).get(), first.get()) << "kept";
   warm.spectrum<TypeParam>(0.1, 30, 30);
-  warm.trim(0);
+  warm.trim(0, warm.now());
   const auto again = warm.spectrum<TypeParam>(1.5, 48, 64);
   EXPECT_NE(again.get(), first.get()) << "dropped; the first one is still held here";
   expect_same_bits(*again, *first);
@@ -147,12 +147,17 @@ TEST(InfluenceCache, TrimDropsWhatWasUsedLongestAgo) {
   const auto recent = cache.spectrum<double>(2.0, 32, 32);
   cache.spectrum<double>(1.0, 32, 32);
   // Room for one spectrum: 17 columns of 32 values, but not for the tables beside it.
-  cache.trim(17 * 32 * sizeof(double) + 64);
+  cache.trim(17 * 32 * sizeof(double) + 64, cache.now());
   EXPECT_EQ(cache.spectrum<double>(1.0, 32, 32).get(), old.get());
   EXPECT_NE(cache.spectrum<double>(2.0, 32, 32).get(), recent.get());
+  // What is in use stays whatever there is room for.
+  const std::uint64_t start = cache.now();
+  const auto in_use = cache.spectrum<double>(1.0, 32, 32);
+  cache.trim(0, start);
+  EXPECT_EQ(cache.spectrum<double>(1.0, 32, 32).get(), in_use.get());
   // Enough room: nothing is dropped.
   const auto kept = cache.spectrum<double>(2.0, 32, 32);
-  cache.trim(std::size_t{1} << 30);
+  cache.trim(std::size_t{1} << 30, cache.now());
   EXPECT_EQ(cache.spectrum<double>(2.0, 32, 32).get(), kept.get());
 }
 
