@@ -1,4 +1,5 @@
-/*
+/**
+ * @file
  * wrcontact: where and how hard wheels press on rails.
  *
  * From wheel and rail profiles, track, wheelset position and load this library finds the contact
@@ -42,38 +43,38 @@
 extern "C" {
 #endif
 
-/* Status codes; explicit and never reused. Since 0.1. */
+/** Status codes; explicit and never reused. Since 0.1. */
 typedef int32_t wrc_status;
 #define WRC_OK 0
-#define WRC_INVALID_ARGUMENT 1 /* a value outside its permitted range */
-#define WRC_UNKNOWN_NAME 2     /* a key, profile or quantity that does not exist */
-#define WRC_FILE_UNREADABLE 3  /* a file that cannot be opened, read or written */
-#define WRC_FILE_MALFORMED 4   /* a file whose content cannot be understood */
-#define WRC_NO_CONTACT 5       /* wheel and rail do not meet in the scene as posed */
-#define WRC_OUT_OF_MEMORY 6    /* memory could not be had */
-#define WRC_INTERNAL 7         /* a fault of the library itself */
-#define WRC_NOT_CONVERGED 8    /* results are there, but not to the tolerance; see stop_reason */
-#define WRC_TOO_SMALL 9        /* the caller's array is too small; the length needed is returned */
-#define WRC_NO_RESULT 10       /* the handle has not been solved or loaded yet */
-#define WRC_BUSY 11            /* the handle is in use by another thread; since 0.2 */
+#define WRC_INVALID_ARGUMENT 1 /**< a value outside its permitted range */
+#define WRC_UNKNOWN_NAME 2     /**< a key, profile or quantity that does not exist */
+#define WRC_FILE_UNREADABLE 3  /**< a file that cannot be opened, read or written */
+#define WRC_FILE_MALFORMED 4   /**< a file whose content cannot be understood */
+#define WRC_NO_CONTACT 5       /**< wheel and rail do not meet in the scene as posed */
+#define WRC_OUT_OF_MEMORY 6    /**< memory could not be had */
+#define WRC_INTERNAL 7         /**< a fault of the library itself */
+#define WRC_NOT_CONVERGED 8    /**< results are there, but not to the tolerance; see stop_reason */
+#define WRC_TOO_SMALL 9  /**< the caller's array is too small; the length needed is returned */
+#define WRC_NO_RESULT 10 /**< the handle has not been solved or loaded yet */
+#define WRC_BUSY 11      /**< the handle is in use by another thread; since 0.2 */
 
-/* Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
+/** Name of a status, for example "invalid argument"; never NULL. Since 0.1. */
 WRC_API const char* wrc_status_name(wrc_status status);
-/* Version of the library, for example "0.1.0". Since 0.1. */
+/** Version of the library, for example "0.1.0". Since 0.1. */
 WRC_API const char* wrc_version(void);
 
 /* ---- Scene: what is asked, and its results ------------------------------------------------- */
 
 typedef struct wrc_scene wrc_scene;
 
-/* A scene with the defaults of the paper's Table 1. On failure *scene is NULL. Since 0.1. */
+/** A scene with the defaults of the paper's Table 1. On failure *scene is NULL. Since 0.1. */
 WRC_API wrc_status wrc_scene_create(wrc_scene** scene);
-/* Does nothing with NULL. Since 0.1. */
+/** Does nothing with NULL. Since 0.1. */
 WRC_API void wrc_scene_destroy(wrc_scene* scene);
-/* Text of the last failure, "" if there was none. Since 0.1. */
+/** Text of the last failure, "" if there was none. Since 0.1. */
 WRC_API const char* wrc_scene_error(const wrc_scene* scene);
 
-/*
+/**
  * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
  * defaults and permitted values. Keys of one subject replace each other: the later call counts
  * (load.vertical and load.left, material.poisson and material.wheel.poisson, solve.accuracy and
@@ -87,7 +88,7 @@ WRC_API wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const c
 WRC_API wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, const double* values,
                                          int64_t count);
 
-/*
+/**
  * The values of keys, in the scene's convention: a text where a word stands ("solve", "none"), or
  * else a number or a list, copied as by wrc_scene_field. WRC_INVALID_ARGUMENT if the value is of
  * another type, or if there is no single one (load.vertical with different loads of the wheels).
@@ -98,18 +99,18 @@ WRC_API wrc_status wrc_scene_get_text(wrc_scene* scene, const char* key, const c
 WRC_API wrc_status wrc_scene_get_numbers(wrc_scene* scene, const char* key, double* values,
                                          int64_t capacity, int64_t* count);
 
-/* What is told of a key; each text belongs to the library and stays. Since 0.1. */
+/** What is told of a key; each text belongs to the library and stays. Since 0.1. */
 WRC_API int64_t wrc_scene_key_count(void);
 WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_value,
                                  const char** allowed, const char** meaning);
 
-/*
+/**
  * Solves geometry, remesh and mechanics of the sides asked for. WRC_NOT_CONVERGED comes with
  * usable results; on any other failure the results of the last success remain. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
 
-/*
+/**
  * Writes the scene as a TOML file that wrc_case replays: with the same library on the same machine
  * bit for bit what wrc_scene_solve gives. Numbers are in mm, N, MPa, y left, z up, whatever the
  * scene's convention. Profiles given by wrc_scene_set_profile go into files of their points beside
@@ -117,7 +118,7 @@ WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
  */
 WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
 
-/*
+/**
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
  * "left.patches.1.centroid.y", "time_ms.total" and so on (docs/results.md lists and defines them).
  * Names of a side are of all its patches together; patches are numbered from 0, largest normal
@@ -125,9 +126,9 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * of a patch that is not there. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
-/* A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
+/** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
-/*
+/**
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
@@ -139,7 +140,7 @@ WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char
  */
 WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
                                    int64_t capacity, int64_t* count);
-/* Names of all results at hand, in a fixed order. Since 0.1. */
+/** Names of all results at hand, in a fixed order. Since 0.1. */
 WRC_API int64_t wrc_scene_number_count(const wrc_scene* scene);
 WRC_API const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index);
 WRC_API int64_t wrc_scene_text_count(const wrc_scene* scene);
@@ -149,7 +150,7 @@ WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
 
 typedef struct wrc_solver wrc_solver;
 
-/*
+/**
  * Keeps profiles, influence coefficients, transform plans and memory between solutions, and the
  * positions, extents and pressures of the last contact as the start of the next one. For vehicle
  * simulations: one solver a wheelset, solved every time step. A jump of the contact is never
@@ -159,19 +160,20 @@ WRC_API wrc_status wrc_solver_create(wrc_solver** solver);
 WRC_API void wrc_solver_destroy(wrc_solver* solver);
 WRC_API const char* wrc_solver_error(const wrc_solver* solver);
 
-/*
+/**
  * As wrc_scene_solve, with what the solver keeps. Results are on the scene's handle; they agree
- * with those of wrc_scene_solve within the accuracy asked. The error text is on the scene. The
- * caller may use one scene's handle again and again, changing its pose. Since 0.1.
+ * with those of wrc_scene_solve within the accuracy asked. After a failure the next solution starts
+ * without positions of earlier ones. The error text is on the scene. The caller may use one scene's
+ * handle again and again, changing its pose. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
-/*
+/**
  * Drops positions, so that the next solution is bit for bit that of wrc_scene_solve; with
  * `profiles` not 0 also everything else (profile files are read again). Since 0.1.
  */
 WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
 
-/*
+/**
  * Solves many scenes (at most 2^24), each by itself as wrc_scene_solve does, on up to `threads`
  * threads (1 to 1024); bit for bit the same for any number of them. The handles must all be
  * different. The status of each goes to statuses (may be NULL), its error text to its scene.
@@ -182,7 +184,7 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 
 /* ---- Normal contact of a gap given by the caller ------------------------------------------- */
 
-/*
+/**
  * One problem on an equally spaced grid, and the solver that keeps plans, tables and memory between
  * its calls: pressures p >= 0 and gaps g = h + u - approach >= 0 with p g = 0, where u are the
  * displacements of an elastic half-space. Changing the problem does not touch the results: they
@@ -190,27 +192,27 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
  */
 typedef struct wrc_normal wrc_normal;
 
-/* An empty problem. On failure *normal is NULL. Since 0.1. */
+/** An empty problem. On failure *normal is NULL. Since 0.1. */
 WRC_API wrc_status wrc_normal_create(wrc_normal** normal);
-/* Does nothing with NULL. Since 0.1. */
+/** Does nothing with NULL. Since 0.1. */
 WRC_API void wrc_normal_destroy(wrc_normal* normal);
-/* Text of the last failure, "" if there was none. Since 0.1. */
+/** Text of the last failure, "" if there was none. Since 0.1. */
 WRC_API const char* wrc_normal_error(const wrc_normal* normal);
 
-/*
+/**
  * The grid: numbers of elements (at least 1, at most 2^26 in all) and their sides in mm (> 0).
  * WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                        int64_t longitudinal_count, double lateral_step,
                                        double longitudinal_step);
-/*
+/**
  * The undeformed distance h at the element centres, mm, finite, positive when apart; `count` values
  * with the longitudinal index fastest, which are copied. wrc_normal_solve asks for as many as the
  * grid has elements. WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count);
-/*
+/**
  * Numbers by key:
  *   "combined_modulus"    MPa, > 0; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on steel if not
  *                         set: 210000/(2 (1 - 0.3^2))
@@ -224,7 +226,7 @@ WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* val
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value);
-/*
+/**
  * Texts by key; the first is taken if not set:
  *   "solver"     "default", or "paper" (Polonsky & Keer 1999, always in double precision)
  *   "precision"  "mixed": directions of the iteration in single precision; or "double"
@@ -233,13 +235,13 @@ WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, do
  */
 WRC_API wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value);
 
-/*
+/**
  * Solves the problem. WRC_NOT_CONVERGED comes with usable results; on any other failure the results
  * of the last success remain. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
 
-/*
+/**
  * A scalar result by name:
  *   "approach"      mm; "normal_force" N; "area" mm^2, counted in elements
  *   "pmax"          MPa, peak of a quadratic surface through the elements around the largest
@@ -254,9 +256,9 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value);
-/* "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
+/** "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
 WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
-/*
+/**
  * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first asked for), one
  * value per element with the longitudinal index fastest; copied as by wrc_scene_field. Since 0.1.
  */
@@ -270,37 +272,37 @@ typedef struct wrc_profile wrc_profile;
 #define WRC_WHEEL 0
 #define WRC_RAIL 1
 
-/* Names of the built-in profiles of a kind; NULL past the end. Since 0.1. */
+/** Names of the built-in profiles of a kind; NULL past the end. Since 0.1. */
 WRC_API const char* wrc_profile_standard_name(int32_t kind, int64_t index);
 
-/* An empty profile handle, which keeps the error text of a failed load. Since 0.1. */
+/** An empty profile handle, which keeps the error text of a failed load. Since 0.1. */
 WRC_API wrc_status wrc_profile_create(wrc_profile** profile);
 WRC_API void wrc_profile_destroy(wrc_profile* profile);
 WRC_API const char* wrc_profile_error(const wrc_profile* profile);
 
-/* How a file is read. Set struct_size to sizeof(wrc_read_options), zero the rest. Since 0.1. */
+/** How a file is read. Set struct_size to sizeof(wrc_read_options), zero the rest. Since 0.1. */
 typedef struct wrc_read_options {
   uint64_t struct_size;
-  int32_t kind; /* WRC_WHEEL or WRC_RAIL if kind_given is not 0; else by the file */
+  int32_t kind; /**< WRC_WHEEL or WRC_RAIL if kind_given is not 0; else by the file */
   int32_t kind_given;
-  int32_t mirror_lateral; /* 0: as the file needs; 1: mirror; -1: do not mirror */
-  int32_t mirror_height;  /* the same */
-  int32_t strict;         /* not 0: refuse instead of guessing */
+  int32_t mirror_lateral; /**< 0: as the file needs; 1: mirror; -1: do not mirror */
+  int32_t mirror_height;  /**< the same */
+  int32_t strict;         /**< not 0: refuse instead of guessing */
   int32_t reserved;
-  double scale;                /* mm per unit of the file; 0: guess from the size */
-  double smoothing_wavelength; /* mm at which a wave is halved; 0: no smoothing */
+  double scale;                /**< mm per unit of the file; 0: guess from the size */
+  double smoothing_wavelength; /**< mm at which a wave is halved; 0: no smoothing */
 } wrc_read_options;
 
-/* A built-in profile, by name. WRC_UNKNOWN_NAME. Since 0.1. */
+/** A built-in profile, by name. WRC_UNKNOWN_NAME. Since 0.1. */
 WRC_API wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name);
-/* A file: two columns, Simpack .prr/.prw, MiniProf .ban/.whl; options may be NULL. Since 0.1. */
+/** A file: two columns, Simpack .prr/.prw, MiniProf .ban/.whl; options may be NULL. Since 0.1. */
 WRC_API wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
                                          const wrc_read_options* options);
-/* Writes a file, two columns or by extension .prr/.prw, with points `spacing` mm apart along the
+/** Writes a file, two columns or by extension .prr/.prw, with points `spacing` mm apart along the
  * arc; written aside, then renamed. Since 0.1. */
 WRC_API wrc_status wrc_profile_write(wrc_profile* profile, const char* path, double spacing);
 
-/*
+/**
  * A profile through points, `count` of each coordinate in mm in either order, copied; treated as
  * the points of a file (docs of the options above), whose kind must be given. `name` stands for
  * them in messages. WRC_INVALID_ARGUMENT. Since 0.2.
@@ -308,25 +310,25 @@ WRC_API wrc_status wrc_profile_write(wrc_profile* profile, const char* path, dou
 WRC_API wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name,
                                           const double* lateral, const double* height,
                                           int64_t count, const wrc_read_options* options);
-/*
+/**
  * Lets a scene use a loaded profile, of which it keeps a copy: a wheel for "wheelset.wheel", a rail
  * for "track.rail". Setting that key by name takes it away again. WRC_INVALID_ARGUMENT,
  * WRC_NO_RESULT for an empty profile. Since 0.2.
  */
 WRC_API wrc_status wrc_scene_set_profile(wrc_scene* scene, const char* key, wrc_profile* profile);
 
-/* Kind, and texts: "name", "title", "source", "confidence". Since 0.1. */
+/** Kind, and texts: "name", "title", "source", "confidence". Since 0.1. */
 WRC_API wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind);
 WRC_API wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value);
-/* What was corrected while reading, one line each; NULL past the end. Since 0.1. */
+/** What was corrected while reading, one line each; NULL past the end. Since 0.1. */
 WRC_API const char* wrc_profile_correction(const wrc_profile* profile, int64_t index);
 
-/* Arc length of the curve, mm. Since 0.1. */
+/** Arc length of the curve, mm. Since 0.1. */
 WRC_API wrc_status wrc_profile_length(wrc_profile* profile, double* length);
-/* Arc lengths of the curve's nodes (as wrc_scene_field copies). Since 0.1. */
+/** Arc lengths of the curve's nodes (as wrc_scene_field copies). Since 0.1. */
 WRC_API wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t capacity,
                                      int64_t* count);
-/*
+/**
  * The curve at an arc length, clamped to the curve: lateral and height in mm (height of a wheel
  * positive towards larger radius, of a rail upwards), inclination of the tangent in rad, signed
  * curvature in 1/mm (positive: bends towards larger height). Pointers may be NULL. Since 0.1.
@@ -336,7 +338,7 @@ WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* late
 
 /* ---- The whole process --------------------------------------------------------------------- */
 
-/*
+/**
  * Fast Fourier transforms are planned one at a time in the whole process, under a lock of the
  * library. A program that plans with FFTW itself sets its own lock here, which is then held around
  * all planning too; both functions are called with `context` and must not throw. A program that
@@ -346,14 +348,14 @@ WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* late
  */
 WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlock)(void* context),
                                         void* context);
-/*
+/**
  * Wisdom: what the planner "measure" has found out in this process. The file is read or written by
  * these calls and at no other time. WRC_INVALID_ARGUMENT, WRC_FILE_UNREADABLE,
  * WRC_FILE_MALFORMED. Since 0.1.
  */
 WRC_API wrc_status wrc_load_wisdom(const char* path);
 WRC_API wrc_status wrc_save_wisdom(const char* path);
-/*
+/**
  * The benchmark's yardstick: the median time in ms of `repeats` (1 to 1000) pairs of a real
  * transform of rows x columns values in double precision and its inverse, by FFTW's own
  * two-dimensional transform with estimated plans. Planning and one pair beforehand are not timed.

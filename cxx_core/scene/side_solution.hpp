@@ -110,8 +110,9 @@ struct SideSolution {
   std::vector<std::string> warnings;
 };
 
-/// Whether there is contact at a depth found from the request. If not, a warning says why: loads too
-/// small to tell from none are taken for none. An absurd overlap throws Error(invalid_argument).
+/// Whether there is contact at a depth found from the request. If not, a warning says why: loads
+/// too small to tell from none are taken for none. An absurd overlap throws
+/// Error(invalid_argument).
 bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings);
 
 /// `memory` is read if valid, and written.

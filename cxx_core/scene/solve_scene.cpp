@@ -307,7 +307,12 @@ SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
 SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;
 
 SceneResult SceneSolver::solve(const Scene& scene) {
-  return state_->solve(scene);
+  try {
+    return state_->solve(scene);
+  } catch (...) {
+    forget_positions(); // which may be those of half a solution
+    throw;
+  }
 }
 
 void SceneSolver::forget_positions() {

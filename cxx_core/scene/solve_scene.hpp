@@ -59,7 +59,7 @@ public:
   SceneSolver(SceneSolver&&) noexcept;
   SceneSolver& operator=(SceneSolver&&) noexcept;
 
-  /// On failure what is kept from earlier scenes stays usable.
+  /// After a failure the next solution starts without positions of earlier ones.
   SceneResult solve(const Scene& scene);
   /// The next solution starts without positions of earlier ones: bit for bit that of solve_scene.
   void forget_positions();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <thread>
 
 #include "all_results.hpp"
@@ -131,6 +132,25 @@ TEST(Handles, MayBeDestroyedDuringACall) {
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
   EXPECT_EQ(status, WRC_OK);
   EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
+}
+
+TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {
+  // A lock must not throw; if it does, the call ends with a status and the text.
+  bool throws = true;
+  const auto lock = [](void* context) {
+    if (*static_cast<bool*>(context)) {
+      throw std::runtime_error("a lock that throws");
+    }
+  };
+  ASSERT_EQ(wrc_set_planner_lock(
+                lock, [](void*) {}, &throws),
+            WRC_OK);
+  const ScenePointer scene = make_small_scene();
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INTERNAL);
+  EXPECT_STREQ(wrc_scene_error(scene.get()), "a lock that throws");
+  throws = false;
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
 }
 
 TEST(FloatingPoint, FlagsAndRoundingStayTheCallers) {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "all_results.hpp"
+#include "host_transform.hpp"
 
 namespace {
 
@@ -233,6 +234,42 @@ TEST(Threads, MayPlanWhileTheyHoldARecursiveLock) {
   }
   other.join();
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+}
+
+TEST(Threads, GoOnWhileTheHostUsesFftwToo) {
+  constexpr int threads = 4;
+  constexpr int scenes_each = 4;
+  std::recursive_mutex mutex;
+  const auto lock = [](void* context) { static_cast<std::recursive_mutex*>(context)->lock(); };
+  const auto unlock = [](void* context) { static_cast<std::recursive_mutex*>(context)->unlock(); };
+  ASSERT_EQ(wrc_set_planner_lock(lock, unlock, &mutex), WRC_OK);
+  std::array<double, threads> sums{};
+  std::array<std::array<std::string, scenes_each>, threads> differences;
+  std::vector<std::thread> started;
+  for (std::size_t i = 0; i < threads; ++i) {
+    started.emplace_back([&, i] {
+      for (std::size_t k = 0; k < scenes_each; ++k) {
+        sums[i] += sum_of_transform(mutex, 32 + 16 * i + k);
+        const std::size_t index = threads * k + i;
+        const ScenePointer scene = make_varied_scene(static_cast<int>(index));
+        if (wrc_scene_solve(scene.get()) == WRC_OK) {
+          differences[i][k] = AllResults(scene.get()).difference_to(single_results()[index]);
+        } else {
+          differences[i][k] = wrc_scene_error(scene.get());
+        }
+      }
+    });
+  }
+  for (std::thread& thread : started) {
+    thread.join();
+  }
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+  for (std::size_t i = 0; i < threads; ++i) {
+    EXPECT_EQ(sums[i], scenes_each) << "the host's own transforms";
+    for (const std::string& difference : differences[i]) {
+      EXPECT_EQ(difference, "");
+    }
+  }
 }
 
 } // namespace

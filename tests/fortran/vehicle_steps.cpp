@@ -27,9 +27,9 @@ long resident_kb() {
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::string names[] = {"left.lateral_force", "right.lateral_force", "left.pmax",
-                               "right.pmax",         "left.centroid.y",     "right.centroid.y",
-                               "roll",               "vertical"};
+  const std::string names[] = {
+      "left.lateral_force", "right.lateral_force", "left.pmax", "right.pmax",
+      "left.centroid.y",    "right.centroid.y",    "roll",      "vertical"};
   const int steps = argc > 1 ? std::atoi(argv[1]) : 3000;
   wrcontact::Scene scene;
   wrcontact::Solver solver;
