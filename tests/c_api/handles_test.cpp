@@ -1,12 +1,10 @@
-/// Handles that were destroyed, never were, are of another kind or in use; and the caller's
-/// floating-point environment.
-#include <atomic>
+/// Handles that were destroyed, never were, or are of another kind; and the caller's floating-point
+/// environment.
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <thread>
 
 #include "all_results.hpp"
 
@@ -64,74 +62,6 @@ TEST(Handles, OneOfAnotherKindIsRefused) {
   EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
   wrc_scene* scenes[] = {scene.get(), mistaken};
   EXPECT_EQ(wrc_solve_batch(scenes, 2, 1, nullptr), WRC_INVALID_ARGUMENT);
-}
-
-TEST(Handles, OneInUseIsRefusedUntilItsCallEnds) {
-  // The planner's lock is taken in the middle of a first solution: that call waits there.
-  struct Gate {
-    std::atomic<bool> reached{false};
-    std::atomic<bool> open{false};
-  } gate;
-  const auto wait = [](void* context) {
-    auto* at = static_cast<Gate*>(context);
-    at->reached = true;
-    while (!at->open) {
-      std::this_thread::yield();
-    }
-  };
-  ASSERT_EQ(wrc_set_planner_lock(
-                wait, [](void*) {}, &gate),
-            WRC_OK);
-  const ScenePointer scene = make_small_scene();
-  wrc_status status = -1;
-  std::thread solving([&] { status = wrc_scene_solve(scene.get()); });
-  while (!gate.reached) {
-    std::this_thread::yield();
-  }
-  double value = 0.0;
-  EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_BUSY);
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 1.0), WRC_BUSY);
-  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "in use"));
-  EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
-  wrc_scene* scenes[] = {scene.get()};
-  EXPECT_EQ(wrc_solve_batch(scenes, 1, 1, nullptr), WRC_BUSY);
-  const SolverPointer solver = make_solver();
-  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_BUSY);
-  gate.open = true;
-  solving.join();
-  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
-  EXPECT_EQ(status, WRC_OK);
-  EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_OK);
-}
-
-TEST(Handles, MayBeDestroyedDuringACall) {
-  struct Gate {
-    std::atomic<bool> reached{false};
-    std::atomic<bool> open{false};
-  } gate;
-  const auto wait = [](void* context) {
-    auto* at = static_cast<Gate*>(context);
-    at->reached = true;
-    while (!at->open) {
-      std::this_thread::yield();
-    }
-  };
-  ASSERT_EQ(wrc_set_planner_lock(
-                wait, [](void*) {}, &gate),
-            WRC_OK);
-  wrc_scene* scene = nullptr;
-  ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
-  wrc_status status = -1;
-  std::thread solving([&] { status = wrc_scene_solve(scene); });
-  while (!gate.reached) {
-    std::this_thread::yield();
-  }
-  wrc_scene_destroy(scene);
-  gate.open = true;
-  solving.join();
-  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
-  EXPECT_EQ(status, WRC_OK);
-  EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
 }
 
 TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {

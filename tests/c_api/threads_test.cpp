@@ -236,6 +236,64 @@ TEST(Threads, MayPlanWhileTheyHoldARecursiveLock) {
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
 }
 
+/// The planner's lock is taken in the middle of a first solution: that call waits there.
+struct Gate {
+  std::atomic<bool> reached{false};
+  std::atomic<bool> open{false};
+
+  static void wait(void* context) {
+    auto* gate = static_cast<Gate*>(context);
+    gate->reached = true;
+    while (!gate->open) {
+      std::this_thread::yield();
+    }
+  }
+  static void pass(void* /*context*/) {}
+};
+
+TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
+  Gate gate;
+  ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
+  const ScenePointer scene = make_small_scene();
+  wrc_status status = -1;
+  std::thread solving([&] { status = wrc_scene_solve(scene.get()); });
+  while (!gate.reached) {
+    std::this_thread::yield();
+  }
+  double value = 0.0;
+  EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_BUSY);
+  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 1.0), WRC_BUSY);
+  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "in use"));
+  EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
+  wrc_scene* scenes[] = {scene.get()};
+  EXPECT_EQ(wrc_solve_batch(scenes, 1, 1, nullptr), WRC_BUSY);
+  const SolverPointer solver = make_solver();
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_BUSY);
+  gate.open = true;
+  solving.join();
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(status, WRC_OK);
+  EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_OK);
+}
+
+TEST(Threads, AHandleMayBeDestroyedDuringACall) {
+  Gate gate;
+  ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
+  wrc_scene* scene = nullptr;
+  ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
+  wrc_status status = -1;
+  std::thread solving([&] { status = wrc_scene_solve(scene); });
+  while (!gate.reached) {
+    std::this_thread::yield();
+  }
+  wrc_scene_destroy(scene);
+  gate.open = true;
+  solving.join();
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+  EXPECT_EQ(status, WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
+}
+
 TEST(Threads, GoOnWhileTheHostUsesFftwToo) {
   constexpr int threads = 4;
   constexpr int scenes_each = 4;
