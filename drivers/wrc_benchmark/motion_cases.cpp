@@ -38,11 +38,16 @@ Motion hunting(int steps) {
   return motion;
 }
 
-/// Even steps to the left, from the centre on.
+/// Even steps, to the left from the centre on, and back and forth before the wheel leaves the rail.
 Motion shift(const std::string& name, double step, int steps) {
+  constexpr double turn = 6.5; // mm
   Motion motion{name, {}};
   for (int i = 0; i < steps; ++i) {
-    motion.poses.push_back({i * step, 0.0});
+    const double way = std::fmod(i * step, 4.0 * turn);
+    const double lateral = way < turn         ? way
+                           : way < 3.0 * turn ? 2.0 * turn - way
+                                              : way - 4.0 * turn;
+    motion.poses.push_back({lateral, 0.0});
   }
   return motion;
 }
