@@ -127,6 +127,10 @@ private:
   std::vector<double> height_second_;
 };
 
+/// A curve through sensible points is hardly longer than their chords. Points that jump back and
+/// forth make the spline swing, the more so each time its parameter follows its length.
+constexpr double longest_detour = 2.0;
+
 std::size_t parts_for(double length) {
   return std::max<std::size_t>(1,
                                static_cast<std::size_t>(std::ceil(length / largest_node_distance)));
@@ -158,8 +162,15 @@ Curve curve_through(std::span<const Position> points) {
     lateral.push_back(point[0]);
     height.push_back(point[1]);
   }
-  for (int i = 0; i < reparametrisations; ++i)
+  const double chords = knot.back();
+  for (int i = 0; i < reparametrisations; ++i) {
     knot = arc_lengths(PlaneSpline(knot, lateral, height));
+    if (!(knot.back() <= longest_detour * chords))
+      throw_invalid_argument("length of the curve through the points", knot.back(),
+                             "at most " + text_of(longest_detour) +
+                                 " times that of their chords, " + text_of(chords) +
+                                 " mm: the points jump back and forth");
+  }
   const PlaneSpline spline(knot, lateral, height);
 
   std::vector<Curve::Piece> pieces;

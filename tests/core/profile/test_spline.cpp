@@ -80,6 +80,25 @@ TEST(Spline, TakesVerticalParts) {
   EXPECT_NEAR(curve.at(0.0).tangent_height, 1.0, 1e-4);
 }
 
+TEST(Spline, RefusesPointsThatJumpBackAndForth) {
+  // A digit lost here and there, as in a damaged file: the curve would swing ever further.
+  std::vector<Position> points;
+  for (int i = -34; i <= 34; ++i) {
+    points.push_back({static_cast<double>(i), -0.01 * i * i});
+  }
+  EXPECT_NO_THROW((void)curve_through(points));
+  for (std::size_t i = 6; i < points.size(); i += 6) {
+    points[i][0] *= 0.1;
+  }
+  try {
+    (void)curve_through(points);
+    FAIL() << "a curve through jumping points";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("jump back and forth"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Spline, RefusesWhatIsNoLine) {
   EXPECT_THROW((void)curve_through(std::vector<Position>{{0, 0}, {1, 0}, {2, 0}}), Error);
   EXPECT_THROW((void)curve_through(std::vector<Position>{{0, 0}, {1, 0}, {1, 0}, {2, 0}}), Error);
