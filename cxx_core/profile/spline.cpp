@@ -127,10 +127,6 @@ private:
   std::vector<double> height_second_;
 };
 
-/// A curve through sensible points is hardly longer than their chords. Points that jump back and
-/// forth make the spline swing, the more so each time its parameter follows its length.
-constexpr double longest_detour = 2.0;
-
 std::size_t parts_for(double length) {
   return std::max<std::size_t>(1,
                                static_cast<std::size_t>(std::ceil(length / largest_node_distance)));
@@ -141,6 +137,18 @@ std::vector<double> arc_lengths(const PlaneSpline& spline) {
   for (std::size_t i = 0; i < spline.intervals(); ++i)
     knot.push_back(knot.back() + spline.length(i, 0.0, 1.0));
   return knot;
+}
+
+/// A curve through sensible points is hardly longer than their chords. Points that jump back and
+/// forth, or a wide gap among close ones, make the spline swing, the more so each time its
+/// parameter follows its length.
+void check_detour(double length, double chords) {
+  constexpr double longest_detour = 2.0;
+  if (!(length <= longest_detour * chords))
+    throw_invalid_argument("length of the curve through the points", length,
+                           "at most " + text_of(longest_detour) + " times that of their chords, " +
+                               text_of(chords) +
+                               " mm: the points jump back and forth, or leave a wide gap");
 }
 
 } // namespace
@@ -165,13 +173,10 @@ Curve curve_through(std::span<const Position> points) {
   const double chords = knot.back();
   for (int i = 0; i < reparametrisations; ++i) {
     knot = arc_lengths(PlaneSpline(knot, lateral, height));
-    if (!(knot.back() <= longest_detour * chords))
-      throw_invalid_argument("length of the curve through the points", knot.back(),
-                             "at most " + text_of(longest_detour) +
-                                 " times that of their chords, " + text_of(chords) +
-                                 " mm: the points jump back and forth");
+    check_detour(knot.back(), chords);
   }
   const PlaneSpline spline(knot, lateral, height);
+  check_detour(arc_lengths(spline).back(), chords);
 
   std::vector<Curve::Piece> pieces;
   for (std::size_t i = 0; i < spline.intervals(); ++i) {

@@ -81,15 +81,15 @@ TEST(Spline, TakesVerticalParts) {
 }
 
 TEST(Spline, RefusesPointsThatJumpBackAndForth) {
-  // A digit lost here and there, as in a damaged file: the curve would swing ever further.
+  // A digit lost and lines missing, as in a damaged file: the curve would swing ever further.
   std::vector<Position> points;
-  for (int i = -34; i <= 34; ++i) {
+  for (int i = -34; i <= -17; ++i) {
     points.push_back({static_cast<double>(i), -0.01 * i * i});
   }
+  points.push_back({34.0, -11.56});
   EXPECT_NO_THROW((void)curve_through(points));
-  for (std::size_t i = 6; i < points.size(); i += 6) {
-    points[i][0] *= 0.1;
-  }
+  points[6][0] = -14.0;
+  points[15][1] = -3.22;
   try {
     (void)curve_through(points);
     FAIL() << "a curve through jumping points";
