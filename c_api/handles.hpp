@@ -175,6 +175,7 @@ template <class Handle> wrc_status create(Handle** handle) noexcept {
   *handle = nullptr;
   const DefaultFloatingPoint floating_point;
   try {
+    // A handle is a number by design. NOLINTNEXTLINE(performance-no-int-to-ptr)
     *handle = reinterpret_cast<Handle*>(HandleTable<Object<Handle>>::instance().add());
     return WRC_OK;
   } catch (...) {
