@@ -59,6 +59,9 @@ struct DrawnPatch {
   [[nodiscard]] std::string block() const {
     return '$' + name.side + "_pressure_" + std::to_string(name.index);
   }
+  /// Lines of equal pressure; none on a grid of one row or column.
+  [[nodiscard]] std::string contours() const { return block() + "_contours"; }
+  bool has_contours = false;
   [[nodiscard]] std::string label() const {
     return force_text(force) + ", " + rounded(1e3 * angle, 1) + " mrad";
   }
@@ -132,6 +135,18 @@ void write_pressure(std::ostream& out, const Scene& scene, DrawnPatch& patch) {
     }
   }
   out << "EOD\n";
+  patch.has_contours =
+      length > 1 && x.size() > length && *std::max_element(pressure.begin(), pressure.end()) > 0.0;
+}
+
+/// Lines at fifths of the largest pressure of the side, as a block of data.
+void write_contours(std::ostream& out, const DrawnPatch& patch, double largest) {
+  out << "set contour base\nunset surface\nset cntrparam levels discrete ";
+  for (int fifth = 1; fifth < 5; ++fifth) {
+    out << (fifth > 1 ? "," : "") << 0.2 * fifth * largest;
+  }
+  out << "\nset table " << patch.contours() << "\nsplot " << patch.block()
+      << " using 1:2:3 with lines\nunset table\nunset contour\nset surface\n";
 }
 
 DrawnSide write_side(std::ostream& out, const Scene& scene, const std::string& name) {
@@ -149,6 +164,9 @@ DrawnSide write_side(std::ostream& out, const Scene& scene, const std::string& n
     drawn.angle = number("angle");
     drawn.force = number("normal_force");
     write_pressure(out, scene, drawn);
+    if (drawn.has_contours) {
+      write_contours(out, drawn, scene.number(name + ".pmax"));
+    }
   }
   develop(side);
   return side;
@@ -251,6 +269,10 @@ void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
   out << "plot ";
   for (const DrawnPatch& patch : side.patches) {
     out << patch.block() << " using ($1+(" << patch.across << ")):2:3 with image, ";
+    if (patch.has_contours) {
+      out << patch.contours() << " using ($1+(" << patch.across
+          << ")):2 with lines lc rgb '#404040' lw 0.8, ";
+    }
   }
   out << "'-' with points pt 2 ps 1 lw 1.5 lc rgb 'black'\n";
   for (const DrawnPatch& patch : side.patches) {
