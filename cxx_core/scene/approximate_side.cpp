@@ -10,6 +10,7 @@
 #include "mechanics/hertz.hpp"
 #include "remesh/depth_estimate.hpp"
 #include "scene/patch_model.hpp"
+#include "scene/side_plan.hpp"
 
 namespace wrc {
 namespace {
@@ -52,9 +53,6 @@ public:
   SideSolution solve();
 
 private:
-  [[nodiscard]] double prescribed_load() const {
-    return request_.normal_load ? *request_.normal_load : *request_.vertical_load;
-  }
   [[nodiscard]] double first_depth() const;
   /// Patches at a depth, each with a model.
   void find_patches(double depth);
@@ -80,23 +78,23 @@ private:
 };
 
 double ApproximateSide::first_depth() const {
-  if (request_.vertical) {
+  if (request_.position_is_prescribed()) {
     return equilibrium_.vertical - *request_.vertical;
   }
-  if (!(prescribed_load() > 0.0)) {
+  if (!(request_.load() > 0.0)) {
     return 0.0;
   }
   const ContactCandidate& touch = equilibrium_.scan.candidates.front();
   const auto strip = strips_.at(touch.wheel.lateral);
   if (strip && strip->lateral_curvature > least_curvature_share * strip->longitudinal_curvature) {
     const double cosine = std::cos(touch.rail_angle);
-    const double normal_load = prescribed_load() / (request_.normal_load ? 1.0 : cosine);
+    const double normal_load = request_.load() / (request_.normal_load ? 1.0 : cosine);
     return solve_hertz(strip->longitudinal_curvature, strip->lateral_curvature,
                        request_.combined_modulus, normal_load)
                .approach /
            cosine;
   }
-  return estimate_depth(equilibrium_.scan, request_.combined_modulus, prescribed_load(),
+  return estimate_depth(equilibrium_.scan, request_.combined_modulus, request_.load(),
                         request_.normal_load ? LoadDirection::main_normal
                                              : LoadDirection::vertical);
 }
@@ -130,7 +128,7 @@ double ApproximateSide::load_at(double depth) const {
 /// The load goes about with the power 3/2 of the depth: a secant on its power 2/3, within a
 /// bracket.
 double ApproximateSide::depth_of_load(double start) const {
-  const double asked = prescribed_load();
+  const double asked = request_.load();
   const double target = std::cbrt(asked * asked);
   const auto excess_at = [&](double depth) {
     const double load = load_at(depth);
@@ -159,7 +157,7 @@ double ApproximateSide::depth_of_load(double start) const {
 
 void ApproximateSide::settle_depth() {
   find_patches(depth_);
-  if (request_.vertical) {
+  if (request_.position_is_prescribed()) {
     return;
   }
   for (int step = 0; step < settling_steps; ++step) {
@@ -236,6 +234,7 @@ void ApproximateSide::take_patches() {
 }
 
 SideSolution ApproximateSide::solve() {
+  result_.solved = true;
   const auto start = Clock::now();
   if (equilibrium_.scan.candidates.front().at_profile_end) {
     result_.warnings.emplace_back(
@@ -247,14 +246,13 @@ SideSolution ApproximateSide::solve() {
     return std::move(result_);
   }
   settle_depth();
-  result_.solved = true;
   result_.depth = depth_;
   result_.next_depth = depth_;
   result_.vertical = equilibrium_.vertical - depth_;
   result_.combined_modulus = request_.combined_modulus;
   result_.gap = request_.gap;
-  if (!request_.vertical) {
-    result_.load = prescribed_load();
+  if (!request_.position_is_prescribed()) {
+    result_.load = request_.load();
   }
   take_patches();
   result_.times.mechanics = seconds_since(start);

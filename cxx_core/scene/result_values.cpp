@@ -314,7 +314,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
   if (side.solved) {
     add_names(names, prefix + "residuals.", residual_numbers);
   }
-  if (side.solved && !side.validity) {
+  if (side.solved && !side.patches.empty() && !side.validity) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }

@@ -12,34 +12,10 @@
 #include <vector>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "scene/side_memory.hpp"
 #include "scene/trial.hpp"
 
 namespace wrc {
-
-/// What a solution leaves for the next one at a neighbouring position: a start, never an answer.
-struct SideMemory {
-  /// Where contact lay in a patch's rectangle of virtual penetration, as shares of its sides, and
-  /// how many elements were enough.
-  struct Patch {
-    double lateral_first = 0.0, lateral_last = 1.0;
-    double longitudinal_first = 0.0, longitudinal_last = 1.0;
-    Resolution resolution;
-    /// Pressures found, which move along with the plane: a start for the next ones.
-    Grid grid;
-    std::vector<double> pressure;
-    /// When the error was estimated: ends of the penetration, and the largest pressure.
-    double y_first = 0.0, y_last = 0.0;
-    double peak_pressure = 0.0;
-  };
-  bool valid = false;
-  double depth = 0.0;
-  double load = 0.0; ///< the one prescribed, N
-  double accuracy = 0.0;
-  std::vector<Patch> patches; ///< ordered by y
-  /// Estimated on two grids; none if it was not met, or if the grid was given by hand. Without it
-  /// the pressures are not those of the last solution.
-  std::optional<double> error_estimate;
-};
 
 /// Patches at a depth, and where and how finely each is to be solved.
 struct SidePlan {

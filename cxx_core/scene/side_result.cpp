@@ -137,10 +137,10 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   result.solutions = solution.solutions;
   result.regrown = solution.regrown;
   result.angle = result.rigid_contact.angle;
+  result.solved = solution.solved;
   if (!solution.in_contact) {
     return result;
   }
-  result.solved = solution.solved;
   result.pmax = solution.peak_pressure;
   result.depth = solution.next_depth;
   result.error_estimate = solution.error_estimate;

@@ -106,7 +106,7 @@ struct SideResult {
   StopReason stop_reason = StopReason::tolerance_met;
   std::optional<Residuals> residuals;     ///< once asked for, see residuals_of
   std::optional<SideRates> sensitivities; ///< once asked for, see sensitivities_of
-  bool solved = false;                    ///< there are pressures
+  bool solved = false;                    ///< the mechanics have run
   std::vector<PatchResult> patches;       ///< largest normal force first
   std::vector<std::string> warnings;
   SideDetails details;

@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "remesh/depth_estimate.hpp"
 #include "scene/missed_contact.hpp"
+#include "scene/side_plan.hpp"
 
 namespace wrc {
 namespace {
@@ -50,8 +51,6 @@ constexpr double longitudinal_share = 0.35;
 constexpr double last_resolution = 800.0;
 /// Refining by less tells too little about the error.
 constexpr double refinement = 2.0;
-/// Share of the accuracy that estimates aim at when the number of elements is chosen.
-constexpr double aimed_share = 0.5;
 /// Share of the accuracy that the iteration may take.
 constexpr double iteration_share = 0.2;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
@@ -62,11 +61,6 @@ constexpr double accuracy_rounding_share = 0.25;
 constexpr double least_gain = 1.4;
 constexpr double resolving_resolution = 90.0;
 constexpr int most_failures = 2;
-/// Ends of penetration that have moved by no more than this share of its width since errors were
-/// estimated leave the estimate in force.
-constexpr double estimate_reach = 0.05;
-/// So does a largest pressure that has changed by no more than this share.
-constexpr double estimate_pressure_reach = 0.02;
 /// Attempts with what is remembered before the side is solved anew.
 constexpr int warm_limit = 3;
 /// A patch with less pressure than the largest needs fewer elements: errors fall with their square.
@@ -74,9 +68,6 @@ constexpr double least_resolution_share = 0.35;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;
-/// Depth that positions can just tell apart, mm: their rounding, 1e-13 mm, is 1e-4 of it. On steel
-/// it takes about 2e-7 N.
-constexpr double least_depth = 1e-9;
 
 using Clock = std::chrono::steady_clock;
 
@@ -94,10 +85,6 @@ public:
   SideSolution solve();
 
 private:
-  [[nodiscard]] bool position_is_prescribed() const { return request_.vertical.has_value(); }
-  [[nodiscard]] double prescribed_load() const {
-    return request_.normal_load ? *request_.normal_load : request_.vertical_load.value_or(0.0);
-  }
   [[nodiscard]] double first_depth() const;
   /// `starts`: pressures near the answer for each patch, in its plane; empty if there are none.
   Trial try_plan(const SidePlan& plan, double tolerance,
@@ -133,7 +120,6 @@ private:
                               trial, plan);
   }
   void warn_about(const Trial& trial);
-  void remember(const Trial& trial);
   void take(Trial trial);
 
   const WheelSurface& wheel_;
@@ -148,21 +134,20 @@ private:
   double told_depth_ = 0.0;
   double told_next_ = 0.0;
   std::size_t told_patches_ = 0;
-  double feedback_ = 0.0;      ///< of a change of depth on the next one
-  double lateral_error_ = 0.0; ///< of the last trial: what elements across the rail leave
-  bool estimated_ = false;     ///< the error, on two grids of this position
+  double feedback_ = 0.0;           ///< of a change of depth on the next one
+  std::optional<TrialError> error_; ///< of the last trial; none if its grid was a remembered one
 };
 
 double SideSolver::first_depth() const {
-  if (position_is_prescribed()) {
+  if (request_.position_is_prescribed()) {
     return equilibrium_.vertical - *request_.vertical;
   }
   if (memory_.valid) {
     // Hertz: the approach goes with the load to the power of 2/3.
-    const double ratio = prescribed_load() / memory_.load;
+    const double ratio = request_.load() / memory_.load;
     return memory_.depth * std::cbrt(ratio * ratio);
   }
-  return estimate_depth(equilibrium_.scan, request_.combined_modulus, prescribed_load(),
+  return estimate_depth(equilibrium_.scan, request_.combined_modulus, request_.load(),
                         request_.normal_load ? LoadDirection::main_normal
                                              : LoadDirection::vertical);
 }
@@ -212,16 +197,6 @@ std::vector<std::optional<StartPressure>> starts_from(const Trial& trial, const 
   return starts;
 }
 
-/// The last pressures, moved along with the planes: a third less time for steps of 0.1 % of a
-/// patch, a tenth for those of a hunting motion (docs/performance.md).
-std::vector<std::optional<StartPressure>> starts_from(const SideMemory& memory) {
-  std::vector<std::optional<StartPressure>> starts;
-  for (const SideMemory::Patch& patch : memory.patches) {
-    starts.push_back(StartPressure{patch.grid, patch.pressure});
-  }
-  return starts;
-}
-
 Trial SideSolver::sample(const SidePlan& plan) {
   Trial trial;
   trial.depth = plan.depth;
@@ -262,10 +237,10 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
   JointProblem problem;
   problem.patches = gaps;
   problem.combined_modulus = request_.combined_modulus;
-  if (position_is_prescribed()) {
+  if (request_.position_is_prescribed()) {
     problem.approach = 0.0; // the wheel has been lowered already
   } else {
-    problem.load = prescribed_load();
+    problem.load = request_.load();
   }
   problem.tolerance = tolerance;
   if (!request_.grid) {
@@ -359,7 +334,7 @@ bool SideSolver::must_grow(const Trial& trial) const {
 
 /// Whether the wheel would slide along the tangent by too much on its way to the depth found.
 bool SideSolver::slides(const Trial& trial) const {
-  if (position_is_prescribed()) {
+  if (request_.position_is_prescribed()) {
     return false;
   }
   double sine = 0.0;
@@ -374,7 +349,7 @@ bool SideSolver::slides(const Trial& trial) const {
 
 /// Whether patches would be closer to each other, or less close, at the depth found.
 bool SideSolver::changes_closeness(const Trial& trial) const {
-  if (position_is_prescribed() || !trial.partly_close() || !(trial.next_depth > 0.0)) {
+  if (request_.position_is_prescribed() || !trial.partly_close() || !(trial.next_depth > 0.0)) {
     return false;
   }
   const ContactPatches found = find_contact_patches(equilibrium_.scan, trial.next_depth);
@@ -435,7 +410,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
       continue;
     }
     const bool depth_settled =
-        position_is_prescribed() ||
+        request_.position_is_prescribed() ||
         (std::abs(trial.next_depth - depth) <= coarse_depth_share * trial.next_depth &&
          !changes_closeness(trial));
     const std::vector<Resolution> resolutions = by_patch(trial, resolution);
@@ -461,7 +436,7 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
   // What errors are estimated from, and whose pressures are the start of the next.
   auto coarser = std::make_shared<const Trial>(std::move(coarse_trial));
   std::shared_ptr<const Trial> last = coarser;
-  const double depth = position_is_prescribed() ? coarser->depth : coarser->next_depth;
+  const double depth = request_.position_is_prescribed() ? coarser->depth : coarser->next_depth;
   std::vector<Resolution> resolutions = by_patch(*coarser, resolution);
   SidePlan plan = planner_.next_plan(*coarser, depth, resolutions, final_growth);
   int failures = 0;
@@ -507,13 +482,13 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    lateral_error_ =
-        std::max(estimate_error(*coarser, trial, position_is_prescribed()), narrow_error(trial));
-    estimated_ = true;
+    const double across_error = std::max(
+        estimate_error(*coarser, trial, request_.position_is_prescribed()), narrow_error(trial));
     const double along_error = longitudinal_error(trial);
-    result_.error_estimate = lateral_error_ + along_error;
-    const bool reached = *result_.error_estimate <= request_.accuracy;
-    const bool failed = before && *result_.error_estimate * least_gain > *before;
+    error_ = TrialError{across_error, across_error + along_error};
+    result_.error_estimate = error_->total;
+    const bool reached = error_->total <= request_.accuracy;
+    const bool failed = before && error_->total * least_gain > *before;
     failures = failed ? failures + 1 : 0;
     double rows = 0.0;
     for (const PatchTrial& patch : trial.patches) {
@@ -525,8 +500,8 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
     }
     // The larger of the two errors always, the other one if it takes up half of the accuracy.
     const double half = 0.5 * request_.accuracy;
-    const bool finer_along = along_error > half || along_error > lateral_error_;
-    const bool finer_across = lateral_error_ > half || lateral_error_ >= along_error;
+    const bool finer_along = along_error > half || along_error > across_error;
+    const bool finer_across = across_error > half || across_error >= along_error;
     resolutions.clear();
     for (const PatchTrial& patch : trial.patches) {
       const Resolution now = patch.no_contact() ? resolution : patch.resolution();
@@ -546,19 +521,10 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
   }
   for (int attempt = 0; attempt < warm_limit; ++attempt) {
     const SidePlan plan = planner_.remembered_plan(memory_, depth);
-    if (plan.patches.size() != memory_.patches.size()) {
+    if (!memory_.places_are_near(plan.patches)) {
       return std::nullopt;
     }
-    for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-      const ContactPatch& place = plan.patches[k].place;
-      const SideMemory::Patch& last = memory_.patches[k];
-      const double reach = estimate_reach * (place.y_last - place.y_first);
-      if (std::abs(place.y_first - last.y_first) > reach ||
-          std::abs(place.y_last - last.y_last) > reach) {
-        return std::nullopt;
-      }
-    }
-    Trial trial = try_plan(plan, tolerance(), starts_from(memory_));
+    Trial trial = try_plan(plan, tolerance(), memory_.starts());
     if (trial.no_contact() || trial.touches_edge() || narrow_error(trial) > request_.accuracy) {
       return std::nullopt;
     }
@@ -566,17 +532,8 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
     if (add_missed(trial, checked)) {
       return std::nullopt;
     }
-    for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-      const PatchTrial& patch = trial.patches[k];
-      const Resolution& wanted = memory_.patches[k].resolution;
-      const double peak = memory_.patches[k].peak_pressure;
-      if (std::abs(patch.contact.peak_pressure - peak) > estimate_pressure_reach * peak) {
-        return std::nullopt;
-      }
-      if (patch.rows() < (1.0 - estimate_reach) * wanted.lateral - 1.0 ||
-          patch.columns() < (1.0 - estimate_reach) * wanted.longitudinal - 1.0) {
-        return std::nullopt;
-      }
+    if (!memory_.estimate_holds(trial)) {
+      return std::nullopt;
     }
     if (!slides(trial) && !changes_closeness(trial)) {
       result_.error_estimate = memory_.error_estimate;
@@ -632,7 +589,6 @@ void SideSolver::warn_about(const Trial& trial) {
 }
 
 void SideSolver::take(Trial trial) {
-  result_.solved = request_.until == Module::mechanics;
   result_.in_contact = !result_.solved || !trial.no_contact();
   result_.depth = trial.depth;
   result_.approach = trial.approach;
@@ -642,8 +598,8 @@ void SideSolver::take(Trial trial) {
   result_.combined_modulus = request_.combined_modulus;
   result_.gap = request_.gap;
   result_.stop_reason = trial.stop_reason;
-  if (!position_is_prescribed()) {
-    result_.load = prescribed_load();
+  if (!request_.position_is_prescribed()) {
+    result_.load = request_.load();
   }
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < trial.patches.size(); ++k) {
@@ -694,6 +650,7 @@ Trial SideSolver::sample_penetration(double depth) {
 }
 
 SideSolution SideSolver::solve() {
+  result_.solved = request_.until == Module::mechanics;
   if (equilibrium_.scan.candidates.front().at_profile_end) {
     result_.warnings.emplace_back(
         "contact at the end of a profile, or where the rail turns upright");
@@ -702,7 +659,8 @@ SideSolution SideSolver::solve() {
   if (request_.until == Module::geometry) {
     return std::move(result_);
   }
-  const double depth = position_is_prescribed() || prescribed_load() > 0.0 ? first_depth() : 0.0;
+  const double depth =
+      request_.position_is_prescribed() || request_.load() > 0.0 ? first_depth() : 0.0;
   if (!is_in_contact(request_, depth, result_.warnings)) {
     return std::move(result_);
   }
@@ -720,82 +678,13 @@ SideSolution SideSolver::solve() {
     }
     trial = solve_on_final_grid(std::move(coarse), resolution);
   }
-  remember(*trial);
+  memory_.remember(rail_, request_, *trial, error_, grid_accuracy());
   warn_about(*trial);
   take(std::move(*trial));
   return std::move(result_);
 }
 
-void SideSolver::remember(const Trial& trial) {
-  const bool complete = std::none_of(trial.patches.begin(), trial.patches.end(),
-                                     [](const PatchTrial& patch) { return patch.no_contact(); });
-  memory_.valid = complete && !position_is_prescribed();
-  if (!memory_.valid) {
-    return;
-  }
-  memory_.depth = trial.next_depth;
-  memory_.load = prescribed_load();
-  memory_.accuracy = request_.accuracy;
-  double factor = 1.0;
-  if (estimated_) {
-    // As many elements as are enough, by the second order of the error.
-    factor = std::clamp(std::sqrt(lateral_error_ / (aimed_share * grid_accuracy())), 0.5, 1.0);
-    const double error = *result_.error_estimate + lateral_error_ * (1.0 / (factor * factor) - 1.0);
-    // A grid given by hand says nothing of those that an accuracy chooses.
-    memory_.error_estimate =
-        error <= request_.accuracy && !request_.grid ? std::optional(error) : std::nullopt;
-  }
-  memory_.patches.resize(trial.patches.size());
-  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
-    const PatchTrial& patch = trial.patches[k];
-    SideMemory::Patch& kept = memory_.patches[k];
-    if (estimated_) {
-      kept.resolution = {factor * patch.rows(), patch.columns()};
-      kept.y_first = patch.place.y_first;
-      kept.y_last = patch.place.y_last;
-      kept.peak_pressure = patch.contact.peak_pressure;
-    }
-    if (memory_.error_estimate) {
-      kept.grid = patch.grid;
-      kept.pressure = patch.pressure;
-    }
-    const PlaneArea penetrated = area_of(patch.place, rail_, patch.frame);
-    const PlaneArea contact = patch.contact_area(0.0);
-    kept.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
-    kept.lateral_last = (contact.lateral_last - penetrated.lateral_first) / penetrated.width();
-    kept.longitudinal_first =
-        (contact.longitudinal_first - penetrated.longitudinal_first) / penetrated.length();
-    kept.longitudinal_last =
-        (contact.longitudinal_last - penetrated.longitudinal_first) / penetrated.length();
-  }
-}
-
 } // namespace
-
-bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings) {
-  const double load = request.normal_load.value_or(request.vertical_load.value_or(0.0));
-  if (!(depth >= least_depth)) {
-    if (request.vertical) {
-      warnings.emplace_back("no contact at this height");
-    } else if (load > 0.0) {
-      warnings.push_back("the load, " + text_of(load) + " N, is taken for none: it presses wheel " +
-                         "and rail together by less than " + text_of(least_depth) + " mm");
-    } else {
-      warnings.emplace_back("no load");
-    }
-    return false;
-  }
-  if (!(depth < greatest_depth)) {
-    throw_invalid_argument(request.vertical      ? "pose.vertical"
-                           : request.normal_load ? "load.normal"
-                                                 : "load of a wheel",
-                           request.vertical.value_or(load),
-                           "wheel and rail would overlap by " + short_text_of(depth) +
-                               " mm or more; allowed is less than " + text_of(greatest_depth) +
-                               " mm");
-  }
-  return true;
-}
 
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,

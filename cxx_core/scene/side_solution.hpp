@@ -27,7 +27,6 @@
 /// Not known here: friction; forces between the wheels; patches that are not plane.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -40,29 +39,11 @@
 #include "remesh/contact_frame.hpp"
 #include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "scene/module.hpp"
-#include "scene/side_plan.hpp"
+#include "scene/side_memory.hpp"
+#include "scene/side_request.hpp"
 #include "scene/trial.hpp"
 
 namespace wrc {
-
-enum class SolverChoice { standard, paper };
-
-struct SideRequest {
-  GapConvention gap = GapConvention::tangent;
-  double combined_modulus = 0.0;
-  /// Exactly one of the three is set.
-  std::optional<double> vertical_load; ///< N
-  std::optional<double> normal_load;   ///< N, along the normal of the main patch
-  std::optional<double> vertical;      ///< height of the wheelset's centre, mm
-  double accuracy = 1e-3;
-  std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
-  double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
-  SolverChoice solver = SolverChoice::standard;
-  bool interaction = false; ///< patches feel each other in full, however far apart
-  int maximum_iterations = 5000;
-  Module until = Module::mechanics; ///< the last one to run
-};
 
 struct StageTimes {
   double remesh = 0.0; ///< s
@@ -88,7 +69,7 @@ struct PatchSolution {
 
 struct SideSolution {
   bool in_contact = false;
-  bool solved = false;                ///< there are pressures
+  bool solved = false;                ///< the mechanics have run
   std::vector<PatchSolution> patches; ///< largest normal force first; with pressure only
   double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
   double depth = 0.0;         ///< vertical, from the first touch to that height
@@ -109,11 +90,6 @@ struct SideSolution {
   StageTimes times;
   std::vector<std::string> warnings;
 };
-
-/// Whether there is contact at a depth found from the request. If not, a warning says why: loads
-/// too small to tell from none are taken for none. An absurd overlap throws
-/// Error(invalid_argument).
-bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings);
 
 /// `memory` is read if valid, and written.
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,

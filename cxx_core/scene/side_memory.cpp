@@ -1,0 +1,99 @@
+#include "scene/side_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrc {
+namespace {
+
+/// Ends of penetration that have moved by no more than this share of its width since errors were
+/// estimated leave the estimate in force.
+constexpr double estimate_reach = 0.05;
+/// So does a largest pressure that has changed by no more than this share.
+constexpr double estimate_pressure_reach = 0.02;
+
+} // namespace
+
+void SideMemory::remember(const RailSurface& rail, const SideRequest& request, const Trial& trial,
+                          const std::optional<TrialError>& estimated, double grid_accuracy) {
+  const bool complete = std::none_of(trial.patches.begin(), trial.patches.end(),
+                                     [](const PatchTrial& patch) { return patch.no_contact(); });
+  valid = complete && !request.position_is_prescribed();
+  if (!valid) {
+    return;
+  }
+  depth = trial.next_depth;
+  load = request.load();
+  accuracy = request.accuracy;
+  double factor = 1.0;
+  if (estimated) {
+    // As many elements as are enough, by the second order of the error.
+    factor = std::clamp(std::sqrt(estimated->lateral / (aimed_share * grid_accuracy)), 0.5, 1.0);
+    const double error = estimated->total + estimated->lateral * (1.0 / (factor * factor) - 1.0);
+    // A grid given by hand says nothing of those that an accuracy chooses.
+    error_estimate =
+        error <= request.accuracy && !request.grid ? std::optional(error) : std::nullopt;
+  }
+  patches.resize(trial.patches.size());
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    const PatchTrial& patch = trial.patches[k];
+    SideMemory::Patch& kept = patches[k];
+    if (estimated) {
+      kept.resolution = {factor * patch.rows(), patch.columns()};
+      kept.y_first = patch.place.y_first;
+      kept.y_last = patch.place.y_last;
+      kept.peak_pressure = patch.contact.peak_pressure;
+    }
+    if (error_estimate) {
+      kept.grid = patch.grid;
+      kept.pressure = patch.pressure;
+    }
+    const PlaneArea penetrated = area_of(patch.place, rail, patch.frame);
+    const PlaneArea contact = patch.contact_area(0.0);
+    kept.lateral_first = (contact.lateral_first - penetrated.lateral_first) / penetrated.width();
+    kept.lateral_last = (contact.lateral_last - penetrated.lateral_first) / penetrated.width();
+    kept.longitudinal_first =
+        (contact.longitudinal_first - penetrated.longitudinal_first) / penetrated.length();
+    kept.longitudinal_last =
+        (contact.longitudinal_last - penetrated.longitudinal_first) / penetrated.length();
+  }
+}
+
+bool SideMemory::places_are_near(std::span<const PatchPlan> plans) const {
+  if (plans.size() != patches.size()) {
+    return false;
+  }
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    const ContactPatch& place = plans[k].place;
+    const double reach = estimate_reach * (place.y_last - place.y_first);
+    if (std::abs(place.y_first - patches[k].y_first) > reach ||
+        std::abs(place.y_last - patches[k].y_last) > reach) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool SideMemory::estimate_holds(const Trial& trial) const {
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchTrial& now = trial.patches[k];
+    const Patch& last = patches[k];
+    if (std::abs(now.contact.peak_pressure - last.peak_pressure) >
+            estimate_pressure_reach * last.peak_pressure ||
+        now.rows() < (1.0 - estimate_reach) * last.resolution.lateral - 1.0 ||
+        now.columns() < (1.0 - estimate_reach) * last.resolution.longitudinal - 1.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<std::optional<StartPressure>> SideMemory::starts() const {
+  std::vector<std::optional<StartPressure>> starts;
+  for (const Patch& patch : patches) {
+    starts.push_back(StartPressure{patch.grid, patch.pressure});
+  }
+  return starts;
+}
+
+} // namespace wrc

@@ -1,0 +1,44 @@
+/// What is asked of one wheel on its rail, and whether there is contact at all.
+///
+/// Units mm, N, MPa. Thread rule: plain values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "remesh/undeformed_distance.hpp"
+#include "scene/module.hpp"
+
+namespace wrc {
+
+enum class SolverChoice { standard, paper };
+
+struct SideRequest {
+  GapConvention gap = GapConvention::tangent;
+  double combined_modulus = 0.0;
+  /// Exactly one of the three is set.
+  std::optional<double> vertical_load; ///< N
+  std::optional<double> normal_load;   ///< N, along the normal of the main patch
+  std::optional<double> vertical;      ///< height of the wheelset's centre, mm
+  double accuracy = 1e-3;
+  std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
+  double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
+  SolverChoice solver = SolverChoice::standard;
+  bool interaction = false; ///< patches feel each other in full, however far apart
+  int maximum_iterations = 5000;
+  Module until = Module::mechanics; ///< the last one to run
+
+  [[nodiscard]] bool position_is_prescribed() const { return vertical.has_value(); }
+  /// The load of the two that is set, N; 0 if the position is prescribed.
+  [[nodiscard]] double load() const { return normal_load.value_or(vertical_load.value_or(0.0)); }
+};
+
+/// Whether there is contact at a depth found from the request. If not, a warning says why: loads
+/// too small to tell from none are taken for none. An absurd overlap throws
+/// Error(invalid_argument).
+bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings);
+
+} // namespace wrc
