@@ -65,6 +65,7 @@ struct NormalObject {
   std::shared_ptr<const std::vector<double>> distance;
   NormalProblem problem; ///< its span is set at each solve
   bool paper_method = false;
+  std::optional<Elements> elements; ///< smooth, but constant with the paper's method, if not set
   Precision precision = Precision::mixed;
   PlannerRigor rigor = PlannerRigor::estimate;
   std::optional<NormalSolver> solver; ///< none until first used with these settings

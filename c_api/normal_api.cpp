@@ -73,7 +73,8 @@ template <class Body> wrc_status with_result(wrc_normal* normal, Body&& body) {
 const std::vector<double>& displacement_of(wrc::NormalResult& result) {
   if (result.solution.displacement.empty()) {
     std::vector<double> displacement(result.solution.pressure.size());
-    wrc::DisplacementOperator(result.problem.grid, result.problem.combined_modulus)
+    wrc::DisplacementOperator(result.problem.grid, result.problem.combined_modulus,
+                              result.problem.elements)
         .apply(result.solution.pressure, displacement);
     result.solution.displacement.swap(displacement);
   }
@@ -197,6 +198,9 @@ wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* 
         object.precision = precision;
         object.solver.reset();
       }
+    } else if (asked == "elements") {
+      object.elements = is_second(key, value, "smooth", "constant") ? wrc::Elements::constant
+                                                                    : wrc::Elements::smooth;
     } else if (asked == "planner") {
       const auto rigor = is_second(key, value, "estimate", "measure") ? wrc::PlannerRigor::measure
                                                                       : wrc::PlannerRigor::estimate;
@@ -205,7 +209,7 @@ wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* 
         object.solver.reset();
       }
     } else {
-      refuse_name("text", key, "solver, precision, planner");
+      refuse_name("text", key, "solver, elements, precision, planner");
     }
     return WRC_OK;
   });
@@ -224,6 +228,8 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
     result.distance = object.distance;
     result.problem = object.problem;
     result.problem.undeformed_distance = *result.distance;
+    result.problem.elements = object.elements.value_or(object.paper_method ? wrc::Elements::constant
+                                                                           : wrc::Elements::smooth);
     if (object.paper_method) {
       result.solution = wrc::solve_with_polonsky_keer(result.problem);
     } else {

@@ -229,6 +229,9 @@ WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, do
 /**
  * Texts by key; the first is taken if not set:
  *   "solver"     "default", or "paper" (Polonsky & Keer 1999, always in double precision)
+ *   "elements"   "smooth": a pressure is the value at the element's centre of one that is smooth
+ *                inside the contact; or "constant": it is that everywhere on the element (Love
+ *                1929), at five to ten times the error. Solver "paper": "constant" if not set
  *   "precision"  "mixed": directions of the iteration in single precision; or "double"
  *   "planner"    "estimate": plans of transforms at once; or "measure": faster ones after seconds
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.

@@ -39,8 +39,8 @@ RailSurface::Placed RailSurface::place(const Profile& profile, const TrackDimens
   const double face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
   const double lateral_shift = 0.5 * track.gauge - face;
-  return {CurveGraph(profile.curve.moved(track.cant, lateral_shift, -top), top_arc), lateral_shift,
-          -top};
+  return {CurveGraph(profile.curve.without_steps().moved(track.cant, lateral_shift, -top), top_arc),
+          lateral_shift, -top};
 }
 
 RailSurface::RailSurface(const Profile& profile, const TrackDimensions& track)

@@ -22,7 +22,7 @@ double seed_of_wheel(const Curve& curve) {
 } // namespace
 
 WheelSurface::WheelSurface(const Profile& profile, const WheelsetDimensions& dimensions)
-    : graph_(profile.curve, seed_of_wheel(profile.curve)),
+    : graph_(profile.curve.without_steps(), seed_of_wheel(profile.curve)),
       taping_line_(0.5 * dimensions.back_to_back + dimensions.tape_offset),
       radius_(dimensions.radius) {
   for (std::size_t piece = 0; piece < profile.curve.piece_count(); ++piece) {

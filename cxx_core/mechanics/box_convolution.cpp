@@ -139,13 +139,14 @@ std::size_t line_length(std::size_t in, std::size_t out, std::ptrdiff_t offset) 
 } // namespace
 
 template <typename Real>
-BoxConvolution<Real> BoxConvolution<Real>::linear(const ConvolutionShape& shape, double aspect,
+BoxConvolution<Real> BoxConvolution<Real>::linear(const ConvolutionShape& shape,
+                                                  const InfluenceKernel& kernel,
                                                   InfluenceCache& cache) {
   BoxConvolution result;
   result.shape_ = shape;
   const std::size_t rows = line_length(shape.rows_in, shape.rows_out, shape.row_offset);
   const std::size_t columns = line_length(shape.columns_in, shape.columns_out, shape.column_offset);
-  result.spectrum_ = cache.spectrum<Real>(aspect, rows, columns);
+  result.spectrum_ = cache.spectrum<Real>(kernel, rows, columns);
   result.row_fft_ = &cache.line_fft<Real>(columns);
   result.column_fft_ = &cache.line_fft<Real>(rows);
   return result;
@@ -153,12 +154,13 @@ BoxConvolution<Real> BoxConvolution<Real>::linear(const ConvolutionShape& shape,
 
 template <typename Real>
 BoxConvolution<Real> BoxConvolution<Real>::inverse_periodic(std::size_t rows, std::size_t columns,
-                                                            double aspect, InfluenceCache& cache) {
+                                                            const InfluenceKernel& kernel,
+                                                            InfluenceCache& cache) {
   BoxConvolution result;
   result.shape_ = {rows, columns, rows, columns, 0, 0};
   const std::size_t row_period = fast_line_length(rows);
   const std::size_t column_period = fast_line_length(columns);
-  result.spectrum_ = cache.inverse_spectrum<Real>(aspect, row_period, column_period);
+  result.spectrum_ = cache.inverse_spectrum<Real>(kernel, row_period, column_period);
   result.row_fft_ = &cache.line_fft<Real>(column_period);
   result.column_fft_ = &cache.line_fft<Real>(row_period);
   return result;

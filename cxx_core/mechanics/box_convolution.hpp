@@ -42,10 +42,11 @@ template <typename Real> class BoxConvolution {
 public:
   BoxConvolution() = default;
   /// u = K p from a rectangle to another.
-  static BoxConvolution linear(const ConvolutionShape& shape, double aspect, InfluenceCache& cache);
+  static BoxConvolution linear(const ConvolutionShape& shape, const InfluenceKernel& kernel,
+                               InfluenceCache& cache);
   /// The inverse of the periodic convolution on a rectangle, as a preconditioner.
-  static BoxConvolution inverse_periodic(std::size_t rows, std::size_t columns, double aspect,
-                                         InfluenceCache& cache);
+  static BoxConvolution inverse_periodic(std::size_t rows, std::size_t columns,
+                                         const InfluenceKernel& kernel, InfluenceCache& cache);
 
   /// Rows of `in` and `out` follow each other without gaps; the two may be the same array.
   void apply(const Real* in, Real* out, ConvolutionWorkspace<Real>& workspace) const;

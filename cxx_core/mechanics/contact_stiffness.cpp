@@ -99,13 +99,14 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
         {solved.grid.lateral_count, solved.grid.longitudinal_count}, solved.pressure, 0, patch.box);
     patch.unit = step / solved.grid.lateral_step;
     if (patch.in_contact) {
-      const double aspect = shared_aspect(solved.grid.lateral_step / solved.grid.longitudinal_step);
+      const InfluenceKernel kernel{
+          shared_aspect(solved.grid.lateral_step / solved.grid.longitudinal_step), solved.elements};
       const std::size_t rows = patch.box.rows();
       const std::size_t columns = patch.box.columns();
       patch.convolution =
-          BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0}, aspect, cache_);
+          BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0}, kernel, cache_);
       patch.preconditioner =
-          BoxConvolution<double>::inverse_periodic(rows, columns, aspect, cache_);
+          BoxConvolution<double>::inverse_periodic(rows, columns, kernel, cache_);
     }
     count += patch.count();
     patches_.push_back(std::move(patch));

@@ -39,6 +39,7 @@ namespace wrc {
 struct SolvedPatch {
   Grid grid;
   std::span<const double> pressure;
+  Elements elements = Elements::constant;
 };
 
 /// What patches do to each other, if anything. One field a patch, in the order of its grid.

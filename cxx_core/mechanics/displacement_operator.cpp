@@ -7,7 +7,6 @@
 #include <string>
 
 #include "error.hpp"
-#include "mechanics/influence_coefficients.hpp"
 
 namespace wrc {
 
@@ -33,7 +32,8 @@ const Grid& checked(const Grid& grid) {
 
 } // namespace
 
-DisplacementOperator::DisplacementOperator(const Grid& grid, double combined_modulus)
+DisplacementOperator::DisplacementOperator(const Grid& grid, double combined_modulus,
+                                           Elements elements)
     : lateral_count_(checked(grid).lateral_count), longitudinal_count_(grid.longitudinal_count),
       transform_(good_fft_length(2 * grid.lateral_count - 1),
                  good_fft_length(2 * grid.longitudinal_count - 1)) {
@@ -44,12 +44,12 @@ DisplacementOperator::DisplacementOperator(const Grid& grid, double combined_mod
 
   // Lengths in units of the longitudinal step, so that no scale of the grid can over- or underflow.
   const double aspect = grid.lateral_step / grid.longitudinal_step;
+  const std::size_t half_columns = columns / 2 + 1;
+  std::vector<double> table((rows / 2 + 1) * half_columns);
+  fill_influence_table({aspect, elements}, rows / 2 + 1, half_columns, table);
   for (std::size_t row = 0; row <= rows / 2; ++row) {
     double* values = kernel.data() + row * columns;
-    for (std::size_t column = 0; column <= columns / 2; ++column) {
-      values[column] = influence_integral(static_cast<double>(column),
-                                          static_cast<double>(row) * aspect, 1.0, aspect);
-    }
+    std::copy_n(table.data() + row * half_columns, half_columns, values);
     for (std::size_t column = columns / 2 + 1; column < columns; ++column) {
       values[column] = values[columns - column];
     }
@@ -97,7 +97,7 @@ void DisplacementOperator::apply(std::span<const double> pressure, std::span<dou
 }
 
 double displacement_at(const Grid& grid, std::span<const double> pressure, double combined_modulus,
-                       double longitudinal, double lateral) {
+                       double longitudinal, double lateral, Elements elements) {
   double displacement = 0.0;
   for (std::size_t index = 0; index < pressure.size(); ++index) {
     if (pressure[index] > 0.0) {
@@ -106,7 +106,7 @@ double displacement_at(const Grid& grid, std::span<const double> pressure, doubl
       displacement += pressure[index] *
                       influence_coefficient(longitudinal - grid.longitudinal(column),
                                             lateral - grid.lateral(row), grid.longitudinal_step,
-                                            grid.lateral_step, combined_modulus);
+                                            grid.lateral_step, combined_modulus, elements);
     }
   }
   return displacement;

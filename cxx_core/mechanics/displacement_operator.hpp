@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "mechanics/fft.hpp"
+#include "mechanics/influence_coefficients.hpp"
 #include "remesh/grid.hpp"
 
 namespace wrc {
@@ -23,7 +24,8 @@ namespace wrc {
 class DisplacementOperator {
 public:
   /// Any size from 1 x 1 and any element aspect ratio; steps and modulus > 0.
-  DisplacementOperator(const Grid& grid, double combined_modulus);
+  DisplacementOperator(const Grid& grid, double combined_modulus,
+                       Elements elements = Elements::constant);
 
   /// Displacement in mm from pressure in MPa, one value per element; the spans may be the same.
   void apply(std::span<const double> pressure, std::span<double> displacement);
@@ -37,6 +39,6 @@ private:
 
 /// Displacement in mm at any place of the plane, by direct summation; for single places.
 double displacement_at(const Grid& grid, std::span<const double> pressure, double combined_modulus,
-                       double longitudinal, double lateral);
+                       double longitudinal, double lateral, Elements elements = Elements::constant);
 
 } // namespace wrc

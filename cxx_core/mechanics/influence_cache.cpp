@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/influence_coefficients.hpp"
-
 namespace wrc {
 
 template <> InfluenceCache::Store<float>& InfluenceCache::store<float>() {
@@ -34,17 +32,15 @@ template <typename Real> const LineFft<Real>& InfluenceCache::line_fft(std::size
   return fft_of(store<Real>().line_ffts, length, rigor_);
 }
 
-const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std::size_t columns) {
-  Kept<InfluenceTable>& kept = tables_[aspect];
+const InfluenceTable& InfluenceCache::table(const InfluenceKernel& kernel, std::size_t rows,
+                                            std::size_t columns) {
+  Kept<InfluenceTable>& kept = tables_[kernel];
   kept.last_use = ++clock_;
   if (kept.item.rows < rows || kept.item.columns < columns) {
     // Complete before it takes the old one's place: memory may run out.
     InfluenceTable table{std::max(rows, kept.item.rows), std::max(columns, kept.item.columns), {}};
     table.values.resize(table.rows * table.columns);
-    for (std::size_t row = 0; row < table.rows; ++row) {
-      fill_influence_row(static_cast<double>(row) * aspect, aspect,
-                         {table.values.data() + row * table.columns, table.columns});
-    }
+    fill_influence_table(kernel, table.rows, table.columns, table.values);
     kept.item = std::move(table);
     held_bytes_ -= kept.bytes;
     kept.bytes = kept.item.values.size() * sizeof(double);
@@ -56,10 +52,10 @@ const InfluenceTable& InfluenceCache::table(double aspect, std::size_t rows, std
 template <typename Real>
 std::shared_ptr<const KernelSpectrum<Real>>
 InfluenceCache::compute_spectrum(const SpectrumKey& key) {
-  const auto& [aspect, rows, columns, content] = key;
+  const auto& [kernel, rows, columns, content] = key;
   const std::size_t half_rows = rows / 2;
   const std::size_t half_columns = columns / 2;
-  const InfluenceTable& kernel = table(aspect, half_rows + 1, half_columns + 1);
+  const InfluenceTable& influence = table(kernel, half_rows + 1, half_columns + 1);
 
   // Lines that are even have real spectra: two of them make one complex transform, one as its real
   // and one as its imaginary part.
@@ -71,8 +67,8 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
   std::vector<double> half((half_columns + 1) * (half_rows + 1));
   for (std::size_t row = 0; row <= half_rows; row += 2) {
     const bool pair = row < half_rows;
-    const double* first = kernel.row(row);
-    const double* second = kernel.row(pair ? row + 1 : row);
+    const double* first = influence.row(row);
+    const double* second = influence.row(pair ? row + 1 : row);
     Complex* line = row_line.data();
     for (std::size_t column = 0; column <= half_columns; ++column) {
       line[column] = {first[column], second[column]};
@@ -146,14 +142,15 @@ std::shared_ptr<const KernelSpectrum<Real>> InfluenceCache::spectrum_of(const Sp
 
 template <typename Real>
 std::shared_ptr<const KernelSpectrum<Real>>
-InfluenceCache::spectrum(double aspect, std::size_t rows, std::size_t columns) {
-  return spectrum_of<Real>({aspect, rows, columns, Content::direct});
+InfluenceCache::spectrum(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns) {
+  return spectrum_of<Real>({kernel, rows, columns, Content::direct});
 }
 
 template <typename Real>
 std::shared_ptr<const KernelSpectrum<Real>>
-InfluenceCache::inverse_spectrum(double aspect, std::size_t rows, std::size_t columns) {
-  return spectrum_of<Real>({aspect, rows, columns, Content::inverse});
+InfluenceCache::inverse_spectrum(const InfluenceKernel& kernel, std::size_t rows,
+                                 std::size_t columns) {
+  return spectrum_of<Real>({kernel, rows, columns, Content::inverse});
 }
 
 void InfluenceCache::trim(std::size_t bytes, std::uint64_t since) {
@@ -195,12 +192,12 @@ double shared_aspect(double aspect) {
 template const LineFft<float>& InfluenceCache::line_fft<float>(std::size_t);
 template const LineFft<double>& InfluenceCache::line_fft<double>(std::size_t);
 template std::shared_ptr<const KernelSpectrum<float>>
-InfluenceCache::spectrum<float>(double, std::size_t, std::size_t);
+InfluenceCache::spectrum<float>(const InfluenceKernel&, std::size_t, std::size_t);
 template std::shared_ptr<const KernelSpectrum<double>>
-InfluenceCache::spectrum<double>(double, std::size_t, std::size_t);
+InfluenceCache::spectrum<double>(const InfluenceKernel&, std::size_t, std::size_t);
 template std::shared_ptr<const KernelSpectrum<float>>
-InfluenceCache::inverse_spectrum<float>(double, std::size_t, std::size_t);
+InfluenceCache::inverse_spectrum<float>(const InfluenceKernel&, std::size_t, std::size_t);
 template std::shared_ptr<const KernelSpectrum<double>>
-InfluenceCache::inverse_spectrum<double>(double, std::size_t, std::size_t);
+InfluenceCache::inverse_spectrum<double>(const InfluenceKernel&, std::size_t, std::size_t);
 
 } // namespace wrc

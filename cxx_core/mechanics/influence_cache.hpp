@@ -1,7 +1,7 @@
 /// Influence coefficients and their spectra, computed once and kept.
 ///
-/// Lengths are counted in longitudinal element steps, so that one table, K[m, n] = I(n, m aspect)
-/// for elements of 1 x aspect (influence_coefficients.hpp), serves grids of any size and every
+/// Lengths are counted in longitudinal element steps, so that one table for elements of 1 x aspect
+/// (influence_coefficients.hpp) serves grids of any size and every
 /// level of a cascade. A spectrum belongs to a periodic convolution of rows x columns: the kernel
 /// is wrapped around with its true coefficients at every place and even in both directions, so its
 /// spectrum is real. Divided by the number of elements, since the transforms are not normalised.
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "mechanics/fft.hpp"
+#include "mechanics/influence_coefficients.hpp"
 
 namespace wrc {
 
@@ -55,15 +56,15 @@ public:
   explicit InfluenceCache(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
 
   template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
-  /// At least rows x columns offsets; valid until the next call for the same aspect ratio.
-  const InfluenceTable& table(double aspect, std::size_t rows, std::size_t columns);
+  /// At least rows x columns offsets; valid until the next call for the same kernel.
+  const InfluenceTable& table(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns);
   template <typename Real>
-  std::shared_ptr<const KernelSpectrum<Real>> spectrum(double aspect, std::size_t rows,
-                                                       std::size_t columns);
+  std::shared_ptr<const KernelSpectrum<Real>> spectrum(const InfluenceKernel& kernel,
+                                                       std::size_t rows, std::size_t columns);
   /// The inverse of the spectrum, for use as a preconditioner.
   template <typename Real>
-  std::shared_ptr<const KernelSpectrum<Real>> inverse_spectrum(double aspect, std::size_t rows,
-                                                               std::size_t columns);
+  std::shared_ptr<const KernelSpectrum<Real>>
+  inverse_spectrum(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns);
 
   /// Drops what was used longest ago, until no more than this is held, but nothing that was used
   /// since a time that now() has told. To be called between solutions.
@@ -72,7 +73,7 @@ public:
 
 private:
   enum class Content { direct, inverse };
-  using SpectrumKey = std::tuple<double, std::size_t, std::size_t, Content>;
+  using SpectrumKey = std::tuple<InfluenceKernel, std::size_t, std::size_t, Content>;
   template <typename Item> struct Kept {
     Item item;
     std::size_t bytes;
@@ -94,7 +95,7 @@ private:
   std::size_t held_bytes_ = 0;
   Store<float> single_;
   Store<double> double_;
-  std::map<double, Kept<InfluenceTable>> tables_;
+  std::map<InfluenceKernel, Kept<InfluenceTable>> tables_;
 };
 
 } // namespace wrc

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "vector_clones.hpp"
 
@@ -80,9 +81,12 @@ WRC_VECTOR_CLONES void fill_far_row(double lateral_distance, double lateral_step
   }
 }
 
-} // namespace
+/// Weight of the second differences in the coefficients of smooth elements.
+constexpr double smoothing = 1.0 / 24.0;
 
-void fill_influence_row(double lateral_distance, double lateral_step, std::span<double> row) {
+/// A row of a table of constant elements: row[i] = I(i, lateral_distance) for elements of 1 x
+/// lateral_step.
+void fill_constant_row(double lateral_distance, double lateral_step, std::span<double> row) {
   const double y = std::abs(lateral_distance);
   const double far = far_field_distance * std::fmax(1.0, lateral_step);
   std::size_t near_count = 0;
@@ -92,6 +96,41 @@ void fill_influence_row(double lateral_distance, double lateral_step, std::span<
     ++near_count;
   }
   fill_far_row(y, lateral_step, row.data(), near_count, row.size());
+}
+
+} // namespace
+
+void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns,
+                          std::span<double> values) {
+  const double aspect = kernel.aspect;
+  if (kernel.elements == Elements::constant) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      fill_constant_row(static_cast<double>(row) * aspect, aspect,
+                        values.subspan(row * columns, columns));
+    }
+    return;
+  }
+  // Rows of constant elements before, at and after the one at hand, one column longer. The kernel
+  // is even, so what comes before the first row or column is what comes after it.
+  const std::size_t length = columns + 1;
+  std::vector<double> lines(3 * length);
+  const auto line = [&](std::size_t row) { return lines.data() + (row % 3) * length; };
+  const auto fill = [&](std::size_t row) {
+    fill_constant_row(static_cast<double>(row) * aspect, aspect, {line(row), length});
+  };
+  fill(0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    fill(row + 1);
+    const double* here = line(row);
+    const double* after = line(row + 1);
+    const double* before = row > 0 ? line(row - 1) : after;
+    double* out = values.data() + row * columns;
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double left = here[column > 0 ? column - 1 : 1];
+      const double others = (before[column] + after[column]) + (left + here[column + 1]);
+      out[column] = here[column] - smoothing * (others - 4.0 * here[column]);
+    }
+  }
 }
 
 double influence_integral(double longitudinal_distance, double lateral_distance,
@@ -106,11 +145,20 @@ double influence_integral(double longitudinal_distance, double lateral_distance,
 }
 
 double influence_coefficient(double longitudinal_distance, double lateral_distance,
-                             double longitudinal_step, double lateral_step,
-                             double combined_modulus) {
-  return influence_integral(longitudinal_distance, lateral_distance, longitudinal_step,
-                            lateral_step) /
-         (std::numbers::pi * combined_modulus);
+                             double longitudinal_step, double lateral_step, double combined_modulus,
+                             Elements elements) {
+  const auto integral = [=](double columns, double rows) {
+    return influence_integral(longitudinal_distance + columns * longitudinal_step,
+                              lateral_distance + rows * lateral_step, longitudinal_step,
+                              lateral_step);
+  };
+  double value = integral(0.0, 0.0);
+  if (elements == Elements::smooth) {
+    const double others =
+        (integral(0.0, -1.0) + integral(0.0, 1.0)) + (integral(-1.0, 0.0) + integral(1.0, 0.0));
+    value -= smoothing * (others - 4.0 * value);
+  }
+  return value / (std::numbers::pi * combined_modulus);
 }
 
 } // namespace wrc

@@ -1,4 +1,4 @@
-/// Normal displacement of a half-space under uniform pressure on one rectangular element.
+/// Normal displacement of a half-space under the pressure of one rectangular element.
 ///
 ///   u(x, y) = p/(pi E*) * I(x, y),   I = integral over the element of dA / distance
 /// (Love, Phil. Trans. R. Soc. A 228, 1929; Johnson, Contact Mechanics, 1985, eq. 3.25).
@@ -6,11 +6,24 @@
 /// subtracted: the error is some units of rounding times the distance counted in elements. Beyond
 /// `far_field_distance` times the longer side, the multipole expansion of the element up to order
 /// six (mean of r^n P_n over the rectangle), whose first neglected term is below 2e-13.
+/// That is for elements of constant pressure. Sums over them are off by the second order of the
+/// element size even where the pressure is smooth: with its values p at the centres they leave
+///   u - sum K p = -1/24 A (a^2 p_xx + b^2 p_yy) + higher orders
+/// (Taylor series of p on each element; the terms of first order add up to another integral of the
+/// second derivatives, by parts; near the singularity a term of third order is left). Smooth
+/// elements take that into the coefficients, with second differences for the derivatives:
+///   K' = K - 1/24 (K[i+1, j] + K[i-1, j] + K[i, j+1] + K[i, j-1] - 4 K[i, j]).
+/// The element then has 7/6 of its pressure on itself and -1/24 on each neighbour, the sum of
+/// forces and the symmetry stay, no eigenvalue gets smaller (the factor is 1 to 4/3), and what is
+/// left of the error comes from the edge of contact: a fifth to a tenth of that of constant
+/// elements (docs/method.md).
 /// Units mm and MPa; x longitudinal, y lateral, both from the element's centre. Displacements of
 /// both bodies together, positive into the body. Knows nothing of the grid's edge, of tangential
 /// tractions and of bodies that are not half-spaces.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <span>
 
 namespace wrc {
@@ -18,17 +31,32 @@ namespace wrc {
 /// From this distance on, in units of the element's longer side, the expansion is used.
 inline constexpr double far_field_distance = 16.0;
 
-/// I(x, y) in mm.
+/// What the value of an element stands for.
+enum class Elements {
+  constant, ///< the pressure everywhere on it (Love)
+  smooth    ///< the value at its centre of a pressure that is smooth inside the contact
+};
+
+/// Which influence coefficients, for elements of 1 x aspect.
+struct InfluenceKernel {
+  double aspect = 1.0;
+  Elements elements = Elements::constant;
+
+  friend auto operator<=>(const InfluenceKernel&, const InfluenceKernel&) = default;
+};
+
+/// I(x, y) in mm, of an element of constant pressure.
 double influence_integral(double longitudinal_distance, double lateral_distance,
                           double longitudinal_step, double lateral_step);
 
-/// A row of a table: row[i] = I(i, lateral_distance) for elements of 1 x lateral_step, i = 0, 1,
-/// ...
-void fill_influence_row(double lateral_distance, double lateral_step, std::span<double> row);
+/// A table: values[row * columns + column] = pi E* K for places that many elements apart, in units
+/// of the longitudinal step.
+void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns,
+                          std::span<double> values);
 
-/// u per unit pressure, I/(pi E*), in mm/MPa.
+/// u per unit pressure, in mm/MPa: I/(pi E*) of constant elements.
 double influence_coefficient(double longitudinal_distance, double lateral_distance,
-                             double longitudinal_step, double lateral_step,
-                             double combined_modulus);
+                             double longitudinal_step, double lateral_step, double combined_modulus,
+                             Elements elements = Elements::constant);
 
 } // namespace wrc

@@ -50,6 +50,7 @@ struct JointProblem {
   /// results thus differ between instruction sets.
   double rounding_share = 0.1;
   int maximum_iterations = 5000;
+  Elements elements = Elements::constant;
   const PatchInteraction* interaction = nullptr; ///< none: the patches do not feel each other
 };
 

@@ -142,13 +142,14 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
                             double approach) {
   check_problem(problem);
   std::vector<double> displacement(problem.grid.element_count());
-  DisplacementOperator(problem.grid, problem.combined_modulus).apply(pressure, displacement);
+  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
+      .apply(pressure, displacement);
   return compute_residuals(problem, pressure, displacement, approach);
 }
 
 void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
   solution.displacement.resize(solution.pressure.size());
-  DisplacementOperator(problem.grid, problem.combined_modulus)
+  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
       .apply(solution.pressure, solution.displacement);
   solution.residuals =
       compute_residuals(problem, solution.pressure, solution.displacement, solution.approach);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/influence_coefficients.hpp"
 #include "remesh/grid.hpp"
 
 namespace wrc {
@@ -33,6 +34,7 @@ struct NormalProblem {
   std::optional<double> approach;    ///< mm
   double tolerance = 1e-6;           ///< relative, > 0
   int maximum_iterations = 5000;
+  Elements elements = Elements::constant;
   std::optional<StartPressure> start =
       std::nullopt; ///< saves iterations; changes the answer within the tolerance
 };

@@ -18,6 +18,9 @@ namespace {
 constexpr double coarse_tolerance = 1e-2;
 /// Elements around the pressures found on the coarser grid.
 constexpr std::size_t box_margin = 2;
+/// How far from its centre an element's pressure is taken to act at most, in elements, for the
+/// least displacement that it can cause: smooth elements reach over half of their neighbours.
+constexpr double element_reach = 1.0;
 /// The free step leaves an error of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts
 /// up to 1.9 (at loose tolerances): less than 1 is needed for the tolerance to hold.
 constexpr double stop_share = 0.75;
@@ -48,7 +51,7 @@ struct Level {
 
 /// Grids of one patch, finest first, and the box worked on.
 struct Cascade {
-  double aspect = 1.0;
+  InfluenceKernel kernel;
   std::vector<Level> levels;
   std::size_t level_count = 0; ///< of the levels, those of this problem
   ElementBox box;
@@ -206,7 +209,8 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
     std::vector<Level>& levels = cascades[k].levels;
     levels.resize(std::max<std::size_t>(levels.size(), 1));
     Level& finest = levels.front();
-    cascades[k].aspect = shared_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step);
+    cascades[k].kernel = {shared_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step),
+                          problem.elements};
     finest.grid = patch.grid;
     finest.share = patch.approach_share * (step / patch.grid.longitudinal_step);
     finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);
@@ -231,7 +235,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
       const Level& finest = cascades[k].finest();
       farthest =
           std::max(farthest, *load / finest.load_weight() *
-                                 cache.table(cascades[k].aspect, 1, 1).row(0)[0] / finest.share);
+                                 cache.table(cascades[k].kernel, 1, 1).row(0)[0] / finest.share);
     }
   }
   for (std::size_t k = 0; k < count; ++k) {
@@ -356,7 +360,7 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
       IterationBox& request = boxes[k];
       request.rows = box.rows();
       request.columns = box.columns();
-      request.aspect = cascade.aspect;
+      request.kernel = cascade.kernel;
       request.share = level.share;
       request.weight = level.weight;
       request.open_first_row = box.first_row > 0;
@@ -412,7 +416,7 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
       {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
        -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
        -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
-      cascade.aspect, cache);
+      cascade.kernel, cache);
   const std::vector<Real> in(cascade.box_pressure.begin(), cascade.box_pressure.end());
   std::vector<Real> out(rectangle.rows() * rectangle.columns());
   convolution.apply(in.data(), out.data(), workspace);
@@ -427,12 +431,12 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
   const LevelSize& size = level.size;
   ElementBox& box = cascade.box;
   const double reached = level.share * approach;
-  const double aspect = cascade.aspect;
+  const double aspect = cascade.kernel.aspect;
   const double box_load = sum_of(cascade.box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
     const double before = static_cast<double>(last) - static_cast<double>(place);
     const double after = static_cast<double>(place) - static_cast<double>(first);
-    return std::max(before, after) + 0.5;
+    return std::max(before, after) + element_reach;
   };
   // Squares of the reach along the rail, by column; the longest is that of the outer columns.
   column_reach.resize(size.columns);
@@ -470,7 +474,8 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
   ElementBox rectangle = box;
   include(rectangle, candidates);
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
-  const double permitted = 0.5 * tolerance * largest_pressure * cache.table(aspect, 1, 1).row(0)[0];
+  const double permitted =
+      0.5 * tolerance * largest_pressure * cache.table(cascade.kernel, 1, 1).row(0)[0];
   double overlap = missed_overlap * reached;
   if (overlap <= permitted) {
     displace(cascade, rectangle, single_iteration.workspace());
@@ -609,6 +614,7 @@ NormalSolution NormalSolver::solve(const NormalProblem& problem) {
   joint.approach = problem.approach;
   joint.tolerance = problem.tolerance;
   joint.maximum_iterations = problem.maximum_iterations;
+  joint.elements = problem.elements;
   JointSolution solved = state_->solve(joint);
   NormalSolution solution;
   solution.pressure = std::move(solved.patches.front().pressure);

@@ -42,6 +42,7 @@ struct ScaledProblem {
   Grid grid;
   std::vector<double> distance;
   bool load_prescribed;
+  Elements elements;
   double pressure_sum = 0.0;   ///< sought when the load is prescribed
   double approach = 0.0;       ///< given when it is prescribed
   double pressure_scale = 0.0; ///< MPa for pressure 1
@@ -88,8 +89,9 @@ double quantile_of(std::span<const double> distance, double share) {
 class ActiveSetIteration {
 public:
   ActiveSetIteration(const ScaledProblem& problem, std::vector<double> start)
-      : problem_(problem), operator_(problem.grid, 1.0), pressure_(std::move(start)),
-        gap_(pressure_.size()), direction_(pressure_.size(), 0.0), response_(pressure_.size()) {}
+      : problem_(problem), operator_(problem.grid, 1.0, problem.elements),
+        pressure_(std::move(start)), gap_(pressure_.size()), direction_(pressure_.size(), 0.0),
+        response_(pressure_.size()) {}
 
   ScaledResult run(double tolerance, int maximum_iterations);
 
@@ -272,7 +274,8 @@ ScaledProblem scale_problem(const NormalProblem& problem, double least_distance)
   ScaledProblem scaled{
       {grid.lateral_count, grid.longitudinal_count, grid.lateral_step / step, 1.0, 0.0, 0.0},
       std::vector<double>(problem.undeformed_distance.size()),
-      problem.normal_load.has_value()};
+      problem.normal_load.has_value(),
+      problem.elements};
   // Where the load is given, one element that carries it all has pressure 1; lengths follow from
   // u ~ p step / E*. Where the approach is given, it is the unit of normal distances.
   double normal_scale = 0.0;
@@ -301,7 +304,7 @@ std::vector<double> start_pressures(const ScaledProblem& scaled) {
   } else {
     // The multiple of the shape with the least energy.
     std::vector<double> displacement(pressure.size());
-    DisplacementOperator(scaled.grid, 1.0).apply(pressure, displacement);
+    DisplacementOperator(scaled.grid, 1.0, scaled.elements).apply(pressure, displacement);
     double work = 0.0;
     double energy = 0.0;
     for (std::size_t index = 0; index < pressure.size(); ++index) {
@@ -320,7 +323,7 @@ std::vector<double> start_pressures(const ScaledProblem& scaled) {
 void finish_solution(const NormalProblem& problem, NormalSolution& solution) {
   const std::span<const double> distance = problem.undeformed_distance;
   solution.displacement.resize(solution.pressure.size());
-  DisplacementOperator(problem.grid, problem.combined_modulus)
+  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
       .apply(solution.pressure, solution.displacement);
   if (problem.approach) {
     solution.approach = *problem.approach;

@@ -228,9 +228,9 @@ template <typename Real> ReachedSides reached_sides(const IterationBox& box, con
 
 template <typename Real> void ProjectedCg<Real>::prepare(const IterationBox& box, Fields& fields) {
   fields.convolution = BoxConvolution<Real>::linear(
-      {box.rows, box.columns, box.rows, box.columns, 0, 0}, box.aspect, cache_);
+      {box.rows, box.columns, box.rows, box.columns, 0, 0}, box.kernel, cache_);
   fields.preconditioner =
-      BoxConvolution<Real>::inverse_periodic(box.rows, box.columns, box.aspect, cache_);
+      BoxConvolution<Real>::inverse_periodic(box.rows, box.columns, box.kernel, cache_);
   provide(fields.displacement, box.count());
   for (AlignedArray<Real>* array : {&fields.residual, &fields.last_residual, &fields.correction,
                                     &fields.direction, &fields.response, &fields.contact}) {
@@ -249,7 +249,7 @@ template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_do
     Fields& fields = *fields_[k];
     if (in_double) {
       BoxConvolution<double>::linear({box.rows, box.columns, box.rows, box.columns, 0, 0},
-                                     box.aspect, cache_)
+                                     box.kernel, cache_)
           .apply(box.pressure.data(), fields.displacement.data(), double_workspace_);
     } else {
       std::transform(box.pressure.begin(), box.pressure.end(), fields.response.data(),
@@ -308,13 +308,13 @@ void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
         pressure[index] = 0.0;
       }
     }
-    const InfluenceTable& kernel = cache_.table(box.aspect, box.rows, box.columns);
+    const InfluenceTable& influence = cache_.table(box.kernel, box.rows, box.columns);
     for (std::size_t i = 0; i < box.rows; ++i) {
       double* displacement = fields.displacement.data() + i * box.columns;
       for (std::size_t k = 0; k < cut_count; ++k) {
         const Cut& cut = cuts[k];
-        add_to_row(displacement, kernel.row(i > cut.row ? i - cut.row : cut.row - i), -cut.pressure,
-                   cut.column, box.columns);
+        add_to_row(displacement, influence.row(i > cut.row ? i - cut.row : cut.row - i),
+                   -cut.pressure, cut.column, box.columns);
       }
     }
     return;

@@ -37,7 +37,7 @@ namespace wrc {
 struct IterationBox {
   std::size_t rows = 0;
   std::size_t columns = 0;
-  double aspect = 1.0;
+  InfluenceKernel kernel;
   double share = 1.0;  ///< s: of the approach, in this box's unit of length
   double weight = 1.0; ///< w: element area times unit of length, in a unit that all boxes share
   /// Which sides have elements of the grid beyond them: contact there ends the iteration, since the

@@ -76,4 +76,64 @@ Curve Curve::moved(double angle, double lateral_shift, double height_shift) cons
   return result;
 }
 
+namespace {
+
+/// Steps smaller than this are left, mm: they press elements of 0.05 mm of steel by 1 MPa.
+constexpr double least_step = 1e-6;
+
+/// Length over which a side of a step moves, mm; whole pieces.
+constexpr double transition_length = 2.0;
+
+/// Adds begin + (end - begin) (3 t^2 - 2 t^3) with t = (offset + s) / length to a quintic of s.
+void add_transition(Quintic& quintic, double begin, double end, double offset, double length) {
+  const double change = end - begin;
+  const double t = offset / length;
+  quintic[0] += begin + change * t * t * (3.0 - 2.0 * t);
+  quintic[1] += change * 6.0 * t * (1.0 - t) / length;
+  quintic[2] += change * (3.0 - 6.0 * t) / (length * length);
+  quintic[3] -= change * 2.0 / (length * length * length);
+}
+
+} // namespace
+
+Curve Curve::without_steps() const {
+  Curve closed = *this;
+  const auto add = [&](std::size_t first, std::size_t end, const Position& begin,
+                       const Position& finish) {
+    const double length = starts_[end] - starts_[first];
+    for (std::size_t piece = first; piece < end; ++piece) {
+      const double offset = starts_[piece] - starts_[first];
+      Coefficients& c = closed.coefficients_[piece];
+      add_transition(c.lateral, begin[0], finish[0], offset, length);
+      add_transition(c.height, begin[1], finish[1], offset, length);
+    }
+  };
+  std::vector<std::size_t> cuts{0}; // pieces that begin after a step, and the ends
+  std::vector<Position> halves{{}};
+  for (std::size_t piece = 1; piece < piece_count(); ++piece) {
+    const CurvePoint before = at(piece - 1, starts_[piece] - starts_[piece - 1]);
+    const CurvePoint after = at(piece, 0.0);
+    const Position step{after.lateral - before.lateral, after.height - before.height};
+    if (std::hypot(step[0], step[1]) > least_step) {
+      cuts.push_back(piece);
+      halves.push_back({0.5 * step[0], 0.5 * step[1]});
+    }
+  }
+  cuts.push_back(piece_count());
+  for (std::size_t i = 1; i + 1 < cuts.size(); ++i) {
+    const std::size_t cut = cuts[i];
+    std::size_t first = cut - 1;
+    while (first > cuts[i - 1] && starts_[cut] - starts_[first] < transition_length) {
+      --first;
+    }
+    std::size_t end = cut + 1;
+    while (end < cuts[i + 1] && starts_[end] - starts_[cut] < transition_length) {
+      ++end;
+    }
+    add(first, cut, {}, halves[i]);
+    add(cut, end, {-halves[i][0], -halves[i][1]}, {});
+  }
+  return closed;
+}
+
 } // namespace wrc

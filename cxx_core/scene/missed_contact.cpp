@@ -17,7 +17,7 @@ constexpr double missed_margin = 0.5;
 
 /// What the pressures of the other patches displace at a place of one, as far as they are felt.
 double displaced_by_others(const Trial& trial, std::size_t patch, double combined_modulus,
-                           double longitudinal, double lateral) {
+                           Elements elements, double longitudinal, double lateral) {
   if (!trial.interaction) {
     return 0.0;
   }
@@ -32,7 +32,7 @@ double displaced_by_others(const Trial& trial, std::size_t patch, double combine
     if (l != patch && closeness > 0.0 && !other.no_contact()) {
       sum += closeness * displacement_at(other.grid, other.pressure, combined_modulus,
                                          longitudinal + here.longitudinal - there.longitudinal,
-                                         lateral + here.lateral - there.lateral);
+                                         lateral + here.lateral - there.lateral, elements);
     }
   }
   return sum;
@@ -42,7 +42,8 @@ double displaced_by_others(const Trial& trial, std::size_t patch, double combine
 
 bool add_missed_contact(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SidePlanner& planner,
-                        double combined_modulus, const Trial& trial, SidePlan& plan) {
+                        double combined_modulus, Elements elements, const Trial& trial,
+                        SidePlan& plan) {
   const PosedPair pair{wheel, rail, equilibrium.pose, equilibrium.vertical - trial.depth};
   bool missed = false;
   for (std::size_t k = 0; k < trial.patches.size(); ++k) {
@@ -82,11 +83,11 @@ bool add_missed_contact(const WheelSurface& wheel, const RailSurface& rail,
       if (overlap - bound->at(longitudinal, lateral) <= limit) {
         continue;
       }
-      const double displacement =
-          displacement_at(patch.grid, patch.pressure, combined_modulus, longitudinal, lateral);
+      const double displacement = displacement_at(patch.grid, patch.pressure, combined_modulus,
+                                                  longitudinal, lateral, elements);
       if (overlap - displacement > limit &&
           overlap - displacement -
-                  displaced_by_others(trial, k, combined_modulus, longitudinal, lateral) >
+                  displaced_by_others(trial, k, combined_modulus, elements, longitudinal, lateral) >
               limit) {
         missed_here = true;
         const double half_length = std::sqrt(2.0 * penetration / sample.wheel.normal_curvature);

@@ -14,6 +14,7 @@ namespace wrc {
 /// out, as far as the patches' territories go; false if there is none.
 bool add_missed_contact(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SidePlanner& planner,
-                        double combined_modulus, const Trial& trial, SidePlan& plan);
+                        double combined_modulus, Elements elements, const Trial& trial,
+                        SidePlan& plan);
 
 } // namespace wrc

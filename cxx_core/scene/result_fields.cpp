@@ -27,7 +27,8 @@ Values element_places(const PatchResult& patch, Coordinate&& coordinate) {
 
 Values displacement(const SideDetails& side, const PatchResult& patch) {
   Values values(patch.grid.element_count());
-  DisplacementOperator(patch.grid, side.combined_modulus).apply(patch.pressure, values);
+  DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
+      .apply(patch.pressure, values);
   return values;
 }
 

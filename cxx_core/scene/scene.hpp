@@ -54,6 +54,7 @@ struct Scene {
   GapConvention gap = GapConvention::tangent;
   std::string model = "auto";
   std::string solver = "default";
+  std::optional<Elements> elements; ///< smooth, but constant with the paper's solver, if not set
   double accuracy = 1e-3;
   std::optional<std::array<std::size_t, 2>> grid; ///< elements [lateral, longitudinal]
   double tolerance = 1e-5;                        ///< of the pressures, relative

@@ -361,6 +361,12 @@ std::vector<Key> solve_keys() {
        "solver of the half-space: paper is Polonsky & Keer 1999, for comparison"},
       StringWords{{"default", "default"}, {"paper", "paper"}},
       [](auto& s) -> auto& { return s.solver; }));
+  keys.push_back(word_key<std::optional<Elements>>(
+      {"solve.elements", "\"auto\"", "\"auto\", \"smooth\" or \"constant\"",
+       "pressure on an element: smooth through the values at the centres, for more accuracy; or "
+       "constant on each, as other programs have it and solver paper in auto"},
+      {{"auto", std::nullopt}, {"smooth", Elements::smooth}, {"constant", Elements::constant}},
+      [](auto& s) -> auto& { return s.elements; }));
   Key accuracy = number_key(
       {"solve.accuracy", "1e-3", "1e-5 to 0.1",
        "relative error asked of pmax and approach; chooses the grid"},

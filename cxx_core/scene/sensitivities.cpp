@@ -205,7 +205,7 @@ SideSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Loa
                                       const SensitivityRequest& request, ContactStiffness& solver) {
   std::vector<SolvedPatch> solved;
   for (const LoadedPatch& patch : patches) {
-    solved.push_back({patch.grid, patch.pressure});
+    solved.push_back({patch.grid, patch.pressure, request.elements});
   }
   solver.set_contact(solved, request.combined_modulus, request.influence);
 

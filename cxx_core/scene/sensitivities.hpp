@@ -76,7 +76,8 @@ struct SideSensitivity {
 
 struct SensitivityRequest {
   double combined_modulus = 0.0; ///< E*, MPa
-  double tolerance = 1e-8;       ///< of the linear solutions
+  Elements elements = Elements::constant;
+  double tolerance = 1e-8; ///< of the linear solutions
   bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
   PatchInfluence* influence = nullptr; ///< of the patches on each other
   /// How that influence itself changes with each motion, per mm or rad; null where it does not.

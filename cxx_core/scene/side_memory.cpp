@@ -15,7 +15,8 @@ constexpr double estimate_pressure_reach = 0.02;
 } // namespace
 
 void SideMemory::remember(const RailSurface& rail, const SideRequest& request, const Trial& trial,
-                          const std::optional<TrialError>& estimated, double grid_accuracy) {
+                          const std::optional<TrialError>& estimated, bool as_before,
+                          double grid_accuracy) {
   const bool complete = std::none_of(trial.patches.begin(), trial.patches.end(),
                                      [](const PatchTrial& patch) { return patch.no_contact(); });
   valid = complete && !request.position_is_prescribed();
@@ -33,12 +34,14 @@ void SideMemory::remember(const RailSurface& rail, const SideRequest& request, c
     // A grid given by hand says nothing of those that an accuracy chooses.
     error_estimate =
         error <= request.accuracy && !request.grid ? std::optional(error) : std::nullopt;
+  } else if (!as_before) {
+    error_estimate.reset();
   }
   patches.resize(trial.patches.size());
   for (std::size_t k = 0; k < trial.patches.size(); ++k) {
     const PatchTrial& patch = trial.patches[k];
     SideMemory::Patch& kept = patches[k];
-    if (estimated) {
+    if (!as_before) {
       kept.resolution = {factor * patch.rows(), patch.columns()};
       kept.y_first = patch.place.y_first;
       kept.y_last = patch.place.y_last;

@@ -47,10 +47,11 @@ struct SideMemory {
   /// the pressures are not those of the last solution.
   std::optional<double> error_estimate;
 
-  /// `error`: none if it was not estimated at this position; what is known of it then stays.
-  /// `grid_accuracy`: the accuracy that the grids were made for.
+  /// `error`: none if it was not estimated at this position. What is known of it from before stays
+  /// in force if the trial was made `as_before`, from this memory. `grid_accuracy`: the accuracy
+  /// that the grids were made for.
   void remember(const RailSurface& rail, const SideRequest& request, const Trial& trial,
-                const std::optional<TrialError>& error, double grid_accuracy);
+                const std::optional<TrialError>& error, bool as_before, double grid_accuracy);
   /// Whether the ends of penetration have hardly moved since the error was estimated.
   [[nodiscard]] bool places_are_near(std::span<const PatchPlan> patches) const;
   /// Whether pressures and elements of a trial are such that the estimate still holds.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/influence_coefficients.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "scene/module.hpp"
 
@@ -27,6 +28,7 @@ struct SideRequest {
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
+  Elements elements = Elements::smooth;
   bool interaction = false; ///< patches feel each other in full, however far apart
   int maximum_iterations = 5000;
   Module until = Module::mechanics; ///< the last one to run

@@ -126,6 +126,7 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
                     equilibrium.pose,
                     solution.vertical,
                     solution.combined_modulus,
+                    solution.elements,
                     std::move(solution.interaction),
                     solution.load,
                     solution.approach,
@@ -216,6 +217,7 @@ const Residuals& residuals_of(SideResult& side) {
     problem.grid = patch.grid;
     problem.undeformed_distance = distances[k];
     problem.combined_modulus = side.details.combined_modulus;
+    problem.elements = side.details.elements;
     const double approach = patch.share * side.details.problem_approach;
     problem.approach = approach;
     const Residuals residuals = compute_residuals(problem, patch.pressure, approach);

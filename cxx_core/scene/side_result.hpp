@@ -63,6 +63,7 @@ struct SideDetails {
   Pose pose;             ///< left-hand frame of the side
   double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
   double combined_modulus = 0.0;
+  Elements elements = Elements::constant;
   std::optional<PatchInteraction> interaction; ///< in the order of the results
   std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
   double problem_approach = 0.0;               ///< answer to that problem

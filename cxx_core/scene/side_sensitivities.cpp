@@ -77,10 +77,11 @@ SideRates compute_rates(const SideResult& side) {
                                              ? ByMotion<double>{0.0, 0.0, 1.0}
                                              : planes.moving.rates[planes.index[k]].angle;
     loaded.push_back({patch.frame, patch.grid, patch.pressure, angle_rates});
-    solved.push_back({patch.grid, patch.pressure});
+    solved.push_back({patch.grid, patch.pressure, details.elements});
   }
   SensitivityRequest request;
   request.combined_modulus = details.combined_modulus;
+  request.elements = details.elements;
   request.tolerance = tolerance;
   request.roll_moment = false;
   std::optional<CoupledInfluence> influence;

@@ -46,7 +46,7 @@ constexpr double first_lateral_resolution = 20.0;
 /// is worse than asked (docs/accuracy.md).
 constexpr double coarsest_accuracy = 1e-2;
 /// Share of the accuracy that goes to the discretisation along the rail, where contact is smooth.
-constexpr double longitudinal_share = 0.35;
+constexpr double longitudinal_share = 0.4;
 /// Elements across the contact at which it gives up.
 constexpr double last_resolution = 800.0;
 /// Refining by less tells too little about the error.
@@ -101,8 +101,8 @@ private:
   [[nodiscard]] Resolution usual_resolution() const;
   [[nodiscard]] Resolution start_resolution() const;
   /// For each patch of a trial, from those of the patch with the largest pressure.
-  [[nodiscard]] static std::vector<Resolution> by_patch(const Trial& trial,
-                                                        const Resolution& resolution);
+  [[nodiscard]] std::vector<Resolution> by_patch(const Trial& trial,
+                                                 const Resolution& resolution) const;
   /// The accuracy that grids are made for; met is the one asked.
   [[nodiscard]] double grid_accuracy() const {
     return std::min(request_.accuracy, coarsest_accuracy);
@@ -117,7 +117,7 @@ private:
   std::optional<Trial> solve_as_before(double depth);
   bool add_missed(const Trial& trial, SidePlan& plan) const {
     return add_missed_contact(wheel_, rail_, equilibrium_, planner_, request_.combined_modulus,
-                              trial, plan);
+                              request_.elements, trial, plan);
   }
   void warn_about(const Trial& trial);
   void take(Trial trial);
@@ -169,6 +169,7 @@ JointSolution SideSolver::solve_joint(const JointProblem& problem) {
   }
   single.tolerance = problem.tolerance;
   single.maximum_iterations = problem.maximum_iterations;
+  single.elements = problem.elements;
   NormalSolution solved = solve_with_polonsky_keer(single);
   JointSolution solution;
   solution.patches.push_back({std::move(solved.pressure), solved.normal_force});
@@ -199,6 +200,7 @@ std::vector<std::optional<StartPressure>> starts_from(const Trial& trial, const 
 
 Trial SideSolver::sample(const SidePlan& plan) {
   Trial trial;
+  trial.elements = request_.elements;
   trial.depth = plan.depth;
   trial.links = plan.found.links;
   trial.left_out_s = plan.left_out_s;
@@ -247,6 +249,7 @@ Trial SideSolver::try_plan(const SidePlan& plan, double tolerance,
     problem.rounding_share = accuracy_rounding_share;
   }
   problem.maximum_iterations = request_.maximum_iterations;
+  problem.elements = request_.elements;
   PatchInteraction interaction;
   if (trial.patches.size() > 1) {
     const std::size_t count = trial.patches.size();
@@ -306,15 +309,22 @@ Resolution SideSolver::start_resolution() const {
 }
 
 Resolution SideSolver::usual_resolution() const {
-  return {first_lateral_resolution * std::cbrt(1e-2 / grid_accuracy()),
-          longitudinal_resolution(longitudinal_share * grid_accuracy())};
+  return {first_lateral_resolution * std::sqrt(std::sqrt(1e-2 / grid_accuracy())),
+          longitudinal_resolution(longitudinal_share * grid_accuracy(), 1.0, request_.elements)};
 }
 
-std::vector<Resolution> SideSolver::by_patch(const Trial& trial, const Resolution& resolution) {
+std::vector<Resolution> SideSolver::by_patch(const Trial& trial,
+                                             const Resolution& resolution) const {
   std::vector<Resolution> resolutions;
   for (const PatchTrial& patch : trial.patches) {
+    Resolution wanted = resolution;
+    if (!request_.grid && !patch.no_contact()) {
+      wanted.longitudinal = std::max(
+          wanted.longitudinal, longitudinal_resolution(longitudinal_share * grid_accuracy(),
+                                                       patch.slenderness(), request_.elements));
+    }
     resolutions.push_back(
-        resolution.times(std::clamp(std::sqrt(trial.weight(patch)), least_resolution_share, 1.0)));
+        wanted.times(std::clamp(std::sqrt(trial.weight(patch)), least_resolution_share, 1.0)));
   }
   return resolutions;
 }
@@ -482,9 +492,12 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
       continue;
     }
     const std::optional<double> before = result_.error_estimate;
-    const double across_error = std::max(
-        estimate_error(*coarser, trial, request_.position_is_prescribed()), narrow_error(trial));
-    const double along_error = longitudinal_error(trial);
+    // An error of the depth changes the closeness of patches, and that the depth again.
+    const double amplification = 1.0 / (1.0 - feedback_);
+    const double across_error =
+        amplification * std::max(estimate_error(*coarser, trial, request_.position_is_prescribed()),
+                                 narrow_error(trial));
+    const double along_error = amplification * longitudinal_error(trial);
     error_ = TrialError{across_error, across_error + along_error};
     result_.error_estimate = error_->total;
     const bool reached = error_->total <= request_.accuracy;
@@ -596,6 +609,7 @@ void SideSolver::take(Trial trial) {
   result_.vertical = equilibrium_.vertical - trial.depth;
   result_.peak_pressure = trial.peak_pressure();
   result_.combined_modulus = request_.combined_modulus;
+  result_.elements = request_.elements;
   result_.gap = request_.gap;
   result_.stop_reason = trial.stop_reason;
   if (!request_.position_is_prescribed()) {
@@ -669,6 +683,7 @@ SideSolution SideSolver::solve() {
     return std::move(result_);
   }
   std::optional<Trial> trial = solve_as_before(depth);
+  const bool as_before = trial.has_value();
   if (!trial) {
     const Resolution resolution = start_resolution();
     Trial coarse =
@@ -678,7 +693,7 @@ SideSolution SideSolver::solve() {
     }
     trial = solve_on_final_grid(std::move(coarse), resolution);
   }
-  memory_.remember(rail_, request_, *trial, error_, grid_accuracy());
+  memory_.remember(rail_, request_, *trial, error_, as_before, grid_accuracy());
   warn_about(*trial);
   take(std::move(*trial));
   return std::move(result_);

@@ -77,6 +77,7 @@ struct SideSolution {
   double next_depth = 0.0;    ///< vertical, from the first touch to the height solved for
   std::optional<double> load; ///< of the joint problem; or the approach was prescribed
   double combined_modulus = 0.0;
+  Elements elements = Elements::constant;
   GapConvention gap = GapConvention::tangent;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
   double peak_pressure = 0.0;

@@ -147,7 +147,7 @@ bool is_comparable(const Scene& one, const Scene& other) {
          one.rail_smoothing == other.rail_smoothing && one.wheelset == other.wheelset &&
          one.track == other.track && one.wheel_material == other.wheel_material &&
          one.rail_material == other.rail_material && one.gap == other.gap &&
-         one.interaction == other.interaction &&
+         one.elements == other.elements && one.interaction == other.interaction &&
          one.vertical.has_value() == other.vertical.has_value() &&
          one.normal_load.has_value() == other.normal_load.has_value();
 }
@@ -249,6 +249,8 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     side_request.tolerance = scene.tolerance;
     side_request.interaction = scene.interaction;
     side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
+    side_request.elements = scene.elements.value_or(
+        side_request.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
     side_request.until = scene.until;
     if (choice.approximate && scene.until == Module::mechanics) {
       return solve_side_approximately(*wheel, *rail, equilibrium_of_side, side_request,

@@ -2,9 +2,10 @@
 /// needs of it.
 ///
 /// Errors are estimated from two attempts on different grids: pmax, approach (or force) and the
-/// load per length across the rail, q(y) = integral of p along the rail, all fall with the square
+/// load per length across the rail, q(y) = integral of p along the rail, all fall with a power k
 /// of the element size where the profiles are smooth, so the difference of the two grids is
-/// (n_fine / n_coarse)^2 - 1 times the error of the finer one (Richardson). The load per length is
+/// (n_fine / n_coarse)^k - 1 times the error of the finer one (Richardson); k = 2 for constant
+/// elements, 3 for smooth ones as long as the edge of contact does not rule. The load per length is
 /// there because pmax of two coarse grids may agree by chance; it shows every feature that the
 /// grids resolve differently across the rail. A patch counts by its pmax against that of the wheel.
 /// Units mm, N, MPa; frame of remesh/contact_frame.hpp. Thread rule: plain values.
@@ -77,6 +78,10 @@ struct PatchTrial {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
   [[nodiscard]] Resolution resolution() const { return {rows(), columns()}; }
+  /// Length of the contact over its width.
+  [[nodiscard]] double slenderness() const {
+    return columns() * grid.longitudinal_step / (rows() * grid.lateral_step);
+  }
   /// The area with each edge that contact touches moved out.
   [[nodiscard]] PlaneArea grown(double share) const;
   /// The area around the contact found, with some room in elements.
@@ -94,6 +99,7 @@ struct PatchTrial {
 
 /// All patches of a wheel, ordered by y, solved together.
 struct Trial {
+  Elements elements = Elements::smooth;
   double depth = 0.0; ///< at which distances were sampled
   std::vector<PatchTrial> patches;
   std::vector<double> links; ///< closeness of each patch and the next
@@ -117,10 +123,10 @@ struct Trial {
 };
 
 /// Relative error of pmax and approach that the elements along the rail leave. The wheel is round
-/// there, so it follows the law of Hertzian contact, 0.22/n^2 at most with n elements through the
-/// peak; `longitudinal_resolution` is its inverse.
+/// there, so it follows the law of Hertzian contact, 1/n^2 with n elements through the peak;
+/// `longitudinal_resolution` is its inverse.
 double longitudinal_error(const Trial& trial);
-double longitudinal_resolution(double error);
+double longitudinal_resolution(double error, double slenderness, Elements elements);
 
 /// Relative error of pmax that the rows across the rail leave at peaks only a few rows wide, such
 /// as a lobe that has just begun beside a wide one: two grids that both miss it agree by chance. By

@@ -157,6 +157,7 @@ private:
                     gap_.lateral_side / static_cast<double>(grid.lateral),
                     gap_.longitudinal_side / static_cast<double>(grid.longitudinal));
     normal.set("solver", settings.method);
+    normal.set("elements", "constant"); // so that all methods solve the same problem
     normal.set("combined_modulus", combined_modulus);
     normal.set("normal_load", load);
     normal.set("tolerance", settings.tolerance);

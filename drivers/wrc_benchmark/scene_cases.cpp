@@ -81,6 +81,7 @@ private:
     scene.set("solve.grid", std::vector<double>{static_cast<double>(grid.lateral),
                                                 static_cast<double>(grid.longitudinal)});
     scene.set("solve.solver", settings.method);
+    scene.set("solve.elements", std::string("constant")); // the same problem for all methods
     scene.set("solve.tolerance", settings.tolerance);
   }
 
@@ -109,6 +110,7 @@ private:
     reference.set("normal_load", scene.number(side + ".normal_force"));
     reference.set("tolerance", reference_tolerance(grid_));
     reference.set("precision", "double");
+    reference.set("elements", "constant");
     reference.solve();
     return largest_error(scene.field(side + ".pressure"), reference.field("pressure"));
   }

@@ -213,11 +213,13 @@ TEST(NormalProblem, UnknownNamesAreToldWithThoseThatAreKnown) {
 
 TEST(NormalResults, AreThoseOfHertz) {
   constexpr int n = 60;
-  // Errors of 40 elements across the contact (docs/method.md): 0.08/n^2, 0.15/n^2; by counting
-  // elements the area is of order one.
+  // Errors of 40 elements across the contact with constant elements (docs/method.md): 0.08/n^2,
+  // 0.15/n^2, with smooth ones a fifth of it; by counting elements the area is of order one, 0.55/n
+  // too large with smooth ones.
   constexpr double error_approach = 2e-4;
   constexpr double error_pmax = 5e-4;
-  constexpr double error_area = 2e-2;
+  constexpr double error_area = 5e-3;
+  constexpr double error_count = 3e-2;
   const double a = std::cbrt(3.0 * load * radius / (4.0 * modulus));
   const double pmax = 3.0 * load / (2.0 * std::numbers::pi * a * a);
   const double approach = a * a / radius;
@@ -228,8 +230,9 @@ TEST(NormalResults, AreThoseOfHertz) {
     const auto number = [&](const char* name) { return number_of(normal.get(), name); };
     EXPECT_NEAR(number("pmax"), pmax, pmax * error_pmax) << solver;
     EXPECT_NEAR(number("approach"), approach, approach * error_approach) << solver;
-    EXPECT_NEAR(number("area"), std::numbers::pi * a * a, error_area * a * a * 3.0) << solver;
-    EXPECT_NEAR(number("fill"), number("area") / 9.0, error_area * number("fill")) << solver;
+    EXPECT_NEAR(number("area"), std::numbers::pi * a * a, error_area * std::numbers::pi * a * a)
+        << solver;
+    EXPECT_NEAR(number("fill"), number("area") / 9.0, error_count * number("fill")) << solver;
     EXPECT_NEAR(number("normal_force"), load, load * rounding) << solver;
     EXPECT_GE(number("pmax"), number("pmax_element"));
     EXPECT_GT(number("iterations"), 0.0);

@@ -83,7 +83,7 @@ void expect_dense_sum(const ConvolutionShape& shape, double aspect, InfluenceCac
                       ConvolutionWorkspace<Real>& workspace) {
   const std::vector<Real> in = random_field<Real>(shape.rows_in * shape.columns_in, 3);
   std::vector<Real> out(shape.rows_out * shape.columns_out);
-  BoxConvolution<Real>::linear(shape, aspect, cache).apply(in.data(), out.data(), workspace);
+  BoxConvolution<Real>::linear(shape, {aspect}, cache).apply(in.data(), out.data(), workspace);
   EXPECT_LE(largest_difference(out, dense_sum(shape, aspect, in)), roundings * rounding_of<Real>)
       << shape.rows_in << " x " << shape.columns_in << " to " << shape.rows_out << " x "
       << shape.columns_out << " at " << shape.row_offset << ", " << shape.column_offset
@@ -138,7 +138,7 @@ TYPED_TEST(BoxConvolutionTest, WorksInPlace) {
     std::vector<TypeParam> apart(in.size());
     std::vector<TypeParam> in_place = in;
     const auto convolution =
-        BoxConvolution<TypeParam>::linear({rows, columns, rows, columns, 0, 0}, 2.0, this->cache);
+        BoxConvolution<TypeParam>::linear({rows, columns, rows, columns, 0, 0}, {2.0}, this->cache);
     convolution.apply(in.data(), apart.data(), this->workspace);
     convolution.apply(in_place.data(), in_place.data(), this->workspace);
     EXPECT_EQ(in_place, apart);
@@ -150,14 +150,14 @@ TYPED_TEST(BoxConvolutionTest, WhatTheWorkspaceHoldsDoesNotShow) {
   const std::vector<TypeParam> in = random_field<TypeParam>(13 * 9, 6);
   std::vector<TypeParam> first(21 * 30);
   std::vector<TypeParam> again(21 * 30);
-  const auto convolution = BoxConvolution<TypeParam>::linear(shape, 2.0, this->cache);
+  const auto convolution = BoxConvolution<TypeParam>::linear(shape, {2.0}, this->cache);
   ConvolutionWorkspace<TypeParam> fresh;
   convolution.apply(in.data(), first.data(), fresh);
   // Lines full of huge values and of no numbers at all.
   for (const TypeParam spoilt : {TypeParam{1e30F}, std::numeric_limits<TypeParam>::quiet_NaN()}) {
     const std::vector<TypeParam> large(40 * 40, spoilt);
     std::vector<TypeParam> ignored(40 * 40);
-    BoxConvolution<TypeParam>::linear({40, 40, 40, 40, 0, 0}, 2.0, this->cache)
+    BoxConvolution<TypeParam>::linear({40, 40, 40, 40, 0, 0}, {2.0}, this->cache)
         .apply(large.data(), ignored.data(), this->workspace);
     convolution.apply(in.data(), again.data(), this->workspace);
     EXPECT_EQ(again, first);
@@ -191,7 +191,7 @@ TYPED_TEST(BoxConvolutionTest, PreconditionerInvertsThePeriodicConvolution) {
         displacement[to] = static_cast<TypeParam>(sum);
       }
       std::vector<TypeParam> found(pressure.size());
-      BoxConvolution<TypeParam>::inverse_periodic(rows, columns, aspect, this->cache)
+      BoxConvolution<TypeParam>::inverse_periodic(rows, columns, {aspect}, this->cache)
           .apply(displacement.data(), found.data(), this->workspace);
       EXPECT_LE(largest_difference(found, pressure), inverse_roundings * rounding_of<TypeParam>)
           << rows << " x " << columns << ", aspect " << aspect;
@@ -204,7 +204,7 @@ TYPED_TEST(BoxConvolutionTest, PreconditionerIsSymmetricAndPositive) {
        {std::pair<std::size_t, std::size_t>{13, 21}, {1, 9}, {30, 5}}) {
     const std::size_t count = rows * columns;
     const auto preconditioner =
-        BoxConvolution<TypeParam>::inverse_periodic(rows, columns, 0.5, this->cache);
+        BoxConvolution<TypeParam>::inverse_periodic(rows, columns, {0.5}, this->cache);
     std::vector<std::vector<TypeParam>> answers;
     for (std::size_t element = 0; element < count; ++element) {
       std::vector<TypeParam> unit(count, TypeParam{0});

@@ -14,16 +14,16 @@ namespace wrc::test {
 
 namespace {
 
-std::vector<double> influence_matrix(const Grid& grid, double combined_modulus) {
+std::vector<double> influence_matrix(const Grid& grid, double combined_modulus, Elements elements) {
   const std::size_t count = grid.element_count();
   const std::size_t columns = grid.longitudinal_count;
   std::vector<double> matrix(count * count);
   for (std::size_t to = 0; to < count; ++to) {
     for (std::size_t from = 0; from < count; ++from) {
-      matrix[to * count + from] =
-          influence_coefficient(grid.longitudinal(to % columns) - grid.longitudinal(from % columns),
-                                grid.lateral(to / columns) - grid.lateral(from / columns),
-                                grid.longitudinal_step, grid.lateral_step, combined_modulus);
+      matrix[to * count + from] = influence_coefficient(
+          grid.longitudinal(to % columns) - grid.longitudinal(from % columns),
+          grid.lateral(to / columns) - grid.lateral(from / columns), grid.longitudinal_step,
+          grid.lateral_step, combined_modulus, elements);
     }
   }
   return matrix;
@@ -72,7 +72,8 @@ DenseSolution solve_on(const std::vector<std::size_t>& active, const NormalProbl
 
 DenseSolution solve_densely(const NormalProblem& problem) {
   const std::size_t count = problem.grid.element_count();
-  const std::vector<double> matrix = influence_matrix(problem.grid, problem.combined_modulus);
+  const std::vector<double> matrix =
+      influence_matrix(problem.grid, problem.combined_modulus, problem.elements);
   const std::span<const double> distance = problem.undeformed_distance;
   const double least = *std::min_element(distance.begin(), distance.end());
   std::vector<bool> active(count);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ void expect_same_bits(const KernelSpectrum<Real>& left, const KernelSpectrum<Rea
 TEST(InfluenceCache, TablesHoldLovesCoefficients) {
   InfluenceCache cache;
   for (const double aspect : {1.0 / 200.0, 0.3, 1.0, 100.0}) {
-    const InfluenceTable& table = cache.table(aspect, 30, 50);
+    const InfluenceTable& table = cache.table({aspect}, 30, 50);
     ASSERT_GE(table.rows, 30U);
     ASSERT_GE(table.columns, 50U);
     for (std::size_t row = 0; row < 30; ++row) {
@@ -46,12 +47,29 @@ TEST(InfluenceCache, TablesHoldLovesCoefficients) {
   }
 }
 
+TEST(InfluenceCache, TablesOfSmoothElementsHoldTheCorrectedCoefficients) {
+  InfluenceCache cache;
+  for (const double aspect : {1.0 / 200.0, 0.3, 1.0, 100.0}) {
+    const InfluenceTable& table = cache.table({aspect, Elements::smooth}, 30, 50);
+    for (std::size_t row = 0; row < 30; ++row) {
+      for (std::size_t column = 0; column < 50; ++column) {
+        const double expected =
+            influence_coefficient(static_cast<double>(column), static_cast<double>(row) * aspect,
+                                  1.0, aspect, 1.0 / std::numbers::pi, Elements::smooth);
+        ASSERT_NEAR(table.row(row)[column] / expected, 1.0, same_coefficient)
+            << row << ", " << column << ", aspect " << aspect;
+      }
+    }
+    EXPECT_NE(table.row(0)[0], cache.table({aspect}, 30, 50).row(0)[0]) << "tables of their own";
+  }
+}
+
 TEST(InfluenceCache, GrownTablesAreTheSameBits) {
   InfluenceCache grown;
   for (std::size_t size = 3; size < 70; size += 11) {
-    const InfluenceTable& table = grown.table(0.7, size, 2 * size + 1);
+    const InfluenceTable& table = grown.table({0.7}, size, 2 * size + 1);
     InfluenceCache fresh;
-    const InfluenceTable& expected = fresh.table(0.7, size, 2 * size + 1);
+    const InfluenceTable& expected = fresh.table({0.7}, size, 2 * size + 1);
     for (std::size_t row = 0; row < size; ++row) {
       for (std::size_t column = 0; column <= 2 * size; ++column) {
         ASSERT_EQ(table.row(row)[column], expected.row(row)[column]);
@@ -70,8 +88,8 @@ TYPED_TEST(SpectrumTest, IsTheTransformOfTheWrappedKernel) {
   for (const auto& [rows, columns] :
        {std::pair<std::size_t, std::size_t>{2, 2}, {6, 10}, {9, 5}, {16, 12}}) {
     for (const double aspect : {0.05, 1.0, 4.0}) {
-      const auto spectrum = cache.spectrum<TypeParam>(aspect, rows, columns);
-      const auto inverse = cache.inverse_spectrum<TypeParam>(aspect, rows, columns);
+      const auto spectrum = cache.spectrum<TypeParam>({aspect}, rows, columns);
+      const auto inverse = cache.inverse_spectrum<TypeParam>({aspect}, rows, columns);
       const auto count = static_cast<double>(rows * columns);
       const auto kernel = [&, rows = rows, columns = columns](std::size_t row, std::size_t column) {
         return influence_integral(static_cast<double>(std::min(column, columns - column)),
@@ -109,8 +127,8 @@ TYPED_TEST(SpectrumTest, IsPositive) {
   for (const double aspect : {1.0 / 200.0, 1.0 / 30.0, 0.2, 1.0, 3.0, 40.0, 200.0}) {
     for (const auto& [rows, columns] :
          {std::pair<std::size_t, std::size_t>{2, 2}, {16, 48}, {80, 6}, {128, 144}, {2, 512}}) {
-      const auto spectrum = cache.spectrum<TypeParam>(aspect, rows, columns);
-      const auto inverse = cache.inverse_spectrum<TypeParam>(aspect, rows, columns);
+      const auto spectrum = cache.spectrum<TypeParam>({aspect}, rows, columns);
+      const auto inverse = cache.inverse_spectrum<TypeParam>({aspect}, rows, columns);
       for (std::size_t column = 0; column <= columns / 2; ++column) {
         for (std::size_t row = 0; row < rows; ++row) {
           ASSERT_GT(spectrum->column(column)[row], TypeParam{0})
@@ -126,39 +144,39 @@ TYPED_TEST(SpectrumTest, IsPositive) {
 TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrTrimmed) {
   InfluenceCache warm;
   // A larger table than needed, from another call.
-  warm.table(1.5, 200, 150);
-  const auto first = warm.spectrum<TypeParam>(1.5, 48, 64);
-  const auto first_inverse = warm.inverse_spectrum<TypeParam>(1.5, 48, 64);
-  EXPECT_EQ(warm.spectrum<TypeParam>(1.5, 48, 64).get(), first.get()) << "kept";
-  warm.spectrum<TypeParam>(0.1, 30, 30);
+  warm.table({1.5}, 200, 150);
+  const auto first = warm.spectrum<TypeParam>({1.5}, 48, 64);
+  const auto first_inverse = warm.inverse_spectrum<TypeParam>({1.5}, 48, 64);
+  EXPECT_EQ(warm.spectrum<TypeParam>({1.5}, 48, 64).get(), first.get()) << "kept";
+  warm.spectrum<TypeParam>({0.1}, 30, 30);
   warm.trim(0, warm.now());
-  const auto again = warm.spectrum<TypeParam>(1.5, 48, 64);
+  const auto again = warm.spectrum<TypeParam>({1.5}, 48, 64);
   EXPECT_NE(again.get(), first.get()) << "dropped; the first one is still held here";
   expect_same_bits(*again, *first);
-  expect_same_bits(*warm.inverse_spectrum<TypeParam>(1.5, 48, 64), *first_inverse);
+  expect_same_bits(*warm.inverse_spectrum<TypeParam>({1.5}, 48, 64), *first_inverse);
   InfluenceCache fresh;
-  expect_same_bits(*fresh.spectrum<TypeParam>(1.5, 48, 64), *first);
-  expect_same_bits(*fresh.inverse_spectrum<TypeParam>(1.5, 48, 64), *first_inverse);
+  expect_same_bits(*fresh.spectrum<TypeParam>({1.5}, 48, 64), *first);
+  expect_same_bits(*fresh.inverse_spectrum<TypeParam>({1.5}, 48, 64), *first_inverse);
 }
 
 TEST(InfluenceCache, TrimDropsWhatWasUsedLongestAgo) {
   InfluenceCache cache;
-  const auto old = cache.spectrum<double>(1.0, 32, 32);
-  const auto recent = cache.spectrum<double>(2.0, 32, 32);
-  cache.spectrum<double>(1.0, 32, 32);
+  const auto old = cache.spectrum<double>({1.0}, 32, 32);
+  const auto recent = cache.spectrum<double>({2.0}, 32, 32);
+  cache.spectrum<double>({1.0}, 32, 32);
   // Room for one spectrum: 17 columns of 32 values, but not for the tables beside it.
   cache.trim(17 * 32 * sizeof(double) + 64, cache.now());
-  EXPECT_EQ(cache.spectrum<double>(1.0, 32, 32).get(), old.get());
-  EXPECT_NE(cache.spectrum<double>(2.0, 32, 32).get(), recent.get());
+  EXPECT_EQ(cache.spectrum<double>({1.0}, 32, 32).get(), old.get());
+  EXPECT_NE(cache.spectrum<double>({2.0}, 32, 32).get(), recent.get());
   // What is in use stays whatever there is room for.
   const std::uint64_t start = cache.now();
-  const auto in_use = cache.spectrum<double>(1.0, 32, 32);
+  const auto in_use = cache.spectrum<double>({1.0}, 32, 32);
   cache.trim(0, start);
-  EXPECT_EQ(cache.spectrum<double>(1.0, 32, 32).get(), in_use.get());
+  EXPECT_EQ(cache.spectrum<double>({1.0}, 32, 32).get(), in_use.get());
   // Enough room: nothing is dropped.
-  const auto kept = cache.spectrum<double>(2.0, 32, 32);
+  const auto kept = cache.spectrum<double>({2.0}, 32, 32);
   cache.trim(std::size_t{1} << 30, cache.now());
-  EXPECT_EQ(cache.spectrum<double>(2.0, 32, 32).get(), kept.get());
+  EXPECT_EQ(cache.spectrum<double>({2.0}, 32, 32).get(), kept.get());
 }
 
 } // namespace

@@ -71,9 +71,12 @@ TEST(RandomProblems, AreSolved) {
     const std::string name = "problem " + std::to_string(number);
     NormalProblem problem =
         with_approach(random.grid, random.distance, random.approach, exact_tolerance);
+    problem.elements = number % 4 < 2 ? Elements::constant : Elements::smooth;
     NormalSolution exact = solve_exactly(problem);
     if (number % 2 == 1) {
+      const Elements elements = problem.elements;
       problem = with_load(random.grid, random.distance, exact.normal_force, exact_tolerance);
+      problem.elements = elements;
       exact = solve_exactly(problem);
     }
     if (random.grid.element_count() <= most_dense_elements) {

@@ -118,5 +118,61 @@ TEST(Curve, WithoutPiecesHasNoLengthAndNoPoints) {
   EXPECT_THROW((void)curve.at(0.0), Error);
 }
 
+/// Lines along the lateral axis, each begun that much higher than the last one's end.
+Curve steps_of(const std::vector<double>& lengths, const std::vector<double>& rises) {
+  std::vector<Curve::Piece> pieces;
+  double lateral = 0.0;
+  double height = 0.0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    height += rises[i];
+    pieces.push_back({{lateral, height}, {lateral + lengths[i], height}, lengths[i]});
+    lateral += lengths[i];
+  }
+  return Curve{pieces};
+}
+
+TEST(Curve, WithoutStepsIsTheSameWhereThereAreNone) {
+  const Curve curve{std::vector{arc_piece(10.0, 0.0, 0.05), arc_piece(10.0, 0.05, 0.1)}};
+  const Curve closed = curve.without_steps();
+  for (const double arc : {0.0, 0.2, 0.5, 0.7, 1.0}) {
+    EXPECT_EQ(closed.at(arc).height, curve.at(arc).height);
+    EXPECT_EQ(closed.at(arc).second_height, curve.at(arc).second_height);
+  }
+}
+
+TEST(Curve, StepsAreClosedFromBothSidesWithoutAKink) {
+  // Pieces of 1 mm, with a step up and a step down.
+  std::vector<double> lengths(40, 1.0);
+  std::vector<double> rises(40, 0.0);
+  rises[15] = 1e-4;
+  rises[25] = -3e-5;
+  const Curve curve = steps_of(lengths, rises);
+  const Curve closed = curve.without_steps();
+  for (const double arc : {0.0, 5.0, 12.99, 17.01, 22.99, 27.01, 39.9}) {
+    EXPECT_EQ(closed.at(arc).height, curve.at(arc).height) << arc;
+  }
+  EXPECT_NEAR(closed.at(15.0).height, 0.5e-4, rounding);
+  EXPECT_NEAR(closed.at(14.0).height, 0.25e-4, rounding) << "half-way";
+  EXPECT_NEAR(closed.at(25.0).height, 1e-4 - 1.5e-5, rounding);
+  for (std::size_t piece = 0; piece + 1 < curve.piece_count(); ++piece) {
+    const CurvePoint end = closed.at(piece, curve.starts()[piece + 1] - curve.starts()[piece]);
+    const CurvePoint begin = closed.at(piece + 1, 0.0);
+    EXPECT_NEAR(end.lateral, begin.lateral, rounding) << piece;
+    EXPECT_NEAR(end.height, begin.height, rounding) << piece;
+    EXPECT_NEAR(end.tangent_height, begin.tangent_height, rounding) << piece;
+  }
+}
+
+TEST(Curve, ShortStretchesBetweenStepsCloseToo) {
+  // A single piece between two steps, and one before the end.
+  const Curve closed = steps_of({10.0, 0.5, 10.0, 0.5}, {0.0, 5e-5, 4e-5, -2e-5}).without_steps();
+  for (std::size_t piece = 0; piece + 1 < closed.piece_count(); ++piece) {
+    const CurvePoint end = closed.at(piece, closed.starts()[piece + 1] - closed.starts()[piece]);
+    const CurvePoint begin = closed.at(piece + 1, 0.0);
+    EXPECT_NEAR(end.height, begin.height, rounding) << piece;
+    EXPECT_NEAR(end.tangent_height, begin.tangent_height, rounding) << piece;
+  }
+}
+
 } // namespace
 } // namespace wrc

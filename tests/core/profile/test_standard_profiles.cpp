@@ -176,6 +176,26 @@ void expect_junctions(std::string_view name, const std::vector<Meeting>& special
   }
 }
 
+TEST(StandardProfiles, S1002IsClosedWithinTheRoundingOfItsCoefficients) {
+  const Curve& printed = standard_profile("S1002").curve;
+  const Curve closed = printed.without_steps();
+  double largest_move = 0.0;
+  double largest_bend = 0.0;
+  for (double arc = 0.0; arc < printed.length(); arc += 0.01) {
+    const CurvePoint before = printed.at(arc);
+    const CurvePoint after = closed.at(arc);
+    const double move = std::hypot(after.lateral - before.lateral, after.height - before.height);
+    if (std::abs(before.lateral + 35.0) > 2.5 && std::abs(before.lateral + 26.0) > 2.5) {
+      EXPECT_EQ(move, 0.0) << before.lateral;
+    }
+    largest_move = std::max(largest_move, move);
+    largest_bend = std::max(largest_bend, std::abs(after.curvature() - before.curvature()));
+  }
+  // Rounding in the last digits of polynomial C adds up to 2.4e-4 mm at -35 and 9e-5 mm at -26.
+  EXPECT_NEAR(largest_move, 0.5 * 1.183e-4, 1e-6);
+  EXPECT_LT(largest_bend, 1e-4); // of 1/13 per mm
+}
+
 TEST(StandardProfiles, S1002KeepsTheGapsOfItsCoefficients) {
   int known = 0;
   for (const Junction& junction : junctions_of(standard_profile_segments("S1002"))) {

@@ -84,7 +84,8 @@ TEST(SideSolution, SignorinisConditionsHoldOnTheFinalGrid) {
     double force = 0.0;
     for (const PatchSolution& patch : solution.patches) {
       std::vector<double> displacement(patch.grid.element_count());
-      DisplacementOperator(patch.grid, modulus).apply(patch.pressure, displacement);
+      DisplacementOperator(patch.grid, modulus, request.elements)
+          .apply(patch.pressure, displacement);
       const double largest = *std::max_element(displacement.begin(), displacement.end());
       // Gaps hold to the tolerance of the iteration, 1e-6 of the largest displacement.
       const double gap_tolerance = 1e-6 * largest;
