@@ -600,7 +600,10 @@ void SideSolver::warn_about(const Trial& trial) {
     if (patch.no_contact()) {
       continue;
     }
-    if (patch.touches_edge()) {
+    if (!patch.sees_edges_across() || !patch.sees_edges_along()) {
+      warnings.emplace_back("fewer than 3 elements across or along the rail: whether contact ends "
+                            "within them is not seen");
+    } else if (patch.touches_edge()) {
       warnings.emplace_back(must_grow(trial)
                                 ? "contact touches the edge of the potential contact area"
                                 : "contact reaches the boundary to the neighbouring patch");

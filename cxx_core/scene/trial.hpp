@@ -77,7 +77,11 @@ struct PatchTrial {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
   [[nodiscard]] Resolution resolution() const { return {rows(), columns()}; }
-  /// The area with each edge that contact touches moved out.
+  /// Whether there is an element between the edges: without one contact touches them however large
+  /// the area is.
+  [[nodiscard]] bool sees_edges_across() const { return grid.lateral_count > 2; }
+  [[nodiscard]] bool sees_edges_along() const { return grid.longitudinal_count > 2; }
+  /// The area with each edge that contact touches moved out, if that could free it.
   [[nodiscard]] PlaneArea grown(double share) const;
   /// The area around the contact found, with some room in elements.
   [[nodiscard]] PlaneArea contact_area(double margin) const;

@@ -1,5 +1,6 @@
 #include "scene/solve_scene.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -27,6 +28,22 @@ TEST(SolveScene, MirroredSceneSwapsTheSidesToTheLastBit) {
   EXPECT_EQ(one.left->angle, -other.right->angle);
   EXPECT_EQ(one.left->patches.at(0).centroid.y, -other.right->patches.at(0).centroid.y);
   EXPECT_EQ(one.left->patches.at(0).pressure, other.right->patches.at(0).pressure);
+}
+
+TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
+  Scene scene = small_scene(-5.3, 0.026);
+  const double depth = solve_scene(scene).left->depth;
+  for (const auto& grid : {std::array<std::size_t, 2>{10, 2}, {2, 10}, {1, 1}, {2, 2}, {1, 40}}) {
+    scene.grid = grid;
+    SceneSolver solver;
+    for (const bool warm : {false, true}) {
+      const SideResult side = *solver.solve(scene).left;
+      // Contact touches every edge: the area must not run after it.
+      EXPECT_NEAR(std::log2(side.depth / depth), 0.0, 1.0) << grid[0] << " x " << grid[1];
+      EXPECT_NEAR(side.force.z, 80000.0, 1e-6 * 80000.0);
+      EXPECT_FALSE(side.warnings.empty()) << warm;
+    }
+  }
 }
 
 TEST(SolveScene, ThreadsDoNotChangeABit) {
