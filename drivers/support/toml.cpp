@@ -1,6 +1,8 @@
 #include "support/toml.hpp"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace driver {
@@ -23,13 +25,22 @@ toml::table read_toml(const std::string& what, const std::string& path) {
     throw Failure(what + ' ' + path + ": " + std::to_string(size) + " bytes; allowed are " +
                   std::to_string(largest_file));
   }
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) {
+    throw Failure(what + ' ' + path + ": cannot be read");
+  }
+  return parse_toml(what, path, text);
+}
+
+toml::table parse_toml(const std::string& what, const std::string& path, const std::string& text) {
   try {
-    return toml::parse_file(path);
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    std::ostringstream text;
-    text << what << ' ' << path << ", line " << error.source().begin.line << ": "
-         << error.description();
-    throw Failure(text.str());
+    std::ostringstream message;
+    message << what << ' ' << path << ", line " << error.source().begin.line << ": "
+            << error.description();
+    throw Failure(message.str());
   }
 }
 

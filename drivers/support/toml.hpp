@@ -18,6 +18,8 @@ namespace driver {
 
 /// Reads a file; `what` names it in failures, for example "scene file".
 toml::table read_toml(const std::string& what, const std::string& path);
+/// The same of its text.
+toml::table parse_toml(const std::string& what, const std::string& path, const std::string& text);
 /// Parses `key = value` of an option "--set key=value".
 toml::table parse_assignment(const std::string& assignment, const std::string& key,
                              const std::string& value);
