@@ -107,6 +107,9 @@ private:
   JointSolution solve_joint(const JointProblem& problem);
   /// Contact touches an edge that can still move.
   [[nodiscard]] bool must_grow(const Trial& trial) const;
+  /// On a grid given by hand contact of one or two elements may touch the edge because they are
+  /// large: a larger area would make them larger still. Coarse solutions have settled it before.
+  [[nodiscard]] double least_grown_elements() const { return request_.grid ? 3.0 : 0.0; }
   [[nodiscard]] bool slides(const Trial& trial) const;
   [[nodiscard]] bool changes_closeness(const Trial& trial) const;
   /// The depth to try after a trial.
@@ -349,8 +352,8 @@ bool SideSolver::must_grow(const Trial& trial) const {
     if (!patch.touches_edge()) {
       return false;
     }
-    const PlaneArea larger =
-        planner_.limited(patch.grown(final_growth), {patch.place, patch.frame, patch.area, {}});
+    const PlaneArea larger = planner_.limited(patch.grown(final_growth, least_grown_elements()),
+                                              {patch.place, patch.frame, patch.area, {}});
     const double least = 0.5 * patch.grid.lateral_step;
     return larger.width() > patch.area.width() + least ||
            larger.length() > patch.area.length() * (1.0 + 1e-9);
@@ -476,8 +479,8 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
     if (must_grow(trial)) {
       ++result_.regrown;
       for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-        plan.patches[k].area =
-            planner_.limited(trial.patches[k].grown(final_growth), plan.patches[k]);
+        plan.patches[k].area = planner_.limited(
+            trial.patches[k].grown(final_growth, least_grown_elements()), plan.patches[k]);
       }
       last = std::make_shared<const Trial>(std::move(trial));
       continue;
@@ -596,17 +599,23 @@ void SideSolver::warn_about(const Trial& trial) {
   if (request_.solver == SolverChoice::paper && trial.patches.size() > 1) {
     warnings.emplace_back("several patches: solved together by the default solver");
   }
+  if (slides(trial)) {
+    warnings.push_back("the height does not settle with these elements: distances were sampled at "
+                       "a depth of " +
+                       short_text_of(trial.depth) + " mm, the solution asks for " +
+                       short_text_of(trial.next_depth) + " mm");
+  }
   for (const PatchTrial& patch : trial.patches) {
     if (patch.no_contact()) {
       continue;
     }
-    if (!patch.sees_edges_across() || !patch.sees_edges_along()) {
-      warnings.emplace_back("fewer than 3 elements across or along the rail: whether contact ends "
-                            "within them is not seen");
-    } else if (patch.touches_edge()) {
-      warnings.emplace_back(must_grow(trial)
-                                ? "contact touches the edge of the potential contact area"
-                                : "contact reaches the boundary to the neighbouring patch");
+    if (patch.touches_edge()) {
+      const double elements = std::min(patch.rows(), patch.columns());
+      warnings.emplace_back(
+          must_grow(trial) ? "contact touches the edge of the potential contact area"
+          : elements < least_grown_elements()
+              ? "contact of one or two elements touches the edge of the grid: they are too large"
+              : "contact reaches the boundary to the neighbouring patch");
     }
     const double turn = std::max(std::abs(patch.place.angle_first - patch.frame.angle()),
                                  std::abs(patch.place.angle_last - patch.frame.angle()));

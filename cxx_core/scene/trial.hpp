@@ -77,12 +77,9 @@ struct PatchTrial {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
   [[nodiscard]] Resolution resolution() const { return {rows(), columns()}; }
-  /// Whether there is an element between the edges: without one contact touches them however large
-  /// the area is.
-  [[nodiscard]] bool sees_edges_across() const { return grid.lateral_count > 2; }
-  [[nodiscard]] bool sees_edges_along() const { return grid.longitudinal_count > 2; }
-  /// The area with each edge that contact touches moved out, if that could free it.
-  [[nodiscard]] PlaneArea grown(double share) const;
+  /// The area with each edge that contact touches moved out, across and along the rail where there
+  /// are at least so many elements in contact.
+  [[nodiscard]] PlaneArea grown(double share, double least_elements) const;
   /// The area around the contact found, with some room in elements.
   [[nodiscard]] PlaneArea contact_area(double margin) const;
   /// Deepest overlap of the undeformed bodies along the normal at an approach from the trial's

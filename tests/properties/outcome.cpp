@@ -53,7 +53,8 @@ std::vector<std::string> Outcome::sides() const {
 bool Outcome::is_told_inaccurate(const std::string& side) const {
   return std::any_of(texts.begin(), texts.end(), [&side](const auto& text) {
     return text.first.starts_with(side + ".warnings.") &&
-           text.second.find("not reached") != std::string::npos;
+           (text.second.find("not reached") != std::string::npos ||
+            text.second.find("does not settle") != std::string::npos);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace properties {
@@ -93,6 +94,20 @@ double unit_of(const std::string& name) {
   return length ? 1e-3 : 1.0; // a moment's unit is N mm, or N m
 }
 
+/// How accurate a side's depth is as it says itself: as asked, or as estimated on a grid that was
+/// given; none if it says that it is not.
+std::optional<double> told_accuracy(const DrawnScene& scene, const Outcome& outcome,
+                                    const std::string& side) {
+  if (outcome.is_told_inaccurate(side)) {
+    return std::nullopt;
+  }
+  if (!scene.has_grid() || !is_half_space(scene)) {
+    return scene.accuracy();
+  }
+  const std::string estimate = side + ".error_estimate";
+  return outcome.has(estimate) ? std::optional(outcome.at(estimate)) : std::nullopt;
+}
+
 std::string check_patch(const Outcome& outcome, const std::string& patch,
                         const std::vector<double>& pressure) {
   const double element =
@@ -167,7 +182,11 @@ std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
         return text;
       }
     }
-    const double tolerance = scene.accuracy() + (patches > 1 ? interpolation : 0.0);
+    const std::string estimate = side + ".error_estimate";
+    const double accuracy = std::max(
+        scene.accuracy(),
+        outcome.is_told_inaccurate(side) && outcome.has(estimate) ? outcome.at(estimate) : 0.0);
+    const double tolerance = accuracy + (patches > 1 ? interpolation : 0.0);
     if (outcome.has(side + ".residuals.complementarity") &&
         !(outcome.at(side + ".residuals.complementarity") <= tolerance &&
           outcome.at(side + ".residuals.least_gap") >= -tolerance)) {
@@ -259,7 +278,10 @@ std::string check_monotony(const DrawnScene& scene, const Outcome& outcome) {
   for (const std::string& side : outcome.sides()) {
     const double before = outcome.at(side + name);
     const double after = outcome_of_more.at(side + name);
-    if (!(after >= before * (1.0 - scene.accuracy()))) {
+    const auto accuracy_before = told_accuracy(scene, outcome, side);
+    const auto accuracy_after = told_accuracy(more, outcome_of_more, side);
+    if (accuracy_before && accuracy_after &&
+        !(after >= before * (1.0 - *accuracy_before - *accuracy_after))) {
       return differ(side + name + " before and after", before, after);
     }
   }
@@ -288,9 +310,9 @@ std::string check_warm(const DrawnScene& scene, const Outcome& outcome) {
   }
   for (const std::string& side : outcome.sides()) {
     const std::string name = side + (scene.has("pose.vertical") ? ".normal_force" : ".depth");
-    // Each is as accurate as asked, unless it says otherwise.
-    if (!warm.is_told_inaccurate(side) && !outcome.is_told_inaccurate(side) &&
-        !near(warm.at(name), outcome.at(name), 2.0 * scene.accuracy())) {
+    const auto one = told_accuracy(scene, warm, side);
+    const auto other = told_accuracy(scene, outcome, side);
+    if (one && other && !near(warm.at(name), outcome.at(name), *one + *other)) {
       return differ("warm and cold " + name, warm.at(name), outcome.at(name));
     }
   }
