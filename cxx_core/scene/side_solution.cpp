@@ -22,6 +22,8 @@ constexpr double least_fill = 0.6;
 /// By how much an edge that contact touches moves out, in widths of the area.
 constexpr double coarse_growth = 0.5;
 constexpr double final_growth = 0.15;
+/// What a step leaves of the depth at least.
+constexpr double least_depth_left = 0.1;
 /// A slide by this share of the depth changes pmax by about 1e-4: changes of 0.8 to 1.9 % were
 /// measured for slides of 0.17 to 0.42.
 constexpr double greatest_slide_share = 2e-3;
@@ -411,7 +413,9 @@ double SideSolver::improved_depth(const Trial& trial) {
   told_depth_ = trial.depth;
   told_next_ = trial.next_depth;
   told_patches_ = trial.patches.size();
-  return trial.depth + (trial.next_depth - trial.depth) / (1.0 - feedback_);
+  const double improved = trial.depth + (trial.next_depth - trial.depth) / (1.0 - feedback_);
+  // Not above the first touch, where there is nothing to sample.
+  return std::max(improved, least_depth_left * trial.depth);
 }
 
 /// Coarse solutions until depth, planes and extents agree with each other.
@@ -452,7 +456,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
     if (depth_settled && filled && !must_grow(trial)) {
       break;
     }
-    if (!depth_settled && trial.next_depth > 0.0) {
+    if (!depth_settled) {
       depth = improved_depth(trial);
     }
     plan = planner_.next_plan(trial, depth, resolutions, coarse_growth);
@@ -464,7 +468,9 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
   // What errors are estimated from, and whose pressures are the start of the next.
   auto coarser = std::make_shared<const Trial>(std::move(coarse_trial));
   std::shared_ptr<const Trial> last = coarser;
-  const double depth = position_is_prescribed() ? coarser->depth : coarser->next_depth;
+  const double depth = position_is_prescribed()
+                           ? coarser->depth
+                           : std::max(coarser->next_depth, least_depth_left * coarser->depth);
   std::vector<Resolution> resolutions = by_patch(*coarser, resolution);
   SidePlan plan = planner_.next_plan(*coarser, depth, resolutions, final_growth);
   int failures = 0;

@@ -50,12 +50,15 @@ std::vector<std::string> Outcome::sides() const {
   return sides;
 }
 
-bool Outcome::is_told_inaccurate(const std::string& side) const {
-  return std::any_of(texts.begin(), texts.end(), [&side](const auto& text) {
+bool Outcome::warns(const std::string& side, const std::string& words) const {
+  return std::any_of(texts.begin(), texts.end(), [&](const auto& text) {
     return text.first.starts_with(side + ".warnings.") &&
-           (text.second.find("not reached") != std::string::npos ||
-            text.second.find("does not settle") != std::string::npos);
+           text.second.find(words) != std::string::npos;
   });
+}
+
+bool Outcome::is_told_inaccurate(const std::string& side) const {
+  return warns(side, "not reached") || warns(side, "does not settle");
 }
 
 std::string Outcome::difference_to(const Outcome& other) const {

@@ -21,6 +21,8 @@ struct Outcome {
   [[nodiscard]] bool has_results() const { return status == WRC_OK || status == WRC_NOT_CONVERGED; }
   [[nodiscard]] bool has(const std::string& name) const { return numbers.contains(name); }
   [[nodiscard]] double at(const std::string& name) const { return numbers.at(name); }
+  /// Whether one of a side's warnings has these words.
+  [[nodiscard]] bool warns(const std::string& side, const std::string& words) const;
   /// Whether a side's warnings tell that the accuracy was not reached.
   [[nodiscard]] bool is_told_inaccurate(const std::string& side) const;
   /// "left" and "right", as far as they were solved.

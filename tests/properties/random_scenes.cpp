@@ -1,7 +1,8 @@
 // Draws scenes and checks what must hold for all of them (scene_properties.hpp). Every scene is
 // checked for equilibrium, and for two of the other properties in turn.
 //
-// Usage: random_scenes COUNT SEED [FIRST], in a folder into which scene files of failures go.
+// Usage: random_scenes COUNT SEED [FIRST], in a folder into which scene files of failures go, and
+// that of a single scene in any case.
 // Prints how many had which status and what failed; exits with 1 if anything did, and with 3 if a
 // scene took longer than a minute.
 #include <array>
@@ -91,6 +92,11 @@ int main(int argc, char** argv) {
       ++statuses["refused: " + refusal.substr(0, refusal.find('='))];
       continue;
     }
+    const std::string file =
+        "scene_" + std::to_string(seed) + '_' + std::to_string(current) + ".toml";
+    if (count == 1) {
+      wrc_scene_write(handle.get(), file.c_str());
+    }
     const Outcome outcome(handle.get(), wrc_scene_solve(handle.get()), true);
     ++statuses[wrc_status_name(outcome.status) +
                (outcome.error.empty() ? "" : ": " + outcome.error.substr(0, 60))];
@@ -100,8 +106,7 @@ int main(int argc, char** argv) {
     const std::string wrong = checked(scene, outcome, current);
     if (!wrong.empty()) {
       ++failures;
-      const std::string file = "scene_" + std::to_string(seed) + '_' + std::to_string(current);
-      wrc_scene_write(handle.get(), (file + ".toml").c_str());
+      wrc_scene_write(handle.get(), file.c_str());
       std::printf("scene %ld: %s\n", current, wrong.c_str());
       std::fflush(stdout);
     }
