@@ -194,6 +194,9 @@ std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
       }
     }
     const std::string estimate = side + ".error_estimate";
+    if (outcome.is_told_inaccurate(side) && !outcome.has(estimate)) {
+      continue; // without an estimate nothing is promised
+    }
     const double accuracy = std::max(
         scene.accuracy(),
         outcome.is_told_inaccurate(side) && outcome.has(estimate) ? outcome.at(estimate) : 0.0);
