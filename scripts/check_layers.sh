@@ -26,7 +26,9 @@ check cxx_core/mechanics 'error\.hpp|(vector_clones|reductions|written_file)\.hp
 check cxx_core/scene 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/|remesh/|mechanics/|scene/'
 check c_api 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|mechanics/|scene/|(handles|handle_table|floating_point)\.hpp|wrcontact\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
-check tests/c_api 'all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
+check tests/c_api 'call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
+check tests/fuzz 'error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
+check tests/properties '(drawn_scene|outcome|scene_properties)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
 check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp'
 

@@ -13,6 +13,7 @@
 #include <fftw3.h>
 
 #include "error.hpp"
+#include "written_file.hpp"
 
 namespace wrc {
 
@@ -165,12 +166,7 @@ void save_wisdom(const std::string& path) {
     }
     text.append(wide.get()).append(single_precision_mark).append(narrow.get());
   }
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file) {
-    throw Error(ErrorCode::file_unreadable, "wisdom file \"" + path + "\" cannot be written");
-  }
+  write_file(path, text);
 }
 
 std::size_t good_fft_length(std::size_t least) {

@@ -4,6 +4,7 @@
 /// that start with a quote or another comment sign are comments, as in CONTACT's reader.
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "profile/reader_formats.hpp"
 
@@ -29,17 +30,22 @@ struct Header {
   std::size_t y = 1;
   Position offset = {0.0, 0.0};
   std::optional<double> points;
+  std::string other_columns; ///< that ColumnDef names besides
+  std::set<std::string, std::less<>> keys;
 };
 
 void read_columns_of(Header& header, std::string_view value, std::size_t line, const Log& log) {
   const Words words = words_of(value, ", \t");
   std::optional<std::size_t> x;
   std::optional<std::size_t> y;
+  std::string others;
   for (std::size_t i = 0; i < std::min(words.count, Words::most_words); ++i) {
     if (words.word[i] == "X")
       x = i;
     else if (words.word[i] == "Y")
       y = i;
+    else
+      others += (others.empty() ? "" : ", ") + printable(words.word[i]);
   }
   if (!x || !y || words.count > Words::most_words)
     log.refuse(line, "ColumnDef=" + printable(value) + ", it must name X and Y among at most " +
@@ -47,23 +53,29 @@ void read_columns_of(Header& header, std::string_view value, std::size_t line, c
   header.columns = words.count;
   header.x = *x;
   header.y = *y;
+  header.other_columns = others;
 }
 
-void read_header_line(Header& header, std::string_view line, std::size_t number, const Log& log) {
+void read_header_line(Header& header, std::string_view line, std::size_t number, Log& log) {
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos)
     return; // old files: free text
   const std::string_view key = unquoted(line.substr(0, equals));
   const std::string_view value = unquoted(line.substr(equals + 1));
-  if (value.empty())
-    return;
+  if (value.empty() ||
+      (key != "ColumnDef" && key != "XOffset" && key != "YOffset" && key != "XYPoints"))
+    return; // the other keys do not change the points
+  if (!header.keys.emplace(key).second)
+    log.guess(std::string(key) + " stands again in line " + std::to_string(number) +
+                  ", the last one counts",
+              "remove the others");
   if (key == "ColumnDef")
     read_columns_of(header, value, number, log);
   else if (key == "XOffset")
     header.offset[0] = finite_number(value, number, log);
   else if (key == "YOffset")
     header.offset[1] = finite_number(value, number, log);
-  else if (key == "XYPoints")
+  else
     header.points = finite_number(value, number, log);
 }
 
@@ -74,6 +86,7 @@ RawProfile read_miniprof(std::string_view text, Log& log) {
   Header header;
   LineCount comments;
   LineCount short_rows;
+  LineCount long_rows;
   bool in_header = true;
   for (Lines lines(text, log); lines.next();) {
     const std::string_view line = lines.text();
@@ -95,6 +108,8 @@ RawProfile read_miniprof(std::string_view text, Log& log) {
       short_rows.add(lines.number());
       continue;
     }
+    if (words.count > header.columns)
+      long_rows.add(lines.number());
     const double x = finite_number(words.word[header.x], lines.number(), log);
     const double y = finite_number(words.word[header.y], lines.number(), log);
     add_point(raw, {x + header.offset[0], y + header.offset[1]}, lines.number(), log);
@@ -105,6 +120,11 @@ RawProfile read_miniprof(std::string_view text, Log& log) {
     log.note(comments.text("rows after the header skipped as comments"));
   if (short_rows.count > 0)
     log.guess(short_rows.text("rows with fewer columns than ColumnDef skipped"), "remove them");
+  if (long_rows.count > 0)
+    log.guess(long_rows.text("rows have more columns than ColumnDef, which were ignored"),
+              "name them in ColumnDef");
+  if (!header.other_columns.empty())
+    log.note("columns ignored: " + header.other_columns);
   if (header.points && *header.points != static_cast<double>(raw.points.size()))
     log.note("XYPoints in the header differs from the " + std::to_string(raw.points.size()) +
              " points found");

@@ -33,6 +33,7 @@ struct Content {
   RawProfile raw;
   std::map<std::string, double, std::less<>> number; ///< of the spline section
   bool has_spline = false;
+  int point_sections = 0;
   LineCount unknown_keys;
   LineCount weights;
 };
@@ -72,6 +73,10 @@ private:
       if (sections_.size() >= deepest_nesting)
         log_.refuse(lines_.number(),
                     "sections nested deeper than " + std::to_string(deepest_nesting));
+      if (in("spline") && line == "point.begin" && ++content_.point_sections == 2)
+        log_.guess("points of several sections joined, the second begins in line " +
+                       std::to_string(lines_.number()),
+                   "leave one section point");
       sections_.push_back(printable(line.substr(0, line.size() - begin.size())));
     } else if (line.ends_with(end)) {
       const std::string section = printable(line.substr(0, line.size() - end.size()));
@@ -107,7 +112,11 @@ private:
       if (last != std::string_view::npos && last > first)
         content_.raw.title = std::string(value.substr(first + 1, last - first - 1));
     } else if (in("spline") && numeric.contains(key)) {
-      content_.number[std::string(key)] = finite_number(value, lines_.number(), log_);
+      const double number = finite_number(value, lines_.number(), log_);
+      if (!content_.number.insert_or_assign(std::string(key), number).second)
+        log_.guess(std::string(key) + " stands again in line " + std::to_string(lines_.number()) +
+                       ", the last one counts",
+                   "remove the others");
     } else if (!informative.contains(key)) {
       content_.unknown_keys.add(lines_.number());
     }

@@ -271,18 +271,22 @@ std::string content_of(const std::filesystem::path& path) {
   // Devices and pipes could deliver without end.
   if (!std::filesystem::is_regular_file(path, fault))
     refuse_file(path, "is not a regular file");
+  const auto size = std::filesystem::file_size(path, fault);
   std::ifstream stream(path, std::ios::binary);
-  if (!stream)
+  if (fault || !stream)
     refuse_file(path, "cannot be opened");
   std::string content;
   std::vector<char> block(std::size_t{1} << 16);
-  while (stream) {
+  if (size <= ReadLimits::file_bytes)
+    content.reserve(size + block.size());
+  // The file may be longer than it says: those of the system have no size, others still grow.
+  while (size <= ReadLimits::file_bytes && content.size() <= ReadLimits::file_bytes && stream) {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
     content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (content.size() > ReadLimits::file_bytes)
-      refuse_file(path, "is larger than " + std::to_string(ReadLimits::file_bytes) +
-                            " bytes, which is the most allowed");
   }
+  if (size > ReadLimits::file_bytes || content.size() > ReadLimits::file_bytes)
+    refuse_file(path, "is larger than " + std::to_string(ReadLimits::file_bytes) +
+                          " bytes, which is the most allowed");
   if (stream.bad())
     refuse_file(path, "cannot be read");
   return content;

@@ -173,7 +173,7 @@ SidePlan SidePlanner::next_plan(const Trial& trial, double depth,
     }
     const auto index = static_cast<std::size_t>(last - trial.patches.data());
     const auto area_around = [growth](const PatchTrial& found) {
-      return found.touches_edge() ? found.grown(growth) : found.contact_area(margin_elements);
+      return found.touches_edge() ? found.grown(growth, 0.0) : found.contact_area(margin_elements);
     };
     PlaneArea area = carried_over(area_around(*last), last->frame, patch.frame);
     bool joined_others = false;

@@ -23,6 +23,8 @@ constexpr double least_fill = 0.6;
 /// By how much an edge that contact touches moves out, in widths of the area.
 constexpr double coarse_growth = 0.5;
 constexpr double final_growth = 0.15;
+/// What a step leaves of the depth at least.
+constexpr double least_depth_left = 0.1;
 /// A slide by this share of the depth changes pmax by about 1e-4: changes of 0.8 to 1.9 % were
 /// measured for slides of 0.17 to 0.42.
 constexpr double greatest_slide_share = 2e-3;
@@ -94,6 +96,9 @@ private:
   JointSolution solve_joint(const JointProblem& problem);
   /// Contact touches an edge that can still move.
   [[nodiscard]] bool must_grow(const Trial& trial) const;
+  /// On a grid given by hand contact of one or two elements may touch the edge because they are
+  /// large: a larger area would make them larger still. Coarse solutions have settled it before.
+  [[nodiscard]] double least_grown_elements() const { return request_.grid ? 3.0 : 0.0; }
   [[nodiscard]] bool slides(const Trial& trial) const;
   [[nodiscard]] bool changes_closeness(const Trial& trial) const;
   /// The depth to try after a trial.
@@ -334,8 +339,8 @@ bool SideSolver::must_grow(const Trial& trial) const {
     if (!patch.touches_edge()) {
       return false;
     }
-    const PlaneArea larger =
-        planner_.limited(patch.grown(final_growth), {patch.place, patch.frame, patch.area, {}});
+    const PlaneArea larger = planner_.limited(patch.grown(final_growth, least_grown_elements()),
+                                              {patch.place, patch.frame, patch.area, {}});
     const double least = 0.5 * patch.grid.lateral_step;
     return larger.width() > patch.area.width() + least ||
            larger.length() > patch.area.length() * (1.0 + 1e-9);
@@ -393,7 +398,9 @@ double SideSolver::improved_depth(const Trial& trial) {
   told_depth_ = trial.depth;
   told_next_ = trial.next_depth;
   told_patches_ = trial.patches.size();
-  return trial.depth + (trial.next_depth - trial.depth) / (1.0 - feedback_);
+  const double improved = trial.depth + (trial.next_depth - trial.depth) / (1.0 - feedback_);
+  // Not above the first touch, where there is nothing to sample.
+  return std::max(improved, least_depth_left * trial.depth);
 }
 
 /// Coarse solutions until depth, planes and extents agree with each other.
@@ -434,7 +441,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
     if (depth_settled && filled && !must_grow(trial)) {
       break;
     }
-    if (!depth_settled && trial.next_depth > 0.0) {
+    if (!depth_settled) {
       depth = improved_depth(trial);
     }
     plan = planner_.next_plan(trial, depth, resolutions, coarse_growth);
@@ -446,7 +453,9 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
   // What errors are estimated from, and whose pressures are the start of the next.
   auto coarser = std::make_shared<const Trial>(std::move(coarse_trial));
   std::shared_ptr<const Trial> last = coarser;
-  const double depth = request_.position_is_prescribed() ? coarser->depth : coarser->next_depth;
+  const double depth = request_.position_is_prescribed()
+                           ? coarser->depth
+                           : std::max(coarser->next_depth, least_depth_left * coarser->depth);
   std::vector<Resolution> resolutions = by_patch(*coarser, resolution);
   SidePlan plan = planner_.next_plan(*coarser, depth, resolutions, final_growth);
   int failures = 0;
@@ -461,8 +470,8 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
     if (must_grow(trial)) {
       ++result_.regrown;
       for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-        plan.patches[k].area =
-            planner_.limited(trial.patches[k].grown(final_growth), plan.patches[k]);
+        plan.patches[k].area = planner_.limited(
+            trial.patches[k].grown(final_growth, least_grown_elements()), plan.patches[k]);
       }
       last = std::make_shared<const Trial>(std::move(trial));
       continue;
@@ -566,14 +575,23 @@ void SideSolver::warn_about(const Trial& trial) {
   if (request_.solver == SolverChoice::paper && trial.patches.size() > 1) {
     warnings.emplace_back("several patches: solved together by the default solver");
   }
+  if (slides(trial)) {
+    warnings.push_back("the height does not settle with these elements: distances were sampled at "
+                       "a depth of " +
+                       short_text_of(trial.depth) + " mm, the solution asks for " +
+                       short_text_of(trial.next_depth) + " mm");
+  }
   for (const PatchTrial& patch : trial.patches) {
     if (patch.no_contact()) {
       continue;
     }
     if (patch.touches_edge()) {
-      warnings.emplace_back(must_grow(trial)
-                                ? "contact touches the edge of the potential contact area"
-                                : "contact reaches the boundary to the neighbouring patch");
+      const double elements = std::min(patch.rows(), patch.columns());
+      warnings.emplace_back(
+          must_grow(trial) ? "contact touches the edge of the potential contact area"
+          : elements < least_grown_elements()
+              ? "contact of one or two elements touches the edge of the grid: they are too large"
+              : "contact reaches the boundary to the neighbouring patch");
     }
     const double turn = std::max(std::abs(patch.place.angle_first - patch.frame.angle()),
                                  std::abs(patch.place.angle_last - patch.frame.angle()));

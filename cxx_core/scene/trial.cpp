@@ -132,10 +132,10 @@ Grid mesh_grid(const PlaneArea& area, const Mesh& mesh) {
                       count_over(area.length(), step), step * aspect, step);
 }
 
-PlaneArea PatchTrial::grown(double share_of_area) const {
+PlaneArea PatchTrial::grown(double share_of_area, double least_elements) const {
   PlaneArea larger = area;
-  const double width = share_of_area * area.width();
-  const double length = share_of_area * area.length();
+  const double width = rows() >= least_elements ? share_of_area * area.width() : 0.0;
+  const double length = columns() >= least_elements ? share_of_area * area.length() : 0.0;
   larger.lateral_first -= contact.touches_edge.lateral_first ? width : 0.0;
   larger.lateral_last += contact.touches_edge.lateral_last ? width : 0.0;
   larger.longitudinal_first -= contact.touches_edge.longitudinal_first ? length : 0.0;

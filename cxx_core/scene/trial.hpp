@@ -82,8 +82,9 @@ struct PatchTrial {
   [[nodiscard]] double slenderness() const {
     return columns() * grid.longitudinal_step / (rows() * grid.lateral_step);
   }
-  /// The area with each edge that contact touches moved out.
-  [[nodiscard]] PlaneArea grown(double share) const;
+  /// The area with each edge that contact touches moved out, across and along the rail where there
+  /// are at least so many elements in contact.
+  [[nodiscard]] PlaneArea grown(double share, double least_elements) const;
   /// The area around the contact found, with some room in elements.
   [[nodiscard]] PlaneArea contact_area(double margin) const;
   /// Deepest overlap of the undeformed bodies along the normal at an approach from the trial's

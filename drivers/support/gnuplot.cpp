@@ -1,12 +1,31 @@
 #include "support/gnuplot.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 #include "support/output_file.hpp"
 #include "support/scene.hpp"
 
 namespace driver {
+
+namespace {
+
+/// Whether a picture has its end: gnuplot does not always tell that the disk is full.
+bool is_whole(const std::filesystem::path& path, const std::string& extension) {
+  using namespace std::string_literals;
+  const std::string end = extension == ".png" ? "IEND\xAE\x42\x60\x82"s : "</svg>"s;
+  constexpr std::streamoff most = 64;
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream.tellg();
+  stream.seekg(std::max(size - most, std::streamoff{0}));
+  const std::string last{std::istreambuf_iterator<char>(stream), {}};
+  return stream && last.find(end) != std::string::npos;
+}
+
+} // namespace
 
 Gnuplot::Gnuplot() {
   script_.precision(9);
@@ -42,6 +61,9 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
   if (!written || status != 0) {
     throw Failure("--plot " + path.string() +
                   ": gnuplot failed; is it installed (Debian package gnuplot-nox)?");
+  }
+  if (!is_whole(file.aside(), extension)) {
+    throw Failure("--plot " + path.string() + ": cannot be written whole: is the disk full?");
   }
   file.commit();
 }

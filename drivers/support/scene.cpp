@@ -1,5 +1,8 @@
 #include "support/scene.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace driver {
 namespace {
 
@@ -19,7 +22,20 @@ wrc_scene* create_scene() {
   return handle;
 }
 
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char letter) {
+        const auto byte = static_cast<unsigned char>(letter);
+        return byte < 0x20 || byte == 0x7F;
+      },
+      ' ');
+  return text;
+}
+
 } // namespace
+
+Failure::Failure(std::string text) : std::runtime_error(one_line(std::move(text))) {}
 
 Solver::Solver() : handle_(create_solver(), wrc_solver_destroy) {}
 

@@ -11,10 +11,11 @@
 
 namespace driver {
 
-/// A failure that ends the program with one line on stderr.
+/// A failure that ends the program with one line on stderr: what it quotes of a file may hold line
+/// ends and other control characters, which become blanks.
 class Failure : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  explicit Failure(std::string text);
 };
 
 class Scene;

@@ -1,6 +1,8 @@
 #include "support/toml.hpp"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace driver {
@@ -9,32 +11,72 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files written by hand are short: a larger one is something else.
-constexpr std::uintmax_t largest_file = 1 << 20;
+constexpr std::size_t largest_file = 1 << 20;
+/// Parts of a key, "track.rail" has two. Tables within tables are parsed and destroyed by functions
+/// that call themselves: a key of half a million parts would take all of the stack.
+constexpr std::size_t most_parts = 64;
+
+/// Whether a run of text that could be a key has more parts than allowed. Points next to each
+/// other, as in a comment, and those of numbers in a list do not make a key.
+bool has_endless_key(const std::string& text) {
+  std::size_t parts = 1;
+  char before = '.';
+  for (const char letter : text) {
+    if (letter == ' ' || letter == '\t') {
+      continue;
+    }
+    if (letter == '\n' || letter == ',' || letter == '=') {
+      parts = 1;
+    } else if (letter == '.' && before != '.' && ++parts > most_parts) {
+      return true;
+    }
+    before = letter;
+  }
+  return false;
+}
 
 } // namespace
 
 toml::table read_toml(const std::string& what, const std::string& path) {
   std::error_code trouble;
-  const auto size = fs::file_size(path, trouble);
-  if (trouble) {
-    throw Failure(what + ' ' + path + ": " + trouble.message());
+  if (!fs::is_regular_file(path, trouble)) { // devices and pipes could deliver without end
+    throw Failure(what + ' ' + path + ": " +
+                  (trouble ? trouble.message() : std::string("is not a regular file")));
   }
-  if (size > largest_file) {
-    throw Failure(what + ' ' + path + ": " + std::to_string(size) + " bytes; allowed are " +
-                  std::to_string(largest_file));
+  std::ifstream stream(path, std::ios::binary);
+  std::string text(largest_file + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream.is_open() || stream.bad()) {
+    throw Failure(what + ' ' + path + ": cannot be read");
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest_file) {
+    throw Failure(what + ' ' + path + ": larger than " + std::to_string(largest_file) +
+                  " bytes, the most allowed");
+  }
+  return parse_toml(what, path, text);
+}
+
+toml::table parse_toml(const std::string& what, const std::string& path, const std::string& text) {
+  if (has_endless_key(text)) {
+    throw Failure(what + ' ' + path + ": a key has more than " + std::to_string(most_parts) +
+                  " parts");
   }
   try {
-    return toml::parse_file(path);
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    std::ostringstream text;
-    text << what << ' ' << path << ", line " << error.source().begin.line << ": "
-         << error.description();
-    throw Failure(text.str());
+    std::ostringstream message;
+    message << what << ' ' << path << ", line " << error.source().begin.line << ": "
+            << error.description();
+    throw Failure(message.str());
   }
 }
 
 toml::table parse_assignment(const std::string& assignment, const std::string& key,
                              const std::string& value) {
+  if (has_endless_key(assignment)) {
+    throw Failure("--set: a key has more than " + std::to_string(most_parts) + " parts");
+  }
   try {
     return toml::parse(key + " = " + value);
   } catch (const toml::parse_error& error) {
@@ -74,9 +116,19 @@ Value value_of(const std::string& key, const toml::node& node) {
                 ": allowed are a number, a text or a list of numbers");
 }
 
+std::string name_within(const std::string& prefix, const toml::key& key) {
+  constexpr std::size_t longest = 256;
+  std::string name = prefix + std::string(key.str());
+  if (name.size() > longest) {
+    throw Failure("key " + name.substr(0, longest / 4) + "...: longer than " +
+                  std::to_string(longest) + " bytes");
+  }
+  return name;
+}
+
 void flatten(const toml::table& table, const std::string& prefix, Values& values) {
   for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
+    const std::string name = name_within(prefix, key);
     if (const toml::table* inner = node.as_table()) {
       flatten(*inner, name + '.', values);
     } else {

@@ -18,6 +18,8 @@ namespace driver {
 
 /// Reads a file; `what` names it in failures, for example "scene file".
 toml::table read_toml(const std::string& what, const std::string& path);
+/// The same of its text.
+toml::table parse_toml(const std::string& what, const std::string& path, const std::string& text);
 /// Parses `key = value` of an option "--set key=value".
 toml::table parse_assignment(const std::string& assignment, const std::string& key,
                              const std::string& value);
@@ -27,6 +29,10 @@ std::string text_of(const toml::node& node);
 std::optional<double> number_of(const toml::node& node);
 /// A number, a text or a list of numbers; throws Failure for others.
 Value value_of(const std::string& key, const toml::node& node);
+
+/// The name of a key of a table within others, whose names come before it; throws Failure for one
+/// that is longer than any key could be.
+std::string name_within(const std::string& prefix, const toml::key& key);
 
 /// Adds the values of a table and of those within it, by names with points between.
 void flatten(const toml::table& table, const std::string& prefix, Values& values);

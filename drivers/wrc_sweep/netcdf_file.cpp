@@ -1,19 +1,48 @@
 #include "wrc_sweep/netcdf_file.hpp"
 
+#include <array>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <netcdf.h>
 
 #include "support/scene.hpp"
 
 namespace driver {
 
-NetcdfFile::NetcdfFile(const std::filesystem::path& path) : path_(path.string()) {
-  check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
+void in_own_process(const std::filesystem::path& path, const std::function<void()>& work) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) {
+    throw Failure("cannot write " + path.string() + ": no pipe could be made");
+  }
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    std::string text;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      text = error.what();
+    }
+    const bool told = write(ends[1], text.data(), text.size()) >= 0;
+    _exit(told && text.empty() ? 0 : 1); // nothing of the parent's is ended or written here
+  }
+  close(ends[1]);
+  std::string text;
+  std::array<char, 256> part{};
+  for (ssize_t count = 0; (count = read(ends[0], part.data(), part.size())) > 0;) {
+    text.append(part.data(), static_cast<std::size_t>(count));
+  }
+  close(ends[0]);
+  int status = -1;
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
+    throw Failure(text.empty() ? "cannot write " + path.string() + " whole: is the disk full?"
+                               : text);
+  }
 }
 
-NetcdfFile::~NetcdfFile() {
-  if (file_ >= 0) {
-    nc_abort(file_);
-  }
+NetcdfFile::NetcdfFile(const std::filesystem::path& path) : path_(path.string()) {
+  check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
 }
 
 void NetcdfFile::check(int status) const {

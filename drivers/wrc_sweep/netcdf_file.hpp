@@ -1,19 +1,25 @@
-/// A NetCDF-4 file being written: owned, and with failures as exceptions.
+/// A NetCDF-4 file being written, with failures as exceptions.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace driver {
 
+/// Does work that writes a NetCDF file in a process of its own. HDF5, which writes it, does not get
+/// over a full disk: it fails again when the file is closed or the program ends, by a fault. Throws
+/// Failure with the text of what the work throws, or if its process ends in another way.
+void in_own_process(const std::filesystem::path& path, const std::function<void()>& work);
+
+/// Not closed by its destructor, see there.
 class NetcdfFile {
 public:
   explicit NetcdfFile(const std::filesystem::path& path);
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
-  ~NetcdfFile();
 
   int dimension(const std::string& name, std::size_t length);
   /// Variables over dimensions.

@@ -126,11 +126,8 @@ void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
   }
 }
 
-} // namespace
-
-void write_netcdf(const Study& study, Journal& journal, const std::filesystem::path& path) {
-  OutputFile whole(path);
-  NetcdfFile file(whole.aside());
+void write_whole(const Study& study, Journal& journal, const std::filesystem::path& path) {
+  NetcdfFile file(path);
   file.attribute(NetcdfFile::whole_file, "Conventions", "CF-1.8");
   file.attribute(NetcdfFile::whole_file, "title", study.title.empty() ? study.name : study.title);
   file.attribute(NetcdfFile::whole_file, "source", std::string("wrcontact ") + wrc_version());
@@ -147,6 +144,13 @@ void write_netcdf(const Study& study, Journal& journal, const std::filesystem::p
     write_fields(file, study, journal);
   }
   file.close();
+}
+
+} // namespace
+
+void write_netcdf(const Study& study, Journal& journal, const std::filesystem::path& path) {
+  OutputFile whole(path);
+  in_own_process(path, [&] { write_whole(study, journal, whole.aside()); });
   whole.commit();
 }
 

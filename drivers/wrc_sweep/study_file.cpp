@@ -16,7 +16,9 @@
 namespace driver {
 namespace {
 
-constexpr double most_scenes = 1e8;
+/// Of a key, and scenes of a study: each is kept in memory, with some ten bytes.
+constexpr double most_values = 1e6;
+constexpr double most_scenes = 1e7;
 
 /// 12 digits: 0.1, 0.2, 0.3 instead of 0.30000000000000004.
 double rounded(double value) {
@@ -48,13 +50,13 @@ std::vector<Value> range_values(const std::string& key, const toml::table& range
   double values = 0.0;
   if (step) {
     values = std::floor((*to - *from) / *step + slack) + 1.0;
-    if (!(values >= 1.0) || !(values <= most_scenes)) {
-      refuse("a step that leads from `from` to `to` in at most 1e8 steps");
+    if (!(values >= 1.0) || !(values <= most_values)) {
+      refuse("a step that leads from `from` to `to` in less than 1e6 steps");
     }
   } else {
     values = *count;
-    if (!(values >= 2.0) || !(values <= most_scenes) || values != std::floor(values)) {
-      refuse("a count that is a whole number, 2 to 1e8");
+    if (!(values >= 2.0) || !(values <= most_values) || values != std::floor(values)) {
+      refuse("a count that is a whole number, 2 to 1e6");
     }
   }
   const double width = step ? *step : (*to - *from) / (values - 1.0);
@@ -72,7 +74,7 @@ public:
 
   void read(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
-      const std::string name = prefix + std::string(key.str());
+      const std::string name = name_within(prefix, key);
       if (prefix.empty() && (name == "study" || name == "picture")) {
         continue;
       }
@@ -234,7 +236,7 @@ void try_values(const Study& study) {
     count *= static_cast<double>(axis.values.size());
   }
   if (count > most_scenes) {
-    throw Failure("the study has " + text_of(count) + " scenes; allowed are 1e8");
+    throw Failure("the study has " + text_of(count) + " scenes; allowed are 1e7");
   }
 }
 

@@ -1,31 +1,38 @@
-// Calls of the whole interface in random order with random arguments, good and bad: nothing may
-// crash, hang, print or end the program, and every status must be one that there is.
-//
-// Usage: call_sequences COUNT SEED. Files are written into the working folder. Nothing is printed
-// if all goes well. Arrays are as long as the counts given, or the counts are absurd: a count that
-// is merely wrong is beyond what a C function can know.
+#include "call_sequences.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "wrcontact.h"
 
-/// There if no_side_effects.c has been preloaded.
-extern "C" __attribute__((weak)) void watch_calls(int begin);
-
 namespace {
 
-std::mt19937_64 generator;
+Choices* choices = nullptr;
 
 std::uint64_t below(std::uint64_t end) {
-  return generator() % end;
+  return choices->below(end);
 }
+
+std::uint64_t any_bits() {
+  return below(std::numeric_limits<std::uint64_t>::max());
+}
+
+/// While it lives, choices are pseudo-random numbers from a single one: for arrays.
+class FromOneChoice {
+public:
+  FromOneChoice() : seeded_(below(std::uint64_t{1} << 32)), before_(choices) { choices = &seeded_; }
+  FromOneChoice(const FromOneChoice&) = delete;
+  FromOneChoice& operator=(const FromOneChoice&) = delete;
+  ~FromOneChoice() { choices = before_; }
+
+private:
+  SeededChoices seeded_;
+  Choices* before_;
+};
 
 template <class List> const auto& any_of(const List& list) {
   return list[below(std::size(list))];
@@ -148,8 +155,10 @@ const char* any_text() {
 
 constexpr std::size_t array_length = 4096;
 
+std::array<double, array_length> values{};
+
 double* any_array() {
-  static std::array<double, array_length> values{};
+  const FromOneChoice one;
   for (std::size_t i = 0; i < 64; ++i) {
     values[below(array_length)] = any_number();
   }
@@ -199,11 +208,10 @@ public:
   Pool(wrc_status (*create)(Handle**), void (*destroy)(Handle*))
       : create_(create), destroy_(destroy) {}
 
-  void make() {
-    Handle* handle = nullptr;
-    if (create_(&handle) == WRC_OK) {
-      handles_[below(handles_.size())] = handle; // what stood there is lost, as in bad programs
-      all_.push_back(handle);
+  void make() { make_at(below(handles_.size())); }
+  void make_all() {
+    for (std::size_t i = 0; i < handles_.size(); ++i) {
+      make_at(i);
     }
   }
   void destroy_one() { destroy_(any()); }
@@ -212,7 +220,7 @@ public:
     case 0:
       return nullptr;
     case 1:
-      return reinterpret_cast<Handle*>(generator());
+      return reinterpret_cast<Handle*>(any_bits());
     case 2: // of any kind: numbers are small
       return reinterpret_cast<Handle*>(16 * below(4000));
     default:
@@ -227,6 +235,14 @@ public:
   }
 
 private:
+  void make_at(std::size_t place) {
+    Handle* handle = nullptr;
+    if (create_(&handle) == WRC_OK) {
+      handles_[place] = handle; // what stood there is lost, as in bad programs
+      all_.push_back(handle);
+    }
+  }
+
   wrc_status (*create_)(Handle**);
   void (*destroy_)(Handle*);
   std::array<Handle*, 3> handles_{};
@@ -336,7 +352,7 @@ wrc_status call_profile() {
   std::int64_t count = 0;
   std::int32_t kind = 0;
   wrc_read_options options{};
-  options.struct_size = below(4) == 0 ? generator() : sizeof options;
+  options.struct_size = below(4) == 0 ? any_bits() : sizeof options;
   options.kind_given = static_cast<std::int32_t>(below(2));
   options.kind = static_cast<std::int32_t>(below(3));
   options.mirror_lateral = static_cast<std::int32_t>(below(4)) - 1;
@@ -439,64 +455,57 @@ wrc_status call_process() {
     return wrc_set_planner_lock(nullptr, one_function, nullptr);
   default:
     return wrc_version() != nullptr &&
-                   wrc_status_name(static_cast<wrc_status>(generator())) != nullptr
+                   wrc_status_name(static_cast<wrc_status>(any_bits())) != nullptr
                ? WRC_OK
                : -1;
   }
 }
 
+wrc_status any_call() {
+  switch (below(16)) {
+  case 0:
+    return call_process();
+  case 1:
+  case 2:
+    return call_solver();
+  case 3:
+  case 4:
+  case 5:
+    return call_profile();
+  case 6:
+  case 7:
+  case 8:
+  case 9:
+    return call_normal();
+  default:
+    return call_scene();
+  }
+}
+
 } // namespace
 
-int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fputs("usage: call_sequences COUNT SEED\n", stderr);
-    return 2;
-  }
-  const long count = std::strtol(argv[1], nullptr, 10);
-  generator.seed(std::strtoull(argv[2], nullptr, 10));
-  if (watch_calls != nullptr) {
-    watch_calls(1);
-  }
-  constexpr long calls_of_a_sequence = 100;
-  for (long i = 0; i < count; ++i) {
-    for (long k = 0; k < calls_of_a_sequence; ++k) {
-      wrc_status status = WRC_OK;
-      switch (below(16)) {
-      case 0:
-        status = call_process();
-        break;
-      case 1:
-      case 2:
-        status = call_solver();
-        break;
-      case 3:
-      case 4:
-      case 5:
-        status = call_profile();
-        break;
-      case 6:
-      case 7:
-      case 8:
-      case 9:
-        status = call_normal();
-        break;
-      default:
-        status = call_scene();
-      }
-      if (status < WRC_OK || status > WRC_BUSY || status == WRC_INTERNAL) {
-        std::fprintf(stderr, "sequence %ld, call %ld: status %d\n", i, k, status);
-        return 1;
-      }
-    }
-    if (i % 50 == 49) {
-      scenes.destroy_all();
-      solvers.destroy_all();
-      profiles.destroy_all();
-      normals.destroy_all();
+void make_handles() {
+  scenes.make_all();
+  solvers.make_all();
+  profiles.make_all();
+  normals.make_all();
+}
+
+void destroy_handles() {
+  scenes.destroy_all();
+  solvers.destroy_all();
+  profiles.destroy_all();
+  normals.destroy_all();
+  values.fill(0.0);
+}
+
+std::optional<wrc_status> unheard_of_status(Choices& from, long calls) {
+  choices = &from;
+  for (long i = 0; i < calls && !from.ended(); ++i) {
+    const wrc_status status = any_call();
+    if (status < WRC_OK || status > WRC_BUSY || status == WRC_INTERNAL) {
+      return status;
     }
   }
-  if (watch_calls != nullptr) {
-    watch_calls(0);
-  }
-  return 0;
+  return std::nullopt;
 }

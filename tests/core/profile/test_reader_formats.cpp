@@ -161,6 +161,24 @@ TEST(SimpackReader, DropsClosePointsAndSaysWhatItIgnores) {
   EXPECT_TRUE(says(read, "1 weights other than 1 ignored"));
 }
 
+TEST(SimpackReader, WhatStandsTwiceIsToldAndStrictReadingRefusesIt) {
+  const std::string keys = millimetres + " mirror.y = 1\n mirror.y = 0\n";
+  const ReadResult twice = read_as(ProfileFormat::simpack, simpack(wheel_rows(), keys, 1), "a.prw");
+  EXPECT_TRUE(says(twice, "mirror.y stands again in line "));
+  EXPECT_FALSE(says(twice, "lateral mirrored"));
+  std::string text = simpack(wheel_rows(), millimetres, 1);
+  const std::string end = "point.end";
+  text.insert(text.find(end), "point.end\n point.begin\n 62 -3\n");
+  const ReadResult joined = read_as(ProfileFormat::simpack, text, "a.prw");
+  EXPECT_TRUE(says(joined, "points of several sections joined"));
+  EXPECT_EQ(joined.profile.points.size(), wheel_points().size() + 1);
+  ReadOptions strict;
+  strict.strict = true;
+  EXPECT_TRUE(contains(refusal_of(simpack(wheel_rows(), keys, 1), ProfileFormat::simpack, strict),
+                       "stands again"));
+  EXPECT_TRUE(contains(refusal_of(text, ProfileFormat::simpack, strict), "several sections"));
+}
+
 TEST(SimpackReader, RefusesBrokenFiles) {
   const auto refusal = [](const std::string& text) {
     return refusal_of(text, ProfileFormat::simpack);
@@ -236,6 +254,26 @@ TEST(MiniprofReader, SaysWhatItSkips) {
   EXPECT_TRUE(says(read, "2 rows after the header skipped as comments, first in line 4"));
   EXPECT_TRUE(says(read, "1 rows with fewer columns than ColumnDef skipped, first in line 5"));
   EXPECT_TRUE(says(read, "XYPoints in the header differs from the 35 points found"));
+}
+
+TEST(MiniprofReader, ColumnsLeftOutAndKeysThatStandTwiceAreTold) {
+  std::string rows;
+  for (const Position& point : rail_points())
+    rows += text_of(-point[0]) + " " + text_of(point[1]) + " 0.1 7\n";
+  const ReadResult named =
+      read_as(ProfileFormat::miniprof, "ColumnDef=X,Y,A,N\n\n" + rows, "a.ban");
+  EXPECT_TRUE(says(named, "columns ignored: A, N"));
+  const std::string unnamed = "ColumnDef=X,Y\n\n" + rows;
+  const ReadResult read = read_as(ProfileFormat::miniprof, unnamed, "a.ban");
+  EXPECT_TRUE(says(read, "35 rows have more columns than ColumnDef, which were ignored, first in "
+                         "line 3"));
+  const std::string twice = "XOffset=1\nXOffset=0\n\n" + miniprof_rows();
+  EXPECT_TRUE(says(read_as(ProfileFormat::miniprof, twice, "a.ban"),
+                   "XOffset stands again in line 2, the last one counts"));
+  ReadOptions strict;
+  strict.strict = true;
+  EXPECT_TRUE(contains(refusal_of(unnamed, ProfileFormat::miniprof, strict), "more columns"));
+  EXPECT_TRUE(contains(refusal_of(twice, ProfileFormat::miniprof, strict), "stands again"));
 }
 
 TEST(MiniprofReader, RefusesBrokenFiles) {

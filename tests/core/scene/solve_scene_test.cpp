@@ -1,5 +1,6 @@
 #include "scene/solve_scene.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -27,6 +28,48 @@ TEST(SolveScene, MirroredSceneSwapsTheSidesToTheLastBit) {
   EXPECT_EQ(one.left->angle, -other.right->angle);
   EXPECT_EQ(one.left->patches.at(0).centroid.y, -other.right->patches.at(0).centroid.y);
   EXPECT_EQ(one.left->patches.at(0).pressure, other.right->patches.at(0).pressure);
+}
+
+TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
+  Scene scene = small_scene(-5.3, 0.026);
+  const double depth = solve_scene(scene).left->depth;
+  for (const auto& grid : {std::array<std::size_t, 2>{10, 2}, {2, 10}, {1, 1}, {2, 2}, {1, 40}}) {
+    scene.grid = grid;
+    SceneSolver solver;
+    for (const bool warm : {false, true}) {
+      const SideResult side = *solver.solve(scene).left;
+      // Contact touches every edge: the area must not run after it.
+      EXPECT_NEAR(std::log2(side.depth / depth), 0.0, 1.0) << grid[0] << " x " << grid[1];
+      EXPECT_NEAR(side.force.z, 80000.0, 1e-6 * 80000.0);
+      EXPECT_FALSE(side.warnings.empty()) << warm;
+    }
+  }
+}
+
+TEST(SolveScene, DepthsThatSwingDoNotLeadAboveTheFirstTouch) {
+  // Tread and flange change places from one trial to the next on this grid.
+  Scene scene;
+  scene.rail = "56E1";
+  scene.wheelset.back_to_back = 1353.1720530538023;
+  scene.wheelset.radius = 397.4857841615228;
+  scene.track.gauge = 1433.289749586064;
+  scene.track.gauge_height = 11.43363854782805;
+  scene.track.cant = std::atan(1.0 / 20.0);
+  scene.grid = {{34, 25}};
+  scene.tolerance = 2e-6;
+  scene.accuracy = 0.0019965984507527676;
+  scene.precision = Precision::double_only;
+  constexpr double lateral = -8.158270605519743;
+  constexpr double load = 104999.82864163654;
+  scene.yaw = 0.010431835716998683;
+  SceneSolver solver;
+  for (const auto& [share, shift] : {std::pair{0.97, 0.1}, {1.0, 0.0}}) {
+    scene.lateral = share * lateral + shift;
+    scene.normal_load = (shift > 0.0 ? 0.9 : 1.0) * load;
+    const SideResult side = *solver.solve(scene).right;
+    EXPECT_GT(side.depth, 0.05);
+    EXPECT_LT(side.depth, 1.0);
+  }
 }
 
 TEST(SolveScene, ThreadsDoNotChangeABit) {

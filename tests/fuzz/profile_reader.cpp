@@ -1,0 +1,89 @@
+// Any text as a profile file: it is read or refused with a text that names it, without a crash, a
+// hang or memory without bound; strict reading takes nothing that reading by guesses does not, and
+// gives the same then. One executable for each format, FUZZED_FORMAT. The first byte selects the
+// options, the rest is the file.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "error.hpp"
+#include "profile/readers.hpp"
+
+namespace {
+
+using enum wrc::ProfileFormat;
+constexpr wrc::ProfileFormat format = FUZZED_FORMAT;
+constexpr std::string_view wheel_name = format == simpack    ? "a.prw"
+                                        : format == miniprof ? "a.whl"
+                                                             : "a.txt";
+constexpr std::string_view rail_name = format == simpack    ? "a.prr"
+                                       : format == miniprof ? "a.ban"
+                                                            : "a.rail";
+
+wrc::ReadOptions options_from(std::uint8_t bits) {
+  wrc::ReadOptions options;
+  if ((bits & 1U) != 0) {
+    options.kind = (bits & 2U) != 0 ? wrc::ProfileKind::rail : wrc::ProfileKind::wheel;
+  }
+  if ((bits & 4U) != 0) {
+    options.smoothing_wavelength = 2.0; // mm
+  }
+  if ((bits & 32U) != 0) {
+    options.mirror_lateral = (bits & 2U) != 0;
+    options.mirror_height = (bits & 16U) != 0;
+  }
+  if ((bits & 64U) != 0) {
+    options.scale = (bits & 128U) != 0 ? 1e-3 : 25.4;
+  }
+  return options;
+}
+
+void demand(bool promise) {
+  if (!promise) {
+    __builtin_trap();
+  }
+}
+
+void check(const wrc::Profile& profile) {
+  const double length = profile.curve.length();
+  demand(std::isfinite(length) && length > 0.0);
+  for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+    const wrc::CurvePoint at = profile.curve.at(share * length);
+    demand(std::isfinite(at.lateral) && std::isfinite(at.height) && std::isfinite(at.curvature()));
+  }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) {
+    return 0;
+  }
+  wrc::ReadOptions options = options_from(data[0]);
+  const std::string_view name = (data[0] & 16U) != 0 ? rail_name : wheel_name;
+  const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
+  bool is_read = false;
+  wrc::ReadResult read;
+  try {
+    read = wrc::read_profile_text(text, format, name, options);
+    is_read = true;
+    check(read.profile);
+  } catch (const wrc::Error& error) {
+    demand(error.code() == wrc::ErrorCode::file_malformed);
+    demand(std::string_view(error.what()).starts_with(name));
+  }
+  if ((data[0] & 8U) == 0) {
+    return 0;
+  }
+  options.strict = true;
+  try {
+    const wrc::ReadResult strict = wrc::read_profile_text(text, format, name, options);
+    demand(is_read && strict.profile.points == read.profile.points &&
+           strict.corrections == read.corrections);
+  } catch (const wrc::Error& error) {
+    demand(error.code() == wrc::ErrorCode::file_malformed);
+  }
+  return 0;
+}

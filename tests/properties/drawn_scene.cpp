@@ -1,0 +1,315 @@
+#include "drawn_scene.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace properties {
+
+namespace {
+
+template <class Create, class Destroy, class Handle>
+std::unique_ptr<Handle, void (*)(Handle*)> make(Create create, Destroy destroy, Handle* handle) {
+  create(&handle);
+  return {handle, destroy};
+}
+
+ScenePointer make_scene() {
+  return make(wrc_scene_create, wrc_scene_destroy, static_cast<wrc_scene*>(nullptr));
+}
+
+ProfilePointer make_profile() {
+  return make(wrc_profile_create, wrc_profile_destroy, static_cast<wrc_profile*>(nullptr));
+}
+
+std::vector<std::string> names_of(std::int32_t kind) {
+  std::vector<std::string> names;
+  for (std::int64_t i = 0; const char* name = wrc_profile_standard_name(kind, i); ++i) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+/// A bump of wear at a place, with a width, and roughness of a height.
+struct Wear {
+  double place = 0.0;
+  double width = 1.0;
+  double depth = 0.0;
+  double noise = 0.0;
+};
+
+WornProfile worn(std::int32_t kind, const std::string& name, const Wear& wear, double spacing,
+                 std::mt19937_64& random) {
+  WornProfile result;
+  result.kind = kind;
+  const ProfilePointer profile = make_profile();
+  double length = 0.0;
+  wrc_profile_load_standard(profile.get(), name.c_str());
+  wrc_profile_length(profile.get(), &length);
+  std::normal_distribution<double> rough;
+  const auto count = static_cast<int>(length / spacing);
+  for (int i = 0; i <= count; ++i) {
+    double lateral = 0.0;
+    double height = 0.0;
+    wrc_profile_at(profile.get(), length * i / count, &lateral, &height, nullptr, nullptr);
+    const double from = (lateral - wear.place) / wear.width;
+    result.lateral.push_back(lateral);
+    result.height.push_back(height - wear.depth * std::exp(-from * from) +
+                            wear.noise * rough(random));
+  }
+  return result;
+}
+
+/// mm, N, MPa of what a key's number is in m, N, Pa.
+double unit_of(const std::string& key) {
+  for (const char* length : {"gauge", "gauge_height", "smoothing", "back_to_back", "tape_offset",
+                             "radius", "pose.lateral", "pose.vertical", "near_tolerance"}) {
+    if (key.ends_with(length)) {
+      return 1e3;
+    }
+  }
+  return key.ends_with("youngs_modulus") ? 1e-6 : 1.0;
+}
+
+bool set_value(wrc_scene* scene, const std::string& key, const Value& value, double factor,
+               std::string& refusal) {
+  wrc_status status = WRC_OK;
+  if (const double* number = std::get_if<double>(&value)) {
+    status = wrc_scene_set_number(scene, key.c_str(), *number * factor);
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    status = wrc_scene_set_text(scene, key.c_str(), text->c_str());
+  } else {
+    const auto& list = std::get<std::vector<double>>(value);
+    status = wrc_scene_set_numbers(scene, key.c_str(), list.data(),
+                                   static_cast<std::int64_t>(list.size()));
+  }
+  if (status != WRC_OK) {
+    refusal = wrc_scene_error(scene);
+  }
+  return status == WRC_OK;
+}
+
+} // namespace
+
+DrawnScene::DrawnScene(std::uint64_t seed) : random_(seed) {
+  draw_profiles();
+  draw_pose();
+  draw_load();
+  draw_solution();
+}
+
+double DrawnScene::between(double least, double greatest) {
+  constexpr double steps = 9007199254740992.0; // 2^53
+  return least + (greatest - least) * (static_cast<double>(random_() >> 11U) / steps);
+}
+
+double DrawnScene::between_by_ratio(double least, double greatest) {
+  return least * std::exp(between(0.0, std::log(greatest / least)));
+}
+
+void DrawnScene::draw_profiles() {
+  static const std::array names{names_of(WRC_WHEEL), names_of(WRC_RAIL)};
+  constexpr std::array keys{"wheelset.wheel", "track.rail"};
+  for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
+    const auto index = static_cast<std::size_t>(kind);
+    const std::string& name = names[index][random_() % names[index].size()];
+    values_[keys[index]] = name;
+    if (chance(0.2)) {
+      const Wear wear{between(-40.0, 40.0), between(5.0, 30.0),
+                      chance(0.5) ? between(0.0, 3.0) : 0.0,
+                      chance(0.5) ? between_by_ratio(1e-4, 0.02) : 0.0};
+      WornProfile points = worn(kind, name, wear, between(0.3, 2.0), random_);
+      points.smoothing_wavelength = wear.noise > 0.0 ? between(3.0, 10.0) : 0.0;
+      (kind == WRC_WHEEL ? wheel_ : rail_) = std::move(points);
+    }
+  }
+}
+
+void DrawnScene::draw_pose() {
+  if (chance(0.5)) {
+    const double gauge = between(1425.0, 1445.0);
+    set("track.gauge", gauge);
+    set("wheelset.back_to_back", gauge - between(72.0, 84.0));
+    set("wheelset.radius", between(300.0, 600.0));
+    set("track.gauge_height", between(10.0, 16.0));
+  }
+  constexpr std::array cants{"1:20", "1:30", "1:40", "0"};
+  if (chance(0.5)) {
+    const std::size_t index = random_() % cants.size();
+    set("track.cant", index + 1 == cants.size() ? Value(0.0) : Value(std::string(cants[index])));
+  } else if (chance(0.2)) {
+    set("track.cant", between(-0.1, 0.1));
+  }
+  set("pose.lateral", between(-10.0, 10.0));
+  if (chance(0.6)) {
+    set("pose.yaw", between(-0.03, 0.03));
+  }
+  if (chance(0.1)) {
+    set("pose.roll", std::string("en15302"));
+  } else if (chance(0.15)) {
+    set("pose.roll", between(-0.005, 0.005));
+  }
+}
+
+void DrawnScene::draw_load() {
+  constexpr double least = 10.0;
+  constexpr double greatest = 300e3;
+  if (chance(0.15)) {
+    set("load.normal", between_by_ratio(least, greatest));
+  } else {
+    set("load.left", between_by_ratio(least, greatest));
+    set("load.right", chance(0.5) ? number("load.left") : between_by_ratio(least, greatest));
+  }
+  if (chance(0.3)) {
+    set("material.wheel.youngs_modulus", between_by_ratio(5e4, 1e6));
+    set("material.rail.youngs_modulus", between_by_ratio(5e4, 1e6));
+    set("material.wheel.poisson", between(0.0, 0.5));
+    set("material.rail.poisson", between(0.0, 0.5));
+  }
+  if (chance(0.2)) { // the position instead: below where the first wheel touches
+    std::string refusal;
+    const ScenePointer scene = handle(refusal);
+    double height = 0.0;
+    if (scene && wrc_scene_set_text(scene.get(), "solve.until", "geometry") == WRC_OK &&
+        wrc_scene_solve(scene.get()) == WRC_OK &&
+        wrc_scene_number(scene.get(), "vertical", &height) == WRC_OK) {
+      set("pose.vertical", height - between_by_ratio(1e-3, 0.4));
+    }
+  }
+}
+
+void DrawnScene::draw_solution() {
+  accuracy_ = between_by_ratio(1e-3, 1e-1);
+  set("solve.accuracy", accuracy_);
+  if (chance(0.1)) {
+    accuracy_ = 0.1;
+    set("solve.grid",
+        std::vector<double>{std::floor(between(1.0, 65.0)), std::floor(between(1.0, 65.0))});
+    set("solve.tolerance", between_by_ratio(1e-8, 1e-2));
+  }
+  const auto choose = [this](const std::string& key, double share, const std::string& word) {
+    if (chance(share)) {
+      set(key, word);
+    }
+  };
+  choose("solve.model", 0.1, "hertz");
+  choose("solve.model", 0.1, "kik-piotrowski");
+  choose("solve.gap", 0.15, "vertical");
+  choose("solve.side", 0.1, "left");
+  choose("solve.side", 0.1, "right");
+  choose("solve.precision", 0.2, "double");
+  choose("solve.interaction", 0.15, "all");
+  choose("solve.solver", 0.02, "paper");
+}
+
+std::string DrawnScene::text_or(const std::string& key, const std::string& otherwise) const {
+  const auto found = values_.find(key);
+  const auto* text = found == values_.end() ? nullptr : std::get_if<std::string>(&found->second);
+  return text == nullptr ? otherwise : *text;
+}
+
+void DrawnScene::multiply(const std::string& key, double factor) {
+  const auto found = values_.find(key);
+  if (found != values_.end()) {
+    if (double* number = std::get_if<double>(&found->second)) {
+      *number *= factor;
+    }
+  }
+}
+
+DrawnScene DrawnScene::mirrored() const {
+  DrawnScene other = *this;
+  for (const char* key : {"pose.lateral", "pose.yaw", "pose.roll"}) {
+    other.multiply(key, -1.0);
+  }
+  if (has("load.left")) {
+    other.set("load.left", number("load.right"));
+    other.set("load.right", number("load.left"));
+  }
+  if (has("solve.side")) {
+    other.set("solve.side", std::string(text_or("solve.side", "") == "left" ? "right" : "left"));
+  }
+  return other;
+}
+
+DrawnScene DrawnScene::stiffer(double factor) const {
+  constexpr double steel = 210000.0;
+  DrawnScene other = *this;
+  if (!has("material.wheel.youngs_modulus")) {
+    other.set("material.youngs_modulus", steel);
+  }
+  for (const char* key :
+       {"material.youngs_modulus", "material.wheel.youngs_modulus", "material.rail.youngs_modulus",
+        "load.left", "load.right", "load.normal"}) {
+    other.multiply(key, factor);
+  }
+  return other;
+}
+
+bool DrawnScene::set_profiles(wrc_scene* scene, std::string& refusal) const {
+  for (const auto* worn : {&wheel_, &rail_}) {
+    if (!*worn) {
+      continue;
+    }
+    const WornProfile& points = **worn;
+    const ProfilePointer profile = make_profile();
+    wrc_read_options options{};
+    options.struct_size = sizeof options;
+    options.kind = points.kind;
+    options.kind_given = 1;
+    options.mirror_lateral = options.mirror_height = -1;
+    options.scale = 1.0;
+    options.smoothing_wavelength = points.smoothing_wavelength;
+    if (wrc_profile_set_points(profile.get(), "worn", points.lateral.data(), points.height.data(),
+                               static_cast<std::int64_t>(points.lateral.size()),
+                               &options) != WRC_OK) {
+      refusal = wrc_profile_error(profile.get());
+      return false;
+    }
+    const char* key = points.kind == WRC_WHEEL ? "wheelset.wheel" : "track.rail";
+    if (wrc_scene_set_profile(scene, key, profile.get()) != WRC_OK) {
+      refusal = wrc_scene_error(scene);
+      return false;
+    }
+  }
+  return true;
+}
+
+ScenePointer DrawnScene::handle(std::string& refusal) const {
+  ScenePointer scene = make_scene();
+  for (const auto& [key, value] : values_) {
+    if (!set_value(scene.get(), key, value, 1.0, refusal)) {
+      scene.reset();
+      return scene;
+    }
+  }
+  if (!set_profiles(scene.get(), refusal)) {
+    scene.reset();
+  }
+  return scene;
+}
+
+ScenePointer DrawnScene::handle_in_si(std::string& refusal) {
+  ScenePointer scene = make_scene();
+  wrc_scene_set_text(scene.get(), "convention.units", "SI");
+  for (auto& [key, value] : values_) {
+    if (!set_value(scene.get(), key, value, 1.0 / unit_of(key), refusal)) {
+      scene.reset();
+      return scene;
+    }
+  }
+  if (!set_profiles(scene.get(), refusal)) {
+    scene.reset();
+    return scene;
+  }
+  wrc_scene_set_text(scene.get(), "convention.units", "mm");
+  for (auto& [key, value] : values_) {
+    if (double* number = std::get_if<double>(&value)) {
+      wrc_scene_get_number(scene.get(), key.c_str(), number);
+    }
+  }
+  wrc_scene_set_text(scene.get(), "convention.units", "SI");
+  return scene;
+}
+
+} // namespace properties

@@ -1,0 +1,74 @@
+/// Scenes drawn at random over what a vehicle simulation may meet, as lists of keys and values, so
+/// that they can be mirrored, told in other units and scaled before a handle is made of them.
+/// Units mm, N, MPa, rad.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "wrcontact.h"
+
+namespace properties {
+
+using Value = std::variant<double, std::string, std::vector<double>>;
+using ScenePointer = std::unique_ptr<wrc_scene, void (*)(wrc_scene*)>;
+using ProfilePointer = std::unique_ptr<wrc_profile, void (*)(wrc_profile*)>;
+
+/// Points of a built-in profile with wear and noise, joined anew.
+struct WornProfile {
+  std::int32_t kind = WRC_WHEEL;
+  std::vector<double> lateral;
+  std::vector<double> height;
+  double smoothing_wavelength = 0.0;
+};
+
+class DrawnScene {
+public:
+  /// The same seed draws the same scene.
+  explicit DrawnScene(std::uint64_t seed);
+
+  [[nodiscard]] bool has(const std::string& key) const { return values_.contains(key); }
+  [[nodiscard]] double number(const std::string& key) const {
+    return std::get<double>(values_.at(key));
+  }
+  [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] double accuracy() const { return accuracy_; }
+  [[nodiscard]] bool has_grid() const { return values_.contains("solve.grid"); }
+  void set(const std::string& key, Value value) { values_[key] = std::move(value); }
+  void multiply(const std::string& key, double factor);
+
+  /// Left and right exchanged.
+  [[nodiscard]] DrawnScene mirrored() const;
+  /// With moduli and loads multiplied.
+  [[nodiscard]] DrawnScene stiffer(double factor) const;
+
+  /// A handle with these values; null if one is refused, as `refusal` then tells.
+  [[nodiscard]] ScenePointer handle(std::string& refusal) const;
+  /// The same through convention.units = "SI". The values of this scene become those that the
+  /// handle holds after the conversion, which rounds.
+  [[nodiscard]] ScenePointer handle_in_si(std::string& refusal);
+
+private:
+  void draw_profiles();
+  void draw_pose();
+  void draw_load();
+  void draw_solution();
+  [[nodiscard]] double between(double least, double greatest);
+  [[nodiscard]] double between_by_ratio(double least, double greatest);
+  [[nodiscard]] bool chance(double share) { return between(0.0, 1.0) < share; }
+  [[nodiscard]] bool set_profiles(wrc_scene* scene, std::string& refusal) const;
+
+  std::mt19937_64 random_;
+  std::map<std::string, Value> values_;
+  std::optional<WornProfile> wheel_;
+  std::optional<WornProfile> rail_;
+  double accuracy_ = 1e-3;
+};
+
+} // namespace properties

@@ -1,0 +1,363 @@
+#include "scene_properties.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace properties {
+
+namespace {
+
+using SolverPointer = std::unique_ptr<wrc_solver, void (*)(wrc_solver*)>;
+
+/// Sums of a few thousand pressures round.
+constexpr double summation = 1e-10;
+/// Of the conversion of units, on the way in and out.
+constexpr double conversion = 1e-12;
+/// Where patches feel each other their influence is interpolated (docs/results.md).
+constexpr double interpolation = 2e-3;
+/// The same where contact reaches the boundary between them, which a warning tells.
+constexpr double boundary = 5e-2;
+
+std::string differ(const std::string& what, double one, double other) {
+  std::ostringstream text;
+  text.precision(17);
+  text << what << ": " << one << " and " << other;
+  return text.str();
+}
+
+bool near(double one, double other, double share) {
+  return std::abs(one - other) <= share * std::max(std::abs(one), std::abs(other));
+}
+
+bool is_half_space(const DrawnScene& scene) {
+  return scene.text_or("solve.model", "half-space") == "half-space";
+}
+
+std::string patch_name(const std::string& side, int index) {
+  return side + ".patches." + std::to_string(index);
+}
+
+std::string other_side(const std::string& name) {
+  if (name.starts_with("left.")) {
+    return "right." + name.substr(5);
+  }
+  return name.starts_with("right.") ? "left." + name.substr(6) : name;
+}
+
+/// Whether a number changes its sign in the mirror; moments are axial vectors.
+bool turns(const std::string& name) {
+  if (name.ends_with("wheel_angle") || name.ends_with("moment.y")) {
+    return false;
+  }
+  for (const char* end : {"roll", ".y", "lateral_force", "angle", "moment.x", "moment.z",
+                          "rolling_radius_difference"}) {
+    if (name.ends_with(end)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// m, N, Pa of what is told in mm, N, MPa.
+double unit_of(const std::string& name) {
+  const auto ends = [&name](std::initializer_list<const char*> list) {
+    return std::any_of(list.begin(), list.end(),
+                       [&name](const char* end) { return name.ends_with(end); });
+  };
+  if (ends({"pmax", "pmax_element"})) {
+    return 1e6;
+  }
+  if (ends({".area"})) {
+    return 1e-6;
+  }
+  const bool length = ends({".x",
+                            ".y",
+                            ".z",
+                            ".s_wheel",
+                            ".w_wheel",
+                            ".t_rail",
+                            ".v_rail",
+                            "rolling_radius",
+                            "vertical",
+                            "approach",
+                            "depth",
+                            "distance",
+                            "rolling_radius_difference",
+                            "jump",
+                            "element_size.0",
+                            "element_size.1",
+                            "semi_axes.0",
+                            "semi_axes.1",
+                            "radii.0",
+                            "radii.1"});
+  return length ? 1e-3 : 1.0; // a moment's unit is N mm, or N m
+}
+
+/// How accurate a side's depth is as it says itself: as asked, or as estimated on a grid that was
+/// given; none if it says that it is not.
+std::optional<double> told_accuracy(const DrawnScene& scene, const Outcome& outcome,
+                                    const std::string& side) {
+  if (outcome.is_told_inaccurate(side)) {
+    return std::nullopt;
+  }
+  if (!scene.has_grid() || !is_half_space(scene)) {
+    return scene.accuracy();
+  }
+  const std::string estimate = side + ".error_estimate";
+  return outcome.has(estimate) ? std::optional(outcome.at(estimate)) : std::nullopt;
+}
+
+std::string check_patch(const Outcome& outcome, const std::string& patch,
+                        const std::vector<double>& pressure) {
+  const double element =
+      outcome.at(patch + ".element_size.0") * outcome.at(patch + ".element_size.1");
+  double sum = 0.0;
+  double largest = 0.0;
+  for (const double p : pressure) {
+    if (!(p >= 0.0) || !std::isfinite(p)) {
+      return patch + " has a pressure of " + std::to_string(p);
+    }
+    sum += p * element;
+    largest = std::max(largest, p);
+  }
+  if (!near(sum, outcome.at(patch + ".normal_force"), summation)) {
+    return differ(patch + ", sum of pressures and force", sum, outcome.at(patch + ".normal_force"));
+  }
+  if (!near(largest, outcome.at(patch + ".pmax_element"), summation)) {
+    return differ(patch + ", largest pressure", largest, outcome.at(patch + ".pmax_element"));
+  }
+  return "";
+}
+
+std::string check_load(const DrawnScene& scene, const Outcome& outcome, const std::string& side) {
+  constexpr double share = 1e-8;
+  if (scene.has("pose.vertical")) {
+    return "";
+  }
+  if (!scene.has("load.normal")) {
+    const double load = scene.number("load." + side);
+    const double force = outcome.at(side + ".vertical_force");
+    return near(force, load, share) ? "" : differ(side + ", force and load", force, load);
+  }
+  // Along the normal of the deepest patch, whichever that is.
+  const double load = scene.number("load.normal");
+  double force = 0.0;
+  for (int main = 0; outcome.has(patch_name(side, main) + ".pmax"); ++main) {
+    force = 0.0;
+    for (int i = 0; outcome.has(patch_name(side, i) + ".pmax"); ++i) {
+      const double turn = outcome.at(patch_name(side, i) + ".angle") -
+                          outcome.at(patch_name(side, main) + ".angle");
+      force += outcome.at(patch_name(side, i) + ".normal_force") * std::cos(turn);
+    }
+    if (near(force, load, share)) {
+      return "";
+    }
+  }
+  return differ(side + ", force and load", force, load);
+}
+
+} // namespace
+
+Outcome solved(const DrawnScene& drawn, bool with_fields) {
+  std::string refusal;
+  const ScenePointer scene = drawn.handle(refusal);
+  return {scene.get(), wrc_scene_solve(scene.get()), with_fields};
+}
+
+std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
+  for (const auto& [name, value] : outcome.numbers) {
+    if (!std::isfinite(value)) {
+      return name + " is not finite";
+    }
+  }
+  std::size_t field = 0;
+  for (const std::string& side : outcome.sides()) {
+    int patches = 0;
+    std::string wrong;
+    for (; outcome.has(patch_name(side, patches) + ".pmax"); ++patches, ++field) {
+      if (is_half_space(scene) && wrong.empty()) {
+        wrong = check_patch(outcome, patch_name(side, patches), outcome.pressures.at(field));
+      }
+    }
+    if (!wrong.empty()) {
+      return wrong;
+    }
+    if (outcome.status != WRC_OK || !is_half_space(scene)) {
+      continue;
+    }
+    if (patches > 0) {
+      if (std::string text = check_load(scene, outcome, side); !text.empty()) {
+        return text;
+      }
+    }
+    const std::string estimate = side + ".error_estimate";
+    if (outcome.is_told_inaccurate(side) && !outcome.has(estimate)) {
+      continue; // without an estimate nothing is promised
+    }
+    const double accuracy = std::max(
+        scene.accuracy(),
+        outcome.is_told_inaccurate(side) && outcome.has(estimate) ? outcome.at(estimate) : 0.0);
+    const double tolerance = accuracy + (patches < 2                           ? 0.0
+                                         : outcome.warns(side, "neighbouring") ? boundary
+                                                                               : interpolation);
+    if (outcome.has(side + ".residuals.complementarity") &&
+        !(outcome.at(side + ".residuals.complementarity") <= tolerance &&
+          outcome.at(side + ".residuals.least_gap") >= -tolerance)) {
+      return differ(side + ", complementarity and least gap",
+                    outcome.at(side + ".residuals.complementarity"),
+                    outcome.at(side + ".residuals.least_gap"));
+    }
+  }
+  return "";
+}
+
+std::string check_mirror(const DrawnScene& scene, const Outcome& outcome) {
+  const Outcome mirrored = solved(scene.mirrored());
+  if (mirrored.status != outcome.status) {
+    return differ("mirrored status", mirrored.status, outcome.status);
+  }
+  for (const auto& [name, value] : outcome.numbers) {
+    const std::string partner = name == "roll" || name == "vertical" ? name : other_side(name);
+    if (!mirrored.has(partner)) {
+      return "mirrored scene has no " + partner;
+    }
+    const double sign = turns(name) ? -1.0 : 1.0;
+    // Residuals are sums over the elements, in another order.
+    const bool same = name.find(".residuals.") == std::string::npos
+                          ? sign * mirrored.at(partner) == value
+                          : std::abs(mirrored.at(partner) - value) <= summation;
+    if (!same) {
+      return differ("mirrored " + name, sign * mirrored.at(partner), value);
+    }
+  }
+  return "";
+}
+
+std::string check_units(const DrawnScene& scene) {
+  DrawnScene same = scene;
+  std::string refusal;
+  const ScenePointer in_si = same.handle_in_si(refusal);
+  if (!in_si) {
+    return "refused in SI: " + refusal;
+  }
+  const Outcome si(in_si.get(), wrc_scene_solve(in_si.get()));
+  const Outcome mm = solved(same);
+  if (si.status != mm.status) {
+    return differ("status in SI", si.status, mm.status);
+  }
+  for (const auto& [name, value] : mm.numbers) {
+    const double unit = name.find(".moment.") == std::string::npos ? unit_of(name) : 1e-3;
+    if (!si.has(name) || !near(si.at(name), unit * value, conversion)) {
+      return differ(name + " in SI", si.has(name) ? si.at(name) : std::nan(""), unit * value);
+    }
+  }
+  return "";
+}
+
+std::string check_stiffness(const DrawnScene& scene, const Outcome& outcome) {
+  constexpr double factor = 8.0;
+  const Outcome stiff = solved(scene.stiffer(factor));
+  if (stiff.status != outcome.status) {
+    return differ("status with other moduli", stiff.status, outcome.status);
+  }
+  for (const auto& [name, value] : outcome.numbers) {
+    const bool force = name.ends_with("_force") || name.find(".moment.") != std::string::npos ||
+                       name.ends_with("pmax") || name.ends_with("pmax_element");
+    if (!stiff.has(name) || !near(stiff.at(name), (force ? factor : 1.0) * value, conversion)) {
+      return differ(name + " with other moduli", stiff.has(name) ? stiff.at(name) : std::nan(""),
+                    (force ? factor : 1.0) * value);
+    }
+  }
+  return "";
+}
+
+std::string check_monotony(const DrawnScene& scene, const Outcome& outcome) {
+  DrawnScene more = scene;
+  const bool positioned = scene.has("pose.vertical");
+  if (positioned) {
+    constexpr double lower = 0.01; // mm
+    more.set("pose.vertical", scene.number("pose.vertical") - lower);
+  } else {
+    constexpr double heavier = 1.2;
+    for (const char* key : {"load.left", "load.right", "load.normal"}) {
+      more.multiply(key, heavier);
+    }
+  }
+  const Outcome outcome_of_more = solved(more);
+  if (outcome_of_more.status != outcome.status) {
+    return ""; // told by its status, and checked where such a scene is drawn
+  }
+  const std::string name = positioned ? ".vertical_force" : ".depth";
+  for (const std::string& side : outcome.sides()) {
+    const double before = outcome.at(side + name);
+    const double after = outcome_of_more.at(side + name);
+    const auto accuracy_before = told_accuracy(scene, outcome, side);
+    const auto accuracy_after = told_accuracy(more, outcome_of_more, side);
+    if (accuracy_before && accuracy_after &&
+        !(after >= before * (1.0 - *accuracy_before - *accuracy_after))) {
+      return differ(side + name + " before and after", before, after);
+    }
+  }
+  return "";
+}
+
+std::string check_warm(const DrawnScene& scene, const Outcome& outcome) {
+  wrc_solver* created = nullptr;
+  wrc_solver_create(&created);
+  const SolverPointer solver(created, wrc_solver_destroy);
+  DrawnScene before = scene;
+  before.set("pose.lateral", 0.97 * scene.number("pose.lateral") + 0.1);
+  for (const char* key : {"load.left", "load.right", "load.normal"}) {
+    before.multiply(key, 0.9);
+  }
+  std::string refusal;
+  const ScenePointer first = before.handle(refusal);
+  if (!first) {
+    return "";
+  }
+  wrc_solver_solve(solver.get(), first.get());
+  const ScenePointer second = scene.handle(refusal);
+  const Outcome warm(second.get(), wrc_solver_solve(solver.get(), second.get()));
+  if (warm.status != outcome.status) {
+    return differ("status warm (" + warm.error + ") and cold", warm.status, outcome.status);
+  }
+  for (const std::string& side : outcome.sides()) {
+    const std::string name = side + (scene.has("pose.vertical") ? ".normal_force" : ".depth");
+    const auto one = told_accuracy(scene, warm, side);
+    const auto other = told_accuracy(scene, outcome, side);
+    if (one && other && !near(warm.at(name), outcome.at(name), *one + *other)) {
+      return differ("warm and cold " + name, warm.at(name), outcome.at(name));
+    }
+  }
+  wrc_solver_forget(solver.get(), 0);
+  const Outcome forgotten(second.get(), wrc_solver_solve(solver.get(), second.get()));
+  const std::string name = forgotten.difference_to(outcome);
+  return name.empty() ? "" : "once forgotten another " + name;
+}
+
+std::string check_batch(const DrawnScene& scene, const Outcome& outcome) {
+  std::string refusal;
+  DrawnScene other = scene.mirrored();
+  const std::array<ScenePointer, 3> scenes{scene.handle(refusal), other.handle(refusal),
+                                           scene.handle(refusal)};
+  std::array<wrc_scene*, 3> handles{};
+  std::array<wrc_status, 3> statuses{};
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    handles[i] = scenes[i].get();
+  }
+  constexpr std::int32_t threads = 2;
+  wrc_solve_batch(handles.data(), static_cast<std::int64_t>(handles.size()), threads,
+                  statuses.data());
+  for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
+    const std::string name = Outcome(handles[i], statuses[i]).difference_to(outcome);
+    if (!name.empty()) {
+      return "in a batch another " + name;
+    }
+  }
+  return "";
+}
+
+} // namespace properties
