@@ -297,13 +297,15 @@ std::vector<Key> load_keys() {
   return keys;
 }
 
+/// Contact, and an element on each side that shows where it ends.
+constexpr double least_count = 3.0;
 constexpr double largest_count = 8192.0;
 constexpr std::string_view by_accuracy = "by accuracy";
 
 Key grid_key() {
   Key key;
   key.description = {"solve.grid", "\"by accuracy\"",
-                     "[lateral, longitudinal], each 1 to 8192, or \"by accuracy\"",
+                     "[lateral, longitudinal], each 3 to 8192, or \"by accuracy\"",
                      "number of elements of the potential contact area, by hand"};
   key.get = [](const Scene& scene) {
     return scene.grid ? KeyValue(std::vector<double>{static_cast<double>((*scene.grid)[0]),
@@ -318,7 +320,7 @@ Key grid_key() {
   };
   key.set_numbers = [](Scene& scene, std::span<const double> counts) {
     const auto permitted = [](double count) {
-      return count >= 1.0 && count <= largest_count && count == std::floor(count);
+      return count >= least_count && count <= largest_count && count == std::floor(count);
     };
     if (counts.size() != 2 || !std::all_of(counts.begin(), counts.end(), permitted)) {
       return false;

@@ -333,7 +333,7 @@ TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
   solve("--set pose.lateral=1000").expect_refusal({"pose.lateral = 1000", "-100 to 100"});
   solve("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-100 to 100"});
   solve("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});
-  solve("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "1 to 8192"});
+  solve("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "3 to 8192"});
   solve("--set 'solve.grid=[\"a\",8]'").expect_refusal({"solve.grid", "numbers"});
   solve("--set solve.threads=true").expect_refusal({"solve.threads = \"true\""});
   solve("--set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
