@@ -97,8 +97,8 @@ void add_wheelsets(std::vector<Point>& points) {
 void add_laterals(std::vector<Point>& points) {
   const Base solved{"roll solved", 0.0};
   const Base level{"no roll", 0.0};
-  for (int y = -102; y <= 102; y += y >= -12 && y < 12 ? 1 : 3) {
-    points.push_back(key_point("lateral", solved, "pose.lateral", y, " mm", y % 34 == 0));
+  for (int y = -102; y <= 102; y += y >= -12 && y < 12 ? 1 : 2) {
+    points.push_back(key_point("lateral", solved, "pose.lateral", y, " mm", y % 51 == 0));
     points.push_back(key_point("lateral", level, "pose.lateral", y, " mm", false,
                                [](wrcontact::Scene& scene) { scene.set("pose.roll", 0.0); }));
   }

@@ -76,8 +76,8 @@ void add_state_points(std::vector<Point>& points) {
   states.add("height prescribed above the rail", Verdict::none, at_height(461.0));
   states.add("height prescribed, pressed in", Verdict::held, at_height(459.75));
   states.add("height prescribed below the rail", Verdict::refused, at_height(300.0));
-  states.add("wheel off the rail, inside", Verdict::refused, at(-95.0));
-  states.add("wheel off the rail, outside", Verdict::refused, at(99.0));
+  states.add("wheel drop", Verdict::refused, at(-86.0));
+  states.add("wheel beyond the rail", Verdict::refused, at(86.0));
   states.add("gauge too wide for the wheelset", Verdict::refused,
              [](wrcontact::Scene& scene) { scene.set("track.gauge", 1700.0); });
   states.add("no roll sets both wheels on the rails", Verdict::refused,
