@@ -145,13 +145,14 @@ void add_grids(std::vector<Point>& points) {
 /// Elements `aspect` times as wide as long, contact over about half of the elements: the gap rises
 /// over the grid by a multiple of what a punch of its size sinks in.
 GapProblem stretched(double aspect) {
+  constexpr double base_step = 0.8;
   const double wide = std::sqrt(aspect);
-  GapProblem problem = sampled(32, 16, wide * base_side / 32.0, base_side / wide / 16.0,
-                               [](double, double) { return 0.0; });
+  GapProblem problem =
+      sampled(32, 16, base_step * wide, base_step / wide, [](double, double) { return 0.0; });
   const NormalAnswer punch = solve_normal({problem, 1e-6});
   const double rise = 6.0 * punch.approach;
-  const double half_width = 0.5 * wide * base_side;
-  const double half_length = 0.5 * base_side / wide;
+  const double half_width = 16.0 * base_step * wide;
+  const double half_length = 8.0 * base_step / wide;
   GapProblem made =
       sampled(32, 16, problem.lateral_step, problem.longitudinal_step, [=](double x, double y) {
         return rise * ((x / half_length) * (x / half_length) + (y / half_width) * (y / half_width));

@@ -28,12 +28,12 @@ struct Line {
   const char* style;
   std::optional<double> Row::*member;
 };
-constexpr Line lines[] = {
-    {"overlap", "lc rgb '#1f77b4' pt 6", &Row::overlap},
-    {"gap under pressure", "lc rgb '#17becf' pt 4", &Row::complementarity},
-    {"load balance", "lc rgb '#7f7f7f' pt 2", &Row::load_balance},
-    {"pressures against long double, at the floor", "lc rgb '#2ca02c' pt 7", &Row::pressure_error},
-    {"pmax, approach", "lc rgb '#d62728' pt 5", &Row::error}};
+constexpr Line lines[] = {{"overlap", "lc rgb '#1f77b4' pt 6", &Row::overlap},
+                          {"gap under pressure", "lc rgb '#17becf' pt 4", &Row::complementarity},
+                          {"load balance", "lc rgb '#7f7f7f' pt 2", &Row::load_balance},
+                          {"pressures, against elimination in long double", "lc rgb '#2ca02c' pt 7",
+                           &Row::pressure_error},
+                          {"pmax, approach", "lc rgb '#d62728' pt 5", &Row::error}};
 
 std::string escaped(const std::string& text) {
   std::string made;
@@ -99,7 +99,7 @@ void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
     }
   }
   std::ostringstream data;
-  script << (with_key ? "set key outside right top\n" : "unset key\n")
+  script << (with_key ? "set key bmargin center horizontal maxrows 3\n" : "unset key\n")
          << "plot NaN notitle"; // gnuplot wants something to draw
   const char* separator = ", ";
   for (const Line& line : lines) {
@@ -113,11 +113,22 @@ void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
       }
     }
     if (points.view().find(' ') == std::string_view::npos) {
-      continue;
+      points << rows.front().value << " NaN\n"; // an entry of the key all the same
     }
     script << separator << "'-' with " << (quantity.shapes ? "points" : "linespoints") << ' '
            << line.style << " title '" << line.title << "'";
     data << points.view() << "e\n";
+  }
+  std::ostringstream asked;
+  for (const Row& row : rows) {
+    if (row.asked > 0.0 && row.pmax) {
+      asked << row.value << ' ' << row.asked << '\n';
+    }
+  }
+  if (!asked.view().empty()) {
+    script << separator << "'-' with " << (quantity.shapes ? "points pt 1" : "lines dashtype 2")
+           << " lc rgb 'black' title 'asked'";
+    data << asked.view() << "e\n";
   }
   for (const Shade& shade : shades) {
     script << separator << "keyentry with boxes fillstyle solid noborder fillcolor rgb '"
@@ -153,16 +164,16 @@ void draw_pictures(const std::vector<Row>& rows, const std::filesystem::path& fo
       script << "set logscale x\nset format x '10^{%T}'\n";
     }
     if (quantity.shapes) {
-      script << "set bmargin 12\n";
+      script << "set bmargin 20\nset lmargin 26\n";
     }
     for (std::size_t i = 0; i < panels.size(); ++i) {
       script << (i + 1 == panels.size() ? "set xlabel '" + escaped(quantity.label) + "'\n" : "");
-      draw_panel(panels[i], quantity, true, script);
+      draw_panel(panels[i], quantity, i + 1 == panels.size(), script);
     }
     script << "unset multiplot\n";
-    const int panel_height = quantity.shapes ? 520 : 300;
-    plot.draw(folder / ("extremes_" + quantity.name + ".png"), 1100,
-              60 + panel_height * static_cast<int>(panels.size()));
+    const int panel_height = quantity.shapes ? 560 : 280;
+    plot.draw(folder / ("extremes_" + quantity.name + ".png"), 900,
+              120 + panel_height * static_cast<int>(panels.size()));
   }
 }
 

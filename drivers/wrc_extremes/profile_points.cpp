@@ -115,8 +115,7 @@ void add_noises(std::vector<Point>& points) {
          {1e-9, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.3, 1.0}) {
       points.push_back(profile_point(
           "noise", smoothing > 0.0 ? "wheel, smoothed over 5 mm" : "wheel, points every 0.5 mm",
-          text("standard deviation", deviation, " mm"), deviation,
-          deviation == 1e-3 || deviation == 0.1, WRC_WHEEL,
+          text("standard deviation", deviation, " mm"), deviation, deviation == 1e-4, WRC_WHEEL,
           [deviation](std::uint64_t seed) {
             Points made = points_of(wheel_name, usual_count);
             add_noise(made, deviation, seed);
@@ -250,13 +249,16 @@ Points in_disorder(std::uint64_t seed) {
 
 void add_shapes(std::vector<Point>& points) {
   double index = 0.0;
+  bool quick = true;
   const auto add = [&](const std::string& name, const Make& make) {
-    points.push_back(profile_point("profile", "wheel S1002", name, ++index, true, WRC_WHEEL, make));
+    points.push_back(
+        profile_point("profile", "wheel S1002", name, ++index, quick, WRC_WHEEL, make));
   };
   add("as it is", [](std::uint64_t) { return points_of(wheel_name, usual_count); });
   add("right to left", [](std::uint64_t) { return reversed(); });
   add("in disorder", in_disorder);
   add("points twice", [](std::uint64_t) { return with_points_twice(0.0); });
+  quick = false;
   add("points twice, 1e-12 mm apart", [](std::uint64_t) { return with_points_twice(1e-12); });
   add("points twice, 1e-6 mm apart", [](std::uint64_t) { return with_points_twice(1e-6); });
   add("points twice, 1e-3 mm apart", [](std::uint64_t) { return with_points_twice(1e-3); });
@@ -267,6 +269,7 @@ void add_shapes(std::vector<Point>& points) {
   for (const double height : {1e-6, 1e-4, 0.01, 1.0}) {
     add(text("step of", height, " mm"), [height](std::uint64_t) { return with_step(height); });
   }
+  quick = true;
   add("all points the same", [](std::uint64_t) {
     return Points{std::vector<double>(100, 1.0), std::vector<double>(100, 2.0)};
   });

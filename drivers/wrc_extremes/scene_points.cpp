@@ -144,7 +144,7 @@ void add_solving(std::vector<Point>& points) {
       }
       const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
       points.push_back({"scene-grid", table1.name, "solve.grid " + size,
-                        static_cast<double>(rows) * static_cast<double>(columns), rows <= 4,
+                        static_cast<double>(rows) * static_cast<double>(columns), rows <= 6,
                         [rows, columns](Row& row, std::uint64_t seed) {
                           measure_scene(
                               [=](wrcontact::Scene& scene) {
