@@ -112,11 +112,14 @@ void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
         points << '\n'; // the line breaks
       }
     }
+    const char* drawn = quantity.shapes ? "points" : "linespoints";
     if (points.view().find(' ') == std::string_view::npos) {
-      points << rows.front().value << " NaN\n"; // an entry of the key all the same
+      script << separator << "keyentry with " << drawn << ' ' << line.style << " title '"
+             << line.title << "'";
+      continue;
     }
-    script << separator << "'-' with " << (quantity.shapes ? "points" : "linespoints") << ' '
-           << line.style << " title '" << line.title << "'";
+    script << separator << "'-' with " << drawn << ' ' << line.style << " title '" << line.title
+           << "'";
     data << points.view() << "e\n";
   }
   std::ostringstream asked;
