@@ -257,21 +257,22 @@ TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
   }
 }
 
-/// Wheel from rail, widened: conformal, and pushed against the gauge face. The search for the depth
-/// finds no wheel on rail in the end: it says so, where it once told a depth of a metre.
-TEST(CertifiedRanges, AWedgedConformalWheelIsRefused) {
+/// The scene of a wheel whose profile is the rail's, turned over and wider: conformal, and pushed
+/// against the gauge face, where the angle of contact is 1.5 rad.
+ScenePointer wedged_scene(double wider, double lateral) {
   const ProfilePointer rail = make_profile();
-  ASSERT_EQ(wrc_profile_load_standard(rail.get(), "60E1"), WRC_OK);
+  EXPECT_EQ(wrc_profile_load_standard(rail.get(), "60E1"), WRC_OK);
   double length = 0.0;
-  ASSERT_EQ(wrc_profile_length(rail.get(), &length), WRC_OK);
-  constexpr double wider = 1.002;
-  std::vector<double> lateral;
+  EXPECT_EQ(wrc_profile_length(rail.get(), &length), WRC_OK);
+  constexpr int count = 400;
+  std::vector<double> across;
   std::vector<double> height;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < count; ++i) {
     double y = 0.0;
     double z = 0.0;
-    ASSERT_EQ(wrc_profile_at(rail.get(), length * i / 399.0, &y, &z, nullptr, nullptr), WRC_OK);
-    lateral.push_back(wider * y);
+    const double arc = length * i / (count - 1.0);
+    EXPECT_EQ(wrc_profile_at(rail.get(), arc, &y, &z, nullptr, nullptr), WRC_OK);
+    across.push_back(wider * y);
     height.push_back(-wider * z);
   }
   wrc_read_options options{};
@@ -279,24 +280,36 @@ TEST(CertifiedRanges, AWedgedConformalWheelIsRefused) {
   options.kind = WRC_WHEEL;
   options.kind_given = 1;
   const ProfilePointer wheel = make_profile();
-  ASSERT_EQ(wrc_profile_set_points(wheel.get(), "conformal", lateral.data(), height.data(), 400,
+  EXPECT_EQ(wrc_profile_set_points(wheel.get(), "conformal", across.data(), height.data(), count,
                                    &options),
             WRC_OK);
-  const ScenePointer scene = left_scene();
-  ASSERT_EQ(wrc_scene_set_profile(scene.get(), "wheelset.wheel", wheel.get()), WRC_OK);
+  ScenePointer scene = left_scene();
+  EXPECT_EQ(wrc_scene_set_profile(scene.get(), "wheelset.wheel", wheel.get()), WRC_OK);
   for (const auto& [key, value] :
        {std::pair{"track.cant", 0.0}, std::pair{"pose.roll", 0.0},
-        std::pair{"pose.lateral", 3.65333}, std::pair{"solve.accuracy", 1e-2}}) {
-    ASSERT_EQ(wrc_scene_set_number(scene.get(), key, value), WRC_OK);
+        std::pair{"pose.lateral", lateral}, std::pair{"solve.accuracy", 1e-2}}) {
+    EXPECT_EQ(wrc_scene_set_number(scene.get(), key, value), WRC_OK);
   }
+  return scene;
+}
+
+TEST(CertifiedRanges, PlanesThatDoNotSettleAreNotConverged) {
+  const ScenePointer scene = wedged_scene(1.5, 21.5813);
+  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_NOT_CONVERGED);
+  EXPECT_TRUE(contains(warnings_of(scene.get()), "not settled")) << warnings_of(scene.get());
+  EXPECT_LT(number_of(scene.get(), "left.depth"), 50.0);
+}
+
+/// The search for the depth wanders, and may lose wheel and rail: it says so, where it once told
+/// NaN or a depth of a metre.
+TEST(CertifiedRanges, AConformalWheelThatIsWedgedIsNoUsualResult) {
+  const ScenePointer scene = wedged_scene(1.002, 3.65333);
   const wrc_status status = wrc_scene_solve(scene.get());
-  if (status == WRC_OK || status == WRC_NOT_CONVERGED) {
-    EXPECT_LT(number_of(scene.get(), "left.depth"), 50.0);
-    EXPECT_TRUE(contains(warnings_of(scene.get()), "the rail turns by"));
-  } else {
-    EXPECT_EQ(status, WRC_NO_CONTACT);
-    EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "80000 N"));
+  if (status == WRC_NO_CONTACT) {
     EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "allowed is less than 50 mm"));
+  } else {
+    EXPECT_EQ(status, WRC_NOT_CONVERGED) << wrc_scene_error(scene.get());
+    EXPECT_LT(number_of(scene.get(), "left.depth"), 50.0);
   }
 }
 
