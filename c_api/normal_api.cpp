@@ -11,6 +11,8 @@
 namespace {
 
 constexpr double most_iterations = 1e9;
+/// What double precision reaches on any grid (docs/stability.md); that of solve.tolerance too.
+constexpr double least_tolerance = 1e-13;
 
 [[noreturn]] void refuse_name(const char* what, const std::string& name, const char* known) {
   throw wrc::Error(wrc::ErrorCode::unknown_name, std::string("no ") + what +
@@ -36,18 +38,18 @@ void set_number(wrc::NormalProblem& problem, const std::string& key, double valu
     }
   };
   if (key == "combined_modulus") {
-    check(value > 0.0, "allowed is more than 0, MPa");
+    check(value >= 1e-30 && value <= 1e30, "allowed is 1e-30 to 1e30 MPa");
     problem.combined_modulus = value;
   } else if (key == "normal_load") {
-    check(value >= 0.0, "allowed is 0 or more, N");
+    check(value == 0.0 || (value >= 1e-60 && value <= 1e60), "allowed is 0, or 1e-60 to 1e60 N");
     problem.normal_load = value;
     problem.approach.reset();
   } else if (key == "approach") {
-    check(true, "allowed is a finite number, mm");
+    check(std::abs(value) <= 1e60, "allowed is -1e60 to 1e60 mm");
     problem.approach = value;
     problem.normal_load.reset();
   } else if (key == "tolerance") {
-    check(value > 0.0 && value <= 0.1, "allowed is more than 0, at most 0.1");
+    check(value >= least_tolerance && value <= 0.1, "allowed is 1e-13 to 0.1");
     problem.tolerance = value;
   } else if (key == "maximum_iterations") {
     check(value >= 1.0 && value <= most_iterations && value == std::floor(value),

@@ -204,16 +204,26 @@ void SideSearch::find_edges() {
   }
 }
 
-void SideSearch::scan(const Pose& pose) {
+bool SideSearch::try_scan(const Pose& pose) {
   pose_ = LocusPose(pose);
   scan_.run(pose_);
   if (!(scan_.least() < infinity)) {
-    throw Error(
-        ErrorCode::no_contact,
-        "wheel off the rail: no part of the wheel profile lies over the rail at pose.lateral = " +
-            text_of(pose.lateral) + " mm (left side; mirrored for the right)");
+    return false;
   }
   find_edges();
+  return true;
+}
+
+void SideSearch::scan(const Pose& pose) {
+  if (!try_scan(pose)) {
+    throw Error(ErrorCode::no_contact,
+                "wheel off the rail: no part of the wheel profile lies over the rail at "
+                "pose.lateral = " +
+                    text_of(pose.lateral) + " mm, roll " + short_text_of(pose.roll) +
+                    " rad (of a left wheel; signs are the other way round for a right one); "
+                    "allowed are displacements and rolls that leave wheel and rail above each "
+                    "other, which track.gauge and wheelset.back_to_back decide");
+  }
 }
 
 std::vector<LocusSpot> SideSearch::least_spots(double near_tolerance) const {

@@ -41,10 +41,20 @@ public:
   /// mirror, so that mirrored scenes give -roll.
   double solve(double start) {
     double roll = start > -largest_roll && start < largest_roll ? start : 0.0;
+    std::optional<double> standing; // a roll with both wheels over their rails
+    bool off_the_rail = false;
     for (int iteration = 1; iteration <= iteration_limit; ++iteration) {
       const Pose pose{lateral_, yaw_, roll};
-      left_.scan(pose);
-      right_.scan(mirrored(pose));
+      if (!scan_both(pose, standing.has_value() || roll != 0.0)) {
+        // Large wheels roll off their rails long before the limit: back to where both stood.
+        off_the_rail = true;
+        if (standing) {
+          (roll < *standing ? low_ : high_) = roll;
+        }
+        roll = standing ? 0.5 * (roll + *standing) : 0.0;
+        continue;
+      }
+      standing = roll;
       const Pair found{left_.least_spots(0.0).front(), right_.least_spots(0.0).front()};
       if (std::abs(found.difference()) <= distance_tolerance) {
         return roll;
@@ -64,7 +74,9 @@ public:
     throw Error(ErrorCode::no_contact,
                 "no roll within +-" + text_of(largest_roll) +
                     " rad sets both wheels on the rails at pose.lateral = " + text_of(lateral_) +
-                    " mm, pose.yaw = " + text_of(yaw_) + " rad");
+                    " mm, pose.yaw = " + text_of(yaw_) + " rad" +
+                    (off_the_rail ? ": on the way to one a wheel goes off the rail" : "") +
+                    "; allowed are positions in which both wheels stand on their rails");
   }
 
 private:
@@ -73,6 +85,16 @@ private:
     LocusSpot right;
     [[nodiscard]] double difference() const { return left.distance - right.distance; }
   };
+
+  /// Whether both wheels lie over their rails; if that must be so, throws where not.
+  [[nodiscard]] bool scan_both(const Pose& pose, bool may_be_off) {
+    if (may_be_off) {
+      return left_.try_scan(pose) && right_.try_scan(mirrored(pose));
+    }
+    left_.scan(pose);
+    right_.scan(mirrored(pose));
+    return true;
+  }
 
   [[nodiscard]] double newton_step(double roll, const Pair& spots) const {
     const Pose pose{lateral_, yaw_, roll};

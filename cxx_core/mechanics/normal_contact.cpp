@@ -14,9 +14,18 @@ namespace wrc {
 
 namespace {
 
-void check_positive(const std::string& argument, double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) {
-    throw_invalid_argument(argument, value, "must be finite and greater than 0");
+/// Products and quotients of two loads, lengths and moduli in these ranges, squares of lengths
+/// among them, neither overflow nor lose digits; whatever the unit, that is enough.
+constexpr double least_scale = 1e-30;
+constexpr double greatest_scale = 1e30;
+constexpr double least_load = 1e-60;
+constexpr double greatest_load = 1e60;
+/// Influence coefficients are right to 1e-12 between elements of these shapes (docs/stability.md).
+constexpr double greatest_aspect = 1e9;
+
+void check_scale(const std::string& argument, double value) {
+  if (!(value >= least_scale && value <= greatest_scale)) {
+    throw_invalid_argument(argument, value, "must lie in 1e-30 to 1e30");
   }
 }
 
@@ -52,8 +61,13 @@ void check_grid(const Grid& grid) {
     throw_invalid_argument("grid.longitudinal_count", static_cast<double>(grid.longitudinal_count),
                            "must be at least 1, with at most 2^26 elements in all");
   }
-  check_positive("grid.lateral_step", grid.lateral_step);
-  check_positive("grid.longitudinal_step", grid.longitudinal_step);
+  check_scale("grid.lateral_step", grid.lateral_step);
+  check_scale("grid.longitudinal_step", grid.longitudinal_step);
+  if (grid.lateral_step > greatest_aspect * grid.longitudinal_step ||
+      grid.longitudinal_step > greatest_aspect * grid.lateral_step) {
+    throw_invalid_argument("grid.lateral_step/longitudinal_step",
+                           grid.lateral_step / grid.longitudinal_step, "must lie in 1e-9 to 1e9");
+  }
 }
 
 namespace {
@@ -75,16 +89,16 @@ void check_distances(std::span<const double> distance, const Grid& grid) {
 template <typename Problem>
 void check_request(const Problem& problem, const std::optional<double>& load,
                    const std::string& load_name) {
-  check_positive("combined_modulus", problem.combined_modulus);
+  check_scale("combined_modulus", problem.combined_modulus);
   if (load.has_value() == problem.approach.has_value()) {
     throw_invalid_argument(load_name + " and approach", load.has_value() ? "both set" : "none set",
                            "exactly one of the two must be set");
   }
-  if (load && (!(*load >= 0.0) || !std::isfinite(*load))) {
-    throw_invalid_argument(load_name, *load, "must be finite and at least 0");
+  if (load && *load != 0.0 && !(*load >= least_load && *load <= greatest_load)) {
+    throw_invalid_argument(load_name, *load, "must be 0 or lie in 1e-60 to 1e60");
   }
-  if (problem.approach && !std::isfinite(*problem.approach)) {
-    throw_invalid_argument("approach", *problem.approach, "must be finite");
+  if (problem.approach && !(std::abs(*problem.approach) <= greatest_load)) {
+    throw_invalid_argument("approach", *problem.approach, "must lie in -1e60 to 1e60");
   }
   if (!(problem.tolerance > 0.0 && problem.tolerance <= 0.1)) {
     throw_invalid_argument("tolerance", problem.tolerance,

@@ -324,6 +324,9 @@ private:
 
   /// What a place counts per length in y; also its reach along the rail.
   Moments<Real> density(const Place<Real>& place, Lobe<Real>& lobe) const {
+    if (!(place.penetration > 0.0)) {
+      return {}; // an end, or where the parabola between two ends dips out of the rail
+    }
     const Real cosine = 1.0 / sqrt(1.0 + place.slope * place.slope);
     const Real reach = sqrt(place.penetration * cosine / place.curvature);
     const Real half_length = std::numbers::sqrt2 * reach;

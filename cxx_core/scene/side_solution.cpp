@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "remesh/depth_estimate.hpp"
+#include "scene/depth_checks.hpp"
 #include "scene/missed_contact.hpp"
 #include "scene/side_plan.hpp"
 
@@ -465,6 +466,7 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
     }
     Trial trial = try_plan(plan, tolerance(), starts_from(*last, plan));
     if (trial.no_contact() || attempt == final_limit) {
+      mark_unsettled(trial, attempt + 1, result_.warnings);
       return trial;
     }
     if (must_grow(trial)) {
@@ -568,6 +570,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
 
 void SideSolver::warn_about(const Trial& trial) {
   auto& warnings = result_.warnings;
+  warn_of_rounding(trial, wheel_.radius(), warnings);
   if (trial.stop_reason != StopReason::tolerance_met) {
     warnings.push_back("not converged: " + std::string(name_of(trial.stop_reason)) +
                        ", error of the pressures " + short_text_of(trial.pressure_error));
@@ -710,6 +713,7 @@ SideSolution SideSolver::solve() {
       throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
     }
     trial = solve_on_final_grid(std::move(coarse), resolution);
+    check_depth_found(request_, trial->next_depth);
   }
   memory_.remember(rail_, request_, *trial, error_, as_before, grid_accuracy());
   warn_about(*trial);

@@ -256,7 +256,7 @@ Pool<wrc_normal> normals(wrc_normal_create, wrc_normal_destroy);
 
 /// Solutions that take milliseconds: a small grid, at most.
 void bound_cost(wrc_scene* scene) {
-  const double grid[] = {static_cast<double>(1 + below(40)), static_cast<double>(1 + below(40))};
+  const double grid[] = {static_cast<double>(3 + below(38)), static_cast<double>(3 + below(38))};
   wrc_scene_set_numbers(scene, "solve.grid", grid, 2);
   wrc_scene_set_number(scene, "solve.threads", static_cast<double>(1 + below(2)));
 }

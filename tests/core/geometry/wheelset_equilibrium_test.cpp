@@ -120,6 +120,21 @@ TEST(WheelsetEquilibrium, StartRollChangesNothingButTheTime) {
   }
 }
 
+TEST(WheelsetEquilibrium, LargeWheelsDoNotRollOffTheRailsInSearchOfTheRoll) {
+  // A roll of 0.1 rad, half the limit, moves a contact by 0.1 radii: off the rail.
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  for (const double radius : {1000.0, 1500.0, 3000.0}) {
+    const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, radius});
+    for (const double lateral : {6.5, -6.5}) {
+      EquilibriumRequest request;
+      request.lateral = lateral;
+      const auto result = find_equilibrium(wheel, rail, request);
+      EXPECT_GT(result.roll * lateral, 0.0); // the wheel at the flange is lifted
+      EXPECT_NEAR(result.left->vertical, result.right->vertical, 1e-9) << radius;
+    }
+  }
+}
+
 TEST(WheelsetEquilibrium, PrescribedRollSetsEachWheelDownByItself) {
   const Pair pair = s1002_on("60E1");
   EquilibriumRequest request;

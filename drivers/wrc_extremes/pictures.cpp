@@ -1,0 +1,183 @@
+#include "wrc_extremes/pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "support/gnuplot.hpp"
+
+namespace extremes {
+namespace {
+
+/// Smaller values, and zeros, are drawn here.
+constexpr double least_shown = 1e-18;
+constexpr double greatest_shown = 10.0;
+
+struct Shade {
+  Verdict verdict;
+  const char* colour;
+};
+constexpr Shade shades[] = {{Verdict::refused, "#c8c8c8"},
+                            {Verdict::none, "#cfe2f3"},
+                            {Verdict::warned, "#fff2b3"},
+                            {Verdict::faded, "#f6b26b"},
+                            {Verdict::wrong, "#e06666"}};
+
+struct Line {
+  const char* title;
+  const char* style;
+  std::optional<double> Row::*member;
+};
+constexpr Line lines[] = {{"overlap", "lc rgb '#1f77b4' pt 6", &Row::overlap},
+                          {"gap under pressure", "lc rgb '#17becf' pt 4", &Row::complementarity},
+                          {"load balance", "lc rgb '#7f7f7f' pt 2", &Row::load_balance},
+                          {"pressures, against elimination in long double", "lc rgb '#2ca02c' pt 7",
+                           &Row::pressure_error},
+                          {"pmax, approach", "lc rgb '#d62728' pt 5", &Row::error}};
+
+std::string escaped(const std::string& text) {
+  std::string made;
+  for (const char letter : text) {
+    if (letter == '_' || letter == '^' || letter == '{' || letter == '}' || letter == '@') {
+      made += "\\\\";
+    }
+    made += letter;
+    if (letter == '\'') {
+      made += letter; // gnuplot doubles a quote within quotes
+    }
+  }
+  return made;
+}
+
+/// Where a point's share of the axis begins: half way to the one before.
+double border(const std::vector<Row>& rows, std::size_t index, bool logarithmic) {
+  const auto between = [logarithmic](double a, double b) {
+    return logarithmic ? std::sqrt(a * b) : 0.5 * (a + b);
+  };
+  const auto beyond = [logarithmic](double at, double from) {
+    return logarithmic ? at * std::sqrt(at / from) : at + 0.5 * (at - from);
+  };
+  if (rows.size() == 1) {
+    const double at = rows.front().value;
+    const double side = index == 0 ? -1.0 : 1.0;
+    return logarithmic ? at * std::pow(3.0, side) : at + side;
+  }
+  if (index == 0) {
+    return beyond(rows[0].value, rows[1].value);
+  }
+  if (index == rows.size()) {
+    return beyond(rows[index - 1].value, rows[index - 2].value);
+  }
+  return between(rows[index - 1].value, rows[index].value);
+}
+
+void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
+                std::ostream& script) {
+  if (!quantity.shapes) {
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Row& one, const Row& other) { return one.value < other.value; });
+  }
+  script << "unset object\nset title '" << escaped(rows.front().base) << "'\n";
+  if (quantity.shapes) {
+    script << "set xtics rotate by 40 right nomirror (";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      script << (i > 0 ? ", " : "") << "'" << escaped(rows[i].setting) << "' " << rows[i].value;
+    }
+    script << ")\nset title ''\n";
+  }
+  const double first = border(rows, 0, quantity.logarithmic);
+  const double last = border(rows, rows.size(), quantity.logarithmic);
+  script << "set xrange [" << std::min(first, last) << ':' << std::max(first, last) << "]\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const Shade& shade : shades) {
+      if (shade.verdict == rows[i].verdict) {
+        script << "set object rectangle from first " << border(rows, i, quantity.logarithmic)
+               << ", graph 0 to first " << border(rows, i + 1, quantity.logarithmic)
+               << ", graph 1 behind fillcolor rgb '" << shade.colour
+               << "' fillstyle solid noborder\n";
+      }
+    }
+  }
+  std::ostringstream data;
+  script << (with_key ? "set key bmargin center horizontal maxrows 3\n" : "unset key\n")
+         << "plot NaN notitle"; // gnuplot wants something to draw
+  const char* separator = ", ";
+  for (const Line& line : lines) {
+    std::ostringstream points;
+    for (const Row& row : rows) {
+      if (row.*line.member) {
+        points << row.value << ' ' << std::clamp(*(row.*line.member), least_shown, greatest_shown)
+               << '\n';
+      } else {
+        points << '\n'; // the line breaks
+      }
+    }
+    const char* drawn = quantity.shapes ? "points" : "linespoints";
+    if (points.view().find(' ') == std::string_view::npos) {
+      script << separator << "keyentry with " << drawn << ' ' << line.style << " title '"
+             << line.title << "'";
+      continue;
+    }
+    script << separator << "'-' with " << drawn << ' ' << line.style << " title '" << line.title
+           << "'";
+    data << points.view() << "e\n";
+  }
+  std::ostringstream asked;
+  for (const Row& row : rows) {
+    if (row.asked > 0.0 && row.pmax) {
+      asked << row.value << ' ' << row.asked << '\n';
+    }
+  }
+  if (!asked.view().empty()) {
+    script << separator << "'-' with " << (quantity.shapes ? "points pt 1" : "lines dashtype 2")
+           << " lc rgb 'black' title 'asked'";
+    data << asked.view() << "e\n";
+  }
+  for (const Shade& shade : shades) {
+    script << separator << "keyentry with boxes fillstyle solid noborder fillcolor rgb '"
+           << shade.colour << "' title '" << name_of(shade.verdict) << "'";
+  }
+  script << '\n' << data.view();
+}
+
+} // namespace
+
+void draw_pictures(const std::vector<Row>& rows, const std::filesystem::path& folder) {
+  for (const Quantity& quantity : quantities()) {
+    std::vector<std::vector<Row>> panels;
+    for (const Row& row : rows) {
+      if (row.quantity != quantity.name) {
+        continue;
+      }
+      const auto panel = std::find_if(panels.begin(), panels.end(), [&](const auto& others) {
+        return quantity.shapes || others.front().base == row.base;
+      });
+      (panel == panels.end() ? panels.emplace_back() : *panel).push_back(row);
+    }
+    if (panels.empty()) {
+      continue;
+    }
+    driver::Gnuplot plot;
+    auto& script = plot.script();
+    script << "set multiplot layout " << panels.size() << ",1 title '" << escaped(quantity.title)
+           << "'\nset grid front\nset logscale y\nset format y '10^{%T}'\nset yrange ["
+           << least_shown / 3.0 << ':' << greatest_shown << "]\nset ylabel 'relative'\n"
+           << "set datafile missing 'NaN'\n";
+    if (quantity.logarithmic) {
+      script << "set logscale x\nset format x '10^{%T}'\n";
+    }
+    if (quantity.shapes) {
+      script << "set bmargin 20\nset lmargin 26\n";
+    }
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      script << (i + 1 == panels.size() ? "set xlabel '" + escaped(quantity.label) + "'\n" : "");
+      draw_panel(panels[i], quantity, i + 1 == panels.size(), script);
+    }
+    script << "unset multiplot\n";
+    const int panel_height = quantity.shapes ? 560 : 280;
+    plot.draw(folder / ("extremes_" + quantity.name + ".png"), 900,
+              120 + panel_height * static_cast<int>(panels.size()));
+  }
+}
+
+} // namespace extremes
