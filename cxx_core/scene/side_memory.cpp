@@ -6,11 +6,14 @@
 namespace wrc {
 namespace {
 
+/// Share of the accuracy that estimates aim at when the number of elements is chosen.
+constexpr double aimed_share = 0.95;
+
 /// Ends of penetration that have moved by no more than this share of its width since errors were
 /// estimated leave the estimate in force.
-constexpr double estimate_reach = 0.05;
+constexpr double estimate_reach = 0.1;
 /// So does a largest pressure that has changed by no more than this share.
-constexpr double estimate_pressure_reach = 0.02;
+constexpr double estimate_pressure_reach = 0.05;
 
 } // namespace
 
@@ -28,8 +31,10 @@ void SideMemory::remember(const RailSurface& rail, const SideRequest& request, c
   accuracy = request.accuracy;
   double factor = 1.0;
   if (estimated) {
-    // As many elements as are enough, by the second order of the error.
-    factor = std::clamp(std::sqrt(estimated->lateral / (aimed_share * grid_accuracy)), 0.5, 1.0);
+    // As many elements as are enough, by the second order of the error: what the elements along the
+    // rail leave of the accuracy.
+    const double left = aimed_share * grid_accuracy - (estimated->total - estimated->lateral);
+    factor = left > 0.0 ? std::clamp(std::sqrt(estimated->lateral / left), 0.5, 1.0) : 1.0;
     const double error = estimated->total + estimated->lateral * (1.0 / (factor * factor) - 1.0);
     // A grid given by hand says nothing of those that an accuracy chooses.
     error_estimate =

@@ -14,9 +14,6 @@
 
 namespace wrc {
 
-/// Share of the accuracy that estimates aim at when the number of elements is chosen.
-inline constexpr double aimed_share = 0.5;
-
 /// The error of a trial, estimated on two grids of its position: relative, of pmax and approach.
 struct TrialError {
   double lateral = 0.0; ///< what the elements across the rail leave

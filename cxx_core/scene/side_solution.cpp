@@ -43,7 +43,7 @@ constexpr double coarse_depth_share = 0.02;
 constexpr double vertical_convention_limit = 0.15;
 /// Elements across the contact with which an accuracy of 1e-2 starts, across the rail. Profiles are
 /// not smooth there, their curvature jumps.
-constexpr double first_lateral_resolution = 20.0;
+constexpr double first_lateral_resolution = 24.0;
 /// Grids are no coarser than this accuracy asks for: with fewer elements pmax changes by chance
 /// from step to step, which costs a moving wheel more new starts than it saves, and one run in ten
 /// is worse than asked (docs/accuracy.md).
@@ -54,6 +54,8 @@ constexpr double longitudinal_share = 0.4;
 constexpr double last_resolution = 800.0;
 /// Refining by less tells too little about the error.
 constexpr double refinement = 2.0;
+/// Along the rail, where a law tells the error, refinement may be less, but not less than this.
+constexpr double least_along = 1.1;
 /// Share of the accuracy that the iteration may take.
 constexpr double iteration_share = 0.2;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
@@ -526,11 +528,14 @@ Trial SideSolver::solve_on_final_grid(Trial coarse_trial, const Resolution& reso
     const double half = 0.5 * request_.accuracy;
     const bool finer_along = along_error > half || along_error > across_error;
     const bool finer_across = across_error > half || across_error >= along_error;
+    // Along the rail the law of the error tells how many are needed.
+    const double along_refinement = std::clamp(
+        std::sqrt(along_error / (longitudinal_share * grid_accuracy())), least_along, refinement);
     resolutions.clear();
     for (const PatchTrial& patch : trial.patches) {
       const Resolution now = patch.no_contact() ? resolution : patch.resolution();
       resolutions.push_back({now.lateral * (finer_across ? refinement : 1.0),
-                             now.longitudinal * (finer_along ? refinement : 1.0)});
+                             now.longitudinal * (finer_along ? along_refinement : 1.0)});
     }
     plan = planner_.next_plan(trial, trial.depth, resolutions, final_growth);
     coarser = std::make_shared<const Trial>(std::move(trial));

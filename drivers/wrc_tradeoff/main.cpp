@@ -92,7 +92,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   app.add_option("--threads", threads,
-                 "scenes solved at once; errors do not depend on it, times do")
+                 "scenes solved at once; times depend on it, and the errors of warm steps within "
+                 "their scatter")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--steps", steps, "warm steps timed for each way to solve a scene, at most")

@@ -17,7 +17,7 @@
 
 namespace tradeoff {
 
-inline constexpr std::array<double, 2> truth_grid{384.0, 160.0};
+inline constexpr std::array<double, 2> truth_grid{576.0, 240.0};
 inline constexpr std::array accuracies{1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4};
 
 /// How a scene is solved.

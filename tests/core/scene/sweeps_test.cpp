@@ -170,8 +170,9 @@ TEST_P(LateralSweep, FailsNowhereAndTellsEveryJump) {
   }
   // Ridges that a curvature jump of the profiles presses into the rail.
   EXPECT_LE(not_reached, 4);
-  // One solution a wheel where nothing has changed much, three where errors are estimated anew.
-  EXPECT_LE(solutions, 5 * (2 * half_count + 1));
+  // One solution a wheel where nothing has changed much, three where errors are estimated anew: 2.6
+  // in the mean.
+  EXPECT_LE(5 * solutions, 26 * (2 * half_count + 1));
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, LateralSweep,
