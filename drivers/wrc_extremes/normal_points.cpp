@@ -108,10 +108,12 @@ void add_loads(std::vector<Point>& points) {
 /// Grids on the same square; those whose contact has elements enough are compared with Hertz.
 void add_grids(std::vector<Point>& points) {
   using Size = std::array<std::size_t, 2>;
-  for (const auto& [rows, columns] :
+  for (const Size& size_of_grid :
        {Size{1, 1}, Size{1, 2}, Size{2, 1}, Size{2, 2}, Size{3, 3}, Size{1, 512}, Size{512, 1},
         Size{8, 4}, Size{32, 16}, Size{31, 13}, Size{64, 32}, Size{127, 61}, Size{256, 128},
         Size{512, 256}, Size{1024, 512}, Size{2048, 1024}, Size{4096, 2048}}) {
+    const std::size_t rows = size_of_grid[0];
+    const std::size_t columns = size_of_grid[1];
     const std::size_t count = rows * columns;
     const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
     points.push_back(

@@ -2,6 +2,7 @@
 // wheels, conformal gauge corners.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -74,8 +75,8 @@ Point profile_point(const std::string& quantity, const std::string& base,
 }
 
 void add_counts(std::vector<Point>& points) {
-  for (const std::size_t count :
-       {1, 2, 3, 4, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000}) {
+  for (const std::size_t count : std::initializer_list<std::size_t>{
+           1, 2, 3, 4, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000}) {
     const bool quick = count == 1 || count == 50 || count == 50000;
     const auto value = static_cast<double>(count);
     points.push_back(profile_point(
