@@ -22,9 +22,9 @@
 /// tractions and of bodies that are not half-spaces.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <span>
+#include <tuple>
 
 namespace wrc {
 
@@ -42,7 +42,10 @@ struct InfluenceKernel {
   double aspect = 1.0;
   Elements elements = Elements::constant;
 
-  friend auto operator<=>(const InfluenceKernel&, const InfluenceKernel&) = default;
+  /// Any order, to look kernels up.
+  friend bool operator<(const InfluenceKernel& one, const InfluenceKernel& other) {
+    return std::tie(one.aspect, one.elements) < std::tie(other.aspect, other.elements);
+  }
 };
 
 /// I(x, y) in mm, of an element of constant pressure.
