@@ -30,6 +30,12 @@ constexpr double stop_share = 0.75;
 constexpr double missed_overlap = 5e-7;
 /// The same for double precision.
 constexpr double double_overlap = 1e-13;
+/// Rectangles from this many elements on are looked at with elements of twice the size first. Their
+/// displacement is interpolated, with an error of up to 0.07 of its change over such an element;
+/// this share is allowed for, and that of the displacement, where it is flat.
+constexpr std::size_t least_coarse_check = 4096;
+constexpr double coarse_distrust = 0.15;
+constexpr double coarse_rounding = 5e-4;
 /// A start serves grids whose elements have at least this share of the area of its own.
 constexpr double start_coarseness = 0.15;
 /// Share of elements below the distance from which the first pressures are drawn.
@@ -171,6 +177,7 @@ struct NormalSolver::State {
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
   bool find_missed_contact(Cascade& cascade, double tolerance);
+  ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates, double reached);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
                 ConvolutionWorkspace<Real>& workspace);
@@ -423,6 +430,70 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
   exterior_out.assign(out.begin(), out.end());
 }
 
+/// The rectangle of those candidates outside the box that may overlap as far as pressures on
+/// elements of twice the size tell; with nothing in it (first_row > last_row) there is none.
+ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const ElementBox& candidates,
+                                                 double reached) {
+  const Level& level = cascade.finest();
+  const ElementBox& box = cascade.box;
+  // Large elements begin at the box's first one; those beyond the candidates by one on each side.
+  const LevelSize from{(box.rows() + 1) / 2, (box.columns() + 1) / 2};
+  std::vector<float> pressure(from.count());
+  for (std::size_t row = 0; row < box.rows(); ++row) {
+    const double* values = cascade.box_pressure.data() + row * box.columns();
+    float* sums = pressure.data() + row / 2 * from.columns;
+    for (std::size_t column = 0; column < box.columns(); ++column) {
+      sums[column / 2] += static_cast<float>(0.25 * values[column]);
+    }
+  }
+  const auto before = [](std::size_t box_first, std::size_t first) {
+    return (box_first - std::min(box_first, first) + 1) / 2 + 1; // large elements
+  };
+  const auto after = [](std::size_t box_first, std::size_t last) {
+    return last < box_first ? 1 : (last - box_first) / 2 + 2;
+  };
+  const std::size_t rows_before = before(box.first_row, candidates.first_row);
+  const std::size_t columns_before = before(box.first_column, candidates.first_column);
+  const std::size_t rows = rows_before + after(box.first_row, candidates.last_row);
+  const std::size_t columns = columns_before + after(box.first_column, candidates.last_column);
+  const BoxConvolution<float> convolution = BoxConvolution<float>::linear(
+      {from.rows, from.columns, rows, columns, -static_cast<std::ptrdiff_t>(rows_before),
+       -static_cast<std::ptrdiff_t>(columns_before)},
+      cascade.kernel, cache);
+  std::vector<float> displacement(rows * columns);
+  convolution.apply(pressure.data(), displacement.data(), single_iteration.workspace());
+
+  ElementBox possible{level.size.rows, 0, level.size.columns, 0};
+  for (std::size_t row = candidates.first_row; row <= candidates.last_row; ++row) {
+    // Between the large elements' centres; the odd ones are nearer to the next.
+    const std::size_t down = row + 2 * rows_before - box.first_row;
+    const float* near_row = displacement.data() + down / 2 * columns;
+    const float* far_row = down % 2 == 0 ? near_row - columns : near_row + columns;
+    const double* distance = level.distance.data() + row * level.size.columns;
+    for (std::size_t column = candidates.first_column; column <= candidates.last_column; ++column) {
+      if (box.holds(row, column)) {
+        column = box.last_column;
+        continue;
+      }
+      const std::size_t right = column + 2 * columns_before - box.first_column;
+      const std::size_t near = right / 2;
+      const std::size_t far = right % 2 == 0 ? near - 1 : near + 1;
+      // Lengths in steps twice as long.
+      const double a = 2.0 * near_row[near];
+      const double b = 2.0 * near_row[far];
+      const double c = 2.0 * far_row[near];
+      const double d = 2.0 * far_row[far];
+      const double between = (9.0 * a + 3.0 * (b + c) + d) / 16.0;
+      const double change = std::max({a, b, c, d}) - std::min({a, b, c, d});
+      const double distrust = coarse_distrust * change + coarse_rounding * between;
+      if (distance[column] + between - distrust < reached) {
+        include(possible, {row, row, column, column});
+      }
+    }
+  }
+  return possible;
+}
+
 /// Looks for overlap outside the box and enlarges the box by it. Displacements are positive, and at
 /// least those of the patch's whole load at the farthest place of the box, so most elements need no
 /// displacement of their own. What other patches displace would only open the gaps further.
@@ -466,6 +537,10 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
         include(candidates, {row, row, column, column});
       }
     }
+  }
+  if (candidates.first_row <= candidates.last_row &&
+      candidates.rows() * candidates.columns() >= least_coarse_check) {
+    candidates = possible_contact(cascade, candidates, reached);
   }
   if (candidates.first_row > candidates.last_row) {
     return false;

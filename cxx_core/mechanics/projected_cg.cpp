@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reductions.hpp"
 #include "vector_clones.hpp"
 
 namespace wrc {
@@ -20,6 +21,8 @@ constexpr double double_drift = 2e-16;
 constexpr double drift_exponent = 1.15;
 /// Iterations without a smaller error after which no more is to be had.
 constexpr int stagnation_window = 60;
+/// Pressures whose displacements are added up one by one: about as many as cost a convolution.
+constexpr std::size_t most_single_cuts = 128;
 
 struct ContactMean {
   double sum;
@@ -191,15 +194,31 @@ WRC_VECTOR_CLONES MoveSums move(double* p, double* u, const double* v, const dou
   return move_body(p, u, v, q, step, n);
 }
 
-/// u += pressure * K around one element of a row.
-WRC_VECTOR_CLONES void add_to_row(double* displacement, const double* kernel, double pressure,
-                                  std::size_t column, std::size_t columns) {
-  for (std::size_t j = 0; j < column; ++j) {
-    displacement[j] += pressure * kernel[column - j];
+/// u -= sum_k pressure_k K_k in a row of elements, K_k starting at its first element.
+template <typename Real>
+WRC_VECTOR_BODY void take_out_body(double* displacement, Real* sum, const Real* const* kernels,
+                                   const Real* pressures, std::size_t cuts, std::size_t columns) {
+  std::fill_n(sum, columns, Real{0});
+  for (std::size_t k = 0; k < cuts; ++k) {
+    const Real* kernel = kernels[k];
+    const Real pressure = pressures[k];
+#pragma omp simd
+    for (std::size_t j = 0; j < columns; ++j) {
+      sum[j] += pressure * kernel[j];
+    }
   }
-  for (std::size_t j = column; j < columns; ++j) {
-    displacement[j] += pressure * kernel[j - column];
+#pragma omp simd
+  for (std::size_t j = 0; j < columns; ++j) {
+    displacement[j] -= static_cast<double>(sum[j]);
   }
+}
+WRC_VECTOR_CLONES void take_out(double* u, float* sum, const float* const* kernels,
+                                const float* pressures, std::size_t cuts, std::size_t n) {
+  take_out_body(u, sum, kernels, pressures, cuts, n);
+}
+WRC_VECTOR_CLONES void take_out(double* u, double* sum, const double* const* kernels,
+                                const double* pressures, std::size_t cuts, std::size_t n) {
+  take_out_body(u, sum, kernels, pressures, cuts, n);
 }
 
 /// Sides of the box that contact has reached and beyond which there are elements.
@@ -231,6 +250,7 @@ template <typename Real> void ProjectedCg<Real>::prepare(const IterationBox& box
       {box.rows, box.columns, box.rows, box.columns, 0, 0}, box.kernel, cache_);
   fields.preconditioner =
       BoxConvolution<Real>::inverse_periodic(box.rows, box.columns, box.kernel, cache_);
+  fields.has_mirrored = false;
   provide(fields.displacement, box.count());
   for (AlignedArray<Real>* array : {&fields.residual, &fields.last_residual, &fields.correction,
                                     &fields.direction, &fields.response, &fields.contact}) {
@@ -288,34 +308,61 @@ template <typename Real> void ProjectedCg<Real>::respond() {
   }
 }
 
+/// K for all offsets of columns, so that around any element it is read in one direction.
+template <typename Real>
+void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields) {
+  const InfluenceTable& influence = cache_.table(box.kernel, box.rows, box.columns);
+  const std::size_t pitch = 2 * box.columns - 1;
+  provide(fields.mirrored, box.rows * pitch);
+  for (std::size_t i = 0; i < box.rows; ++i) {
+    const double* row = influence.row(i);
+    Real* centre = fields.mirrored.data() + i * pitch + (box.columns - 1);
+    for (std::size_t j = 0; j < box.columns; ++j) {
+      centre[j] = static_cast<Real>(row[j]);
+    }
+    std::reverse_copy(centre + 1, centre + box.columns, centre - (box.columns - 1));
+  }
+  fields.has_mirrored = true;
+}
+
 /// Sets negative pressures to 0 and takes their displacement out of u.
 template <typename Real>
 void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
-  // About what a convolution costs in additions.
-  constexpr std::size_t most_single_additions = 32;
   double* pressure = box.pressure.data();
-  if (fields.cut <= static_cast<double>(most_single_additions)) {
+  if (fields.cut <= static_cast<double>(most_single_cuts)) {
     struct Cut {
       std::size_t row;
       std::size_t column;
-      double pressure;
     };
-    std::array<Cut, most_single_additions> cuts{};
+    std::array<Cut, most_single_cuts> cuts{};
+    std::array<Real, most_single_cuts> pressures{};
+    std::array<const Real*, most_single_cuts> kernels{};
     std::size_t cut_count = 0;
-    for (std::size_t index = 0; index < box.count(); ++index) {
-      if (pressure[index] < 0.0) {
-        cuts[cut_count++] = {index / box.columns, index % box.columns, pressure[index]};
-        pressure[index] = 0.0;
+    for (std::size_t i = 0; i < box.rows; ++i) {
+      double* row = pressure + i * box.columns;
+      if (!(least_of(row, box.columns) < 0.0)) {
+        continue;
+      }
+      for (std::size_t j = 0; j < box.columns; ++j) {
+        if (row[j] < 0.0) {
+          cuts[cut_count] = {i, j};
+          pressures[cut_count++] = static_cast<Real>(row[j]);
+          row[j] = 0.0;
+        }
       }
     }
-    const InfluenceTable& influence = cache_.table(box.kernel, box.rows, box.columns);
+    if (!fields.has_mirrored) {
+      mirror_influence(box, fields);
+    }
     for (std::size_t i = 0; i < box.rows; ++i) {
-      double* displacement = fields.displacement.data() + i * box.columns;
       for (std::size_t k = 0; k < cut_count; ++k) {
         const Cut& cut = cuts[k];
-        add_to_row(displacement, influence.row(i > cut.row ? i - cut.row : cut.row - i),
-                   -cut.pressure, cut.column, box.columns);
+        const std::size_t offset = i > cut.row ? i - cut.row : cut.row - i;
+        kernels[k] = fields.mirrored.data() + offset * (2 * box.columns - 1) +
+                     (box.columns - 1 - cut.column);
       }
+      take_out(fields.displacement.data() + i * box.columns, fields.response.data(), kernels.data(),
+               pressures.data(), cut_count, box.columns);
     }
     return;
   }

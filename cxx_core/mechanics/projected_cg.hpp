@@ -117,6 +117,8 @@ private:
     AlignedArray<Real> response;   ///< K v; also the input of a fresh u = K p
     AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
     double cut = 0.0;              ///< number of pressures below 0
+    AlignedArray<Real> mirrored;   ///< K[row * (2 columns - 1) + columns - 1 + offset]
+    bool has_mirrored = false;     ///< for this box
   };
 
   void prepare(const IterationBox& box, Fields& fields);
@@ -124,6 +126,7 @@ private:
   void respond();
   void cut_negative();
   void cut_negative(const IterationBox& box, Fields& fields);
+  void mirror_influence(const IterationBox& box, Fields& fields);
   void take_free_step(double z_mean);
 
   InfluenceCache& cache_;

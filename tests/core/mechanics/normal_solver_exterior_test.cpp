@@ -13,10 +13,11 @@ namespace {
 
 using Place = std::pair<std::size_t, std::size_t>;
 
-/// A sphere in the middle of 256 x 128 elements, 8 elements across its contact, and its answer.
+/// A sphere in the middle of 256 x 128 elements and its answer, contact 8 elements across under
+/// 50 N, 80 under 50 kN.
 class LoneSphere {
 public:
-  LoneSphere() {
+  explicit LoneSphere(double load_on_it = 50.0) : load(load_on_it) {
     const NormalProblem problem = with_load(grid, distance, load, exact_tolerance);
     const NormalSolution alone = solve_exactly(problem);
     approach = alone.approach;
@@ -34,7 +35,7 @@ public:
     gap[index] = approach - displacement[index] - share * largest;
   }
 
-  static constexpr double load = 50.0;
+  const double load;
   const Grid grid = centred_grid(256, 128, 0.05, 0.05);
   const std::vector<double> distance = hertz_gap(grid, 0.05, 0.05);
   double approach = 0.0;
@@ -50,7 +51,7 @@ void expect_found(NormalSolver& solver, const LoneSphere& sphere,
   for (const double tolerance : {0.1 * share, 1e-6}) {
     for (const bool by_load : {true, false}) {
       const NormalProblem problem =
-          by_load ? with_load(sphere.grid, distance, LoneSphere::load, tolerance)
+          by_load ? with_load(sphere.grid, distance, sphere.load, tolerance)
                   : with_approach(sphere.grid, distance, sphere.approach, tolerance);
       const NormalSolution solution = solver.solve(problem);
       const std::string text = name + " pressed in by " + std::to_string(share) + " at row " +
@@ -71,6 +72,21 @@ TEST(ExteriorCheck, FindsOneElement) {
   for (const Place& place :
        {Place{0, 0}, {255, 127}, {0, 64}, {128, 0}, {3, 125}, {200, 17}, {101, 126}}) {
     for (const double share : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
+      std::vector<double> distance = sphere.distance;
+      sphere.press_in(distance, place, share);
+      expect_found(solver, sphere, distance, place, share, "element");
+    }
+  }
+}
+
+/// All around a large contact gaps are narrow, and looked at with larger elements first.
+TEST(ExteriorCheck, FindsOneElementBesideALargeContact) {
+  const LoneSphere sphere(5e4);
+  NormalSolver solver;
+  const std::vector<Place> places{{128, 107}, {128, 18}, {84, 64},   {83, 63}, {175, 80},
+                                  {170, 98},  {60, 64},  {128, 127}, {0, 0},   {255, 1}};
+  for (const Place& place : places) {
+    for (const double share : {1e-1, 1e-3, 1e-5}) {
       std::vector<double> distance = sphere.distance;
       sphere.press_in(distance, place, share);
       expect_found(solver, sphere, distance, place, share, "element");
@@ -112,12 +128,12 @@ TEST(ExteriorCheck, LeavesSeparateBodiesAlone) {
   NormalSolver solver;
   constexpr double tolerance = 1e-6;
   const NormalSolution alone =
-      solver.solve(with_load(sphere.grid, sphere.distance, LoneSphere::load, tolerance));
+      solver.solve(with_load(sphere.grid, sphere.distance, sphere.load, tolerance));
   for (const Place& place : {Place{0, 0}, {200, 17}, {101, 126}}) {
     std::vector<double> distance = sphere.distance;
     sphere.press_in(distance, place, -1e-5);
     const NormalSolution solution =
-        solver.solve(with_load(sphere.grid, distance, LoneSphere::load, tolerance));
+        solver.solve(with_load(sphere.grid, distance, sphere.load, tolerance));
     EXPECT_EQ(solution.pressure[sphere.index_of(place)], 0.0);
     EXPECT_LE(pressure_error(solution.pressure, alone.pressure), 2.0 * tolerance);
   }
