@@ -69,6 +69,31 @@ TEST(DisplacementOperator, EqualsTheDenseSum) {
   }
 }
 
+/// At the elements' centres, near and far from the loaded ones.
+TEST(DisplacementAt, EqualsTheOperator) {
+  constexpr double largest_error = 3e-5; // one far coefficient is off by 1e-4 at the most
+  for (const auto& [rows, columns] :
+       {std::pair<std::size_t, std::size_t>{1, 1}, {1, 60}, {70, 1}, {31, 90}, {90, 45}}) {
+    for (const double aspect : {1.0 / 200.0, 0.4, 1.0, 2.5, 100.0}) {
+      const Grid grid{rows, columns, 0.1, 0.1 * aspect, -3.0, 4.0};
+      std::vector<double> pressure = random_pressure(grid.element_count());
+      // One half without pressure, so that places far away from all of it are among them.
+      std::fill_n(pressure.begin(), pressure.size() / 2, 0.0);
+      for (const Elements elements : {Elements::constant, Elements::smooth}) {
+        std::vector<double> expected(pressure.size());
+        DisplacementOperator(grid, modulus, elements).apply(pressure, expected);
+        for (std::size_t index = 0; index < pressure.size(); index += 1 + pressure.size() / 40) {
+          const double found = displacement_at(
+              grid, pressure, modulus, grid.longitudinal(index % grid.longitudinal_count),
+              grid.lateral(index / grid.longitudinal_count), elements);
+          ASSERT_NEAR(found / expected[index], 1.0, largest_error)
+              << rows << " x " << columns << " aspect " << aspect << " element " << index;
+        }
+      }
+    }
+  }
+}
+
 /// Largest error at the centre and beside it, relative to u(0), of a Gaussian pressure of unit
 /// standard deviation with this many elements over it: u(r) = sqrt(2 pi)/E* exp(-r^2/4) I0(r^2/4).
 double gaussian_error(double elements_over_deviation, double aspect, Elements elements) {
