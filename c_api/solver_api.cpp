@@ -30,13 +30,13 @@ wrc_status take_all(wrc_scene* const* scenes, int64_t count, std::vector<SceneIn
 
 /// Solves scenes as long as there are any; each by itself.
 void solve_waiting(const std::vector<SceneInUse>& scenes, std::atomic<std::size_t>& next,
-                   wrc_status* statuses) noexcept {
+                   const wrc::SceneSolver& shared, wrc_status* statuses) noexcept {
   std::optional<wrc::SceneSolver> solver; // made under the guard
   for (std::size_t i = next.fetch_add(1); i < scenes.size(); i = next.fetch_add(1)) {
     wrc::SceneObject& scene = scenes[i]->object();
     statuses[i] = wrc::run(scene, [&] {
       if (!solver) {
-        solver.emplace();
+        solver.emplace(shared.beside());
       }
       solver->forget_positions();
       return scene.take_result(solver->solve(scene.scene));
@@ -100,17 +100,19 @@ wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t thre
     std::vector<wrc_status> own(statuses == nullptr ? static_cast<std::size_t>(count) : 0);
     wrc_status* results = statuses == nullptr ? own.data() : statuses;
     std::atomic<std::size_t> next{0};
+    const wrc::SceneSolver shared;
     std::vector<std::thread> others;
     const auto most = std::min<int64_t>(threads, count);
     others.reserve(static_cast<std::size_t>(std::max<int64_t>(most, 1)));
     try {
       for (int64_t i = 1; i < most; ++i) {
-        others.emplace_back(solve_waiting, std::cref(taken), std::ref(next), results);
+        others.emplace_back(solve_waiting, std::cref(taken), std::ref(next), std::cref(shared),
+                            results);
       }
     } catch (...) {
       // Fewer threads than asked for: the same results, later.
     }
-    solve_waiting(taken, next, results);
+    solve_waiting(taken, next, shared, results);
     for (std::thread& other : others) {
       other.join();
     }

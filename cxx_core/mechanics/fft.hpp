@@ -9,8 +9,9 @@
 /// the process has loaded wisdom; with `measure` FFTW times several algorithms, once a length, and
 /// the last bits of results may differ from one process to the next.
 /// Thread rule: planning takes a lock shared by the whole process, since only FFTW's execute is
-/// thread-safe; a host that plans by itself can have its own lock taken before it. One object
-/// serves one thread at a time, different objects are independent.
+/// thread-safe; a host that plans by itself can have its own lock taken before it. One LineFft
+/// serves any number of threads at once, each with lines of its own; one RealFft, which holds its
+/// fields, serves one at a time.
 #pragma once
 
 #include <algorithm>

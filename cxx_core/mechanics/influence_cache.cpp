@@ -26,36 +26,72 @@ const Fft& fft_of(std::map<std::size_t, std::unique_ptr<Fft>>& kept, std::size_t
   return *found->second;
 }
 
+std::size_t bytes_of(const InfluenceTable& table) {
+  return table.values.size() * sizeof(double);
+}
+
+template <typename Real> std::size_t bytes_of(const KernelSpectrum<Real>& spectrum) {
+  return spectrum.values.size() * sizeof(Real);
+}
+
 } // namespace
 
 template <typename Real> const LineFft<Real>& InfluenceCache::line_fft(std::size_t length) {
+  const std::lock_guard<std::mutex> guard(fft_mutex_);
   return fft_of(store<Real>().line_ffts, length, rigor_);
 }
 
-const InfluenceTable& InfluenceCache::table(const InfluenceKernel& kernel, std::size_t rows,
-                                            std::size_t columns) {
-  Kept<InfluenceTable>& kept = tables_[kernel];
-  kept.last_use = ++clock_;
-  if (kept.item.rows < rows || kept.item.columns < columns) {
-    // Complete before it takes the old one's place: memory may run out.
-    InfluenceTable table{std::max(rows, kept.item.rows), std::max(columns, kept.item.columns), {}};
-    table.values.resize(table.rows * table.columns);
-    fill_influence_table(kernel, table.rows, table.columns, table.values);
-    kept.item = std::move(table);
-    held_bytes_ -= kept.bytes;
-    kept.bytes = kept.item.values.size() * sizeof(double);
-    held_bytes_ += kept.bytes;
+/// What is kept under a key, if it serves; else it is made, by the first one who asks.
+template <typename Key, typename Item, class Serves, class Make>
+std::shared_ptr<const Item> InfluenceCache::obtain(Kept<Key, Item>& kept, const Key& key,
+                                                   const Serves& serves, const Make& make) {
+  std::shared_ptr<Place<Item>> place;
+  {
+    const std::lock_guard<std::mutex> guard(mutex_);
+    std::shared_ptr<Place<Item>>& entry = kept[key];
+    if (!entry) {
+      entry = std::make_shared<Place<Item>>();
+    }
+    entry->last_use = ++clock_;
+    place = entry;
   }
-  return kept.item;
+  const std::lock_guard<std::mutex> making(place->making);
+  if (!place->item || !serves(*place->item)) {
+    // Complete before it takes the old one's place: memory may run out.
+    auto item = std::make_shared<const Item>(make(place->item.get()));
+    const std::lock_guard<std::mutex> guard(mutex_);
+    place->item = std::move(item);
+    if (!place->dropped) {
+      held_bytes_ -= place->bytes;
+      place->bytes = bytes_of(*place->item);
+      held_bytes_ += place->bytes;
+      place->last_use = ++clock_;
+    }
+  }
+  return place->item;
+}
+
+std::shared_ptr<const InfluenceTable> InfluenceCache::table(const InfluenceKernel& kernel,
+                                                            std::size_t rows, std::size_t columns) {
+  return obtain(
+      tables_, kernel,
+      [&](const InfluenceTable& kept) { return kept.rows >= rows && kept.columns >= columns; },
+      [&](const InfluenceTable* smaller) {
+        InfluenceTable table;
+        table.rows = std::max(rows, smaller != nullptr ? smaller->rows : 0);
+        table.columns = std::max(columns, smaller != nullptr ? smaller->columns : 0);
+        table.values.resize(table.rows * table.columns);
+        fill_influence_table(kernel, table.rows, table.columns, table.values);
+        return table;
+      });
 }
 
 template <typename Real>
-std::shared_ptr<const KernelSpectrum<Real>>
-InfluenceCache::compute_spectrum(const SpectrumKey& key) {
+KernelSpectrum<Real> InfluenceCache::compute_spectrum(const SpectrumKey& key) {
   const auto& [kernel, rows, columns, content] = key;
   const std::size_t half_rows = rows / 2;
   const std::size_t half_columns = columns / 2;
-  const InfluenceTable& influence = table(kernel, half_rows + 1, half_columns + 1);
+  const auto influence = table(kernel, half_rows + 1, half_columns + 1);
 
   // Lines that are even have real spectra: two of them make one complex transform, one as its real
   // and one as its imaginary part.
@@ -67,8 +103,8 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
   std::vector<double> half((half_columns + 1) * (half_rows + 1));
   for (std::size_t row = 0; row <= half_rows; row += 2) {
     const bool pair = row < half_rows;
-    const double* first = influence.row(row);
-    const double* second = influence.row(pair ? row + 1 : row);
+    const double* first = influence->row(row);
+    const double* second = influence->row(pair ? row + 1 : row);
     Complex* line = row_line.data();
     for (std::size_t column = 0; column <= half_columns; ++column) {
       line[column] = {first[column], second[column]};
@@ -86,11 +122,11 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
     }
   }
 
-  auto spectrum = std::make_shared<KernelSpectrum<Real>>();
-  spectrum->rows = rows;
-  spectrum->columns = columns;
-  spectrum->pitch = aligned_pitch<Real>(rows);
-  spectrum->values = AlignedArray<Real>(spectrum->pitch * (half_columns + 1));
+  KernelSpectrum<Real> spectrum;
+  spectrum.rows = rows;
+  spectrum.columns = columns;
+  spectrum.pitch = aligned_pitch<Real>(rows);
+  spectrum.values = AlignedArray<Real>(spectrum.pitch * (half_columns + 1));
   const LineFft<double>& column_fft = line_fft<double>(rows);
   AlignedArray<Complex> column_line(rows);
   AlignedArray<Complex> column_spectrum(rows);
@@ -110,13 +146,13 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
       line[row] = line[rows - row];
     }
     column_fft.forward(line, column_spectrum.data());
-    Real* values = spectrum->values.data() + column * spectrum->pitch;
+    Real* values = spectrum.values.data() + column * spectrum.pitch;
     for (std::size_t row = 0; row < rows; ++row) {
       values[row] = entry_of(column_spectrum.data()[row].real());
     }
     if (pair) {
       for (std::size_t row = 0; row < rows; ++row) {
-        values[spectrum->pitch + row] = entry_of(column_spectrum.data()[row].imag());
+        values[spectrum.pitch + row] = entry_of(column_spectrum.data()[row].imag());
       }
     }
   }
@@ -125,19 +161,9 @@ InfluenceCache::compute_spectrum(const SpectrumKey& key) {
 
 template <typename Real>
 std::shared_ptr<const KernelSpectrum<Real>> InfluenceCache::spectrum_of(const SpectrumKey& key) {
-  auto& spectra = store<Real>().spectra;
-  auto found = spectra.find(key);
-  if (found == spectra.end()) {
-    auto spectrum = compute_spectrum<Real>(key);
-    const std::size_t bytes = spectrum->values.size() * sizeof(Real);
-    held_bytes_ += bytes;
-    found = spectra
-                .emplace(key, Kept<std::shared_ptr<const KernelSpectrum<Real>>>{std::move(spectrum),
-                                                                                bytes, 0})
-                .first;
-  }
-  found->second.last_use = ++clock_;
-  return found->second.item;
+  return obtain(
+      store<Real>().spectra, key, [](const KernelSpectrum<Real>&) { return true; },
+      [&](const KernelSpectrum<Real>*) { return compute_spectrum<Real>(key); });
 }
 
 template <typename Real>
@@ -153,12 +179,18 @@ InfluenceCache::inverse_spectrum(const InfluenceKernel& kernel, std::size_t rows
   return spectrum_of<Real>({kernel, rows, columns, Content::inverse});
 }
 
+std::uint64_t InfluenceCache::now() const {
+  const std::lock_guard<std::mutex> guard(mutex_);
+  return clock_;
+}
+
 void InfluenceCache::trim(std::size_t bytes, std::uint64_t since) {
+  const std::lock_guard<std::mutex> guard(mutex_);
   while (held_bytes_ > bytes) {
     std::uint64_t oldest = std::numeric_limits<std::uint64_t>::max();
     const auto look = [&oldest](const auto& kept) {
-      for (const auto& [key, entry] : kept) {
-        oldest = std::min(oldest, entry.last_use);
+      for (const auto& [key, place] : kept) {
+        oldest = place->bytes > 0 ? std::min(oldest, place->last_use) : oldest;
       }
     };
     look(tables_);
@@ -169,10 +201,12 @@ void InfluenceCache::trim(std::size_t bytes, std::uint64_t since) {
     }
     const auto drop = [&](auto& kept) {
       std::erase_if(kept, [&](const auto& entry) {
-        if (entry.second.last_use != oldest) {
+        auto& place = *entry.second;
+        if (place.last_use != oldest) {
           return false;
         }
-        held_bytes_ -= entry.second.bytes;
+        held_bytes_ -= place.bytes;
+        place.dropped = true;
         return true;
       });
     };

@@ -1,18 +1,20 @@
 /// Influence coefficients and their spectra, computed once and kept.
 ///
 /// Lengths are counted in longitudinal element steps, so that one table for elements of 1 x aspect
-/// (influence_coefficients.hpp) serves grids of any size and every
-/// level of a cascade. A spectrum belongs to a periodic convolution of rows x columns: the kernel
-/// is wrapped around with its true coefficients at every place and even in both directions, so its
-/// spectrum is real. Divided by the number of elements, since the transforms are not normalised.
+/// (influence_coefficients.hpp) serves grids of any size and every level of a cascade. A spectrum
+/// belongs to a periodic convolution of rows x columns: the kernel is wrapped around with its true
+/// coefficients at every place and even in both directions, so its spectrum is real. Divided by the
+/// number of elements, since the transforms are not normalised.
 /// Nothing kept here changes a result: asking again gives the same bits as computing anew.
-/// Thread rule: one object serves one thread at a time.
+/// Thread rule: one object serves any number of threads at once; what one of them is making the
+/// others wait for. What was handed out stays valid when it is dropped here.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -55,9 +57,11 @@ class InfluenceCache {
 public:
   explicit InfluenceCache(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
 
+  /// Kept as long as the cache.
   template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
-  /// At least rows x columns offsets; valid until the next call for the same kernel.
-  const InfluenceTable& table(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns);
+  /// At least rows x columns offsets.
+  std::shared_ptr<const InfluenceTable> table(const InfluenceKernel& kernel, std::size_t rows,
+                                              std::size_t columns);
   template <typename Real>
   std::shared_ptr<const KernelSpectrum<Real>> spectrum(const InfluenceKernel& kernel,
                                                        std::size_t rows, std::size_t columns);
@@ -69,33 +73,40 @@ public:
   /// Drops what was used longest ago, until no more than this is held, but nothing that was used
   /// since a time that now() has told. To be called between solutions.
   void trim(std::size_t bytes, std::uint64_t since);
-  [[nodiscard]] std::uint64_t now() const { return clock_; }
+  [[nodiscard]] std::uint64_t now() const;
 
 private:
   enum class Content { direct, inverse };
   using SpectrumKey = std::tuple<InfluenceKernel, std::size_t, std::size_t, Content>;
-  template <typename Item> struct Kept {
-    Item item;
-    std::size_t bytes;
-    std::uint64_t last_use;
+  template <typename Item> struct Place {
+    std::mutex making; ///< guards `item`
+    std::shared_ptr<const Item> item;
+    std::size_t bytes = 0; ///< of the item, once it is counted
+    std::uint64_t last_use = 0;
+    bool dropped = false;
   };
+  template <typename Key, typename Item> using Kept = std::map<Key, std::shared_ptr<Place<Item>>>;
   template <typename Real> struct Store {
     std::map<std::size_t, std::unique_ptr<LineFft<Real>>> line_ffts;
-    std::map<SpectrumKey, Kept<std::shared_ptr<const KernelSpectrum<Real>>>> spectra;
+    Kept<SpectrumKey, KernelSpectrum<Real>> spectra;
   };
 
   template <typename Real> Store<Real>& store();
+  template <typename Key, typename Item, class Serves, class Make>
+  std::shared_ptr<const Item> obtain(Kept<Key, Item>& kept, const Key& key, const Serves& serves,
+                                     const Make& make);
   template <typename Real>
   std::shared_ptr<const KernelSpectrum<Real>> spectrum_of(const SpectrumKey& key);
-  template <typename Real>
-  std::shared_ptr<const KernelSpectrum<Real>> compute_spectrum(const SpectrumKey& key);
+  template <typename Real> KernelSpectrum<Real> compute_spectrum(const SpectrumKey& key);
 
   PlannerRigor rigor_;
+  std::mutex fft_mutex_;     ///< guards the transforms of lines
+  mutable std::mutex mutex_; ///< guards all else but the items
   std::uint64_t clock_ = 0;
   std::size_t held_bytes_ = 0;
   Store<float> single_;
   Store<double> double_;
-  std::map<InfluenceKernel, Kept<InfluenceTable>> tables_;
+  Kept<InfluenceKernel, InfluenceTable> tables_;
 };
 
 } // namespace wrc

@@ -42,7 +42,7 @@ constexpr double start_coarseness = 0.15;
 constexpr double start_quantile = 0.2;
 /// Memory for tables and spectra kept between calls, besides those of the last solution. A hunting
 /// wheelset meets new ones again and again: with more memory its steps are no faster.
-constexpr std::size_t kept_bytes = std::size_t{4} << 20;
+constexpr std::size_t kept_bytes = std::size_t{8} << 20;
 
 /// One grid of a patch's cascade, in its own unit of length.
 struct Level {
@@ -167,9 +167,9 @@ WRC_VECTOR_CLONES double count_below(const double* values, double limit, std::si
 } // namespace
 
 struct NormalSolver::State {
-  State(PlannerRigor rigor, Precision precision_asked)
-      : precision(precision_asked), cache(rigor), single_iteration(cache), double_iteration(cache) {
-  }
+  State(std::shared_ptr<InfluenceCache> shared, Precision precision_asked)
+      : precision(precision_asked), cache(std::move(shared)), single_iteration(*cache),
+        double_iteration(*cache) {}
 
   void make_levels(const JointProblem& problem);
   void draw_start(std::size_t index);
@@ -184,7 +184,7 @@ struct NormalSolver::State {
   JointSolution solve(const JointProblem& problem);
 
   Precision precision;
-  InfluenceCache cache;
+  std::shared_ptr<InfluenceCache> cache;
   ProjectedCg<float> single_iteration;
   ProjectedCg<double> double_iteration;
   std::vector<Cascade> cascades; ///< at least as many as patches
@@ -242,7 +242,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
       const Level& finest = cascades[k].finest();
       farthest =
           std::max(farthest, *load / finest.load_weight() *
-                                 cache.table(cascades[k].kernel, 1, 1).row(0)[0] / finest.share);
+                                 cache->table(cascades[k].kernel, 1, 1)->row(0)[0] / finest.share);
     }
   }
   for (std::size_t k = 0; k < count; ++k) {
@@ -423,7 +423,7 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
       {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
        -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
        -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
-      cascade.kernel, cache);
+      cascade.kernel, *cache);
   const std::vector<Real> in(cascade.box_pressure.begin(), cascade.box_pressure.end());
   std::vector<Real> out(rectangle.rows() * rectangle.columns());
   convolution.apply(in.data(), out.data(), workspace);
@@ -459,7 +459,7 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
   const BoxConvolution<float> convolution = BoxConvolution<float>::linear(
       {from.rows, from.columns, rows, columns, -static_cast<std::ptrdiff_t>(rows_before),
        -static_cast<std::ptrdiff_t>(columns_before)},
-      cascade.kernel, cache);
+      cascade.kernel, *cache);
   std::vector<float> displacement(rows * columns);
   convolution.apply(pressure.data(), displacement.data(), single_iteration.workspace());
 
@@ -550,7 +550,7 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
   include(rectangle, candidates);
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
   const double permitted =
-      0.5 * tolerance * largest_pressure * cache.table(cascade.kernel, 1, 1).row(0)[0];
+      0.5 * tolerance * largest_pressure * cache->table(cascade.kernel, 1, 1)->row(0)[0];
   double overlap = missed_overlap * reached;
   if (overlap <= permitted) {
     displace(cascade, rectangle, single_iteration.workspace());
@@ -580,7 +580,7 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
 }
 
 JointSolution NormalSolver::State::solve(const JointProblem& problem) {
-  const std::uint64_t start = cache.now();
+  const std::uint64_t start = cache->now();
   count = problem.patches.size();
   approach = 0.0;
   interaction = problem.interaction;
@@ -664,12 +664,14 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   }
   solution.approach =
       problem.approach ? *problem.approach : least_approach + approach * approach_scale;
-  cache.trim(kept_bytes, start);
+  cache->trim(kept_bytes, start);
   return solution;
 }
 
 NormalSolver::NormalSolver(PlannerRigor rigor, Precision precision)
-    : state_(new State(rigor, precision)) {}
+    : NormalSolver(std::make_shared<InfluenceCache>(rigor), precision) {}
+NormalSolver::NormalSolver(std::shared_ptr<InfluenceCache> shared, Precision precision)
+    : state_(new State(std::move(shared), precision)) {}
 NormalSolver::~NormalSolver() = default;
 NormalSolver::NormalSolver(NormalSolver&&) noexcept = default;
 NormalSolver& NormalSolver::operator=(NormalSolver&&) noexcept = default;

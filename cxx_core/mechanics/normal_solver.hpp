@@ -28,6 +28,9 @@ class NormalSolver {
 public:
   explicit NormalSolver(PlannerRigor rigor = PlannerRigor::estimate,
                         Precision precision = Precision::mixed);
+  /// Shares influence coefficients and transforms with others that have the same cache.
+  explicit NormalSolver(std::shared_ptr<InfluenceCache> shared,
+                        Precision precision = Precision::mixed);
   ~NormalSolver();
   NormalSolver(NormalSolver&&) noexcept;
   NormalSolver& operator=(NormalSolver&&) noexcept;

@@ -21,8 +21,10 @@ constexpr double double_drift = 2e-16;
 constexpr double drift_exponent = 1.15;
 /// Iterations without a smaller error after which no more is to be had.
 constexpr int stagnation_window = 60;
-/// Pressures whose displacements are added up one by one: about as many as cost a convolution.
+/// Pressures whose displacements are added up one by one: about as many as cost a convolution of
+/// so many elements.
 constexpr std::size_t most_single_cuts = 128;
+constexpr double elements_per_cut = 256.0;
 
 struct ContactMean {
   double sum;
@@ -311,11 +313,11 @@ template <typename Real> void ProjectedCg<Real>::respond() {
 /// K for all offsets of columns, so that around any element it is read in one direction.
 template <typename Real>
 void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields) {
-  const InfluenceTable& influence = cache_.table(box.kernel, box.rows, box.columns);
+  const auto influence = cache_.table(box.kernel, box.rows, box.columns);
   const std::size_t pitch = 2 * box.columns - 1;
   provide(fields.mirrored, box.rows * pitch);
   for (std::size_t i = 0; i < box.rows; ++i) {
-    const double* row = influence.row(i);
+    const double* row = influence->row(i);
     Real* centre = fields.mirrored.data() + i * pitch + (box.columns - 1);
     for (std::size_t j = 0; j < box.columns; ++j) {
       centre[j] = static_cast<Real>(row[j]);
@@ -329,7 +331,8 @@ void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields
 template <typename Real>
 void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
   double* pressure = box.pressure.data();
-  if (fields.cut <= static_cast<double>(most_single_cuts)) {
+  const double most = static_cast<double>(box.count()) / elements_per_cut;
+  if (fields.cut <= std::min(most, static_cast<double>(most_single_cuts))) {
     struct Cut {
       std::size_t row;
       std::size_t column;

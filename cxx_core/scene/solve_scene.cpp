@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <mutex>
 #include <type_traits>
 
 #include "error.hpp"
@@ -71,7 +72,7 @@ template <class Dimensions> struct SurfaceKey {
   bool operator==(const SurfaceKey&) const = default;
 };
 
-/// The surfaces last used, with the corrections their files needed.
+/// The surfaces last used, with the corrections their files needed. Any number of threads.
 template <class Surface, class Dimensions> class SurfaceCache {
 public:
   struct Entry {
@@ -80,7 +81,8 @@ public:
     std::vector<std::string> corrections;
   };
 
-  template <class Make> const Entry& get(const SurfaceKey<Dimensions>& key, Make&& make) {
+  template <class Make> Entry get(const SurfaceKey<Dimensions>& key, Make&& make) {
+    const std::lock_guard<std::mutex> guard(mutex_); // the others wait for what one makes
     const auto found = std::find_if(entries_.begin(), entries_.end(),
                                     [&key](const Entry& entry) { return entry.key == key; });
     if (found != entries_.end()) {
@@ -91,10 +93,10 @@ public:
     }
     return entries_.front();
   }
-  void clear() { entries_.clear(); }
 
 private:
   static constexpr std::size_t kept_surfaces = 8;
+  std::mutex mutex_;
   std::vector<Entry> entries_; ///< last used first
 };
 
@@ -154,9 +156,16 @@ bool is_comparable(const Scene& one, const Scene& other) {
 
 } // namespace
 
-struct SceneSolver::State {
+/// What changes no bit of a result.
+struct SceneSolver::Shared {
   SurfaceCache<WheelSurface, WheelsetDimensions> wheels;
   SurfaceCache<RailSurface, TrackDimensions> rails;
+  InfluenceCache estimated;
+  InfluenceCache measured{PlannerRigor::measure};
+};
+
+struct SceneSolver::State {
+  std::shared_ptr<Shared> shared;
   SideState left;
   SideState right;
   std::optional<Scene> last; ///< whose solvers and positions these are
@@ -185,11 +194,11 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     });
   };
   const auto wheel_entry =
-      make_entry(&wheels,
+      make_entry(&shared->wheels,
                  SurfaceKey<WheelsetDimensions>{scene.wheel_profile, scene.wheel,
                                                 scene.wheel_smoothing, scene.wheelset},
                  ProfileKind::wheel, "wheelset.wheel");
-  const auto rail_entry = make_entry(&rails,
+  const auto rail_entry = make_entry(&shared->rails,
                                      SurfaceKey<TrackDimensions>{scene.rail_profile, scene.rail,
                                                                  scene.rail_smoothing, scene.track},
                                      ProfileKind::rail, "track.rail");
@@ -206,7 +215,9 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   last.reset(); // until the solvers are those of this scene, which may fail after all
   for (SideState* side : {&left, &right}) {
     if (new_solver || !side->solver) {
-      side->solver.emplace(scene.planner, scene.precision);
+      InfluenceCache* cache =
+          scene.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated;
+      side->solver.emplace(std::shared_ptr<InfluenceCache>(shared, cache), scene.precision);
     }
     if (!comparable) {
       side->memory.valid = false;
@@ -303,7 +314,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   return result;
 }
 
-SceneSolver::SceneSolver() : state_(new State) {}
+SceneSolver::SceneSolver() : state_(new State{std::make_shared<Shared>(), {}, {}, {}}) {}
 SceneSolver::~SceneSolver() = default;
 SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
 SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;
@@ -325,7 +336,13 @@ void SceneSolver::forget_positions() {
 }
 
 void SceneSolver::forget() {
-  *state_ = State{};
+  *this = SceneSolver();
+}
+
+SceneSolver SceneSolver::beside() const {
+  SceneSolver other;
+  other.state_->shared = state_->shared;
+  return other;
 }
 
 SceneResult solve_scene(const Scene& scene) {

@@ -65,8 +65,12 @@ public:
   void forget_positions();
   /// Drops everything, profiles included.
   void forget();
+  /// One more, for another thread: both share profiles, influence coefficients and plans, and
+  /// either may be used, forgotten or destroyed at any time.
+  [[nodiscard]] SceneSolver beside() const;
 
 private:
+  struct Shared;
   struct State;
   std::unique_ptr<State> state_;
 };
