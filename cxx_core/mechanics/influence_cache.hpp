@@ -1,10 +1,10 @@
 /// Influence coefficients and their spectra, computed once and kept.
 ///
 /// Lengths are counted in longitudinal element steps, so that one table for elements of 1 x aspect
-/// (influence_coefficients.hpp) serves grids of any size and every
-/// level of a cascade. A spectrum belongs to a periodic convolution of rows x columns: the kernel
-/// is wrapped around with its true coefficients at every place and even in both directions, so its
-/// spectrum is real. Divided by the number of elements, since the transforms are not normalised.
+/// (influence_coefficients.hpp) serves grids of any size and every level of a cascade. A spectrum
+/// belongs to a periodic convolution of rows x columns: the kernel is wrapped around with its true
+/// coefficients at every place and even in both directions, so its spectrum is real. Divided by the
+/// number of elements, since the transforms are not normalised.
 /// Nothing kept here changes a result: asking again gives the same bits as computing anew.
 /// Thread rule: one object serves one thread at a time.
 #pragma once
