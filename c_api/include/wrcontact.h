@@ -201,8 +201,7 @@ WRC_API const char* wrc_normal_error(const wrc_normal* normal);
 
 /**
  * The grid: numbers of elements (at least 1, at most 2^26 in all) and their sides in mm (1e-30 to
- * 1e30, neither more than 1e9 times the other).
- * WRC_INVALID_ARGUMENT. Since 0.1.
+ * 1e30, neither more than 1e9 times the other). WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                        int64_t longitudinal_count, double lateral_step,
@@ -216,11 +215,14 @@ WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* val
 /**
  * Numbers by key:
  *   "combined_modulus"    MPa, 1e-30 to 1e30; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on
- * steel if not set: 210000/(2 (1 - 0.3^2)) "normal_load"         N, 0 or 1e-60 to 1e60; replaces
- * the approach "approach"            mm, -1e60 to 1e60; replaces the normal load "tolerance" 1e-13
- * to 0.1, 1e-6 if not set. Solver "default": largest error of the pressures relative to their
- * largest, against the exact solution on this grid, by measurement. Solver "paper": update of the
- * pressures and complementarity "maximum_iterations"  a whole number, 1 to 1e9; 5000 if not set
+ *                         steel if not set: 210000/(2 (1 - 0.3^2))
+ *   "normal_load"         N, 0 or 1e-60 to 1e60; replaces the approach
+ *   "approach"            mm, -1e60 to 1e60; replaces the normal load
+ *   "tolerance"           1e-13 to 0.1, 1e-6 if not set. Solver "default": largest error of the
+ *                         pressures relative to their largest, against the exact solution on this
+ *                         grid, by measurement. Solver "paper": update of the pressures and
+ *                         complementarity
+ *   "maximum_iterations"  a whole number, 1 to 1e9; 5000 if not set
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value);

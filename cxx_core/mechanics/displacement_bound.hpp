@@ -4,7 +4,12 @@
 /// squared distance (Jensen's inequality), so with force F, mean m and variance v of a row
 ///   u(x, y) >= 1/(pi E*) sum_rows F / sqrt((x - m)^2 + v + dx^2/12 + (y - y_row)^2 + dy^2/12).
 /// It lies close to u some elements away from the pressures, and is enough to tell that no contact
-/// was left out there. Units mm, N, MPa; frame of remesh/grid.hpp. Thread rule: immutable.
+/// was left out there.
+/// That is for elements of constant pressure. The second differences of smooth ones take the second
+/// moments dx^2/12 and dy^2/12 away again: some elements off they act like forces at their centres,
+/// which is more than this bound. It holds for them from three of their longer sides off, and at
+/// any place for aspect ratios up to two (by computation, aspect ratios up to 1000).
+/// Units mm, N, MPa; frame of remesh/grid.hpp. Thread rule: immutable.
 #pragma once
 
 #include <span>

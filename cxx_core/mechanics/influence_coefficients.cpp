@@ -84,6 +84,13 @@ WRC_VECTOR_CLONES void fill_far_row(double lateral_distance, double lateral_step
 /// Weight of the second differences in the coefficients of smooth elements.
 constexpr double smoothing = 1.0 / 24.0;
 
+/// The coefficient of a smooth element, from that of a constant one and those of its neighbours
+/// `before` and `after` across the rail and `left` and `right` along it.
+double smoothed(double here, double before, double after, double left, double right) {
+  const double others = (before + after) + (left + right);
+  return here - smoothing * (others - 4.0 * here);
+}
+
 /// A row of a table of constant elements: row[i] = I(i, lateral_distance) for elements of 1 x
 /// lateral_step.
 void fill_constant_row(double lateral_distance, double lateral_step, std::span<double> row) {
@@ -127,8 +134,7 @@ void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::
     double* out = values.data() + row * columns;
     for (std::size_t column = 0; column < columns; ++column) {
       const double left = here[column > 0 ? column - 1 : 1];
-      const double others = (before[column] + after[column]) + (left + here[column + 1]);
-      out[column] = here[column] - smoothing * (others - 4.0 * here[column]);
+      out[column] = smoothed(here[column], before[column], after[column], left, here[column + 1]);
     }
   }
 }
@@ -154,9 +160,8 @@ double influence_coefficient(double longitudinal_distance, double lateral_distan
   };
   double value = integral(0.0, 0.0);
   if (elements == Elements::smooth) {
-    const double others =
-        (integral(0.0, -1.0) + integral(0.0, 1.0)) + (integral(-1.0, 0.0) + integral(1.0, 0.0));
-    value -= smoothing * (others - 4.0 * value);
+    value = smoothed(value, integral(0.0, -1.0), integral(0.0, 1.0), integral(-1.0, 0.0),
+                     integral(1.0, 0.0));
   }
   return value / (std::numbers::pi * combined_modulus);
 }

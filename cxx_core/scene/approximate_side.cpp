@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "mechanics/hertz.hpp"
 #include "remesh/depth_estimate.hpp"
+#include "scene/depth_checks.hpp"
 #include "scene/patch_model.hpp"
 #include "scene/side_plan.hpp"
 

@@ -38,6 +38,20 @@ struct Dimension {
   bool turns = false;
 };
 
+/// What keys and results are.
+namespace dimensions {
+inline constexpr Dimension pure{Quantity::number, false};
+inline constexpr Dimension turning_angle{Quantity::number, true};
+inline constexpr Dimension turning_force{Quantity::number, true}; ///< also a force per angle
+inline constexpr Dimension length{Quantity::length, false};
+inline constexpr Dimension turning_length{Quantity::length, true};
+inline constexpr Dimension surface{Quantity::area, false};
+inline constexpr Dimension stress{Quantity::stress, false};
+inline constexpr Dimension moment{Quantity::moment, false};
+inline constexpr Dimension turning_moment{Quantity::moment, true};
+inline constexpr Dimension stiffness{Quantity::stiffness, false};
+} // namespace dimensions
+
 /// mm, N, MPa per m, N, Pa: inside = outside * scale_of(quantity) / shrink_of(quantity).
 constexpr double scale_of(Quantity quantity) {
   switch (quantity) {

@@ -9,6 +9,8 @@
 namespace wrc {
 namespace {
 
+using namespace dimensions;
+
 using Values = std::vector<double>;
 
 /// Element centres in the track frame, one coordinate.
@@ -55,9 +57,6 @@ template <class Coordinate> Values wheel_outline(const SideResult& side, Coordin
   }
   return values;
 }
-
-constexpr Dimension length{Quantity::length, false};
-constexpr Dimension turning_length{Quantity::length, true};
 
 struct PatchField {
   std::string_view name;

@@ -10,21 +10,13 @@
 namespace wrc {
 namespace {
 
+using namespace dimensions;
+
 /// A number in mm, y left, z up, and what it is.
 struct Value {
   double value;
   Dimension dimension;
 };
-
-constexpr Dimension pure{Quantity::number, false};
-constexpr Dimension turning_force{Quantity::number, true}; ///< also a force per angle
-constexpr Dimension length{Quantity::length, false};
-constexpr Dimension turning_length{Quantity::length, true};
-constexpr Dimension surface{Quantity::area, false};
-constexpr Dimension stress{Quantity::stress, false};
-constexpr Dimension moment{Quantity::moment, false};
-constexpr Dimension turning_moment{Quantity::moment, true};
-constexpr Dimension stiffness{Quantity::stiffness, false};
 
 /// A name and how to read its value.
 template <class Owner> struct Number {

@@ -11,6 +11,8 @@
 namespace wrc {
 namespace {
 
+using namespace dimensions;
+
 struct Key {
   KeyDescription description;
   Dimension dimension;
@@ -23,12 +25,6 @@ struct Key {
   std::function<bool(Scene&, std::string_view)> set_text;
   std::function<bool(Scene&, std::span<const double>)> set_numbers;
 };
-
-constexpr Dimension pure{Quantity::number, false};
-constexpr Dimension turning_angle{Quantity::number, true};
-constexpr Dimension length{Quantity::length, false};
-constexpr Dimension turning_length{Quantity::length, true};
-constexpr Dimension stress{Quantity::stress, false};
 
 struct Range {
   double least;

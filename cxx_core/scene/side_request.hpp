@@ -1,4 +1,4 @@
-/// What is asked of one wheel on its rail, and whether there is contact at all.
+/// What is asked of one wheel on its rail.
 ///
 /// Units mm, N, MPa. Thread rule: plain values.
 #pragma once
@@ -6,8 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "mechanics/influence_coefficients.hpp"
 #include "remesh/undeformed_distance.hpp"
@@ -37,10 +35,5 @@ struct SideRequest {
   /// The load of the two that is set, N; 0 if the position is prescribed.
   [[nodiscard]] double load() const { return normal_load.value_or(vertical_load.value_or(0.0)); }
 };
-
-/// Whether there is contact at a depth found from the request. If not, a warning says why: loads
-/// too small to tell from none are taken for none. An absurd overlap throws
-/// Error(invalid_argument).
-bool is_in_contact(const SideRequest& request, double depth, std::vector<std::string>& warnings);
 
 } // namespace wrc

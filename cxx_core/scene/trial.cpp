@@ -22,6 +22,18 @@ constexpr double many_rows = 40.0;
 constexpr double load_share = 0.3;
 /// Rows with more than this share of the largest load per length lie well inside the contact.
 constexpr double inner_share = 0.5;
+/// Below so many elements smooth contact may be missed by more.
+constexpr double least_longitudinal_resolution = 8.0;
+/// At the top of a semi-elliptic pressure n rows wide the second difference is 4 / n^2 of it.
+constexpr double top_difference = 4.0;
+/// Peaks of few rows are seldom semi-ellipses, and may lie anywhere between the rows: errors up to
+/// four times those of Hertz's law were measured with 5 rows.
+constexpr double few_rows = 5.0;
+/// What the error of a lower peak counts against that of the highest.
+constexpr double lower_peak_weight = 4.0;
+/// Grids count as different in a direction from this ratio of elements on.
+constexpr double least_ratio = 1.2;
+
 /// Largest relative error of pmax and approach for Hertzian contact with n elements along an axis
 /// and many along the other one, n = 4 to 48, any place of the grid; `slenderness` is the axis over
 /// the other one, 1/9 to 90: elements that are long against the tips of an ellipse resolve them
@@ -32,22 +44,12 @@ double hertz_error(double n, double slenderness, Elements elements) {
   return (elements == Elements::smooth ? 0.055 + 0.6 / n + 0.045 * tips : 0.22 + 0.02 * tips) /
          (n * n);
 }
-/// Below so many elements smooth contact may be missed by more.
-constexpr double least_longitudinal_resolution = 8.0;
+
 /// Order by which errors of a grid and one of twice the elements are taken to fall: from grid to
 /// grid about three with smooth elements, two at last, from the edge of contact.
 double order_of(Elements elements) {
   return elements == Elements::smooth ? 3.0 : 2.0;
 }
-/// At the top of a semi-elliptic pressure n rows wide the second difference is 4 / n^2 of it.
-constexpr double top_difference = 4.0;
-/// Peaks of few rows are seldom semi-ellipses, and may lie anywhere between the rows: errors up to
-/// four times those of Hertz's law were measured with 5 rows.
-constexpr double few_rows = 5.0;
-/// What the error of a lower peak counts against that of the highest.
-constexpr double lower_peak_weight = 4.0;
-/// Grids count as different in a direction from this ratio of elements on.
-constexpr double least_ratio = 1.2;
 
 /// Load per length across the rail, summed up from the first row: values at the rows' edges.
 std::vector<double> summed_load(const PatchTrial& trial) {

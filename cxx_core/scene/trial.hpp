@@ -124,15 +124,18 @@ struct Trial {
 };
 
 /// Relative error of pmax and approach that the elements along the rail leave. The wheel is round
-/// there, so it follows the law of Hertzian contact, 1/n^2 with n elements through the peak;
-/// `longitudinal_resolution` is its inverse.
+/// there, so it follows the law of Hertzian contact: 1/n^2 with n elements through the peak, and
+/// more where the contact is slender, that is longer than wide; `longitudinal_resolution`, the
+/// elements for an error and a slenderness, is its inverse.
 double longitudinal_error(const Trial& trial);
 double longitudinal_resolution(double error, double slenderness, Elements elements);
 
 /// Relative error of pmax that the rows across the rail leave at peaks only a few rows wide, such
 /// as a lobe that has just begun beside a wide one: two grids that both miss it agree by chance. By
-/// the same law, with the width that the second difference at the top tells; a lower peak counts
-/// with four times as much, as far as that lifts it above the highest one.
+/// the same law for an axis as long as the other one, with the width of n rows that the second
+/// difference at the top tells, times a roughness of 1 + (5/n)^2, since peaks of few rows are no
+/// semi-ellipses; a lower peak counts with four times as much, as far as that lifts it above the
+/// highest one.
 double narrow_error(const Trial& trial);
 
 /// Relative error of pmax and approach (force if the position is prescribed) on the finer grid.

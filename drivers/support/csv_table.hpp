@@ -1,4 +1,4 @@
-/// Tables that the drivers have written as CSV: a line of names, then rows.
+/// Tables that the drivers write as CSV, and read again: a line of names, then rows.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,11 @@
 #include <vector>
 
 namespace driver {
+
+/// A text in quotes.
+std::string csv_quoted(const std::string& text);
+/// The same, but without quotes where none are needed.
+std::string csv_entry(const std::string& text);
 
 class CsvTable {
 public:

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "support/output_file.hpp"
 #include "support/scene.hpp"
@@ -27,6 +28,25 @@ bool is_whole(const std::filesystem::path& path, const std::string& extension) {
 
 } // namespace
 
+std::string within_quotes(const std::string& text) {
+  std::string out; // gnuplot doubles a quote within quotes
+  for (const char letter : text) {
+    out += letter == '\'' ? "''" : std::string(1, letter);
+  }
+  return out;
+}
+
+std::string plain_within_quotes(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (std::string_view("_^{}@&~\\").find(letter) != std::string_view::npos) {
+      escaped += '\\';
+    }
+    escaped += letter;
+  }
+  return within_quotes(escaped);
+}
+
 Gnuplot::Gnuplot() {
   script_.precision(9);
 }
@@ -42,14 +62,10 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
     throw Failure("--plot " + path.string() + ": allowed are files that end in .png or .svg");
   }
   OutputFile file(path);
-  std::string quoted; // gnuplot doubles a quote within quotes
-  for (const char letter : file.aside().string()) {
-    quoted += letter == '\'' ? "''" : std::string(1, letter);
-  }
   std::ostringstream whole;
   whole << "set terminal " << terminal << " size " << width << ',' << height
         << " enhanced font 'DejaVu Sans,10' background rgb 'white'\n"
-        << "set output '" << quoted << "'\n"
+        << "set output '" << within_quotes(file.aside().string()) << "'\n"
         << script_.str() << "\nunset output\n";
   // A gnuplot that is missing or fails closes the pipe: that is told below, not by a signal.
   std::signal(SIGPIPE, SIG_IGN);

@@ -7,6 +7,11 @@
 
 namespace driver {
 
+/// A text for single quotes of a script.
+std::string within_quotes(const std::string& text);
+/// The same, with the letters that enhanced text takes as commands shown as they are.
+std::string plain_within_quotes(const std::string& text);
+
 class Gnuplot {
 public:
   Gnuplot();

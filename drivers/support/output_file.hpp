@@ -28,4 +28,11 @@ private:
   bool committed_ = false;
 };
 
+/// Writes a whole file by print(stream). Throws Failure if that fails.
+template <class Print> void write_whole(const std::filesystem::path& path, Print print) {
+  OutputFile file(path);
+  print(file.stream());
+  file.commit();
+}
+
 } // namespace driver

@@ -9,10 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark_commit.hpp"
+#include "support/numbers.hpp"
 #include "wrcontact.h"
 
 namespace benchmark {
 namespace {
+
+using driver::fixed;
 
 /// What the paper names for one case of 256 x 128 elements, its three modules together: a program
 /// in Fortran on a laptop with an Intel Core i5-3230 at 2.60 GHz.
@@ -116,12 +119,6 @@ private:
   std::vector<std::vector<std::string>> lines_;
   std::size_t left_;
 };
-
-std::string fixed(double value, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
 
 /// Three digits or so, whatever the size.
 std::string time_text(double value) {

@@ -1,23 +1,8 @@
 #include "wrc_benchmark/timing.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "support/scene.hpp"
 
 namespace benchmark {
-
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return std::lerp(values[below], values[above], place - std::floor(place));
-}
-
-double median(const std::vector<double>& values) {
-  return quantile(values, 0.5);
-}
 
 Times median(const std::vector<Times>& times) {
   const auto of = [&times](double Times::*stage) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <vector>
 
+#include "support/statistics.hpp"
 #include "wrc_benchmark/row.hpp"
 
 namespace benchmark {
@@ -23,9 +24,9 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
-/// The value below which this share of the values lies; the mean of two where it falls between.
-double quantile(std::vector<double> values, double share);
-double median(const std::vector<double>& values);
+using driver::median;
+using driver::quantile;
+/// Stage by stage.
 Times median(const std::vector<Times>& times);
 std::vector<double> totals(const std::vector<Times>& times);
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 
 #include "support/gnuplot.hpp"
+#include "support/numbers.hpp"
 #include "wrc_case/patches.hpp"
 
 namespace driver {
@@ -18,18 +18,12 @@ const char* colour_of(int index) {
   return colours[static_cast<std::size_t>(index) % colours.size()];
 }
 
-std::string rounded(double value, int decimals) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(decimals) << value;
-  return text.str();
-}
-
 /// With three digits, in N or kN.
 std::string force_text(double newtons) {
   const bool thousands = newtons >= 1000.0;
   const double value = thousands ? 1e-3 * newtons : newtons;
   const int decimals = value < 10.0 ? 2 : value < 100.0 ? 1 : 0;
-  return rounded(value, decimals) + (thousands ? " kN" : " N");
+  return fixed(value, decimals) + (thousands ? " kN" : " N");
 }
 
 /// From the least to the greatest value taken in.
@@ -63,7 +57,7 @@ struct DrawnPatch {
   [[nodiscard]] std::string contours() const { return block() + "_contours"; }
   bool has_contours = false;
   [[nodiscard]] std::string label() const {
-    return force_text(force) + ", " + rounded(1e3 * angle, 1) + " mrad";
+    return force_text(force) + ", " + fixed(1e3 * angle, 1) + " mrad";
   }
 };
 
@@ -247,8 +241,8 @@ void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
     return;
   }
   const auto value = [&](const char* name) { return scene.number(side.name + '.' + name); };
-  out << "set title 'p_{max} " << rounded(value("pmax"), 0) << " MPa, area "
-      << rounded(value("area"), 1) << " mm^2, vertical " << force_text(value("vertical_force"))
+  out << "set title 'p_{max} " << fixed(value("pmax"), 0) << " MPa, area "
+      << fixed(value("area"), 1) << " mm^2, vertical " << force_text(value("vertical_force"))
       << "'\nset xlabel 'along the planes of the patches, mm (to the left)'\n"
       << "set ylabel 'track x, mm (forward)'\nset cblabel 'pressure, MPa' offset 1\n"
       << "set size ratio -1\nset key off\nset xrange [" << side.across.middle() + 0.5 * axes.width
@@ -261,7 +255,7 @@ void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
     const double end = above ? patch.longitudinal.greatest : patch.longitudinal.least;
     out << "set label \"patch " << patch.name.index << "\\n"
         << force_text(patch.force) << "\\n"
-        << rounded(1e3 * patch.angle, 1) << " mrad\" at " << patch.across + patch.lateral.middle()
+        << fixed(1e3 * patch.angle, 1) << " mrad\" at " << patch.across + patch.lateral.middle()
         << ',' << end << " center offset 0," << (above ? 2.9 : -1.1) << " tc rgb '"
         << colour_of(patch.name.index) << "' front\n";
     above = !above;

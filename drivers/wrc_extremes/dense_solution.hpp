@@ -2,11 +2,13 @@
 /// measured against. Nothing here is shared with it.
 ///
 ///   g = h + u - approach >= 0,  p >= 0,  p g = 0,  u_i = sum_j K_ij p_j,  sum p a b = load
-/// with K_ij = 1/(pi E*) times the integral of 1/distance over element j seen from the centre of
-/// element i (Love, Phil. Trans. A 228, 1929): near ones in closed form, far ones by Gauss's rule,
-/// since the closed form cancels there. The contact set is found by exchanges (Kim & Park, SIAM J.
-/// Sci. Comput. 33, 2011: blocks of them, single ones when blocks make no progress); on each set
-/// Cholesky's factors solve for unit approach and for the distance.
+/// with K_ij of the library's default elements, of smooth pressure: those of constant ones less a
+/// 24th of their second differences. Those are 1/(pi E*) times the integral of 1/distance over
+/// element j seen from the centre of element i (Love, Phil. Trans. A 228, 1929): near ones in
+/// closed form, far ones by Gauss's rule, since the closed form cancels there.
+/// The contact set is found by exchanges (Kim & Park, SIAM J. Sci. Comput. 33, 2011: blocks of
+/// them, single ones when blocks make no progress); on each set Cholesky's factors solve for unit
+/// approach and for the distance.
 /// Units mm, N, MPa. Costs the cube of the number of elements in contact.
 #pragma once
 
@@ -55,6 +57,21 @@ template <class Real, std::size_t order> struct GaussRule {
   }
 };
 
+/// Integral of 1/distance over a rectangle of 1 x `aspect` (along, across), seen from x along and y
+/// across from its centre, by Gauss's rule: for places some sides away.
+template <class Real, std::size_t order> Real integral_by_rule(Real x, Real y, Real aspect) {
+  static const GaussRule<Real, order> rule;
+  Real sum = 0;
+  for (std::size_t i = 0; i < order; ++i) {
+    const Real dx = x - rule.node[i] / 2;
+    for (std::size_t k = 0; k < order; ++k) {
+      const Real dy = y - aspect * rule.node[k] / 2;
+      sum += rule.weight[i] * rule.weight[k] / std::sqrt(dx * dx + dy * dy);
+    }
+  }
+  return sum * aspect / 4;
+}
+
 /// Coefficients of smooth elements (the library's default) from those of constant ones, `constant`
 /// by offset in rows and columns: less a 24th of the second differences.
 template <class Real, class Constant>
@@ -81,11 +98,12 @@ public:
     const Real x = static_cast<Real>(columns);
     const Real y = static_cast<Real>(rows) * aspect_;
     const Real far = closed_form_reach * std::max(Real(1), aspect_);
-    return x * x + y * y >= far * far ? by_rule(x, y) : closed_form(x, y);
+    return x * x + y * y >= far * far ? integral_by_rule<Real, order>(x, y, aspect_)
+                                      : closed_form(x, y);
   }
 
 private:
-  /// In elements' longer sides. Beyond, the rule below is exact to 1e-21.
+  /// In elements' longer sides. Beyond, the rule of this order is exact to 1e-21.
   static constexpr Real closed_form_reach = 8;
   static constexpr std::size_t order = 8;
 
@@ -99,18 +117,6 @@ private:
     const Real b = aspect_ / 2;
     return (antiderivative(x + a, y + b) - antiderivative(x + a, y - b)) -
            (antiderivative(x - a, y + b) - antiderivative(x - a, y - b));
-  }
-  [[nodiscard]] Real by_rule(Real x, Real y) const {
-    static const GaussRule<Real, order> rule;
-    Real sum = 0;
-    for (std::size_t i = 0; i < order; ++i) {
-      const Real dx = x - rule.node[i] / 2;
-      for (std::size_t k = 0; k < order; ++k) {
-        const Real dy = y - aspect_ * rule.node[k] / 2;
-        sum += rule.weight[i] * rule.weight[k] / std::sqrt(dx * dx + dy * dy);
-      }
-    }
-    return sum * aspect_ / 4;
   }
 
   Real aspect_;

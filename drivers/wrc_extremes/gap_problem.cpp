@@ -14,12 +14,12 @@ namespace {
 constexpr double most_products = 4e8;
 /// Beyond, coefficients are computed in double by a rule of fewer points: exact to 1e-15.
 constexpr double near_elements = 64.0;
+constexpr std::size_t far_order = 4;
 
 /// Coefficients by offset, mm/MPa, from this program's own integrals.
 std::vector<double> influence_table(const GapProblem& problem) {
   const double aspect = problem.lateral_step / problem.longitudinal_step;
   const LoveIntegral<long double> near(static_cast<long double>(aspect));
-  static const GaussRule<double, 4> rule;
   const double scale = problem.longitudinal_step / std::numbers::pi / problem.combined_modulus;
   const double far = near_elements * std::max(1.0, aspect);
   const std::size_t pitch = problem.columns + 1;
@@ -33,15 +33,7 @@ std::vector<double> influence_table(const GapProblem& problem) {
         constant.push_back(static_cast<double>(near.constant(row, column)));
         continue;
       }
-      double sum = 0.0;
-      for (std::size_t i = 0; i < rule.node.size(); ++i) {
-        const double dx = x - 0.5 * rule.node[i];
-        for (std::size_t k = 0; k < rule.node.size(); ++k) {
-          const double dy = y - 0.5 * aspect * rule.node[k];
-          sum += rule.weight[i] * rule.weight[k] / std::sqrt(dx * dx + dy * dy);
-        }
-      }
-      constant.push_back(0.25 * aspect * sum);
+      constant.push_back(integral_by_rule<double, far_order>(x, y, aspect));
     }
   }
   const auto constant_at = [&](std::size_t row, std::size_t column) {

@@ -1,15 +1,12 @@
 // wrc_extremes: every quantity to its limits, one at a time: what holds where, and what is said
 // where it does not.
-#include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
 #include <set>
-#include <thread>
 
 #include "support/output_file.hpp"
+#include "support/parallel.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
 #include "wrc_extremes/pictures.hpp"
@@ -19,32 +16,6 @@ namespace {
 
 using extremes::Point;
 using extremes::Row;
-
-/// Tells on stderr how far it is, at most every other second.
-class Progress {
-public:
-  explicit Progress(std::size_t count) : count_(count) {}
-
-  void one_done(const Row& row) {
-    const std::scoped_lock lock(mutex_);
-    ++done_;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (done_ < count_ && seconds - told_ < 2.0) {
-      return;
-    }
-    told_ = seconds;
-    std::fprintf(stderr, "wrc_extremes: %zu of %zu points, %.0f s, last %s: %s\n", done_, count_,
-                 seconds, row.quantity.c_str(), row.setting.c_str());
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  std::mutex mutex_;
-  std::size_t count_;
-  std::size_t done_ = 0;
-  Clock::time_point start_ = Clock::now();
-  double told_ = 0.0;
-};
 
 /// A seed for each point that does not depend on which others are measured.
 std::uint64_t seed_of(const Point& point, std::uint64_t seed) {
@@ -57,33 +28,21 @@ std::uint64_t seed_of(const Point& point, std::uint64_t seed) {
 
 std::vector<Row> measure_all(const std::vector<Point>& points, int threads, std::uint64_t seed) {
   std::vector<Row> rows(points.size());
-  std::atomic<std::size_t> next{0};
-  Progress progress(points.size());
-  const auto work = [&] {
-    for (std::size_t i = next++; i < points.size(); i = next++) {
-      const Point& point = points[i];
-      Row& row = rows[i];
-      row.quantity = point.quantity;
-      row.base = point.base;
-      row.setting = point.setting;
-      row.value = point.value;
-      point.measure(row, seed_of(point, seed));
-      progress.one_done(row);
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int i = 1; i < threads; ++i) {
-    others.emplace_back(work);
-  }
-  work();
-  others.clear();
+  driver::ProgressLines progress(points.size());
+  driver::for_each_index(points.size(), threads, [&](std::size_t i) {
+    const Point& point = points[i];
+    Row& row = rows[i];
+    row.quantity = point.quantity;
+    row.base = point.base;
+    row.setting = point.setting;
+    row.value = point.value;
+    point.measure(row, seed_of(point, seed));
+    progress.one_done([&](std::size_t done, double seconds) {
+      std::fprintf(stderr, "wrc_extremes: %zu of %zu points, %.0f s, last %s: %s\n", done,
+                   points.size(), seconds, row.quantity.c_str(), row.setting.c_str());
+    });
+  });
   return rows;
-}
-
-template <class Print> void write(const std::filesystem::path& path, Print print) {
-  driver::OutputFile file(path);
-  print(file.stream());
-  file.commit();
 }
 
 std::set<std::string> quantity_names() {
@@ -156,8 +115,10 @@ int main(int argc, char** argv) {
     extremes::print_table(rows, std::cout);
     if (!folder.empty()) {
       const std::filesystem::path out(folder);
-      write(out / "extremes.csv", [&](std::ostream& s) { extremes::print_csv(rows, s); });
-      write(out / "extremes.json", [&](std::ostream& s) { extremes::print_json(rows, seed, s); });
+      driver::write_whole(out / "extremes.csv",
+                          [&](std::ostream& s) { extremes::print_csv(rows, s); });
+      driver::write_whole(out / "extremes.json",
+                          [&](std::ostream& s) { extremes::print_json(rows, seed, s); });
       extremes::draw_pictures(rows, out);
     }
     const bool any_wrong = std::any_of(rows.begin(), rows.end(), [](const Row& row) {

@@ -250,10 +250,9 @@ void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,
       return;
     }
     row.fill = scene.number("left.fill");
-    const bool prescribed = scene.has_number("left.pmax") && [&scene] {
-      double height = 0.0;
-      return wrc_scene_get_number(scene.handle(), "pose.vertical", &height) == WRC_OK;
-    }();
+    double height = 0.0;
+    const bool prescribed =
+        wrc_scene_get_number(scene.handle(), "pose.vertical", &height) == WRC_OK;
     row.load_balance =
         prescribed ? 0.0
                    : relative(scene.number("left.vertical_force"), scene.get_number("load.left"));

@@ -5,7 +5,6 @@
 #include <memory>
 #include <numbers>
 #include <random>
-#include <sstream>
 
 #include "wrc_extremes/measure.hpp"
 
@@ -54,8 +53,8 @@ GapProblem hertz(std::size_t rows = 32, std::size_t columns = 16) {
                  base_side / static_cast<double>(columns), paraboloid);
 }
 
-/// Hertz's approach for the relative curvatures of the base case, by the arithmetic-geometric mean:
-/// with e^2 = 1 - b^2/a^2 and the elliptic integrals K, E the ratio of curvatures is
+/// Hertz's approach and largest pressure for the relative curvatures of the base case: with
+/// e^2 = 1 - b^2/a^2 and the complete elliptic integrals K, E the ratio of curvatures is
 /// (E/(1 - e^2) - K)/(K - E), and approach = 3 Q K/(2 pi E* a) (Johnson, Contact Mechanics, 1985,
 /// eqs. 4.25 to 4.28). Solved for e by bisection.
 struct Hertz {
@@ -87,16 +86,10 @@ Hertz hertz_answer(double load) {
           1.5 * load / (std::numbers::pi * a * b)};
 }
 
-std::string text(const char* name, double value, const char* unit = "") {
-  std::ostringstream out;
-  out << name << value << unit;
-  return out.str();
-}
-
 void add_loads(std::vector<Point>& points) {
   for (int exponent = -12; exponent <= 12; ++exponent) {
     const double load = std::pow(10.0, exponent);
-    points.push_back({"load", "Hertz gap, 32 x 16", text("load ", load, " N"), load,
+    points.push_back({"load", "Hertz gap, 32 x 16", in_words("load", load, " N"), load,
                       exponent % 6 == 0, [load](Row& row, std::uint64_t seed) {
                         NormalCase one{hertz(), base_tolerance};
                         one.problem.normal_load = load;
@@ -166,7 +159,7 @@ void add_aspects(std::vector<Point>& points) {
   for (const double aspect : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0,
                               10.0,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e12}) {
     const bool quick = aspect == 1e-3 || aspect == 1.0 || aspect == 1e3 || aspect == 1e12;
-    points.push_back({"aspect", "paraboloid, 32 x 16", text("lateral/longitudinal ", aspect),
+    points.push_back({"aspect", "paraboloid, 32 x 16", in_words("lateral/longitudinal", aspect),
                       aspect, quick, [aspect](Row& row, std::uint64_t seed) {
                         try {
                           measure_normal({stretched(aspect), base_tolerance}, row, seed);
@@ -192,9 +185,9 @@ void add_units(std::vector<Point>& points) {
         const double factor = std::pow(10.0, exponent);
         const double length = std::pow(factor, scale.length_power);
         const double modulus = std::pow(factor, scale.modulus_power);
-        const std::string base = text("Hertz gap, tolerance ", tolerance);
+        const std::string base = in_words("Hertz gap, tolerance", tolerance);
         points.push_back(
-            {"units", base, text((std::string(scale.what) + " x ").c_str(), factor), factor,
+            {"units", base, in_words(std::string(scale.what) + " x", factor), factor,
              exponent % 12 == 0 && scale.modulus_power >= 0.0, [=](Row& row, std::uint64_t seed) {
                const NormalCase plain{hertz(), tolerance};
                NormalCase scaled = plain;
@@ -315,8 +308,8 @@ void add_tolerances(std::vector<Point>& points) {
                                    1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-20}) {
       const bool quick = which == 0 && (tolerance == 0.2 || tolerance == 1e-6 ||
                                         tolerance == 1e-13 || tolerance == 1e-20);
-      points.push_back({"tolerance", (*all)[which].name, text("tolerance ", tolerance), tolerance,
-                        quick, [all, which, tolerance](Row& row, std::uint64_t seed) {
+      points.push_back({"tolerance", (*all)[which].name, in_words("tolerance", tolerance),
+                        tolerance, quick, [all, which, tolerance](Row& row, std::uint64_t seed) {
                           measure_normal({(*all)[which].make(seed), tolerance}, row, seed);
                         }});
     }

@@ -35,20 +35,6 @@ constexpr Line lines[] = {{"overlap", "lc rgb '#1f77b4' pt 6", &Row::overlap},
                            &Row::pressure_error},
                           {"pmax, approach", "lc rgb '#d62728' pt 5", &Row::error}};
 
-std::string escaped(const std::string& text) {
-  std::string made;
-  for (const char letter : text) {
-    if (letter == '_' || letter == '^' || letter == '{' || letter == '}' || letter == '@') {
-      made += "\\\\";
-    }
-    made += letter;
-    if (letter == '\'') {
-      made += letter; // gnuplot doubles a quote within quotes
-    }
-  }
-  return made;
-}
-
 /// Where a point's share of the axis begins: half way to the one before.
 double border(const std::vector<Row>& rows, std::size_t index, bool logarithmic) {
   const auto between = [logarithmic](double a, double b) {
@@ -77,11 +63,12 @@ void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
     std::stable_sort(rows.begin(), rows.end(),
                      [](const Row& one, const Row& other) { return one.value < other.value; });
   }
-  script << "unset object\nset title '" << escaped(rows.front().base) << "'\n";
+  script << "unset object\nset title '" << driver::plain_within_quotes(rows.front().base) << "'\n";
   if (quantity.shapes) {
     script << "set xtics rotate by 40 right nomirror (";
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      script << (i > 0 ? ", " : "") << "'" << escaped(rows[i].setting) << "' " << rows[i].value;
+      script << (i > 0 ? ", " : "") << "'" << driver::plain_within_quotes(rows[i].setting) << "' "
+             << rows[i].value;
     }
     script << ")\nset title ''\n";
   }
@@ -159,7 +146,8 @@ void draw_pictures(const std::vector<Row>& rows, const std::filesystem::path& fo
     }
     driver::Gnuplot plot;
     auto& script = plot.script();
-    script << "set multiplot layout " << panels.size() << ",1 title '" << escaped(quantity.title)
+    script << "set multiplot layout " << panels.size() << ",1 title '"
+           << driver::plain_within_quotes(quantity.title)
            << "'\nset grid front\nset logscale y\nset format y '10^{%T}'\nset yrange ["
            << least_shown / 3.0 << ':' << greatest_shown << "]\nset ylabel 'relative'\n"
            << "set datafile missing 'NaN'\n";
@@ -170,7 +158,9 @@ void draw_pictures(const std::vector<Row>& rows, const std::filesystem::path& fo
       script << "set bmargin 20\nset lmargin 26\n";
     }
     for (std::size_t i = 0; i < panels.size(); ++i) {
-      script << (i + 1 == panels.size() ? "set xlabel '" + escaped(quantity.label) + "'\n" : "");
+      script << (i + 1 == panels.size()
+                     ? "set xlabel '" + driver::plain_within_quotes(quantity.label) + "'\n"
+                     : "");
       draw_panel(panels[i], quantity, i + 1 == panels.size(), script);
     }
     script << "unset multiplot\n";

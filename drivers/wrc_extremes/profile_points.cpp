@@ -6,7 +6,6 @@
 #include <memory>
 #include <numbers>
 #include <random>
-#include <sstream>
 
 #include "wrc_extremes/measure.hpp"
 
@@ -47,12 +46,6 @@ wrcontact::Profile profile_of(const Points& points, std::int32_t kind, double sm
   return profile;
 }
 
-std::string text(const std::string& name, double value, const char* unit = "") {
-  std::ostringstream out;
-  out << name << ' ' << value << unit;
-  return out.str();
-}
-
 using Make = std::function<Points(std::uint64_t seed)>;
 
 /// A scene with a wheel (or rail) of the study's making.
@@ -75,28 +68,27 @@ Point profile_point(const std::string& quantity, const std::string& base,
 }
 
 void add_counts(std::vector<Point>& points) {
+  struct Body {
+    const char* base;
+    const char* profile;
+    std::int32_t kind;
+  };
   for (const std::size_t count : std::initializer_list<std::size_t>{
            1, 2, 3, 4, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000}) {
-    const bool quick = count == 1 || count == 50 || count == 50000;
-    const auto value = static_cast<double>(count);
-    points.push_back(profile_point(
-        "points", "wheel S1002, y = 3 mm", text("points", value), value, quick, WRC_WHEEL,
-        [count](std::uint64_t) {
-          Points made = points_of(wheel_name, std::max<std::size_t>(count, 2));
-          made.lateral.resize(count);
-          made.height.resize(count);
-          return made;
-        },
-        0.0, 3.0));
-    points.push_back(profile_point(
-        "points", "rail 60E1, y = 3 mm", text("points", value), value, false, WRC_RAIL,
-        [count](std::uint64_t) {
-          Points made = points_of(rail_name, std::max<std::size_t>(count, 2));
-          made.lateral.resize(count);
-          made.height.resize(count);
-          return made;
-        },
-        0.0, 3.0));
+    for (const Body& body : {Body{"wheel S1002, y = 3 mm", wheel_name, WRC_WHEEL},
+                             Body{"rail 60E1, y = 3 mm", rail_name, WRC_RAIL}}) {
+      const bool quick = body.kind == WRC_WHEEL && (count == 1 || count == 50 || count == 50000);
+      const auto value = static_cast<double>(count);
+      points.push_back(profile_point(
+          "points", body.base, in_words("points", value), value, quick, body.kind,
+          [count, name = body.profile](std::uint64_t) {
+            Points made = points_of(name, std::max<std::size_t>(count, 2));
+            made.lateral.resize(count);
+            made.height.resize(count);
+            return made;
+          },
+          0.0, 3.0));
+    }
   }
 }
 
@@ -116,7 +108,7 @@ void add_noises(std::vector<Point>& points) {
          {1e-9, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.3, 1.0}) {
       points.push_back(profile_point(
           "noise", smoothing > 0.0 ? "wheel, smoothed over 5 mm" : "wheel, points every 0.5 mm",
-          text("standard deviation", deviation, " mm"), deviation, deviation == 1e-4, WRC_WHEEL,
+          in_words("standard deviation", deviation, " mm"), deviation, deviation == 1e-4, WRC_WHEEL,
           [deviation](std::uint64_t seed) {
             Points made = points_of(wheel_name, usual_count);
             add_noise(made, deviation, seed);
@@ -141,7 +133,7 @@ void add_hollows(std::vector<Point>& points) {
   for (const double depth : {0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0}) {
     for (const double lateral : {0.0, 4.0}) {
       points.push_back(profile_point(
-          "hollow", text("y =", lateral, " mm"), text("hollow by", depth, " mm"), depth,
+          "hollow", in_words("y =", lateral, " mm"), in_words("hollow by", depth, " mm"), depth,
           depth == 2.0, WRC_WHEEL, [depth](std::uint64_t) { return hollow(depth); }, 0.0, lateral));
     }
   }
@@ -189,7 +181,7 @@ void add_conformals(std::vector<Point>& points) {
       if (place.further > 0.0 && share < 0.2) {
         continue;
       }
-      points.push_back({"conformal", place.name, text("wheel wider by", share), share,
+      points.push_back({"conformal", place.name, in_words("wheel wider by", share), share,
                         share == 0.05, [share, place](Row& row, std::uint64_t seed) {
                           try {
                             measure_scene(conformal(share, place), row, seed);
@@ -264,11 +256,11 @@ void add_shapes(std::vector<Point>& points) {
   add("points twice, 1e-6 mm apart", [](std::uint64_t) { return with_points_twice(1e-6); });
   add("points twice, 1e-3 mm apart", [](std::uint64_t) { return with_points_twice(1e-3); });
   for (const double angle : {1e-6, 1e-4, 1e-3, 0.01, 0.1}) {
-    add(text("ridge of", angle, " rad"), [angle](std::uint64_t) { return with_kink(angle); });
-    add(text("groove of", angle, " rad"), [angle](std::uint64_t) { return with_kink(-angle); });
+    add(in_words("ridge of", angle, " rad"), [angle](std::uint64_t) { return with_kink(angle); });
+    add(in_words("groove of", angle, " rad"), [angle](std::uint64_t) { return with_kink(-angle); });
   }
   for (const double height : {1e-6, 1e-4, 0.01, 1.0}) {
-    add(text("step of", height, " mm"), [height](std::uint64_t) { return with_step(height); });
+    add(in_words("step of", height, " mm"), [height](std::uint64_t) { return with_step(height); });
   }
   quick = true;
   add("all points the same", [](std::uint64_t) {

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "wrc_extremes/row.hpp"
 
 namespace extremes {
@@ -39,6 +41,12 @@ std::vector<Point> all_points() {
   add_profile_points(points);
   add_state_points(points);
   return points;
+}
+
+std::string in_words(const std::string& name, double value, const std::string& unit) {
+  std::ostringstream out;
+  out << name << ' ' << value << unit;
+  return out.str();
 }
 
 const char* name_of(Verdict verdict) {

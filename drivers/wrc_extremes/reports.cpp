@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/csv_table.hpp"
 #include "wrcontact.h"
 
 namespace extremes {
@@ -25,14 +26,6 @@ constexpr Column measured_columns[] = {{"pmax", &Row::pmax},
                                        {"complementarity", &Row::complementarity},
                                        {"pressure_error", &Row::pressure_error},
                                        {"error", &Row::error}};
-
-std::string quoted(const std::string& text) {
-  std::string made = "\"";
-  for (const char letter : text) {
-    made += letter == '"' ? "\"\"" : std::string(1, letter);
-  }
-  return made + '"';
-}
 
 void take_worse(std::optional<double>& worst, const std::optional<double>& value) {
   if (value) {
@@ -151,15 +144,16 @@ void print_csv(const std::vector<Row>& rows, std::ostream& out) {
   }
   out << ",message\n" << std::setprecision(17);
   for (const Row& row : rows) {
-    out << row.quantity << ',' << quoted(row.base) << ',' << quoted(row.setting) << ',' << row.value
-        << ',' << name_of(row.verdict) << ',' << row.status << ',' << row.asked << ',' << row.truth;
+    out << row.quantity << ',' << driver::csv_quoted(row.base) << ','
+        << driver::csv_quoted(row.setting) << ',' << row.value << ',' << name_of(row.verdict) << ','
+        << row.status << ',' << row.asked << ',' << row.truth;
     for (const Column& column : measured_columns) {
       out << ',';
       if (row.*column.member) {
         out << *(row.*column.member);
       }
     }
-    out << ',' << quoted(row.message) << '\n';
+    out << ',' << driver::csv_quoted(row.message) << '\n';
   }
 }
 

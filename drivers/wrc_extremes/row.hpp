@@ -44,6 +44,9 @@ struct Row {
   double asked = 0.0; ///< accuracy or tolerance
 };
 
+/// A setting or base in words, for example "load 5 N".
+std::string in_words(const std::string& name, double value, const std::string& unit = "");
+
 /// A point before it is measured.
 struct Point {
   std::string quantity;

@@ -1,6 +1,5 @@
 // Wheel/rail scenes: the paper's Table 1, and the same with the left wheel at its flange.
 #include <cmath>
-#include <sstream>
 
 #include "wrc_extremes/measure.hpp"
 
@@ -14,18 +13,12 @@ struct Base {
 constexpr Base table1{"Table 1", 0.0};
 constexpr Base flange{"flange, y = 6.5 mm", 6.5};
 
-std::string text(const std::string& name, double value, const char* unit = "") {
-  std::ostringstream out;
-  out << name << ' ' << value << unit;
-  return out.str();
-}
-
 /// A point of one key, and more settings that go with it.
 Point key_point(const std::string& quantity, const Base& base, const std::string& key, double value,
                 const char* unit, bool quick, const SceneSetup& more = {}) {
   return {quantity,
           base.name,
-          text(key, value, unit),
+          in_words(key, value, unit),
           value,
           quick,
           [base, key, value, more](Row& row, std::uint64_t seed) {
@@ -68,7 +61,7 @@ void add_materials(std::vector<Point>& points) {
         exponent % 6 == 0,
         [rail](wrcontact::Scene& scene) { scene.set("material.rail.youngs_modulus", rail); }));
     points.back().value = ratio;
-    points.back().setting = text("wheel/rail", ratio);
+    points.back().setting = in_words("wheel/rail", ratio);
   }
   for (const double poisson : {-0.01, 0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49, 0.5, 0.51}) {
     points.push_back(key_point("poisson", table1, "material.poisson", poisson, "",
@@ -126,7 +119,7 @@ void add_tracks(std::vector<Point>& points) {
 /// Accuracies, and grids and tolerances by hand.
 void add_solving(std::vector<Point>& points) {
   for (const double accuracy : {0.2, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 9e-6}) {
-    points.push_back({"accuracy", table1.name, text("solve.accuracy", accuracy), accuracy,
+    points.push_back({"accuracy", table1.name, in_words("solve.accuracy", accuracy), accuracy,
                       accuracy > 0.05 || accuracy < 1e-5, [accuracy](Row& row, std::uint64_t seed) {
                         measure_scene(
                             [accuracy](wrcontact::Scene& scene) {

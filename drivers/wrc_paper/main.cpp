@@ -15,9 +15,7 @@ int main(int argc, char** argv) {
       ->required();
   return driver::run_program(app, argc, argv, [&] {
     const std::filesystem::path page = std::filesystem::path(folder) / "report.md";
-    driver::OutputFile file(page);
-    driver::write_report(folder, file.stream());
-    file.commit();
+    driver::write_whole(page, [&](std::ostream& out) { driver::write_report(folder, out); });
     std::cout << page.string() << '\n';
     return 0;
   });

@@ -8,15 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "support/numbers.hpp"
 #include "wrc_paper/claims.hpp"
 
 namespace driver {
-
-inline std::string fixed(double value, int decimals) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(decimals) << value;
-  return text.str();
-}
 
 /// A number of which only the size matters.
 inline std::string small(double value) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 
 #include "support/gnuplot.hpp"
+#include "support/numbers.hpp"
 
 namespace driver {
 namespace {
@@ -23,27 +23,6 @@ constexpr double room = 0.04;
 constexpr double greatest_height = 1400.0;
 /// A kink below this is rounding of a drawing's numbers, rad.
 constexpr double least_marked_kink = 1e-3;
-
-std::string rounded(double value, int decimals) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(decimals) << value;
-  return text.str();
-}
-
-/// gnuplot's enhanced text takes these letters as commands.
-std::string plain(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '\'') {
-      escaped += "''";
-    } else if (std::string("_^{}@&~\\").find(letter) != std::string::npos) {
-      escaped += std::string("\\") + letter;
-    } else {
-      escaped += letter;
-    }
-  }
-  return escaped;
-}
 
 void write_points(std::ostream& out, const std::string& block,
                   const std::vector<ProfilePoint>& points) {
@@ -73,7 +52,7 @@ std::string dimension_text(const Measures& measures) {
   for (const Dimension& dimension : measures.dimensions) {
     if (dimension.value && dimension.key != "slope") {
       text += (text.empty() ? "" : ",  ") + dimension.label + ' ' +
-              rounded(*dimension.value, dimension.unit.empty() ? 4 : 2) +
+              fixed(*dimension.value, dimension.unit.empty() ? 4 : 2) +
               (dimension.unit.empty() ? "" : ' ' + dimension.unit);
     }
   }
@@ -115,24 +94,24 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
       << (left_margin + plot_width) / total_width << "\nset multiplot\n"
       << "set tmargin at screen " << 1.0 - top_margin / total_height << "\nset bmargin at screen "
       << 1.0 - (top_margin + profile_height) / total_height << "\nset title '"
-      << plain(profile.text("name")) << " (" << profile.kind_name() << ")   "
-      << plain(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
+      << plain_within_quotes(profile.text("name")) << " (" << profile.kind_name() << ")   "
+      << plain_within_quotes(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
       << measures.least_height - margin << ':' << measures.greatest_height + margin << "]\n"
       << "set key " << (profile.is_wheel() ? "top right" : "bottom center") << "\nplot ";
   if (other != nullptr) {
-    out << "$other using 1:2 with lines lw 4 lc rgb '#f1a340' title '" << plain(other->text("name"))
-        << "', ";
+    out << "$other using 1:2 with lines lw 4 lc rgb '#f1a340' title '"
+        << plain_within_quotes(other->text("name")) << "', ";
   }
   out << "$profile using 1:2 with lines lw 2 lc rgb '#1f4e9e' title '"
-      << plain(profile.text("name")) << '\'';
+      << plain_within_quotes(profile.text("name")) << '\'';
   if (is_curved) {
     out << ", $radius using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '#d00000' title "
            "'smallest radius "
-        << rounded(checks.smallest_radius, 2) << " mm'";
+        << fixed(checks.smallest_radius, 2) << " mm'";
   }
   if (has_kink) {
     out << ", $kink using 1:2 with points pt 8 ps 1.4 lw 2 lc rgb '#2a8a2a' title 'largest kink "
-        << rounded(1e3 * checks.largest_kink, 1) << " mrad'";
+        << fixed(1e3 * checks.largest_kink, 1) << " mrad'";
   }
   out << "\nset title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height

@@ -1,21 +1,8 @@
+#include "support/csv_table.hpp"
 #include "support/output_file.hpp"
 #include "wrc_sweep/outputs.hpp"
 
 namespace driver {
-namespace {
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
-  std::string out = "\"";
-  for (const char letter : text) {
-    out += letter == '"' ? "\"\"" : std::string(1, letter);
-  }
-  return out + '"';
-}
-
-} // namespace
 
 void write_csv(const Study& study, Journal& journal, const std::filesystem::path& path) {
   OutputFile file(path);
@@ -34,9 +21,9 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
     out << scene;
     const std::vector<std::size_t> places = study.places(scene);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      out << ',' << quoted(text_of(study.axes[i].values[places[i]]));
+      out << ',' << csv_entry(text_of(study.axes[i].values[places[i]]));
     }
-    out << ',' << wrc_status_name(row.status) << ',' << quoted(row.message);
+    out << ',' << wrc_status_name(row.status) << ',' << csv_entry(row.message);
     for (const double value : row.values) {
       out << ',' << text_of(value);
     }

@@ -115,7 +115,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       out << "EOD\n";
       plots += (plots.empty() ? "plot " : ", ") + name + " with lines lw 2 dt " +
                std::to_string(i + 1) + " lc rgb '" + line_colour(i) + "' title '" +
-               plain(curves[i].title) + '\'';
+               within_quotes(curves[i].title) + '\'';
     }
     out << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label << "'\n"
         << range.command("y") << (plots.empty() ? "plot NaN notitle" : plots) << '\n';

@@ -78,17 +78,6 @@ std::vector<double> line_of(const PictureRequest& picture, const PictureData& da
   return line;
 }
 
-std::string plain(const std::string& text) {
-  std::string out;
-  for (const char letter : text) {
-    if (letter == '\'') {
-      out += '\'';
-    }
-    out += letter;
-  }
-  return out;
-}
-
 std::string multiplot(int rows, std::size_t columns, const std::string& title) {
   std::string quoted; // double quotes, since the line below the title is empty but not nothing
   for (const char letter : title) {

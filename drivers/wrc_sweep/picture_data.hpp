@@ -38,8 +38,6 @@ std::vector<double> places_of(const PictureRequest& picture, const PictureData& 
 std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
                             const std::string& result);
 
-/// A text for single quotes of gnuplot.
-std::string plain(const std::string& text);
 /// Begins a picture of several plots: its layout, and a title with room below it.
 std::string multiplot(int rows, std::size_t columns, const std::string& title);
 

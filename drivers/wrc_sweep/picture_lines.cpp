@@ -63,7 +63,7 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
   out << multiplot(count, 1, picture.title) << line_style << "set xlabel '"
-      << plain(picture.x_label) << "'\n";
+      << within_quotes(picture.x_label) << "'\n";
   for (std::size_t i = 0; i < picture.panels.size(); ++i) {
     const PanelRequest& panel = picture.panels[i];
     AxisRange range;
@@ -76,9 +76,10 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
       plots += (plots.empty() ? "plot " : ", ") + block + " with linespoints lw 2 ps 0.9 pt " +
                std::to_string(5 + 2 * (lines[j].mark % marks)) + " dt " +
                std::to_string(1 + lines[j].mark % marks) + " lc rgb '" +
-               line_colour(lines[j].colour) + "' title '" + plain(lines[j].title) + '\'';
+               line_colour(lines[j].colour) + "' title '" + within_quotes(lines[j].title) + '\'';
     }
-    out << "set ylabel '" << plain(panel.y_label) << "'\n" << range.command("y") << plots << '\n';
+    out << "set ylabel '" << within_quotes(panel.y_label) << "'\n"
+        << range.command("y") << plots << '\n';
   }
   out << "unset multiplot\n";
   gnuplot.draw(path, width, height);

@@ -2,11 +2,10 @@
 // row for each side, or for each value of its series.
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include "support/gnuplot.hpp"
+#include "support/numbers.hpp"
 #include "wrc_sweep/pictures.hpp"
 
 namespace driver {
@@ -183,12 +182,6 @@ std::vector<MapRow> rows_of(std::ostream& out, const PictureRequest& picture,
   return rows;
 }
 
-std::string rounded(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << value;
-  return text.str();
-}
-
 } // namespace
 
 void draw_patches(const PictureRequest& picture, const PictureData& data,
@@ -219,13 +212,13 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   constexpr double margin = 14.0; // mm, for the labels of the rows
   constexpr double foot = 5.0;    // mm, for the scale
   out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
-      << plain(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
+      << within_quotes(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
       << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
       << "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
          "'#e69138', 1 '#990000')\n"
       << "set xrange [" << -margin << ':' << columns_wide << "]\nset yrange [" << -rows_high - foot
       << ':' << head << "]\nset cbrange [0:" << darkest << "]\n"
-      << "set label '" << plain(picture.x_label) << ":' at " << -margin << ',' << 0.5 * head
+      << "set label '" << within_quotes(picture.x_label) << ":' at " << -margin << ',' << 0.5 * head
       << "\n";
   for (std::size_t j = 0; j < columns.size(); ++j) {
     out << "set label '" << text_of(picture.x_factor * columns[j]) << "' at "
@@ -241,7 +234,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
       // Each contact in the middle of its cell, wherever it lies on the wheel.
       const double middle = 0.5 * (cell.left + cell.right);
       const double centre = 0.5 * (cell.front + cell.back);
-      out << "set label '" << (std::isnan(cell.pmax) ? "failed" : rounded(cell.pmax)) << "' at "
+      out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0)) << "' at "
           << x << ',' << y - 0.5 * height + 2.0 << " center font ',9'\n";
       for (const Map& map : cell.maps) {
         plots += (plots.empty() ? "plot " : ", ") + map.block + " using (" + text_of(x + middle) +

@@ -31,21 +31,6 @@ double share(double part, double whole) {
 
 } // namespace
 
-double quantile(std::vector<double> values, double at) {
-  if (values.empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  std::sort(values.begin(), values.end());
-  const double place = at * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(place);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return std::lerp(values[low], values[high], place - static_cast<double>(low));
-}
-
-double median(const std::vector<double>& values) {
-  return quantile(values, 0.5);
-}
-
 std::vector<AskedRow> asked_rows(const std::vector<Measured>& all) {
   std::vector<AskedRow> rows;
   for (const char* label : {"auto", "double"}) {

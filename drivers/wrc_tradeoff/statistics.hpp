@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "support/statistics.hpp"
+
 namespace tradeoff {
 
 struct Measured;
 
-/// The value below which this share of the values lies, between neighbours; NaN of none.
-double quantile(std::vector<double> values, double share);
-double median(const std::vector<double>& values);
+using driver::median;
+using driver::quantile;
 
 /// Of an accuracy asked, over all wheels, cold and warm.
 struct AskedRow {

@@ -197,9 +197,8 @@ std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
     if (outcome.is_told_inaccurate(side) && !outcome.has(estimate)) {
       continue; // without an estimate nothing is promised
     }
-    const double accuracy = std::max(
-        scene.accuracy(),
-        outcome.is_told_inaccurate(side) && outcome.has(estimate) ? outcome.at(estimate) : 0.0);
+    const double accuracy =
+        std::max(scene.accuracy(), outcome.is_told_inaccurate(side) ? outcome.at(estimate) : 0.0);
     const double tolerance = accuracy + (patches < 2                           ? 0.0
                                          : outcome.warns(side, "neighbouring") ? boundary
                                                                                : interpolation);

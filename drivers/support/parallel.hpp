@@ -1,0 +1,55 @@
+/// Work on several threads, and lines on stderr that say how far it is.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace driver {
+
+/// Calls work(i) for all i below `count` on so many threads, this one included: each takes the next
+/// i that none has taken.
+template <class Work> void for_each_index(std::size_t count, int threads, Work work) {
+  std::atomic<std::size_t> next{0};
+  const auto work_on = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      work(i);
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads; ++i) {
+    others.emplace_back(work_on);
+  }
+  work_on();
+}
+
+/// Counts what is done, and tells it at most every other second, and at the end.
+class ProgressLines {
+public:
+  explicit ProgressLines(std::size_t count) : count_(count) {}
+
+  /// By any thread: one more is done. tell(done, seconds since the start) prints a line.
+  template <class Tell> void one_done(Tell tell) {
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (done_ < count_ && seconds - told_ < 2.0) {
+      return;
+    }
+    told_ = seconds;
+    tell(done_, seconds);
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::mutex mutex_;
+  std::size_t count_;
+  std::size_t done_ = 0;
+  Clock::time_point start_ = Clock::now();
+  double told_ = 0.0;
+};
+
+} // namespace driver
