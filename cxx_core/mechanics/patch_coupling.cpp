@@ -2,44 +2,157 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
+
+#include "vector_clones.hpp"
 
 namespace wrc {
 
 namespace {
 
-/// Nodes of a box in either direction.
-constexpr std::size_t most_nodes = 12;
+/// Error of the interpolation, and the nodes that it may take in either direction.
+constexpr double interpolation_error = 1e-5;
+constexpr std::size_t least_nodes = 4;
+constexpr std::size_t most_nodes = 20;
+
+double extent(std::size_t elements, double step) {
+  return static_cast<double>(elements - 1) * step;
+}
+
+/// Between two intervals; 0 if they overlap.
+double between(double first, double length, double other_first, double other_length) {
+  return std::max({0.0, other_first - (first + length), first - (other_first + other_length)});
+}
+
+double distance_of(const CoupledBox& one, const CoupledBox& other) {
+  return std::hypot(between(one.lateral_first, extent(one.rows, one.lateral_step),
+                            other.lateral_first, extent(other.rows, other.lateral_step)),
+                    between(one.longitudinal_first, extent(one.columns, one.longitudinal_step),
+                            other.longitudinal_first,
+                            extent(other.columns, other.longitudinal_step)));
+}
+
+template <typename Real>
+WRC_VECTOR_BODY double product_body(const Real* values, const double* weights, std::size_t count) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += static_cast<double>(values[i]) * weights[i];
+  }
+  return sum;
+}
+
+WRC_VECTOR_CLONES double product(const float* values, const double* weights, std::size_t count) {
+  return product_body(values, weights, count);
+}
+WRC_VECTOR_CLONES double product(const double* values, const double* weights, std::size_t count) {
+  return product_body(values, weights, count);
+}
+WRC_VECTOR_CLONES void add_times(double* values, double factor, const double* weights,
+                                 std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    values[i] += factor * weights[i];
+  }
+}
 
 } // namespace
 
-PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step) {
-  const std::size_t count = std::min(most_nodes, elements);
+PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double distance) {
   Axis axis;
-  const double length = static_cast<double>(elements - 1);
-  const double spacing = count > 1 ? length / static_cast<double>(count - 1) : 1.0;
+  axis.elements = elements;
+  const double half = 0.5 * extent(elements, step);
+  const double ratio = half > 0.0 ? distance / half : std::numeric_limits<double>::infinity();
+  const double needed =
+      std::isfinite(ratio) ? std::ceil(-std::log(interpolation_error) / std::asinh(ratio)) : 1.0;
+  const std::size_t count = std::min(
+      elements, static_cast<std::size_t>(std::clamp(needed, static_cast<double>(least_nodes),
+                                                    static_cast<double>(most_nodes))));
+  // Barycentric formula (Berrut & Trefethen, SIAM Review 46, 2004, eq. 5.4).
+  std::vector<double> node;
+  std::vector<double> factor;
   for (std::size_t k = 0; k < count; ++k) {
-    axis.position.push_back(static_cast<double>(k) * spacing * step);
+    const double angle =
+        std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    node.push_back(-std::cos(angle));
+    factor.push_back((k % 2 == 0 ? 1.0 : -1.0) * std::sin(angle));
+    axis.position.push_back(half * (1.0 + node.back()));
   }
+  axis.half_spacing = half / static_cast<double>(count);
+  axis.weight.assign(count * elements, 0.0);
   for (std::size_t i = 0; i < elements; ++i) {
-    const double place = static_cast<double>(i) / spacing;
-    const std::size_t before =
-        count > 1 ? std::min(static_cast<std::size_t>(place), count - 2) : std::size_t{0};
-    axis.node.push_back(before);
-    axis.share.push_back(count > 1 ? place - static_cast<double>(before) : 0.0);
+    const double place = half > 0.0 ? static_cast<double>(i) * step / half - 1.0 : 0.0;
+    double sum = 0.0;
+    std::size_t met = count;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double apart = place - node[k];
+      if (apart == 0.0) {
+        met = k;
+        break;
+      }
+      axis.weight[k * elements + i] = factor[k] / apart;
+      sum += factor[k] / apart;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      double& weight = axis.weight[k * elements + i];
+      weight = met < count ? (k == met ? 1.0 : 0.0) : weight / sum;
+    }
   }
   return axis;
 }
 
-PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, std::vector<double> closeness)
-    : boxes_(std::move(boxes)), closeness_(std::move(closeness)) {
-  for (const CoupledBox& box : boxes_) {
+PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
+                                             double closeness) const {
+  const Nodes& here = nodes_[one];
+  const Nodes& there = nodes_[other];
+  Link link{one, other, {}};
+  link.values.reserve(here.count() * there.count());
+  const double lateral = boxes_[one].lateral_first - boxes_[other].lateral_first;
+  const double longitudinal = boxes_[one].longitudinal_first - boxes_[other].longitudinal_first;
+  const double least = std::max({here.rows.half_spacing, here.columns.half_spacing,
+                                 there.rows.half_spacing, there.columns.half_spacing});
+  const double distance = distance_of(boxes_[one], boxes_[other]);
+  const double softening = std::max(0.0, least * least - distance * distance);
+  for (const double row : here.rows.position) {
+    for (const double column : here.columns.position) {
+      for (const double other_row : there.rows.position) {
+        const double across = lateral + row - other_row;
+        for (const double other_column : there.columns.position) {
+          const double along = longitudinal + column - other_column;
+          link.values.push_back(closeness / std::sqrt(across * across + along * along + softening));
+        }
+      }
+    }
+  }
+  return link;
+}
+
+PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<double>& closeness)
+    : boxes_(std::move(boxes)) {
+  const std::size_t count = boxes_.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t l = 0; l < count; ++l) {
+      if (l != k && closeness[k * count + l] != 0.0) {
+        nearest = std::min(nearest, distance_of(boxes_[k], boxes_[l]));
+      }
+    }
+    const CoupledBox& box = boxes_[k];
     Nodes nodes;
-    nodes.rows = make_axis(box.rows, box.lateral_step);
-    nodes.columns = make_axis(box.columns, box.longitudinal_step);
+    nodes.rows = make_axis(box.rows, box.lateral_step, nearest);
+    nodes.columns = make_axis(box.columns, box.longitudinal_step, nearest);
     nodes.load.resize(nodes.count());
     nodes.displacement.resize(nodes.count());
     nodes_.push_back(std::move(nodes));
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t l = 0; l < k; ++l) {
+      if (closeness[k * count + l] != 0.0) {
+        links_.push_back(make_link(k, l, closeness[k * count + l]));
+      }
+    }
   }
 }
 
@@ -49,25 +162,14 @@ template <typename Real> void PatchCoupling::gather(std::size_t box, const Real*
   const std::size_t node_columns = nodes.columns.nodes();
   const double area = boxes_[box].lateral_step * boxes_[box].longitudinal_step;
   std::fill(nodes.load.begin(), nodes.load.end(), 0.0);
+  line_.resize(node_columns);
   for (std::size_t i = 0; i < boxes_[box].rows; ++i) {
-    const Real* row = pressure + i * columns;
-    double* before = nodes.load.data() + nodes.rows.node[i] * node_columns;
-    const double share = nodes.rows.share[i];
-    for (std::size_t j = 0; j < columns; ++j) {
-      const double load = area * static_cast<double>(row[j]);
-      const std::size_t node = nodes.columns.node[j];
-      const double second = nodes.columns.share[j] * load;
-      const double first = load - second;
-      before[node] += (1.0 - share) * first;
-      if (second != 0.0) {
-        before[node + 1] += (1.0 - share) * second;
-      }
-      if (share != 0.0) {
-        before[node_columns + node] += share * first;
-        if (second != 0.0) {
-          before[node_columns + node + 1] += share * second;
-        }
-      }
+    for (std::size_t l = 0; l < node_columns; ++l) {
+      line_[l] = area * product(pressure + i * columns, nodes.columns.of_node(l), columns);
+    }
+    for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
+      add_times(nodes.load.data() + k * node_columns, nodes.rows.of_node(k)[i], line_.data(),
+                node_columns);
     }
   }
 }
@@ -76,62 +178,37 @@ void PatchCoupling::transfer() {
   for (Nodes& nodes : nodes_) {
     std::fill(nodes.displacement.begin(), nodes.displacement.end(), 0.0);
   }
-  for (std::size_t to = 0; to < boxes_.size(); ++to) {
-    for (std::size_t from = 0; from < boxes_.size(); ++from) {
-      const double closeness = closeness_[to * boxes_.size() + from];
-      if (to == from || closeness == 0.0) {
-        continue;
-      }
-      const Nodes& source = nodes_[from];
-      Nodes& target = nodes_[to];
-      const auto half_spacing = [](const Axis& axis) {
-        return axis.nodes() > 1 ? 0.5 * axis.position[1] : 0.0;
-      };
-      // The same for both ways, so that the operator stays symmetric.
-      const double least = std::max({half_spacing(source.rows), half_spacing(source.columns),
-                                     half_spacing(target.rows), half_spacing(target.columns)});
-      const double lateral = boxes_[to].lateral_first - boxes_[from].lateral_first;
-      const double longitudinal = boxes_[to].longitudinal_first - boxes_[from].longitudinal_first;
-      for (std::size_t i = 0; i < target.rows.nodes(); ++i) {
-        for (std::size_t j = 0; j < target.columns.nodes(); ++j) {
-          double sum = 0.0;
-          for (std::size_t k = 0; k < source.rows.nodes(); ++k) {
-            const double across = lateral + target.rows.position[i] - source.rows.position[k];
-            const double* load = source.load.data() + k * source.columns.nodes();
-            for (std::size_t l = 0; l < source.columns.nodes(); ++l) {
-              const double along =
-                  longitudinal + target.columns.position[j] - source.columns.position[l];
-              sum += load[l] / std::sqrt(std::max(across * across + along * along, least * least));
-            }
-          }
-          target.displacement[i * target.columns.nodes() + j] += closeness * sum;
-        }
-      }
+  for (const Link& link : links_) {
+    Nodes& one = nodes_[link.one];
+    Nodes& other = nodes_[link.other];
+    for (std::size_t k = 0; k < one.count(); ++k) {
+      const double* values = link.values.data() + k * other.count();
+      one.displacement[k] += product(other.load.data(), values, other.count());
+      add_times(other.displacement.data(), one.load[k], values, other.count());
     }
   }
 }
 
 template <typename Real> void PatchCoupling::add(std::size_t box, Real* displacement) {
-  Nodes& nodes = nodes_[box];
+  const Nodes& nodes = nodes_[box];
   const std::size_t columns = boxes_[box].columns;
   const std::size_t node_columns = nodes.columns.nodes();
   const double unit = 1.0 / boxes_[box].longitudinal_step;
-  const auto after = [](std::size_t node, std::size_t count) {
-    return std::min(node + 1, count - 1);
-  };
+  std::vector<double> at_nodes(node_columns);
+  line_.resize(columns);
   for (std::size_t i = 0; i < boxes_[box].rows; ++i) {
-    const double share = nodes.rows.share[i];
-    const double* first = nodes.displacement.data() + nodes.rows.node[i] * node_columns;
-    const double* second =
-        nodes.displacement.data() + after(nodes.rows.node[i], nodes.rows.nodes()) * node_columns;
+    std::fill(at_nodes.begin(), at_nodes.end(), 0.0);
+    for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
+      add_times(at_nodes.data(), unit * nodes.rows.of_node(k)[i],
+                nodes.displacement.data() + k * node_columns, node_columns);
+    }
+    std::fill(line_.begin(), line_.end(), 0.0);
+    for (std::size_t l = 0; l < node_columns; ++l) {
+      add_times(line_.data(), at_nodes[l], nodes.columns.of_node(l), columns);
+    }
     Real* row = displacement + i * columns;
     for (std::size_t j = 0; j < columns; ++j) {
-      const std::size_t before = nodes.columns.node[j];
-      const std::size_t next = after(before, node_columns);
-      const double along = nodes.columns.share[j];
-      const double upper = first[before] + along * (first[next] - first[before]);
-      const double lower = second[before] + along * (second[next] - second[before]);
-      row[j] += static_cast<Real>(unit * (upper + share * (lower - upper)));
+      row[j] += static_cast<Real>(line_[j]);
     }
   }
 }

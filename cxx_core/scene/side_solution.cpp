@@ -220,7 +220,8 @@ Trial SideSolver::sample(const SidePlan& plan) {
     made.place = patch.place;
     made.frame = patch.frame;
     made.area = patch.area;
-    made.grid = mesh_grid(patch.area, patch.mesh);
+    made.grid = mesh_grid(patch.area, patch.mesh,
+                          edges_at_boundary(patch.area, patch.place, rail_, patch.frame));
     // Rounding may lift the product of two unit vectors above 1.
     made.share = request_.normal_load ? std::min(dot(patch.frame.normal, main_frame.normal), 1.0)
                                       : patch.frame.normal.z;

@@ -104,14 +104,20 @@ double on_ladder(double aspect) {
   return std::exp2(std::round(std::log2(aspect) * ladder_steps) / ladder_steps);
 }
 
-/// Elements of one size, centred over an area.
-Grid centred_grid(const PlaneArea& area, std::size_t lateral_count, std::size_t longitudinal_count,
-                  double lateral_step, double longitudinal_step) {
+/// Elements of one size, centred over an area, but for the edges that lie on a boundary.
+Grid placed_grid(const PlaneArea& area, const BoundaryEdges& edges, std::size_t lateral_count,
+                 std::size_t longitudinal_count, double lateral_step, double longitudinal_step) {
   Grid grid{lateral_count, longitudinal_count, lateral_step, longitudinal_step, 0.0, 0.0};
   const auto first = [](double begin, double end, double step, std::size_t count) {
     return 0.5 * (begin + end) - 0.5 * step * static_cast<double>(count - 1);
   };
   grid.lateral_first = first(area.lateral_first, area.lateral_last, lateral_step, lateral_count);
+  if (edges.lateral_first && !edges.lateral_last) {
+    grid.lateral_first = area.lateral_first + 0.5 * lateral_step;
+  } else if (edges.lateral_last && !edges.lateral_first) {
+    grid.lateral_first =
+        area.lateral_last - (static_cast<double>(lateral_count) - 0.5) * lateral_step;
+  }
   grid.longitudinal_first =
       first(area.longitudinal_first, area.longitudinal_last, longitudinal_step, longitudinal_count);
   return grid;
@@ -119,22 +125,37 @@ Grid centred_grid(const PlaneArea& area, std::size_t lateral_count, std::size_t 
 
 } // namespace
 
-Grid mesh_grid(const PlaneArea& area, const Mesh& mesh) {
-  if (mesh.counts) {
-    const auto [lateral_count, longitudinal_count] = *mesh.counts;
-    const double lateral_step = area.width() / static_cast<double>(lateral_count);
-    const double longitudinal_step = area.length() / static_cast<double>(longitudinal_count);
-    const double aspect = on_ladder(lateral_step / longitudinal_step);
-    const double step = std::max(longitudinal_step, lateral_step / aspect);
-    return centred_grid(area, lateral_count, longitudinal_count, step * aspect, step);
-  }
-  const double aspect = on_ladder(mesh.lateral_step / mesh.longitudinal_step);
-  const double step = std::min(mesh.longitudinal_step, mesh.lateral_step / aspect);
+Grid mesh_grid(const PlaneArea& area, const Mesh& mesh, const BoundaryEdges& edges) {
   const auto count_over = [](double length, double size) {
     return static_cast<std::size_t>(std::max(1.0, std::ceil(length / size)));
   };
-  return centred_grid(area, count_over(area.width(), step * aspect),
-                      count_over(area.length(), step), step * aspect, step);
+  const auto [lateral_count, longitudinal_count] =
+      mesh.counts.value_or(std::array<std::size_t, 2>{});
+  const double lateral_aim =
+      mesh.counts ? area.width() / static_cast<double>(lateral_count) : mesh.lateral_step;
+  const double longitudinal_aim = mesh.counts
+                                      ? area.length() / static_cast<double>(longitudinal_count)
+                                      : mesh.longitudinal_step;
+  double aspect = on_ladder(lateral_aim / longitudinal_aim);
+  if (edges.lateral_first && edges.lateral_last) {
+    // The rows fit the area; columns follow from the ladder.
+    const std::size_t rows = mesh.counts ? lateral_count : count_over(area.width(), lateral_aim);
+    const double lateral_step = area.width() / static_cast<double>(rows);
+    const double too_small = std::exp2(0.5 / ladder_steps);
+    aspect =
+        on_ladder(lateral_step / longitudinal_aim * (mesh.counts ? 1.0 / too_small : too_small));
+    const double step = lateral_step / aspect;
+    return placed_grid(area, edges, rows,
+                       mesh.counts ? longitudinal_count : count_over(area.length(), step),
+                       lateral_step, step);
+  }
+  if (mesh.counts) {
+    const double step = std::max(longitudinal_aim, lateral_aim / aspect);
+    return placed_grid(area, edges, lateral_count, longitudinal_count, step * aspect, step);
+  }
+  const double step = std::min(longitudinal_aim, lateral_aim / aspect);
+  return placed_grid(area, edges, count_over(area.width(), step * aspect),
+                     count_over(area.length(), step), step * aspect, step);
 }
 
 PlaneArea PatchTrial::grown(double share_of_area, double least_elements) const {

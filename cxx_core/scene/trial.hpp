@@ -43,8 +43,8 @@ struct Mesh {
 };
 
 /// Elements no larger than aimed at, with an aspect ratio of a ladder, centred over the area; or
-/// the numbers of elements given.
-Grid mesh_grid(const PlaneArea& area, const Mesh& mesh);
+/// the numbers of elements given. Where the area ends at a boundary the grid ends there, too.
+Grid mesh_grid(const PlaneArea& area, const Mesh& mesh, const BoundaryEdges& edges = {});
 
 /// Where a patch is looked for, and on what grid.
 struct PatchPlan {

@@ -209,8 +209,8 @@ TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
   problem.interaction = &plane.interaction;
   const JointSolution joint = solver.solve(problem);
   EXPECT_EQ(joint.stop_reason, StopReason::tolerance_met);
-  // Interpolation between twelve nodes of a box.
-  constexpr double node_error = 1e-3;
+  // Interpolation between twenty nodes each way, with less distance than they would like.
+  constexpr double node_error = 2e-6;
   EXPECT_NEAR(joint.approach, whole.approach, node_error * whole.approach);
   const double largest = *std::max_element(whole.pressure.begin(), whole.pressure.end());
   double error = 0.0;
@@ -220,7 +220,7 @@ TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
       error = std::max(error, std::abs(joint.patches[k].pressure[i] - whole.pressure[first + i]));
     }
   }
-  EXPECT_LE(error, 10.0 * node_error * largest);
+  EXPECT_LE(error, 5.0 * node_error * largest);
   // Without interaction the approach is less by what the lobes displace at each other.
   problem.interaction = nullptr;
   EXPECT_LT(solver.solve(problem).approach, 0.95 * whole.approach);
@@ -270,26 +270,34 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
     coupling.add(k, displacement[k].data());
   }
   const double element = boxes[0].lateral_step * boxes[0].longitudinal_step;
-  double largest_error = 0.0;
-  double largest = 0.0;
+  const auto expected = [&](std::size_t i, std::size_t j) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < boxes[0].rows; ++k) {
+      for (std::size_t l = 0; l < boxes[0].columns; ++l) {
+        const double across = boxes[1].lateral_first + 0.1 * static_cast<double>(i) -
+                              boxes[0].lateral_first - 0.1 * static_cast<double>(k);
+        const double along = 0.12 * (static_cast<double>(j) - static_cast<double>(l));
+        sum += pressure[0][k * boxes[0].columns + l] * element / std::hypot(across, along);
+      }
+    }
+    return sum / boxes[1].longitudinal_step;
+  };
+  const auto found = [&](std::size_t i, std::size_t j) {
+    return displacement[1][i * boxes[1].columns + j];
+  };
+  const double largest = expected(0, 25);
   for (std::size_t i = 0; i < boxes[1].rows; i += 9) {
     for (std::size_t j = 0; j < boxes[1].columns; j += 7) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < boxes[0].rows; ++k) {
-        for (std::size_t l = 0; l < boxes[0].columns; ++l) {
-          const double across = boxes[1].lateral_first + 0.1 * static_cast<double>(i) -
-                                boxes[0].lateral_first - 0.1 * static_cast<double>(k);
-          const double along = 0.12 * (static_cast<double>(j) - static_cast<double>(l));
-          sum += pressure[0][k * boxes[0].columns + l] * element / std::hypot(across, along);
-        }
-      }
-      sum /= boxes[1].longitudinal_step;
-      largest = std::max(largest, sum);
-      largest_error =
-          std::max(largest_error, std::abs(sum - displacement[1][i * boxes[1].columns + j]));
+      EXPECT_NEAR(found(i, j), expected(i, j), 1e-7 * largest) << i << ", " << j;
     }
   }
-  EXPECT_LE(largest_error, 0.01 * largest);
+  // No pressure sees the nodes: it would see a kink, which has a peak of its own.
+  const auto bend = [](const auto& field, std::size_t i) {
+    return field(i - 1, 25) - 2.0 * field(i, 25) + field(i + 1, 25);
+  };
+  for (std::size_t i = 1; i + 1 < boxes[1].rows; ++i) {
+    EXPECT_NEAR(bend(found, i), bend(expected, i), 1e-7 * largest) << i;
+  }
   double one_way = 0.0;
   double other_way = 0.0;
   for (std::size_t i = 0; i < pressure[0].size(); ++i) {
