@@ -42,6 +42,7 @@ void SideMemory::remember(const RailSurface& rail, const SideRequest& request, c
   } else if (!as_before) {
     error_estimate.reset();
   }
+  slid = slid && as_before;
   patches.resize(trial.patches.size());
   for (std::size_t k = 0; k < trial.patches.size(); ++k) {
     const PatchTrial& patch = trial.patches[k];

@@ -43,6 +43,7 @@ struct SideMemory {
   /// Estimated on two grids; none if it was not met, or if the grid was given by hand. Without it
   /// the pressures are not those of the last solution.
   std::optional<double> error_estimate;
+  bool slid = false; ///< the last step's distances had to be sampled at another depth, once more
 
   /// `error`: none if it was not estimated at this position. What is known of it from before stays
   /// in force if the trial was made `as_before`, from this memory. `grid_accuracy`: the accuracy

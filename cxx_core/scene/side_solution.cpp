@@ -66,8 +66,10 @@ constexpr double accuracy_rounding_share = 0.25;
 constexpr double least_gain = 1.4;
 constexpr double resolving_resolution = 90.0;
 constexpr int most_failures = 2;
-/// Attempts with what is remembered before the side is solved anew.
+/// Attempts with what is remembered before the side is solved anew. Where the wheel slid in the
+/// last step it will again: the first attempt then only finds the depth, to so many tolerances.
 constexpr int warm_limit = 3;
+constexpr double depth_tolerance = 10.0;
 /// A patch with less pressure than the largest needs fewer elements: errors fall with their square.
 constexpr double least_resolution_share = 0.35;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
@@ -549,12 +551,16 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
       memory_.accuracy != request_.accuracy) {
     return std::nullopt;
   }
+  std::optional<Trial> last; // at another depth
+  const bool only_depth_first = memory_.slid;
   for (int attempt = 0; attempt < warm_limit; ++attempt) {
     const SidePlan plan = planner_.remembered_plan(memory_, depth);
     if (!memory_.places_are_near(plan.patches)) {
       return std::nullopt;
     }
-    Trial trial = try_plan(plan, tolerance(), memory_.starts());
+    const bool only_depth = only_depth_first && attempt == 0;
+    Trial trial = try_plan(plan, (only_depth ? depth_tolerance : 1.0) * tolerance(),
+                           last ? starts_from(*last, plan) : memory_.starts());
     if (trial.no_contact() || trial.touches_edge() || narrow_error(trial) > request_.accuracy) {
       return std::nullopt;
     }
@@ -565,11 +571,14 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
     if (!memory_.estimate_holds(trial)) {
       return std::nullopt;
     }
-    if (!slides(trial) && !changes_closeness(trial)) {
+    const bool settled = !slides(trial) && !changes_closeness(trial);
+    memory_.slid = attempt == 0 ? !settled : memory_.slid;
+    if (settled && !only_depth) {
       result_.error_estimate = memory_.error_estimate;
       return trial;
     }
     depth = improved_depth(trial);
+    last = std::move(trial);
   }
   return std::nullopt;
 }
