@@ -13,8 +13,25 @@ namespace {
 /// Depth that positions can just tell apart, mm: their rounding, 1e-13 mm, is 1e-4 of it. On steel
 /// it takes about 2e-7 N.
 constexpr double least_depth = 1e-9;
-/// Roundings of the wheel's radius below which an overlap has pressures that are off by 1e-3.
-constexpr double felt_roundings = 3e4;
+/// Standard deviation of a coordinate that some sums and products have rounded, in roundings.
+constexpr double coordinate_deviation = 0.5;
+/// Standard deviations that the largest pressure may be off by: 99 per cent keep to two.
+constexpr double pressure_deviations = 2.0;
+/// pi / (2 sqrt(3)): of pressures to white noise of the distances, law of the header.
+constexpr double noise_response = 0.9069;
+/// What the tables of heights, told to 1e-12 mm, may add to the overlap: wheel and rail each.
+constexpr double table_difference = 2e-12;
+
+/// By how much the rounding of positions may change a patch's largest pressure, MPa.
+double pressure_rounding(const PatchTrial& patch, double combined_modulus, double wheel_radius) {
+  const double rounding = coordinate_deviation * std::numeric_limits<double>::epsilon();
+  const double angle = patch.frame.angle();
+  const double radial = rounding * wheel_radius * std::cos(angle);
+  const double lateral = rounding * patch.frame.origin.y * std::sin(angle);
+  const double gradient = std::hypot(radial / patch.grid.longitudinal_step,
+                                     std::hypot(radial, lateral) / patch.grid.lateral_step);
+  return pressure_deviations * noise_response * combined_modulus * gradient;
+}
 
 } // namespace
 
@@ -63,18 +80,28 @@ void mark_unsettled(Trial& trial, int solutions, std::vector<std::string>& warni
                      std::to_string(solutions) + " solutions on the final grid");
 }
 
-void warn_of_rounding(const Trial& trial, double wheel_radius, std::vector<std::string>& warnings) {
+void warn_of_rounding(const Trial& trial, const SideRequest& request, double wheel_radius,
+                      std::vector<std::string>& warnings) {
   double overlap = 0.0;
+  double pressure = 0.0;
   for (const PatchTrial& patch : trial.patches) {
     if (!patch.no_contact()) {
       overlap = std::max(overlap, patch.overlap(trial.approach));
+      pressure =
+          std::max(pressure, pressure_rounding(patch, request.combined_modulus, wheel_radius));
     }
   }
-  const double felt = felt_roundings * std::numeric_limits<double>::epsilon() * wheel_radius;
-  if (overlap > 0.0 && overlap < felt) {
+  if (!(overlap > 0.0)) {
+    return;
+  }
+  const double error = std::max(pressure / trial.peak_pressure(), table_difference / overlap);
+  if (error > request.accuracy) {
+    // With as many elements across, elements grow with the root of the overlap, and pressures too.
     warnings.push_back("wheel and rail overlap by " + short_text_of(overlap) + " mm only: below " +
-                       short_text_of(felt) +
-                       " mm the rounding of positions is felt in the pressures");
+                       short_text_of(overlap * error / request.accuracy) +
+                       " mm the rounding of positions is felt in the pressures, by more than the "
+                       "accuracy of " +
+                       text_of(request.accuracy));
   }
 }
 

@@ -585,7 +585,7 @@ std::optional<Trial> SideSolver::solve_as_before(double depth) {
 
 void SideSolver::warn_about(const Trial& trial) {
   auto& warnings = result_.warnings;
-  warn_of_rounding(trial, wheel_.radius(), warnings);
+  warn_of_rounding(trial, request_, wheel_.radius(), warnings);
   if (trial.stop_reason != StopReason::tolerance_met) {
     warnings.push_back("not converged: " + std::string(name_of(trial.stop_reason)) +
                        ", error of the pressures " + short_text_of(trial.pressure_error));

@@ -141,11 +141,15 @@ void judge_patches(const wrcontact::Scene& scene, int count, Row& row, std::uint
   row.complementarity = complementarity;
 }
 
-void compare_with_finer(const SceneSetup& setup, double accuracy, Row& row) {
+void compare_with_finer(const SceneSetup& setup, const SceneOptions& options, Row& row) {
   wrcontact::Scene finer;
   finer.set("solve.side", "left");
   setup(finer);
-  finer.set("solve.accuracy", accuracy);
+  if (options.finer_grid.empty()) {
+    finer.set("solve.accuracy", options.finer);
+  } else {
+    finer.set("solve.grid", options.finer_grid);
+  }
   finer.solve();
   row.truth = "finer";
   row.error = std::max(relative(*row.pmax, finer.number("left.pmax")),
@@ -257,14 +261,14 @@ void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,
         prescribed ? 0.0
                    : relative(scene.number("left.vertical_force"), scene.get_number("load.left"));
     judge_patches(scene, count, row, seed);
-    if (options.finer > 0.0) {
-      compare_with_finer(setup, options.finer, row);
+    if (options.finer > 0.0 || !options.finer_grid.empty()) {
+      compare_with_finer(setup, options, row);
     }
     if (options.with_dense) {
       compare_with_dense(setup, row);
     }
     const double permitted = row.asked;
-    if (options.against_estimate && scene.has_number("left.error_estimate")) {
+    if (!options.finer_grid.empty() && scene.has_number("left.error_estimate")) {
       row.asked = scene.number("left.error_estimate");
     }
     if (!all_finite(row) || *row.load_balance > permitted_imbalance || *row.overlap > permitted ||

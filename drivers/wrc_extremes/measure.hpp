@@ -34,13 +34,15 @@ struct NormalAnswer {
 NormalAnswer solve_normal(const NormalCase& one);
 
 /// A scene, left wheel: solved to 1e-3 or what it asks for, judged patch by patch, compared with
-/// itself at a finer accuracy, and, on a grid of 32 x 16 elements, with elimination in long double.
+/// itself at a finer accuracy or on a finer grid, and, on a grid of 32 x 16 elements, with
+/// elimination in long double.
 using SceneSetup = std::function<void(wrcontact::Scene&)>;
 struct SceneOptions {
   double finer = 2e-4; ///< accuracy that the result is compared with; 0: none
   bool with_dense = true;
-  /// The error may be what the library estimates, in place of the accuracy: of a grid by hand.
-  bool against_estimate = false;
+  /// A grid by hand, rows and columns, to compare with instead. The error may then be what the
+  /// library estimates, in place of the accuracy.
+  std::vector<double> finer_grid = {};
 };
 void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,
                    const SceneOptions& options = {});

@@ -1,6 +1,7 @@
 /// The table of certified ranges (docs/stability.md): each boundary from both sides. Inside, the
 /// problem is solved and its residuals, recomputed in double precision, are small; outside there is
 /// the status stated, with a text that names argument, value and what is allowed.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -215,6 +216,33 @@ TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndWhatIsAllowed) {
   }
 }
 
+/// The coarse solution that errors are estimated from has a fifth of the rows, or less.
+TEST(CertifiedRanges, ErrorsOfFineGridsByHandAreWithinTheirEstimates) {
+  for (const double lateral : {0.0, 3.0, 6.5}) {
+    const auto solved = [&](double rows, double columns) {
+      ScenePointer scene = left_scene();
+      EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", lateral), WRC_OK);
+      EXPECT_EQ(wrc_scene_set_number(scene.get(), "solve.tolerance", 1e-8), WRC_OK);
+      EXPECT_EQ(grid(rows, columns)(scene.get()), WRC_OK);
+      EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+      return scene;
+    };
+    const ScenePointer truth = solved(1024.0, 512.0);
+    for (const double rows : {128.0, 256.0, 384.0}) {
+      for (const double columns : {0.5 * rows, 512.0}) {
+        const ScenePointer scene = solved(rows, columns);
+        double error = 0.0;
+        for (const char* name : {"left.pmax", "left.depth"}) {
+          error = std::max(
+              error, std::abs(number_of(scene.get(), name) / number_of(truth.get(), name) - 1.0));
+        }
+        EXPECT_LE(error, number_of(scene.get(), "left.error_estimate"))
+            << "y = " << lateral << ", " << rows << " x " << columns;
+      }
+    }
+  }
+}
+
 /// A state that has no contact as usual, and what is said of it.
 struct State {
   const char* name;
@@ -230,6 +258,15 @@ TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
        "the load, 1e-08 N, is taken for none"},
       {"load at which rounding is felt", number("load.vertical", 5e-7), true,
        "rounding of positions is felt"},
+      {"load above that", number("load.vertical", 1e-6), true, ""},
+      {"the same, to a finer accuracy",
+       both(number("load.vertical", 1e-6), number("solve.accuracy", 2e-4)), true,
+       "rounding of positions is felt"},
+      {"load at which rounding is felt on the flange",
+       both(number("load.vertical", 1e-6), number("pose.lateral", 6.5)), true,
+       "rounding of positions is felt"},
+      {"load above that on the flange",
+       both(number("load.vertical", 1e-5), number("pose.lateral", 6.5)), true, ""},
       {"above the rail", number("pose.vertical", 461.0), false, "no contact at this height"},
       {"pressed in", number("pose.vertical", 459.75), true, ""},
       {"on the chamfer", number("pose.lateral", -81.0), true, ""},

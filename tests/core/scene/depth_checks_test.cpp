@@ -53,17 +53,58 @@ TEST(DepthChecks, OnlyTrialsInContactAreUnsettled) {
   EXPECT_NE(warnings[0].find("21 solutions"), std::string::npos);
 }
 
-TEST(DepthChecks, RoundingIsFeltBelow30000RoundingsOfTheRadius) {
-  // 3e4 eps 460 mm = 3.06e-9 mm.
-  const auto warnings_at = [](double overlap, double radius) {
+/// What is warned about one square element, which overlaps by much, under a pressure.
+struct RoundedElement {
+  double side = 1e-5;
+  double pressure = 1.0;
+  double radius = 460.0;
+  double angle = 0.0;
+  double overlap = 1.0;
+  double accuracy = 1e-3;
+
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    Trial trial = trial_with(overlap);
+    PatchTrial& patch = trial.patches.front();
+    patch.frame = tangent_frame({0.0, 750.0, 0.0}, angle);
+    patch.grid = {1, 1, side, side, 0.0, 0.0};
+    patch.pressure = {pressure};
+    patch.contact = summarise_pressure(patch.grid, patch.pressure);
+    SideRequest request;
+    request.combined_modulus = 1e5;
+    request.accuracy = accuracy;
     std::vector<std::string> warnings;
-    warn_of_rounding(trial_with(overlap), radius, warnings);
-    return warnings.size();
-  };
-  EXPECT_EQ(warnings_at(3.0e-9, 460.0), 1U);
-  EXPECT_EQ(warnings_at(3.1e-9, 460.0), 0U);
-  EXPECT_EQ(warnings_at(3.1e-9, 5000.0), 1U);
-  EXPECT_EQ(warnings_at(3.4e-8, 5000.0), 0U);
+    warn_of_rounding(trial, request, radius, warnings);
+    return warnings;
+  }
+  [[nodiscard]] bool warned() const { return !warnings().empty(); }
+};
+
+TEST(DepthChecks, RoundingIsFeltInThePressuresOfSmallElements) {
+  // 2 * 0.9069 * 1e5 MPa * eps / 2 * 460 mm * sqrt(2) / 1e-5 mm = 1.310e-3 MPa.
+  EXPECT_TRUE((RoundedElement{.pressure = 1.30}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 1.32}.warned()));
+  EXPECT_TRUE((RoundedElement{.pressure = 13.0, .accuracy = 1e-4}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 13.2, .accuracy = 1e-4}.warned()));
+  EXPECT_TRUE((RoundedElement{.side = 1e-6, .pressure = 13.0}.warned()));
+  EXPECT_FALSE((RoundedElement{.side = 1e-6, .pressure = 13.2}.warned()));
+  EXPECT_TRUE((RoundedElement{.pressure = 14.1, .radius = 5000.0}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 14.3, .radius = 5000.0}.warned()));
+}
+
+TEST(DepthChecks, OnSteepContactLateralCoordinatesAreFelt) {
+  // At 1.5 rad 0.0707 of the radius, along and across, and 0.997 of the 750 mm across.
+  EXPECT_TRUE((RoundedElement{.pressure = 1.50, .angle = 1.5}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 1.52, .angle = 1.5}.warned()));
+  EXPECT_TRUE((RoundedElement{.pressure = 1.50, .angle = -1.5}.warned()));
+}
+
+TEST(DepthChecks, AnOverlapBelowTheToleranceOfTheTablesIsTold) {
+  EXPECT_FALSE((RoundedElement{.pressure = 1e9, .overlap = 2.1e-9}.warned()));
+  const auto warnings = RoundedElement{.pressure = 1e9, .overlap = 1.0e-9}.warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("overlap by 1e-09 mm only: below 2e-09 mm"), std::string::npos)
+      << warnings[0];
+  EXPECT_NE(warnings[0].find("accuracy of 0.001"), std::string::npos) << warnings[0];
 }
 
 } // namespace
