@@ -14,12 +14,34 @@ constexpr double aimed_share = 0.95;
 constexpr double estimate_reach = 0.1;
 /// So does a largest pressure that has changed by no more than this share.
 constexpr double estimate_pressure_reach = 0.05;
+/// The depth follows its last rate over moves up to this many times the last one, and by no more
+/// than this share of itself.
+constexpr double longest_move = 2.0;
+constexpr double largest_change = 0.2;
 
 } // namespace
 
-void SideMemory::remember(const RailSurface& rail, const SideRequest& request, const Trial& trial,
-                          const std::optional<TrialError>& estimated, bool as_before,
-                          double grid_accuracy) {
+double SideMemory::depth_under(double other_load) const {
+  const double ratio = other_load / load;
+  return depth * std::cbrt(ratio * ratio);
+}
+
+double SideMemory::expected_depth(double other_load, double other_lateral) const {
+  const double here = depth_under(other_load);
+  const double move = other_lateral - lateral;
+  const double change = depth_rate * move;
+  const bool goes_on = std::abs(move) <= longest_move * std::abs(last_move) &&
+                       std::abs(change) <= largest_change * here;
+  return goes_on ? here + change : here;
+}
+
+void SideMemory::remember(const RailSurface& rail, const SideRequest& request, double at,
+                          const Trial& trial, const std::optional<TrialError>& estimated,
+                          bool as_before, double grid_accuracy) {
+  last_move = valid ? at - lateral : 0.0;
+  depth_rate =
+      last_move != 0.0 ? (trial.next_depth - depth_under(request.load())) / last_move : 0.0;
+  lateral = at;
   const bool complete = std::none_of(trial.patches.begin(), trial.patches.end(),
                                      [](const PatchTrial& patch) { return patch.no_contact(); });
   valid = complete && !request.position_is_prescribed();

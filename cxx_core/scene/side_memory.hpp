@@ -37,7 +37,10 @@ struct SideMemory {
   };
   bool valid = false;
   double depth = 0.0;
-  double load = 0.0; ///< the one prescribed, N
+  double load = 0.0;       ///< the one prescribed, N
+  double lateral = 0.0;    ///< of the wheelset
+  double last_move = 0.0;  ///< of the wheelset, to where this is
+  double depth_rate = 0.0; ///< by the lateral position over that move, at the same load
   double accuracy = 0.0;
   std::vector<Patch> patches; ///< ordered by y
   /// Estimated on two grids; none if it was not met, or if the grid was given by hand. Without it
@@ -45,10 +48,14 @@ struct SideMemory {
   std::optional<double> error_estimate;
   bool slid = false; ///< the last step's distances had to be sampled at another depth, once more
 
+  /// The same contact under another load: by Hertz the approach goes with it to the power of 2/3.
+  [[nodiscard]] double depth_under(double other_load) const;
+  /// The depth expected under another load at another place.
+  [[nodiscard]] double expected_depth(double other_load, double other_lateral) const;
   /// `error`: none if it was not estimated at this position. What is known of it from before stays
   /// in force if the trial was made `as_before`, from this memory. `grid_accuracy`: the accuracy
-  /// that the grids were made for.
-  void remember(const RailSurface& rail, const SideRequest& request, const Trial& trial,
+  /// that the grids were made for. `at`: the wheelset's lateral position.
+  void remember(const RailSurface& rail, const SideRequest& request, double at, const Trial& trial,
                 const std::optional<TrialError>& error, bool as_before, double grid_accuracy);
   /// Whether the ends of penetration have hardly moved since the error was estimated.
   [[nodiscard]] bool places_are_near(std::span<const PatchPlan> patches) const;

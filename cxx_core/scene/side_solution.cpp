@@ -153,9 +153,7 @@ double SideSolver::first_depth() const {
     return equilibrium_.vertical - *request_.vertical;
   }
   if (memory_.valid) {
-    // Hertz: the approach goes with the load to the power of 2/3.
-    const double ratio = request_.load() / memory_.load;
-    return memory_.depth * std::cbrt(ratio * ratio);
+    return memory_.expected_depth(request_.load(), equilibrium_.pose.lateral);
   }
   return estimate_depth(equilibrium_.scan, request_.combined_modulus, request_.load(),
                         request_.normal_load ? LoadDirection::main_normal
@@ -730,7 +728,8 @@ SideSolution SideSolver::solve() {
     trial = solve_on_final_grid(std::move(coarse), resolution);
     check_depth_found(request_, trial->next_depth);
   }
-  memory_.remember(rail_, request_, *trial, error_, as_before, grid_accuracy());
+  memory_.remember(rail_, request_, equilibrium_.pose.lateral, *trial, error_, as_before,
+                   grid_accuracy());
   warn_about(*trial);
   take(std::move(*trial));
   return std::move(result_);

@@ -87,6 +87,20 @@ TEST(Solver, FollowsAHuntingMotion) {
   }
 }
 
+/// On the flange the depth changes so fast that the last one would not do for the next step; the
+/// way it went does: one solution a step, but where errors are estimated anew.
+TEST(Solver, FollowsTheDepthOnTheFlange) {
+  constexpr double accuracy = 3e-4;
+  const SolverPointer solver = make_solver();
+  int single = 0;
+  for (int i = 0; i < 10; ++i) {
+    const ScenePointer scene = make_scene_at({5.25 + 0.01 * (i % 2), 0.0, 80e3}, accuracy);
+    ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+    single += number_of(scene.get(), "left.solutions") == 1.0 ? 1 : 0;
+  }
+  EXPECT_GE(single, 7); // 0 with the last depth
+}
+
 TEST(Solver, FollowsAJumpToTheFlangeAndBack) {
   for (const double accuracy : accuracies) {
     const SolverPointer solver = make_solver();
