@@ -80,9 +80,7 @@ PlaneArea SidePlanner::carried_over(const PlaneArea& area, const ContactFrame& f
   PlaneArea result = PlaneArea::empty();
   for (const double lateral : {area.lateral_first, area.lateral_last}) {
     for (const double longitudinal : {area.longitudinal_first, area.longitudinal_last}) {
-      const Vector3 place = from.to_track(longitudinal, lateral, 0.0);
-      const Vector3 on_rail{place.x, place.y, rail_.graph().at_lateral(place.y).height};
-      const Vector3 from_origin = on_rail - to.origin;
+      const Vector3 from_origin = from.to_track(longitudinal, lateral, 0.0) - to.origin;
       result.include(dot(from_origin, to.lateral), dot(from_origin, to.longitudinal));
     }
   }

@@ -46,7 +46,8 @@ public:
   /// The part of an area in the patch's territory; where nothing of it lies there, the patch's
   /// penetration.
   [[nodiscard]] PlaneArea limited(const PlaneArea& area, const PatchPlan& plan) const;
-  /// The same rectangle of the track, seen in the plane of another frame.
+  /// The same rectangle, seen in the plane of another frame; itself in its own, so that areas do
+  /// not drift where distances are sampled again and again.
   [[nodiscard]] PlaneArea carried_over(const PlaneArea& area, const ContactFrame& from,
                                        const ContactFrame& to) const;
 

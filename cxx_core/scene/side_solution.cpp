@@ -422,6 +422,7 @@ Trial SideSolver::settle_on_coarse_grids(double depth, const Resolution& resolut
   Trial trial;
   for (int attempt = 0; attempt < coarse_limit; ++attempt) {
     trial = try_plan(plan, coarse_tolerance, {});
+    check_depth_found(request_, trial.next_depth); // before planes are turned and areas grown there
     if (trial.no_contact()) {
       for (PatchPlan& patch : plan.patches) { // contact smaller than an element: look closer
         patch.area = patch.area.widened(-0.25);
