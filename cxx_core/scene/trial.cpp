@@ -29,6 +29,9 @@ constexpr double top_difference = 4.0;
 /// Peaks of few rows are seldom semi-ellipses, and may lie anywhere between the rows: errors up to
 /// four times those of Hertz's law were measured with 5 rows.
 constexpr double few_rows = 5.0;
+/// A top along the rail with less than this share of the width that the contact has there is a
+/// crest that runs across it aslant, as a yawed flange has.
+constexpr double crest_share = 0.6;
 /// What the error of a lower peak counts against that of the highest.
 constexpr double lower_peak_weight = 4.0;
 /// Grids count as different in a direction from this ratio of elements on.
@@ -261,6 +264,28 @@ double elements_through_peak(const PatchTrial& patch) {
   return static_cast<double>(last - first + 1);
 }
 
+/// Elements under a semi-ellipse with this top and the ones beside it.
+double elements_under_top(double before, double top, double after) {
+  return std::sqrt(top_difference * top / (2.0 * top - before - after));
+}
+
+/// The same along the rail for the peak of a patch, as far as it lies inside the grid.
+double elements_under_peak(const PatchTrial& patch) {
+  const std::size_t columns = patch.grid.longitudinal_count;
+  const std::size_t peak = patch.contact.largest_element;
+  if (peak % columns == 0 || peak % columns + 1 == columns) {
+    return static_cast<double>(columns);
+  }
+  return elements_under_top(patch.pressure[peak - 1], patch.pressure[peak],
+                            patch.pressure[peak + 1]);
+}
+
+/// Error of a peak of few elements.
+double top_error(double elements_of_top, Elements elements) {
+  const double roughness = 1.0 + (few_rows / elements_of_top) * (few_rows / elements_of_top);
+  return roughness * hertz_error(elements_of_top, 1.0, elements);
+}
+
 } // namespace
 
 double longitudinal_error(const Trial& trial) {
@@ -268,8 +293,12 @@ double longitudinal_error(const Trial& trial) {
   for (const PatchTrial& patch : trial.patches) {
     if (!patch.no_contact()) {
       const double count = elements_through_peak(patch);
-      error = std::max(error, trial.weight(patch) *
-                                  hertz_error(count, patch.slenderness(), trial.elements));
+      double own = hertz_error(count, patch.slenderness(), trial.elements);
+      const double under_peak = elements_under_peak(patch);
+      if (under_peak < crest_share * count) {
+        own = std::max(own, top_error(under_peak, trial.elements));
+      }
+      error = std::max(error, trial.weight(patch) * own);
     }
   }
   return error;
@@ -291,10 +320,8 @@ double narrow_error(const Trial& trial) {
     }
     for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
       if (tops[i] > 0.0 && tops[i] >= tops[i - 1] && tops[i] >= tops[i + 1]) {
-        const double difference = 2.0 * tops[i] - tops[i - 1] - tops[i + 1];
-        const double rows = std::sqrt(top_difference * tops[i] / difference);
-        const double roughness = 1.0 + (few_rows / rows) * (few_rows / rows);
-        const double error = roughness * hertz_error(rows, 1.0, trial.elements) * tops[i];
+        const double rows = elements_under_top(tops[i - 1], tops[i], tops[i + 1]);
+        const double error = top_error(rows, trial.elements) * tops[i];
         missing = std::max(
             missing, tops[i] < highest ? tops[i] + lower_peak_weight * error - highest : error);
       }

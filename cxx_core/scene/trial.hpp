@@ -126,7 +126,8 @@ struct Trial {
 /// Relative error of pmax and approach that the elements along the rail leave. The wheel is round
 /// there, so it follows the law of Hertzian contact: 1/n^2 with n elements through the peak, and
 /// more where the contact is slender, that is longer than wide; `longitudinal_resolution`, the
-/// elements for an error and a slenderness, is its inverse.
+/// elements for an error and a slenderness, is its inverse. A crest that runs across the rail's
+/// direction aslant counts as a peak of few elements (narrow_error).
 double longitudinal_error(const Trial& trial);
 double longitudinal_resolution(double error, double slenderness, Elements elements);
 
