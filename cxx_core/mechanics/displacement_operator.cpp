@@ -164,4 +164,20 @@ double displacement_at(const Grid& grid, std::span<const double> pressure, doubl
   return displacement + sum * grid.element_area() / (std::numbers::pi * combined_modulus);
 }
 
+double least_displacement_at(const Grid& grid, std::span<const double> pressure,
+                             double combined_modulus, double longitudinal, double lateral) {
+  FarRow row;
+  row.step = grid.longitudinal_step;
+  row.longitudinal = longitudinal - grid.longitudinal_first;
+  const double element_square =
+      (grid.longitudinal_step * grid.longitudinal_step + grid.lateral_step * grid.lateral_step) /
+      12.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+    row.lateral = std::hypot(lateral - grid.lateral(i), std::sqrt(element_square));
+    sum += sum_far(row, pressure.data() + i * grid.longitudinal_count, 0, grid.longitudinal_count);
+  }
+  return sum * grid.element_area() / (std::numbers::pi * combined_modulus);
+}
+
 } // namespace wrc

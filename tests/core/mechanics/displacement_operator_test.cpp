@@ -88,6 +88,13 @@ TEST(DisplacementAt, EqualsTheOperator) {
               grid.lateral(index / grid.longitudinal_count), elements);
           ASSERT_NEAR(found / expected[index], 1.0, largest_error)
               << rows << " x " << columns << " aspect " << aspect << " element " << index;
+          if (elements == Elements::constant) {
+            const double bound = least_displacement_at(
+                grid, pressure, modulus, grid.longitudinal(index % grid.longitudinal_count),
+                grid.lateral(index / grid.longitudinal_count));
+            ASSERT_LE(bound, expected[index]);
+            ASSERT_GE(bound, 0.25 * expected[index]);
+          }
         }
       }
     }
