@@ -93,7 +93,9 @@ TEST(DisplacementAt, EqualsTheOperator) {
                 grid, pressure, modulus, grid.longitudinal(index % grid.longitudinal_count),
                 grid.lateral(index / grid.longitudinal_count));
             ASSERT_LE(bound, expected[index]);
-            ASSERT_GE(bound, 0.25 * expected[index]);
+            if (aspect > 0.1 && aspect < 10.0) { // worst for an element by itself
+              ASSERT_GE(bound, 0.6 * expected[index]);
+            }
           }
         }
       }
