@@ -15,7 +15,7 @@ namespace {
 /// Error of the interpolation, and the nodes that it may take in either direction.
 constexpr double interpolation_error = 1e-5;
 constexpr std::size_t least_nodes = 4;
-constexpr std::size_t most_nodes = 20;
+constexpr std::size_t most_nodes = 16;
 
 double extent(std::size_t elements, double step) {
   return static_cast<double>(elements - 1) * step;
@@ -34,27 +34,90 @@ double distance_of(const CoupledBox& one, const CoupledBox& other) {
                             extent(other.columns, other.longitudinal_step)));
 }
 
+/// sums[k] = sum_i values[i] * weights[k * count + i].
 template <typename Real>
-WRC_VECTOR_BODY double product_body(const Real* values, const double* weights, std::size_t count) {
+WRC_VECTOR_BODY void gather_body(const Real* values, const double* weights, std::size_t count,
+                                 std::size_t nodes, double* sums) {
+  std::size_t k = 0;
+  for (; k + 4 <= nodes; k += 4) {
+    const double* w = weights + k * count;
+    double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
+#pragma omp simd reduction(+ : a, b, c, d)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double value = values[i];
+      a += value * w[i];
+      b += value * w[count + i];
+      c += value * w[2 * count + i];
+      d += value * w[3 * count + i];
+    }
+    sums[k] = a;
+    sums[k + 1] = b;
+    sums[k + 2] = c;
+    sums[k + 3] = d;
+  }
+  for (; k < nodes; ++k) {
+    double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t i = 0; i < count; ++i) {
+      sum += static_cast<double>(values[i]) * weights[k * count + i];
+    }
+    sums[k] = sum;
+  }
+}
+
+WRC_VECTOR_CLONES void gather_line(const float* values, const double* weights, std::size_t count,
+                                   std::size_t nodes, double* sums) {
+  gather_body(values, weights, count, nodes, sums);
+}
+WRC_VECTOR_CLONES void gather_line(const double* values, const double* weights, std::size_t count,
+                                   std::size_t nodes, double* sums) {
+  gather_body(values, weights, count, nodes, sums);
+}
+
+/// to[i] += sum_k factors[k] * weights[k * pitch + i].
+WRC_VECTOR_CLONES void spread_line(const double* factors, const double* weights, std::size_t nodes,
+                                   std::size_t pitch, std::size_t count, double* to) {
+  std::size_t k = 0;
+  for (; k + 4 <= nodes; k += 4) {
+    const double* w = weights + k * pitch;
+    const double a = factors[k];
+    const double b = factors[k + 1];
+    const double c = factors[k + 2];
+    const double d = factors[k + 3];
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] += (a * w[i] + b * w[pitch + i]) + (c * w[2 * pitch + i] + d * w[3 * pitch + i]);
+    }
+  }
+  for (; k < nodes; ++k) {
+    const double* w = weights + k * pitch;
+    const double factor = factors[k];
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] += factor * w[i];
+    }
+  }
+}
+
+/// Both ways of a link at once: to += K from, other_to += K^T other_from.
+WRC_VECTOR_CLONES void link_line(const double* values, const double* from, double other_from,
+                                 std::size_t count, double* to, double* other_to) {
   double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t i = 0; i < count; ++i) {
-    sum += static_cast<double>(values[i]) * weights[i];
+    sum += values[i] * from[i];
+    other_to[i] += other_from * values[i];
   }
-  return sum;
+  *to += sum;
 }
 
-WRC_VECTOR_CLONES double product(const float* values, const double* weights, std::size_t count) {
-  return product_body(values, weights, count);
-}
-WRC_VECTOR_CLONES double product(const double* values, const double* weights, std::size_t count) {
-  return product_body(values, weights, count);
-}
-WRC_VECTOR_CLONES void add_times(double* values, double factor, const double* weights,
-                                 std::size_t count) {
+/// c / sqrt(x_i^2 + square).
+WRC_VECTOR_CLONES void fill_link(double closeness, double square, double along,
+                                 const double* position, std::size_t count, double* values) {
 #pragma omp simd
   for (std::size_t i = 0; i < count; ++i) {
-    values[i] += factor * weights[i];
+    const double x = along - position[i];
+    values[i] = closeness / std::sqrt(x * x + square);
   }
 }
 
@@ -62,7 +125,6 @@ WRC_VECTOR_CLONES void add_times(double* values, double factor, const double* we
 
 PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double distance) {
   Axis axis;
-  axis.elements = elements;
   const double half = 0.5 * extent(elements, step);
   const double ratio = half > 0.0 ? distance / half : std::numeric_limits<double>::infinity();
   const double needed =
@@ -81,23 +143,23 @@ PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, 
     axis.position.push_back(half * (1.0 + node.back()));
   }
   axis.half_spacing = half / static_cast<double>(count);
-  axis.weight.assign(count * elements, 0.0);
+  axis.by_node.assign(count * elements, 0.0);
+  axis.by_element.assign(count * elements, 0.0);
+  std::vector<double> weights(count);
   for (std::size_t i = 0; i < elements; ++i) {
     const double place = half > 0.0 ? static_cast<double>(i) * step / half - 1.0 : 0.0;
     double sum = 0.0;
     std::size_t met = count;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < count && met == count; ++k) {
       const double apart = place - node[k];
-      if (apart == 0.0) {
-        met = k;
-        break;
-      }
-      axis.weight[k * elements + i] = factor[k] / apart;
-      sum += factor[k] / apart;
+      met = apart == 0.0 ? k : met;
+      weights[k] = factor[k] / apart;
+      sum += weights[k];
     }
     for (std::size_t k = 0; k < count; ++k) {
-      double& weight = axis.weight[k * elements + i];
-      weight = met < count ? (k == met ? 1.0 : 0.0) : weight / sum;
+      const double weight = met < count ? (k == met ? 1.0 : 0.0) : weights[k] / sum;
+      axis.by_node[k * elements + i] = weight;
+      axis.by_element[i * count + k] = weight;
     }
   }
   return axis;
@@ -108,21 +170,21 @@ PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
   const Nodes& here = nodes_[one];
   const Nodes& there = nodes_[other];
   Link link{one, other, {}};
-  link.values.reserve(here.count() * there.count());
+  link.values.resize(here.count() * there.count());
   const double lateral = boxes_[one].lateral_first - boxes_[other].lateral_first;
   const double longitudinal = boxes_[one].longitudinal_first - boxes_[other].longitudinal_first;
   const double least = std::max({here.rows.half_spacing, here.columns.half_spacing,
                                  there.rows.half_spacing, there.columns.half_spacing});
   const double distance = distance_of(boxes_[one], boxes_[other]);
   const double softening = std::max(0.0, least * least - distance * distance);
+  double* values = link.values.data();
   for (const double row : here.rows.position) {
     for (const double column : here.columns.position) {
       for (const double other_row : there.rows.position) {
         const double across = lateral + row - other_row;
-        for (const double other_column : there.columns.position) {
-          const double along = longitudinal + column - other_column;
-          link.values.push_back(closeness / std::sqrt(across * across + along * along + softening));
-        }
+        fill_link(closeness, across * across + softening, longitudinal + column,
+                  there.columns.position.data(), there.columns.nodes(), values);
+        values += there.columns.nodes();
       }
     }
   }
@@ -164,12 +226,16 @@ template <typename Real> void PatchCoupling::gather(std::size_t box, const Real*
   std::fill(nodes.load.begin(), nodes.load.end(), 0.0);
   line_.resize(node_columns);
   for (std::size_t i = 0; i < boxes_[box].rows; ++i) {
-    for (std::size_t l = 0; l < node_columns; ++l) {
-      line_[l] = area * product(pressure + i * columns, nodes.columns.of_node(l), columns);
+    const Real* row = pressure + i * columns;
+    if (std::all_of(row, row + columns, [](Real value) { return value == Real{0}; })) {
+      continue;
     }
+    gather_line(row, nodes.columns.by_node.data(), columns, node_columns, line_.data());
     for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
-      add_times(nodes.load.data() + k * node_columns, nodes.rows.of_node(k)[i], line_.data(),
-                node_columns);
+      const double share = area * nodes.rows.by_element[i * nodes.rows.nodes() + k];
+      for (std::size_t l = 0; l < node_columns; ++l) {
+        nodes.load[k * node_columns + l] += share * line_[l];
+      }
     }
   }
 }
@@ -182,9 +248,8 @@ void PatchCoupling::transfer() {
     Nodes& one = nodes_[link.one];
     Nodes& other = nodes_[link.other];
     for (std::size_t k = 0; k < one.count(); ++k) {
-      const double* values = link.values.data() + k * other.count();
-      one.displacement[k] += product(other.load.data(), values, other.count());
-      add_times(other.displacement.data(), one.load[k], values, other.count());
+      link_line(link.values.data() + k * other.count(), other.load.data(), one.load[k],
+                other.count(), &one.displacement[k], other.displacement.data());
     }
   }
 }
@@ -193,19 +258,21 @@ template <typename Real> void PatchCoupling::add(std::size_t box, Real* displace
   const Nodes& nodes = nodes_[box];
   const std::size_t columns = boxes_[box].columns;
   const std::size_t node_columns = nodes.columns.nodes();
+  const std::size_t node_rows = nodes.rows.nodes();
   const double unit = 1.0 / boxes_[box].longitudinal_step;
   std::vector<double> at_nodes(node_columns);
+  std::vector<double> factors(node_rows);
   line_.resize(columns);
   for (std::size_t i = 0; i < boxes_[box].rows; ++i) {
+    for (std::size_t k = 0; k < node_rows; ++k) {
+      factors[k] = unit * nodes.rows.by_element[i * node_rows + k];
+    }
     std::fill(at_nodes.begin(), at_nodes.end(), 0.0);
-    for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
-      add_times(at_nodes.data(), unit * nodes.rows.of_node(k)[i],
-                nodes.displacement.data() + k * node_columns, node_columns);
-    }
+    spread_line(factors.data(), nodes.displacement.data(), node_rows, node_columns, node_columns,
+                at_nodes.data());
     std::fill(line_.begin(), line_.end(), 0.0);
-    for (std::size_t l = 0; l < node_columns; ++l) {
-      add_times(line_.data(), at_nodes[l], nodes.columns.of_node(l), columns);
-    }
+    spread_line(at_nodes.data(), nodes.columns.by_node.data(), node_columns, columns, columns,
+                line_.data());
     Real* row = displacement + i * columns;
     for (std::size_t j = 0; j < columns; ++j) {
       row[j] += static_cast<Real>(line_[j]);

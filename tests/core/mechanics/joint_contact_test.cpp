@@ -209,7 +209,7 @@ TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
   problem.interaction = &plane.interaction;
   const JointSolution joint = solver.solve(problem);
   EXPECT_EQ(joint.stop_reason, StopReason::tolerance_met);
-  // Interpolation between twenty nodes each way, with less distance than they would like.
+  // Interpolation between sixteen nodes each way, with less distance than they would like.
   constexpr double node_error = 2e-6;
   EXPECT_NEAR(joint.approach, whole.approach, node_error * whole.approach);
   const double largest = *std::max_element(whole.pressure.begin(), whole.pressure.end());
