@@ -101,6 +101,37 @@ TEST(Solver, FollowsTheDepthOnTheFlange) {
   EXPECT_GE(single, 7); // 0 with the last depth
 }
 
+/// Found by random scenes: on a steep contact each sampling at another depth moved the area of four
+/// rows outwards, until contact was lost.
+TEST(Solver, SettlesOnFewRowsOfASteepContact) {
+  const SolverPointer solver = make_solver();
+  const auto solve_at = [&solver](double lateral, double share) {
+    ScenePointer scene = make_scene();
+    for (const auto& [key, text] :
+         {std::pair{"wheelset.wheel", "LM"}, std::pair{"track.rail", "50E6"}}) {
+      EXPECT_EQ(wrc_scene_set_text(scene.get(), key, text), WRC_OK);
+    }
+    for (const auto& [key, value] :
+         {std::pair{"track.cant", 0.049958395721942765},
+          std::pair{"material.wheel.youngs_modulus", 422325.3394000648},
+          std::pair{"material.wheel.poisson", 0.04495665503644064},
+          std::pair{"material.rail.youngs_modulus", 935182.9543814091},
+          std::pair{"material.rail.poisson", 0.3620161031547651},
+          std::pair{"pose.yaw", -0.02700864159079197}, std::pair{"pose.lateral", lateral},
+          std::pair{"load.left", share * 38.66016290526467},
+          std::pair{"load.right", share * 53895.89315811987},
+          std::pair{"solve.tolerance", 0.009228579474895734}}) {
+      EXPECT_EQ(wrc_scene_set_number(scene.get(), key, value), WRC_OK) << key;
+    }
+    const double grid[] = {4.0, 58.0};
+    EXPECT_EQ(wrc_scene_set_numbers(scene.get(), "solve.grid", grid, 2), WRC_OK);
+    return wrc_solver_solve(solver.get(), scene.get());
+  };
+  constexpr double lateral = -7.516088928447349;
+  EXPECT_EQ(solve_at(0.97 * lateral + 0.1, 0.9), WRC_OK);
+  EXPECT_EQ(solve_at(lateral, 1.0), WRC_OK);
+}
+
 TEST(Solver, FollowsAJumpToTheFlangeAndBack) {
   for (const double accuracy : accuracies) {
     const SolverPointer solver = make_solver();
