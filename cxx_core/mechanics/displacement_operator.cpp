@@ -31,12 +31,13 @@ const Grid& checked(const Grid& grid) {
   return grid;
 }
 
-/// Diagonals of an element beyond which its coefficient is that of its first moments, to 1e-4.
+/// Diagonals of an element beyond which its coefficient is that of its moments to the second, to
+/// 1e-4.
 constexpr double near_reach = 6.0;
 
-/// Where a place lies, seen from the first element of a row, and what even pressures add:
-/// mean of 1/R over an element = 1/R + dx^2/24 (1/R)_xx + dy^2/24 (1/R)_yy + ..., while elements of
-/// smooth pressure leave just this out (influence_coefficients.hpp).
+/// Where a place lies, seen from the first element of a row, and what elements of constant pressure
+/// add: mean of 1/R over an element = 1/R + dx^2/24 (1/R)_xx + dy^2/24 (1/R)_yy + ..., while those
+/// of smooth pressure leave just this out (influence_coefficients.hpp).
 struct FarRow {
   double longitudinal = 0.0;
   double lateral = 0.0;
@@ -133,17 +134,17 @@ double displacement_at(const Grid& grid, std::span<const double> pressure, doubl
   const double along = grid.longitudinal_step;
   const double across = grid.lateral_step;
   const double reach = near_reach * std::hypot(along, across);
-  const bool even = elements == Elements::constant;
+  const bool constant = elements == Elements::constant;
   FarRow far;
+  far.longitudinal = longitudinal - grid.longitudinal_first;
   far.step = along;
-  far.along_square = even ? along * along / 24.0 : 0.0;
-  far.across_square = even ? across * across / 24.0 : 0.0;
+  far.along_square = constant ? along * along / 24.0 : 0.0;
+  far.across_square = constant ? across * across / 24.0 : 0.0;
   const auto count = static_cast<double>(grid.longitudinal_count);
   double sum = 0.0;
   double displacement = 0.0;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const double* values = pressure.data() + row * grid.longitudinal_count;
-    far.longitudinal = longitudinal - grid.longitudinal_first;
     far.lateral = lateral - grid.lateral(row);
     const double half = std::sqrt(std::max(0.0, reach * reach - far.lateral * far.lateral));
     const auto place_of = [&](double offset) {
@@ -162,22 +163,6 @@ double displacement_at(const Grid& grid, std::span<const double> pressure, doubl
     }
   }
   return displacement + sum * grid.element_area() / (std::numbers::pi * combined_modulus);
-}
-
-double least_displacement_at(const Grid& grid, std::span<const double> pressure,
-                             double combined_modulus, double longitudinal, double lateral) {
-  FarRow row;
-  row.step = grid.longitudinal_step;
-  row.longitudinal = longitudinal - grid.longitudinal_first;
-  const double element_square =
-      (grid.longitudinal_step * grid.longitudinal_step + grid.lateral_step * grid.lateral_step) /
-      12.0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
-    row.lateral = std::hypot(lateral - grid.lateral(i), std::sqrt(element_square));
-    sum += sum_far(row, pressure.data() + i * grid.longitudinal_count, 0, grid.longitudinal_count);
-  }
-  return sum * grid.element_area() / (std::numbers::pi * combined_modulus);
 }
 
 } // namespace wrc

@@ -38,13 +38,8 @@ private:
 };
 
 /// Displacement in mm at any place of the plane, by direct summation; for single places. Right to
-/// 3e-5: elements some diagonals away count by their first moments.
+/// 3e-5: elements some diagonals away count by their moments to the second.
 double displacement_at(const Grid& grid, std::span<const double> pressure, double combined_modulus,
                        double longitudinal, double lateral, Elements elements = Elements::constant);
-
-/// A lower bound of it, far cheaper: the mean of 1/distance over an element is at least 1/sqrt of
-/// the mean squared distance (Jensen). For elements of smooth pressure some elements away.
-double least_displacement_at(const Grid& grid, std::span<const double> pressure,
-                             double combined_modulus, double longitudinal, double lateral);
 
 } // namespace wrc

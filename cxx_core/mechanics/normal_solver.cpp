@@ -40,8 +40,9 @@ constexpr double coarse_rounding = 5e-4;
 constexpr double start_coarseness = 0.15;
 /// Share of elements below the distance from which the first pressures are drawn.
 constexpr double start_quantile = 0.2;
-/// Memory for tables and spectra kept between calls, besides those of the last solution. A hunting
-/// wheelset meets new ones again and again: with more memory its steps are no faster.
+/// Memory for tables and spectra kept between calls by all that share a cache, besides those of the
+/// last solution. A hunting wheelset meets new ones again and again: with more memory its steps are
+/// no faster.
 constexpr std::size_t kept_bytes = std::size_t{8} << 20;
 
 /// One grid of a patch's cascade, in its own unit of length.

@@ -74,23 +74,23 @@ WRC_VECTOR_CLONES void gather_line(const double* values, const double* weights, 
   gather_body(values, weights, count, nodes, sums);
 }
 
-/// to[i] += sum_k factors[k] * weights[k * pitch + i].
+/// to[i] += sum_k factors[k] * weights[k * count + i].
 WRC_VECTOR_CLONES void spread_line(const double* factors, const double* weights, std::size_t nodes,
-                                   std::size_t pitch, std::size_t count, double* to) {
+                                   std::size_t count, double* to) {
   std::size_t k = 0;
   for (; k + 4 <= nodes; k += 4) {
-    const double* w = weights + k * pitch;
+    const double* w = weights + k * count;
     const double a = factors[k];
     const double b = factors[k + 1];
     const double c = factors[k + 2];
     const double d = factors[k + 3];
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
-      to[i] += (a * w[i] + b * w[pitch + i]) + (c * w[2 * pitch + i] + d * w[3 * pitch + i]);
+      to[i] += (a * w[i] + b * w[count + i]) + (c * w[2 * count + i] + d * w[3 * count + i]);
     }
   }
   for (; k < nodes; ++k) {
-    const double* w = weights + k * pitch;
+    const double* w = weights + k * count;
     const double factor = factors[k];
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
@@ -143,8 +143,7 @@ PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, 
     axis.position.push_back(half * (1.0 + node.back()));
   }
   axis.half_spacing = half / static_cast<double>(count);
-  axis.by_node.assign(count * elements, 0.0);
-  axis.by_element.assign(count * elements, 0.0);
+  axis.weight.resize(count * elements);
   std::vector<double> weights(count);
   for (std::size_t i = 0; i < elements; ++i) {
     const double place = half > 0.0 ? static_cast<double>(i) * step / half - 1.0 : 0.0;
@@ -157,9 +156,7 @@ PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, 
       sum += weights[k];
     }
     for (std::size_t k = 0; k < count; ++k) {
-      const double weight = met < count ? (k == met ? 1.0 : 0.0) : weights[k] / sum;
-      axis.by_node[k * elements + i] = weight;
-      axis.by_element[i * count + k] = weight;
+      axis.weight[k * elements + i] = met < count ? (k == met ? 1.0 : 0.0) : weights[k] / sum;
     }
   }
   return axis;
@@ -225,14 +222,15 @@ template <typename Real> void PatchCoupling::gather(std::size_t box, const Real*
   const double area = boxes_[box].lateral_step * boxes_[box].longitudinal_step;
   std::fill(nodes.load.begin(), nodes.load.end(), 0.0);
   line_.resize(node_columns);
-  for (std::size_t i = 0; i < boxes_[box].rows; ++i) {
+  const std::size_t rows = boxes_[box].rows;
+  for (std::size_t i = 0; i < rows; ++i) {
     const Real* row = pressure + i * columns;
     if (std::all_of(row, row + columns, [](Real value) { return value == Real{0}; })) {
       continue;
     }
-    gather_line(row, nodes.columns.by_node.data(), columns, node_columns, line_.data());
+    gather_line(row, nodes.columns.weight.data(), columns, node_columns, line_.data());
     for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
-      const double share = area * nodes.rows.by_element[i * nodes.rows.nodes() + k];
+      const double share = area * nodes.rows.weight[k * rows + i];
       for (std::size_t l = 0; l < node_columns; ++l) {
         nodes.load[k * node_columns + l] += share * line_[l];
       }
@@ -260,19 +258,17 @@ template <typename Real> void PatchCoupling::add(std::size_t box, Real* displace
   const std::size_t node_columns = nodes.columns.nodes();
   const std::size_t node_rows = nodes.rows.nodes();
   const double unit = 1.0 / boxes_[box].longitudinal_step;
-  std::vector<double> at_nodes(node_columns);
-  std::vector<double> factors(node_rows);
-  line_.resize(columns);
-  for (std::size_t i = 0; i < boxes_[box].rows; ++i) {
+  const std::size_t rows = boxes_[box].rows;
+  factors_.resize(node_rows);
+  for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t k = 0; k < node_rows; ++k) {
-      factors[k] = unit * nodes.rows.by_element[i * node_rows + k];
+      factors_[k] = unit * nodes.rows.weight[k * rows + i];
     }
-    std::fill(at_nodes.begin(), at_nodes.end(), 0.0);
-    spread_line(factors.data(), nodes.displacement.data(), node_rows, node_columns, node_columns,
-                at_nodes.data());
-    std::fill(line_.begin(), line_.end(), 0.0);
-    spread_line(at_nodes.data(), nodes.columns.by_node.data(), node_columns, columns, columns,
-                line_.data());
+    at_nodes_.assign(node_columns, 0.0);
+    spread_line(factors_.data(), nodes.displacement.data(), node_rows, node_columns,
+                at_nodes_.data());
+    line_.assign(columns, 0.0);
+    spread_line(at_nodes_.data(), nodes.columns.weight.data(), node_columns, columns, line_.data());
     Real* row = displacement + i * columns;
     for (std::size_t j = 0; j < columns; ++j) {
       row[j] += static_cast<Real>(line_[j]);

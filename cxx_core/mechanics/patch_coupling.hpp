@@ -8,11 +8,13 @@
 /// Gathering is the transpose of interpolating, which keeps the operator symmetric. 1/r continued
 /// into the complex plane is singular at the distance D beside a box of half length a, so the error
 /// falls with the number of nodes n like rho^-n, rho = D/a + sqrt(1 + (D/a)^2) (Trefethen,
-/// Approximation Theory and Approximation Practice, 2013, theorem 8.2): 1e-5 at most for D > 0.8
-/// a; closer boxes have 16 nodes each way. Where D is less than half of the mean distance of the
-/// nodes, r counts as if it were that. Units: pressures in any one unit P, lengths in mm; the
-/// displacement of each box comes in P times the box's `unit` (its longitudinal step) over pi E*,
-/// as in influence_cache.hpp. Thread rule: one object serves one thread at a time.
+/// Approximation Theory and Approximation Practice, 2013, theorem 8.2): 1e-5 at most for
+/// D > 0.8 a; closer boxes have 16 nodes each way. Where D is less than half of the mean distance
+/// of the nodes, r counts as if it were that.
+///
+/// Units: pressures in any one unit P, lengths in mm; the displacement of each box comes in P times
+/// the box's `unit` (its longitudinal step) over pi E*, as in influence_cache.hpp.
+/// Thread rule: one object serves one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -45,10 +47,9 @@ public:
 private:
   /// Nodes along one direction, and their weights at the elements.
   struct Axis {
-    std::vector<double> position;   ///< of the nodes, from the first element's centre
-    std::vector<double> by_node;    ///< [node * elements + element]
-    std::vector<double> by_element; ///< [element * nodes + node]
-    double half_spacing = 0.0;      ///< half of the nodes' mean distance
+    std::vector<double> position; ///< of the nodes, from the first element's centre
+    std::vector<double> weight;   ///< [node * elements + element]
+    double half_spacing = 0.0;    ///< half of the nodes' mean distance
     [[nodiscard]] std::size_t nodes() const { return position.size(); }
   };
   static Axis make_axis(std::size_t elements, double step, double distance);
@@ -71,6 +72,8 @@ private:
   std::vector<Nodes> nodes_;
   std::vector<Link> links_;
   std::vector<double> line_; ///< of elements or nodes, while one row is gathered or added
+  std::vector<double> at_nodes_;
+  std::vector<double> factors_;
 };
 
 } // namespace wrc

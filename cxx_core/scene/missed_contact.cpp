@@ -81,9 +81,7 @@ bool add_missed_contact(const WheelSurface& wheel, const RailSurface& rail,
           patch.share * trial.approach - dot(surfaces.wheel - surfaces.rail, patch.frame.normal);
       const double limit = missed_overlap * largest_displacement;
       if (overlap - bound->at(longitudinal, lateral) <= limit ||
-          overlap - least_displacement_at(patch.grid, patch.pressure, combined_modulus,
-                                          longitudinal, lateral) <=
-              limit) {
+          overlap - bound->closer_at(longitudinal, lateral) <= limit) {
         continue;
       }
       const double displacement = displacement_at(patch.grid, patch.pressure, combined_modulus,

@@ -165,7 +165,7 @@ struct SceneSolver::Shared {
 };
 
 struct SceneSolver::State {
-  std::shared_ptr<Shared> shared;
+  std::shared_ptr<Shared> shared = std::make_shared<Shared>();
   SideState left;
   SideState right;
   std::optional<Scene> last; ///< whose solvers and positions these are
@@ -314,7 +314,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   return result;
 }
 
-SceneSolver::SceneSolver() : state_(new State{std::make_shared<Shared>(), {}, {}, {}}) {}
+SceneSolver::SceneSolver() : state_(new State) {}
 SceneSolver::~SceneSolver() = default;
 SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
 SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;

@@ -126,37 +126,43 @@ Grid placed_grid(const PlaneArea& area, const BoundaryEdges& edges, std::size_t 
   return grid;
 }
 
+std::size_t count_over(double length, double size) {
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(length / size)));
+}
+
+/// Rows that fit an area between two boundaries. Columns follow from the ladder: elements no longer
+/// than aimed at, or, in numbers given, none that fails to reach both ends.
+Grid fitted_grid(const PlaneArea& area, const Mesh& mesh, const BoundaryEdges& edges) {
+  const std::size_t rows =
+      mesh.counts ? (*mesh.counts)[0] : count_over(area.width(), mesh.lateral_step);
+  const double lateral_step = area.width() / static_cast<double>(rows);
+  const double half_a_rung = std::exp2(0.5 / ladder_steps);
+  if (mesh.counts) {
+    const std::size_t columns = (*mesh.counts)[1];
+    const double least = area.length() / static_cast<double>(columns);
+    const double step = lateral_step / on_ladder(lateral_step / least * (1.0 / half_a_rung));
+    return placed_grid(area, edges, rows, columns, lateral_step, step);
+  }
+  const double step = lateral_step / on_ladder(lateral_step / mesh.longitudinal_step * half_a_rung);
+  return placed_grid(area, edges, rows, count_over(area.length(), step), lateral_step, step);
+}
+
 } // namespace
 
 Grid mesh_grid(const PlaneArea& area, const Mesh& mesh, const BoundaryEdges& edges) {
-  const auto count_over = [](double length, double size) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / size)));
-  };
-  const auto [lateral_count, longitudinal_count] =
-      mesh.counts.value_or(std::array<std::size_t, 2>{});
-  const double lateral_aim =
-      mesh.counts ? area.width() / static_cast<double>(lateral_count) : mesh.lateral_step;
-  const double longitudinal_aim = mesh.counts
-                                      ? area.length() / static_cast<double>(longitudinal_count)
-                                      : mesh.longitudinal_step;
-  double aspect = on_ladder(lateral_aim / longitudinal_aim);
   if (edges.lateral_first && edges.lateral_last) {
-    // The rows fit the area; columns follow from the ladder.
-    const std::size_t rows = mesh.counts ? lateral_count : count_over(area.width(), lateral_aim);
-    const double lateral_step = area.width() / static_cast<double>(rows);
-    const double too_small = std::exp2(0.5 / ladder_steps);
-    aspect =
-        on_ladder(lateral_step / longitudinal_aim * (mesh.counts ? 1.0 / too_small : too_small));
-    const double step = lateral_step / aspect;
-    return placed_grid(area, edges, rows,
-                       mesh.counts ? longitudinal_count : count_over(area.length(), step),
-                       lateral_step, step);
+    return fitted_grid(area, mesh, edges);
   }
   if (mesh.counts) {
-    const double step = std::max(longitudinal_aim, lateral_aim / aspect);
+    const auto [lateral_count, longitudinal_count] = *mesh.counts;
+    const double lateral_step = area.width() / static_cast<double>(lateral_count);
+    const double longitudinal_step = area.length() / static_cast<double>(longitudinal_count);
+    const double aspect = on_ladder(lateral_step / longitudinal_step);
+    const double step = std::max(longitudinal_step, lateral_step / aspect);
     return placed_grid(area, edges, lateral_count, longitudinal_count, step * aspect, step);
   }
-  const double step = std::min(longitudinal_aim, lateral_aim / aspect);
+  const double aspect = on_ladder(mesh.lateral_step / mesh.longitudinal_step);
+  const double step = std::min(mesh.longitudinal_step, mesh.lateral_step / aspect);
   return placed_grid(area, edges, count_over(area.width(), step * aspect),
                      count_over(area.length(), step), step * aspect, step);
 }
