@@ -17,6 +17,7 @@ struct PlainPlaces {
     const Vector3& at = sample.wheel.position;
     return {at.x,
             at.y,
+            at.z - sample.distance,
             sample.wheel.lateral,
             limit - sample.distance,
             sample.rail_slope,
@@ -28,6 +29,7 @@ struct PlainPlaces {
     const Vector3& at = contact.wheel.position;
     return {at.x,
             at.y,
+            at.z - contact.distance,
             contact.wheel.lateral,
             depth,
             std::tan(contact.rail_angle),
@@ -57,9 +59,10 @@ double closeness_of(double separation, double angle_difference) {
   return patch_finding::smoothstep(patch_finding::affinity(separation, angle_difference));
 }
 
-ContactPatches find_contact_patches(const ContactScan& scan, double depth) {
+ContactPatches find_contact_patches(const ContactScan& scan, double depth,
+                                    double joining_distance) {
   const PlainPlaces places;
-  return patch_finding::PatchFinder(scan, depth, places).find();
+  return patch_finding::PatchFinder(scan, depth, joining_distance, places).find();
 }
 
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame) {

@@ -17,11 +17,17 @@
 ///   D = gap / larger width                                 if they are apart,
 ///   D = -(least penetration between) / (deepest of the shallower one)      if they are connected.
 /// Closeness w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall as the
-/// planes of the two differ more. w = 1: joined. 0 < w < 1: planes turned towards each other, so
-/// that nothing jumps on the way from two patches to one. Patches further on are as close as the
-/// weakest link between: such an (ultrametric) matrix has no negative eigenvalue. The angle of a
-/// plane is the mean over all levels between 0 and 1 of the plane of the patches that are at least
-/// that close, which for two is angle = own + w (mean of both - own).
+/// planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned towards each
+/// other by the share w, so that nothing jumps on the way from two patches to one.
+/// Where the planes of the two differ little, the distance d of their penetrations across the rail
+/// counts, too, as in CONTACT (Vollebregt, User guide for CONTACT, D_COMB = d_j, D_SEP = 2 d_j and
+/// D_TURN = 3 d_j, 4 mm by default): they turn from d = 3 d_j on, linearly, and share their plane
+/// from 2 d_j on; they feel each other from 2 d_j on, in full from d_j on. Two in one plane are one
+/// contact, on grids of their own until they are joined. The greater of both shares counts.
+/// Patches further on are as close as the weakest link between: such an (ultrametric) matrix has no
+/// negative eigenvalue. The angle of a plane is the mean over all levels between 0 and 1 of the
+/// plane of the patches that turn at least that far towards each other, which for two is
+/// angle = own + turn (mean of both - own).
 ///
 /// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
 /// elsewhere with the curvature of the nodes around. The top is the first contact where that lies,
@@ -69,6 +75,7 @@ struct ContactPatch {
   /// neighbour, infinite on the outside.
   double territory_first = -std::numeric_limits<double>::infinity();
   double territory_last = std::numeric_limits<double>::infinity();
+  bool with_last = false; ///< shares its plane with the patch before: both are one contact
 
   /// Whether the deepest place of another patch, at another depth, lies in this one.
   [[nodiscard]] bool holds(const ContactPatch& other) const {
@@ -86,8 +93,10 @@ struct ContactPatches {
 };
 
 /// `depth` > 0: how far the wheel is lowered vertically from the first touch. The scan's nearest
-/// candidate must be there; without samples nothing else is seen.
-ContactPatches find_contact_patches(const ContactScan& scan, double depth);
+/// candidate must be there; without samples nothing else is seen. `joining_distance`: d_j in mm; 0:
+/// patches are close by their own widths alone.
+ContactPatches find_contact_patches(const ContactScan& scan, double depth,
+                                    double joining_distance = 0.0);
 
 /// Of two lobes or patches: signed separation D and the difference of their angles.
 double closeness_of(double separation, double angle_difference);

@@ -56,10 +56,15 @@ template <class Real> Real smoothstep(const Real& t) {
   return inside * inside * (3.0 - 2.0 * inside);
 }
 
+/// 0 for lobes that one plane may serve, 1 for those that need planes of their own.
+template <class Real> Real turned_apart(const Real& angle_difference) {
+  return smoothstep<Real>((abs(angle_difference) - same_plane_angle) /
+                          (other_plane_angle - same_plane_angle));
+}
+
 /// 1 or more: joined, 0 or less: strangers.
 template <class Real> Real affinity(const Real& separation, const Real& angle_difference) {
-  const Real turned = smoothstep<Real>((abs(angle_difference) - same_plane_angle) /
-                                       (other_plane_angle - same_plane_angle));
+  const Real turned = turned_apart(angle_difference);
   const Real join = lerp(Real(join_separation), Real(steep_join_separation), turned);
   const Real apart = lerp(Real(apart_separation), Real(steep_apart_separation), turned);
   return (apart - separation) / (apart - join);
@@ -69,6 +74,7 @@ template <class Real> Real affinity(const Real& separation, const Real& angle_di
 template <class Real> struct Place {
   Real x;
   Real y;
+  Real z; ///< of the rail
   Real s;
   Real penetration;  ///< vertical, < 0 outside
   Real slope;        ///< of the rail
@@ -103,6 +109,8 @@ template <class Real> struct Lobe {
   std::size_t last_place;
   Real y_first;
   Real y_last;
+  Real z_first;
+  Real z_last;
   Real x_first;
   Real x_last;
   Real half_length;
@@ -115,8 +123,14 @@ template <class Real> struct Lobe {
   /// Takes in the next one.
   void join(const Lobe& next) {
     last_place = next.last_place;
-    y_first = std::min(y_first, next.y_first);
-    y_last = std::max(y_last, next.y_last);
+    if (next.y_first < y_first) {
+      y_first = next.y_first;
+      z_first = next.z_first;
+    }
+    if (next.y_last > y_last) {
+      y_last = next.y_last;
+      z_last = next.z_last;
+    }
     x_first = std::min(x_first, next.x_first);
     x_last = std::max(x_last, next.x_last);
     half_length = std::max(half_length, next.half_length);
@@ -163,6 +177,7 @@ template <class Real>
 Place<Real> between(const Place<Real>& from, const Place<Real>& to, const Real& share) {
   return {lerp(from.x, to.x, share),
           lerp(from.y, to.y, share),
+          lerp(from.z, to.z, share),
           lerp(from.s, to.s, share),
           Real(0.0),
           lerp(from.slope, to.slope, share),
@@ -193,10 +208,10 @@ template <class Source> class PatchFinder {
 public:
   using Real = typename Source::Real;
 
-  PatchFinder(const ContactScan& scan, double depth, const Source& source)
+  PatchFinder(const ContactScan& scan, double depth, double joining_distance, const Source& source)
       : samples_(scan.samples), contact_(scan.candidates.front()), source_(source), depth_(depth),
-        limit_(contact_.distance + depth), place_of_contact_(source.place_of(contact_, depth)),
-        reach_scale_(1.0 / std::sqrt(depth)) {}
+        joining_distance_(joining_distance), limit_(contact_.distance + depth),
+        place_of_contact_(source.place_of(contact_, depth)), reach_scale_(1.0 / std::sqrt(depth)) {}
 
   ContactPatches find() {
     collect_places();
@@ -215,8 +230,9 @@ public:
       if (k > 0) {
         const double border = 0.5 * (patch.y_first + result.patches.back().y_last);
         result.patches.back().territory_last = patch.territory_first = border;
-        links_.push_back(smoothstep(affinities_[k - 1]));
+        link_with_next(k - 1);
         result.links.push_back(value_of(links_.back()));
+        patch.with_last = value_of(turns_.back()) >= 1.0;
       }
       if (lobes_[k].first_place <= contact_place_ && contact_place_ <= lobes_[k].last_place) {
         result.main = k;
@@ -224,7 +240,8 @@ public:
       result.patches.push_back(patch);
     }
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
-      angles_.push_back(turned_angle(k));
+      // All in one plane have the same angle, to the last bit.
+      angles_.push_back(result.patches[k].with_last ? angles_.back() : turned_angle(k));
       result.patches[k].angle = value_of(angles_.back());
     }
     return result;
@@ -344,6 +361,7 @@ private:
     Lobe<Real> lobe{};
     lobe.first_place = place;
     lobe.y_first = begin.y;
+    lobe.z_first = lobe.z_last = begin.z;
     lobe.x_first = lobe.x_last = begin.x;
     lobe.deepest = begin;
     lobe.moments = {};
@@ -366,6 +384,7 @@ private:
       lobe.deepest = to;
     }
     lobe.y_last = to.y;
+    lobe.z_last = to.z;
   }
 
   void find_lobes() {
@@ -431,6 +450,32 @@ private:
             : (second.y_first - first.y_last) /
                   std::max({first.width, second.width, Real(std::numeric_limits<double>::min())});
     return affinity<Real>(separation, second.angle - first.angle);
+  }
+
+  /// How far apart the penetrations of a lobe and the next are, across the rail.
+  Real distance_to_next(std::size_t lobe) const {
+    const Lobe<Real>& first = lobes_[lobe];
+    const Lobe<Real>& second = lobes_[lobe + 1];
+    if (first.penetration_next > 0.0) {
+      return 0.0;
+    }
+    const Real across = second.y_first - first.y_last;
+    const Real up = second.z_first - first.z_last;
+    return sqrt(across * across + up * up);
+  }
+
+  /// Closeness of a patch and the next, and how far their planes turn towards each other.
+  void link_with_next(std::size_t lobe) {
+    Real link = smoothstep(affinities_[lobe]);
+    Real turn = link;
+    if (joining_distance_ > 0.0) {
+      const Real one_plane = 1.0 - turned_apart<Real>(lobes_[lobe + 1].angle - lobes_[lobe].angle);
+      const Real distances = distance_to_next(lobe) / joining_distance_;
+      link = std::max(link, one_plane * std::clamp<Real>(2.0 - distances, 0.0, 1.0));
+      turn = std::max(turn, one_plane * std::clamp<Real>(3.0 - distances, 0.0, 1.0));
+    }
+    links_.push_back(link);
+    turns_.push_back(turn);
   }
 
   /// Joins neighbours, the closest ones first, until none are left that belong together.
@@ -502,7 +547,7 @@ private:
     return patch;
   }
 
-  /// Mean over all levels of closeness of the plane of those that are at least that close.
+  /// Mean over all levels from 0 to 1 of the plane of those that turn that far towards each other.
   Real turned_angle(std::size_t lobe) const {
     std::size_t first = lobe;
     std::size_t last = lobe;
@@ -510,8 +555,8 @@ private:
     Real level = 1.0;
     Real angle = 0.0;
     while (level > 0.0) {
-      const Real before = first > 0 ? links_[first - 1] : Real(0.0);
-      const Real after = last < links_.size() ? links_[last] : Real(0.0);
+      const Real before = first > 0 ? turns_[first - 1] : Real(0.0);
+      const Real after = last < turns_.size() ? turns_[last] : Real(0.0);
       const Real next = std::min(level, std::max(before, after));
       angle += (level - next) * cluster.angle();
       level = next;
@@ -526,6 +571,7 @@ private:
   const ContactCandidate& contact_;
   const Source& source_;
   double depth_;
+  double joining_distance_;
   double limit_;
   Place<Real> place_of_contact_;
   std::vector<Place<Real>> places_; ///< stretches that hold penetration and one place more each end
@@ -536,6 +582,7 @@ private:
   std::vector<Real> affinities_; ///< of each lobe and the next
   std::vector<Lobe<Real>> lobes_;
   std::vector<Real> links_;  ///< closeness of each patch and the next
+  std::vector<Real> turns_;  ///< likewise, of their planes
   std::vector<Real> angles_; ///< of the planes
 };
 

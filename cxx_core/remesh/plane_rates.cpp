@@ -37,7 +37,7 @@ public:
   [[nodiscard]] Place place_of(const DistanceSample& sample, double limit) const {
     const Meeting meeting = meet(sample.wheel.lateral);
     Place place = place_of(meeting, {});
-    set_values(place, sample.wheel, limit - sample.distance, sample.rail_slope);
+    set_values(place, sample.wheel, sample.distance, limit - sample.distance, sample.rail_slope);
     return place;
   }
 
@@ -52,14 +52,14 @@ public:
     }
     Place place = place_of(meeting, moves);
     place.top = true;
-    set_values(place, contact.wheel, depth, std::tan(contact.rail_angle));
+    set_values(place, contact.wheel, contact.distance, depth, std::tan(contact.rail_angle));
     return place;
   }
 
 private:
   /// Wheel and rail at a place of the profile.
   struct Meeting {
-    ByPlace s, x, y, distance, slope, curvature;
+    ByPlace s, x, y, rail, distance, slope, curvature;
     ByPlace sine; ///< of the angle from the rail's to the wheel's tangent, times a factor
   };
 
@@ -87,7 +87,8 @@ private:
     const ByPlace z = ByPlace::variable(0.0, vertical) + sin_roll_ * across - cos_roll_ * down;
 
     const HeightPoint rail = rail_.at(meeting.y.value);
-    meeting.distance = z - ByPlace::of(rail.height, rail.slope, meeting.y);
+    meeting.rail = ByPlace::of(rail.height, rail.slope, meeting.y);
+    meeting.distance = z - meeting.rail;
     meeting.slope = ByPlace::of(rail.slope, rail.second, meeting.y);
     meeting.curvature = 1.0 / (rho * sqrt(1.0 + slope * slope));
     const ByPlace normal_y = sin_yaw_ * sine + cos_yaw_ * (sin_roll_ * cosine - cos_roll_ * slope);
@@ -107,6 +108,7 @@ private:
     };
     return {moved(meeting.x),
             moved(meeting.y),
+            moved(meeting.rail),
             moved(meeting.s),
             -moved(meeting.distance),
             moved(meeting.slope),
@@ -116,9 +118,11 @@ private:
   }
 
   /// To the last bit those of the scan, so that patches are the same.
-  static void set_values(Place& place, const LocusPlace& wheel, double penetration, double slope) {
+  static void set_values(Place& place, const LocusPlace& wheel, double distance, double penetration,
+                         double slope) {
     place.x.value = wheel.position.x;
     place.y.value = wheel.position.y;
+    place.z.value = wheel.position.z - distance;
     place.s.value = wheel.lateral;
     place.penetration.value = penetration;
     place.slope.value = slope;
@@ -153,9 +157,10 @@ ByMotion<double> MovingPatches::closeness_rate(std::size_t i, std::size_t j) con
 }
 
 MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& rail,
-                                  const Pose& pose, const ContactScan& scan, double depth) {
+                                  const Pose& pose, const ContactScan& scan, double depth,
+                                  double joining_distance) {
   const MovingPlaces places(wheel, rail, pose);
-  patch_finding::PatchFinder finder(scan, depth, places);
+  patch_finding::PatchFinder finder(scan, depth, joining_distance, places);
   MovingPatches result{finder.find(), {}, {}};
   for (std::size_t k = 0; k < result.found.patches.size(); ++k) {
     if (k > 0) {

@@ -101,8 +101,7 @@ double ApproximateSide::first_depth() const {
 }
 
 void ApproximateSide::find_patches(double depth) {
-  const SidePlan plan =
-      SidePlanner(rail_, equilibrium_, request_.gap, request_.grid.has_value()).empty_plan(depth);
+  const SidePlan plan = SidePlanner(rail_, equilibrium_, request_).empty_plan(depth);
   found_ = plan.found;
   models_.clear();
   shares_.clear();
@@ -222,6 +221,9 @@ void ApproximateSide::take_patches() {
                    [](const PatchSolution& one, const PatchSolution& other) {
                      return one.normal_force > other.normal_force;
                    });
+  for (std::size_t k = 0; k < result_.patches.size(); ++k) {
+    result_.patches[k].plane = k; // models do not couple patches
+  }
   result_.in_contact = !result_.patches.empty();
   result_.validity = validity;
   if (validity < good_validity) {

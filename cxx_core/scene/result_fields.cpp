@@ -5,6 +5,7 @@
 
 #include "mechanics/displacement_operator.hpp"
 #include "scene/solve_scene.hpp"
+#include "scene/united_patch.hpp"
 
 namespace wrc {
 namespace {
@@ -27,7 +28,18 @@ Values element_places(const PatchResult& patch, Coordinate&& coordinate) {
   return values;
 }
 
+Values undeformed_distance(const SideDetails& side, const PatchResult& patch) {
+  return patch.parts.empty() ? patch.undeformed_distance : united_distance(patch, side);
+}
+
+Values pressure(const SideDetails& /*side*/, const PatchResult& patch) {
+  return patch.parts.empty() ? patch.pressure : united_pressure(patch);
+}
+
 Values displacement(const SideDetails& side, const PatchResult& patch) {
+  if (!patch.parts.empty()) {
+    return united_displacement(patch, side);
+  }
   Values values(patch.grid.element_count());
   DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
       .apply(patch.pressure, values);
@@ -79,12 +91,8 @@ constexpr std::array patch_fields{
                [](const SideDetails&, const PatchResult& patch) {
                  return element_places(patch, [](const Vector3& place) { return place.z; });
                }},
-    PatchField{
-        "undeformed_distance", length,
-        [](const SideDetails&, const PatchResult& patch) { return patch.undeformed_distance; }},
-    PatchField{"pressure",
-               {Quantity::stress, false},
-               [](const SideDetails&, const PatchResult& patch) { return patch.pressure; }},
+    PatchField{"undeformed_distance", length, undeformed_distance},
+    PatchField{"pressure", {Quantity::stress, false}, pressure},
     PatchField{"displacement", length, displacement},
 };
 
@@ -146,19 +154,22 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
       return all_told(outline.compute(*side), turning_length);
     }
   }
-  std::size_t index = 0;
-  if (take("patches.")) {
+  const PatchResult* patch = side->patches.empty() ? nullptr : &side->patches.front();
+  const auto choose = [&](const std::vector<PatchResult>& patches) {
+    std::size_t index = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
     name.remove_prefix(static_cast<std::size_t>(end - name.data()));
-    if (error != std::errc() || index >= side->patches.size() || !take(".")) {
-      return std::nullopt;
-    }
+    const bool there = error == std::errc() && index < patches.size() && take(".");
+    patch = there ? &patches[index] : nullptr;
+    return there;
+  };
+  if (take("patches.") && (!choose(side->patches) || (take("parts.") && !choose(patch->parts)))) {
+    return std::nullopt;
   }
   for (const PatchField& field : patch_fields) {
     if (field.name == name) {
-      return side->patches.empty()
-                 ? Values{}
-                 : all_told(field.compute(side->details, side->patches[index]), field.dimension);
+      return patch == nullptr ? Values{}
+                              : all_told(field.compute(side->details, *patch), field.dimension);
     }
   }
   return std::nullopt;

@@ -64,7 +64,25 @@ constexpr std::array touch_numbers{
 
 /// Computed when it is asked for, unless a model has told it.
 double area_of_patch(const PatchResult& patch) {
-  return patch.area ? *patch.area : contact_area(patch.grid, patch.pressure);
+  if (patch.parts.empty()) {
+    return patch.area ? *patch.area : contact_area(patch.grid, patch.pressure);
+  }
+  double area = 0.0;
+  for (const PatchResult& part : patch.parts) {
+    area += area_of_patch(part);
+  }
+  return area;
+}
+
+double regions_of_patch(const PatchResult& patch) {
+  if (patch.parts.empty()) {
+    return static_cast<double>(pressure_regions(patch.grid, patch.pressure).size());
+  }
+  double count = 0.0;
+  for (const PatchResult& part : patch.parts) {
+    count += regions_of_patch(part);
+  }
+  return count;
 }
 
 constexpr std::array patch_numbers{
@@ -93,10 +111,7 @@ constexpr std::array patch_numbers{
                         [](const PatchResult& p) { return p.radius_longitudinal; }},
     Number<PatchResult>{"radii.1", length, [](const PatchResult& p) { return p.radius_lateral; }},
     Number<PatchResult>{"closeness", pure, [](const PatchResult& p) { return p.closeness; }},
-    Number<PatchResult>{"regions", pure,
-                        [](const PatchResult& p) {
-                          return static_cast<double>(pressure_regions(p.grid, p.pressure).size());
-                        }},
+    Number<PatchResult>{"regions", pure, regions_of_patch},
     Number<PatchResult>{"fill", pure, [](const PatchResult& p) { return p.fill; }},
     Number<PatchResult>{
         "grid.0", pure,
@@ -232,6 +247,19 @@ std::optional<Value> sensitivity_value(SideResult& side, std::string_view name) 
                  : find_in(sensitivity_numbers, *rates, name);
 }
 
+std::optional<Value> patch_value(const PatchResult& patch, std::string_view name) {
+  std::size_t index = 0;
+  if (take(name, "parts.")) {
+    return take_index(name, patch.parts.size(), index) ? patch_value(patch.parts[index], name)
+                                                       : std::nullopt;
+  }
+  if (take(name, "centroid.")) {
+    return touch_value(patch.centroid, name);
+  }
+  const auto value = find_in(patch_numbers, patch, name);
+  return value ? value : find_in(place_numbers, patch.reference, name);
+}
+
 std::optional<Value> side_value(SideResult& side, std::string_view name) {
   std::size_t index = 0;
   if (take(name, "rigid_contact.")) {
@@ -243,15 +271,8 @@ std::optional<Value> side_value(SideResult& side, std::string_view name) {
                : std::nullopt;
   }
   if (take(name, "patches.")) {
-    if (!take_index(name, side.patches.size(), index)) {
-      return std::nullopt;
-    }
-    const PatchResult& patch = side.patches[index];
-    if (take(name, "centroid.")) {
-      return touch_value(patch.centroid, name);
-    }
-    const auto value = find_in(patch_numbers, patch, name);
-    return value ? value : find_in(place_numbers, patch.reference, name);
+    return take_index(name, side.patches.size(), index) ? patch_value(side.patches[index], name)
+                                                        : std::nullopt;
   }
   if (take(name, "centroid.")) {
     return touch_value(side.centroid, name);
@@ -278,22 +299,33 @@ std::optional<Value> side_value(SideResult& side, std::string_view name) {
   return find_in(side_numbers, side, name);
 }
 
+void add_centroid_names(std::vector<std::string>& names, const std::string& centroid) {
+  add_names(names, centroid, place_numbers);
+  names.push_back(centroid + "angle");
+}
+
+void add_patch_names(std::vector<std::string>& names, const std::string& prefix,
+                     const PatchResult& patch) {
+  add_names(names, prefix, patch_numbers);
+  add_names(names, prefix, place_numbers);
+  add_centroid_names(names, prefix + "centroid.");
+  for (std::size_t i = 0; i < patch.parts.size(); ++i) {
+    add_patch_names(names, prefix + "parts." + std::to_string(i) + '.', patch.parts[i]);
+  }
+}
+
 void add_side_names(std::vector<std::string>& names, const std::string& prefix,
                     const SideResult& side) {
   const auto add_touch = [&names](const std::string& touch) {
     add_names(names, touch, place_numbers);
     add_names(names, touch, touch_numbers);
   };
-  const auto add_centroid = [&names](const std::string& centroid) {
-    add_names(names, centroid, place_numbers);
-    names.push_back(centroid + "angle");
-  };
   add_touch(prefix + "rigid_contact.");
   for (std::size_t i = 0; i < side.near_contacts.size(); ++i) {
     add_touch(prefix + "near_contacts." + std::to_string(i) + '.');
   }
   add_names(names, prefix, side_numbers);
-  add_centroid(prefix + "centroid.");
+  add_centroid_names(names, prefix + "centroid.");
   for (const std::string_view name : first_patch_names) {
     names.push_back(prefix + std::string(name));
   }
@@ -311,10 +343,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }
   for (std::size_t i = 0; i < side.patches.size(); ++i) {
-    const std::string patch = prefix + "patches." + std::to_string(i) + '.';
-    add_names(names, patch, patch_numbers);
-    add_names(names, patch, place_numbers);
-    add_centroid(patch + "centroid.");
+    add_patch_names(names, prefix + "patches." + std::to_string(i) + '.', side.patches[i]);
   }
 }
 

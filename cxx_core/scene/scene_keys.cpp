@@ -395,6 +395,11 @@ std::vector<Key> solve_keys() {
        "about to join, or all, as if in one plane"},
       {{"near", false}, {"all", true}}, [](auto& s) -> auto& { return s.interaction; }));
   keys.push_back(number_key(
+      {"solve.joining_distance", "4", "0 to 100 mm",
+       "patches whose penetrations are closer than twice this share one plane and are one contact, "
+       "unless their angles differ much; 0: by their own widths alone"},
+      {0.0, 100.0}, length, [](auto& s) -> auto& { return s.joining_distance; }));
+  keys.push_back(number_key(
       {"solve.near_tolerance", "0.1", "0 to 10 mm",
        "further contacts listed whose distance is less at the first touch"},
       {0.0, 10.0}, length, [](auto& s) -> auto& { return s.near_tolerance; }));

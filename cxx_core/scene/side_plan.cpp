@@ -107,7 +107,7 @@ void SidePlanner::plan_penetration(PatchPlan& patch, const Resolution& resolutio
 SidePlan SidePlanner::empty_plan(double depth) const {
   SidePlan plan;
   plan.depth = depth;
-  plan.found = find_contact_patches(equilibrium_.scan, depth);
+  plan.found = patches_at(depth);
   if (gap_ == GapConvention::vertical) {
     join_in_one_plane(plan);
   }

@@ -13,6 +13,7 @@
 
 #include "geometry/wheelset_equilibrium.hpp"
 #include "scene/side_memory.hpp"
+#include "scene/side_request.hpp"
 #include "scene/trial.hpp"
 
 namespace wrc {
@@ -30,9 +31,15 @@ class SidePlanner {
 public:
   /// References must outlive the planner. With a grid given by hand areas fit the contact as
   /// closely as they can; else columns are kept from trial to trial where that is possible.
-  SidePlanner(const RailSurface& rail, const SideEquilibrium& equilibrium, GapConvention gap,
-              bool grid_is_given)
-      : rail_(rail), equilibrium_(equilibrium), gap_(gap), grid_is_given_(grid_is_given) {}
+  SidePlanner(const RailSurface& rail, const SideEquilibrium& equilibrium,
+              const SideRequest& request)
+      : rail_(rail), equilibrium_(equilibrium), gap_(request.gap),
+        joining_distance_(request.joining_distance), grid_is_given_(request.grid.has_value()) {}
+
+  /// The patches of penetration at a depth.
+  [[nodiscard]] ContactPatches patches_at(double depth) const {
+    return find_contact_patches(equilibrium_.scan, depth, joining_distance_);
+  }
 
   /// Places and planes at a depth, without areas and meshes.
   [[nodiscard]] SidePlan empty_plan(double depth) const;
@@ -59,6 +66,7 @@ private:
   const RailSurface& rail_;
   const SideEquilibrium& equilibrium_;
   GapConvention gap_;
+  double joining_distance_;
   bool grid_is_given_;
 };
 

@@ -27,7 +27,8 @@ struct SideRequest {
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
   Elements elements = Elements::smooth;
-  bool interaction = false; ///< patches feel each other in full, however far apart
+  bool interaction = false;      ///< patches feel each other in full, however far apart
+  double joining_distance = 4.0; ///< mm, see remesh/contact_patches.hpp
   int maximum_iterations = 5000;
   Module until = Module::mechanics; ///< the last one to run
 

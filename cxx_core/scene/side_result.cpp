@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "mechanics/hertz.hpp"
 #include "mechanics/patch_coupling.hpp"
+#include "scene/united_patch.hpp"
 
 namespace wrc {
 namespace {
@@ -88,6 +90,39 @@ PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined
   return result;
 }
 
+/// The patches of one plane.
+PatchResult contact_of(std::span<PatchSolution> patches, const PosedPair& pair,
+                       double combined_modulus, double side) {
+  if (patches.size() == 1) {
+    return patch_of(std::move(patches.front()), pair, combined_modulus, side);
+  }
+  PatchResult result = patch_of(united(patches, pair.rail), pair, combined_modulus, side);
+  double under_pressure = 0.0;
+  for (PatchSolution& patch : patches) {
+    const PatchResult& part =
+        result.parts.emplace_back(patch_of(std::move(patch), pair, combined_modulus, side));
+    under_pressure +=
+        part.fill * static_cast<double>(part.grid.element_count()) * part.grid.element_area();
+  }
+  result.fill = under_pressure /
+                (static_cast<double>(result.grid.element_count()) * result.grid.element_area());
+  return result;
+}
+
+/// The largest closeness of a run of patches to any other.
+double closeness_outside(const PatchInteraction& interaction, std::size_t first, std::size_t last) {
+  const std::size_t count = interaction.places.size();
+  double closeness = 0.0;
+  for (std::size_t k = first; k < last; ++k) {
+    for (std::size_t l = 0; l < count; ++l) {
+      if (l < first || l >= last) {
+        closeness = std::max(closeness, interaction.closeness[k * count + l]);
+      }
+    }
+  }
+  return closeness;
+}
+
 /// Force-weighted mean.
 ContactPlace mean_place(const std::vector<PatchResult>& patches, double normal_force) {
   ContactPlace mean;
@@ -128,6 +163,7 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
                     solution.combined_modulus,
                     solution.elements,
                     std::move(solution.interaction),
+                    solution.joining_distance,
                     solution.load,
                     solution.approach,
                     solution.gap,
@@ -148,9 +184,18 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   result.validity = solution.validity;
   result.stop_reason = solution.stop_reason;
   const PosedPair pair{*wheel, *rail, equilibrium.pose, solution.vertical};
-  for (PatchSolution& patch : solution.patches) {
+  for (auto first = solution.patches.begin(); first != solution.patches.end();) {
+    const auto last = std::find_if(first, solution.patches.end(), [first](const auto& patch) {
+      return patch.plane != first->plane;
+    });
     PatchResult& made = result.patches.emplace_back(
-        patch_of(std::move(patch), pair, solution.combined_modulus, side));
+        contact_of({first, last}, pair, solution.combined_modulus, side));
+    if (result.details.interaction) {
+      const auto begin = static_cast<std::size_t>(first - solution.patches.begin());
+      made.closeness =
+          closeness_outside(*result.details.interaction, begin, begin + (last - first));
+    }
+    first = last;
     result.pmax_element = std::max(result.pmax_element, made.pmax_element);
     result.normal_force += made.normal_force;
     result.force = result.force + made.force;
@@ -165,21 +210,35 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   return result;
 }
 
+std::vector<const PatchResult*> solved_patches(const SideResult& side) {
+  std::vector<const PatchResult*> patches;
+  for (const PatchResult& patch : side.patches) {
+    if (patch.parts.empty()) {
+      patches.push_back(&patch);
+    }
+    for (const PatchResult& part : patch.parts) {
+      patches.push_back(&part);
+    }
+  }
+  return patches;
+}
+
 namespace {
 
 /// The undeformed distances of all patches, with what the other patches displace there.
-std::vector<std::vector<double>> distances_with_others(const SideResult& side) {
+std::vector<std::vector<double>>
+distances_with_others(const SideResult& side, std::span<const PatchResult* const> patches) {
   std::vector<std::vector<double>> distances;
-  for (const PatchResult& patch : side.patches) {
-    distances.push_back(patch.undeformed_distance);
+  for (const PatchResult* patch : patches) {
+    distances.push_back(patch->undeformed_distance);
   }
   if (!side.details.interaction) {
     return distances;
   }
   const PatchInteraction& interaction = *side.details.interaction;
   std::vector<CoupledBox> boxes;
-  for (std::size_t k = 0; k < side.patches.size(); ++k) {
-    const Grid& grid = side.patches[k].grid;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const Grid& grid = patches[k]->grid;
     const PatchInteraction::Place& place = interaction.places[k];
     boxes.push_back({grid.lateral_count, grid.longitudinal_count, grid.lateral_step,
                      grid.longitudinal_step, place.lateral + grid.lateral_first,
@@ -187,7 +246,7 @@ std::vector<std::vector<double>> distances_with_others(const SideResult& side) {
   }
   PatchCoupling coupling(boxes, interaction.closeness);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    coupling.gather(k, side.patches[k].pressure.data());
+    coupling.gather(k, patches[k]->pressure.data());
   }
   coupling.transfer();
   for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -208,11 +267,12 @@ const Residuals& residuals_of(SideResult& side) {
   if (side.residuals) {
     return *side.residuals;
   }
-  const std::vector<std::vector<double>> distances = distances_with_others(side);
+  const std::vector<const PatchResult*> patches = solved_patches(side);
+  const std::vector<std::vector<double>> distances = distances_with_others(side, patches);
   Residuals worst;
   double load = 0.0;
-  for (std::size_t k = 0; k < side.patches.size(); ++k) {
-    const PatchResult& patch = side.patches[k];
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchResult& patch = *patches[k];
     NormalProblem problem;
     problem.grid = patch.grid;
     problem.undeformed_distance = distances[k];

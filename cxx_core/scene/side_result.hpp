@@ -52,6 +52,10 @@ struct PatchResult {
   ContactFrame frame;
   std::vector<double> undeformed_distance;
   std::vector<double> pressure;
+  /// Of several patches that share a plane, each as it was solved; else empty. All else is then
+  /// that of the parts together (scene/united_patch.hpp), on a grid for fields only, which are
+  /// computed when they are asked for.
+  std::vector<PatchResult> parts;
   double share = 1.0; ///< of the joint problem's approach
   /// Of an approximate model; that of a half-space solution is computed from the pressures.
   std::optional<double> area;
@@ -64,7 +68,8 @@ struct SideDetails {
   double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
   double combined_modulus = 0.0;
   Elements elements = Elements::constant;
-  std::optional<PatchInteraction> interaction; ///< in the order of the results
+  std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
+  double joining_distance = 0.0;               ///< of the patches, mm
   std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
   double problem_approach = 0.0;               ///< answer to that problem
   GapConvention gap = GapConvention::tangent;
@@ -117,6 +122,9 @@ struct SideResult {
 SideResult make_side_result(SideSolution solution, const std::shared_ptr<const WheelSurface>& wheel,
                             const std::shared_ptr<const RailSurface>& rail,
                             const SideEquilibrium& equilibrium, double side);
+
+/// The patches as they were solved, those of one plane one by one. Valid as long as the result.
+std::vector<const PatchResult*> solved_patches(const SideResult& side);
 
 /// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
 /// of their own; computed once. What patches displace at each other counts as in the solution, but

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
@@ -20,16 +21,16 @@ struct Planes {
   std::vector<std::size_t> index; ///< of each patch of the result
 };
 
-Planes find_planes(const SideResult& side) {
+Planes find_planes(const SideResult& side, std::span<const PatchResult* const> patches) {
   const SideDetails& details = side.details;
   const ContactScan scan = search_contacts(*details.wheel, *details.rail, details.pose, 0.0, true);
   Planes planes;
   planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan,
-                                      side.vertical - details.vertical);
+                                      side.vertical - details.vertical, details.joining_distance);
   const auto& found = planes.moving.found.patches;
-  for (const PatchResult& patch : side.patches) {
-    const auto apart = [&patch](const ContactPatch& place) {
-      return std::abs(place.mean_y - patch.frame.origin.y);
+  for (const PatchResult* patch : patches) {
+    const auto apart = [patch](const ContactPatch& place) {
+      return std::abs(place.mean_y - patch->frame.origin.y);
     };
     const auto nearest =
         std::min_element(found.begin(), found.end(), [&apart](const auto& one, const auto& other) {
@@ -67,11 +68,12 @@ void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteracti
 
 SideRates compute_rates(const SideResult& side) {
   const SideDetails& details = side.details;
-  const Planes planes = find_planes(side);
+  const std::vector<const PatchResult*> patches = solved_patches(side);
+  const Planes planes = find_planes(side, patches);
   std::vector<LoadedPatch> loaded;
   std::vector<SolvedPatch> solved;
-  for (std::size_t k = 0; k < side.patches.size(); ++k) {
-    const PatchResult& patch = side.patches[k];
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchResult& patch = *patches[k];
     // Planes of vertical gaps turn with the wheelset.
     const ByMotion<double> angle_rates = details.gap == GapConvention::vertical
                                              ? ByMotion<double>{0.0, 0.0, 1.0}

@@ -33,6 +33,9 @@ constexpr double greatest_slide_share = 2e-3;
 /// to about 0.1, and the change of depth the closeness again, up to twice that in all: in shares of
 /// the accuracy this is the greatest change left.
 constexpr double greatest_closeness_change = 2.0;
+/// What is left of a change of the share of the normal that is vertical, in planes that have turned
+/// towards each other, in shares of the accuracy.
+constexpr double greatest_share_change = 0.5;
 /// The share of a change of depth that comes back as another one, the greatest believed ...
 constexpr double greatest_feedback = 0.8;
 /// ... and the least relative change of depth that tells it.
@@ -87,7 +90,7 @@ public:
   SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
              const SideRequest& request, NormalSolver& solver, SideMemory& memory)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), solver_(solver),
-        memory_(memory), planner_(rail, equilibrium, request.gap, request.grid.has_value()) {}
+        memory_(memory), planner_(rail, equilibrium, request) {}
 
   SideSolution solve();
 
@@ -366,24 +369,35 @@ bool SideSolver::slides(const Trial& trial) const {
   return std::abs(trial.next_depth - trial.depth) * sine > share * trial.next_depth;
 }
 
-/// Whether patches would be closer to each other, or less close, at the depth found.
+/// Whether patches would be closer to each other, or less close, at the depth found, or planes that
+/// have turned towards each other be turned otherwise.
 bool SideSolver::changes_closeness(const Trial& trial) const {
-  if (request_.position_is_prescribed() || !trial.partly_close() || !(trial.next_depth > 0.0)) {
+  if (request_.position_is_prescribed() || !(trial.next_depth > 0.0) ||
+      !(trial.partly_close() || trial.has_turned_planes())) {
     return false;
   }
-  const ContactPatches found = find_contact_patches(equilibrium_.scan, trial.next_depth);
+  const ContactPatches found = planner_.patches_at(trial.next_depth);
   const auto holder = [&found](const ContactPatch& place) {
     const auto patch =
         std::find_if(found.patches.begin(), found.patches.end(),
                      [&place](const ContactPatch& candidate) { return candidate.holds(place); });
     return static_cast<std::size_t>(patch - found.patches.begin());
   };
-  for (std::size_t k = 0; k < trial.links.size(); ++k) {
-    const std::size_t one = holder(trial.patches[k].place);
-    const std::size_t other = holder(trial.patches[k + 1].place);
-    if (one < found.patches.size() && other < found.patches.size() &&
-        std::abs(found.closeness(one, other) - trial.links[k]) >
-            greatest_closeness_change * request_.accuracy) {
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    const PatchTrial& patch = trial.patches[k];
+    const std::size_t here = holder(patch.place);
+    if (here == found.patches.size()) {
+      continue;
+    }
+    const double share_change = std::cos(found.patches[here].angle) - std::cos(patch.place.angle);
+    if (patch.place.angle != patch.place.own_angle &&
+        trial.weight(patch) * std::abs(share_change) > greatest_share_change * request_.accuracy) {
+      return true;
+    }
+    const std::size_t next =
+        k < trial.links.size() ? holder(trial.patches[k + 1].place) : found.patches.size();
+    if (next < found.patches.size() && std::abs(found.closeness(here, next) - trial.links[k]) >
+                                           greatest_closeness_change * request_.accuracy) {
       return true;
     }
   }
@@ -636,6 +650,42 @@ void SideSolver::warn_about(const Trial& trial) {
   }
 }
 
+/// Patches that share a plane.
+struct PlanePatches {
+  std::vector<std::size_t> patches; ///< of a trial, largest normal force first
+  double normal_force = 0.0;
+};
+
+/// Largest normal force first; without the patches that do not touch, if there are pressures.
+std::vector<PlanePatches> patches_by_plane(const Trial& trial, bool solved) {
+  std::vector<PlanePatches> planes;
+  bool begins = true;
+  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
+    const PatchTrial& patch = trial.patches[k];
+    begins = begins || !patch.place.with_last;
+    if (solved && patch.no_contact()) {
+      continue;
+    }
+    if (begins) {
+      planes.emplace_back();
+    }
+    begins = false;
+    planes.back().patches.push_back(k);
+    planes.back().normal_force += patch.normal_force;
+  }
+  for (PlanePatches& plane : planes) {
+    std::stable_sort(plane.patches.begin(), plane.patches.end(),
+                     [&trial](std::size_t one, std::size_t other) {
+                       return trial.patches[one].normal_force > trial.patches[other].normal_force;
+                     });
+  }
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const PlanePatches& one, const PlanePatches& other) {
+                     return one.normal_force > other.normal_force;
+                   });
+  return planes;
+}
+
 void SideSolver::take(Trial trial) {
   result_.in_contact = !result_.solved || !trial.no_contact();
   result_.depth = trial.depth;
@@ -646,19 +696,16 @@ void SideSolver::take(Trial trial) {
   result_.combined_modulus = request_.combined_modulus;
   result_.elements = request_.elements;
   result_.gap = request_.gap;
+  result_.joining_distance = request_.joining_distance;
   result_.stop_reason = trial.stop_reason;
   if (!request_.position_is_prescribed()) {
     result_.load = request_.load();
   }
+  const std::vector<PlanePatches> planes = patches_by_plane(trial, result_.solved);
   std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < trial.patches.size(); ++k) {
-    if (!result_.solved || !trial.patches[k].no_contact()) {
-      order.push_back(k);
-    }
+  for (const PlanePatches& plane : planes) {
+    order.insert(order.end(), plane.patches.begin(), plane.patches.end());
   }
-  std::stable_sort(order.begin(), order.end(), [&trial](std::size_t one, std::size_t other) {
-    return trial.patches[one].normal_force > trial.patches[other].normal_force;
-  });
   if (trial.interaction) {
     PatchInteraction& taken = result_.interaction.emplace();
     for (const std::size_t k : order) {
@@ -668,19 +715,22 @@ void SideSolver::take(Trial trial) {
       }
     }
   }
-  for (const std::size_t k : order) {
-    PatchTrial& patch = trial.patches[k];
-    PatchSolution& taken = result_.patches.emplace_back();
-    taken.approach = patch.overlap(trial.approach);
-    taken.place = patch.place;
-    taken.frame = patch.frame;
-    taken.grid = patch.grid;
-    taken.share = patch.share;
-    taken.closeness = patch.closeness;
-    taken.normal_force = patch.normal_force;
-    taken.contact = patch.contact;
-    taken.undeformed_distance = std::move(patch.distance);
-    taken.pressure = std::move(patch.pressure);
+  for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+    for (const std::size_t k : planes[plane].patches) {
+      PatchTrial& patch = trial.patches[k];
+      PatchSolution& taken = result_.patches.emplace_back();
+      taken.plane = plane;
+      taken.approach = patch.overlap(trial.approach);
+      taken.place = patch.place;
+      taken.frame = patch.frame;
+      taken.grid = patch.grid;
+      taken.share = patch.share;
+      taken.closeness = patch.closeness;
+      taken.normal_force = patch.normal_force;
+      taken.contact = patch.contact;
+      taken.undeformed_distance = std::move(patch.distance);
+      taken.pressure = std::move(patch.pressure);
+    }
   }
 }
 

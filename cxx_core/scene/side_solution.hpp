@@ -18,8 +18,8 @@
 /// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
 /// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
 /// patch. Patches that are close turn their planes towards each other and feel each other in part
-/// (closeness of contact_patches.hpp), so that nothing jumps when they join; patches that are far
-/// apart do not feel each other unless `interaction` is set.
+/// (contact_patches.hpp), so that nothing jumps when they become one contact or are joined on one
+/// grid; patches that are far apart do not feel each other unless `interaction` is set.
 /// A side may also stop after the geometry (no patches), or after the remesh: the patches of
 /// penetration at the depth estimated or prescribed, their grids and undeformed distances.
 /// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
@@ -53,6 +53,7 @@ struct StageTimes {
 /// A patch in its plane.
 struct PatchSolution {
   ContactPatch place;
+  std::size_t plane = 0; ///< patches of the same one are one contact
   ContactFrame frame;
   Grid grid;
   double share = 1.0;     ///< of the approach
@@ -69,8 +70,10 @@ struct PatchSolution {
 
 struct SideSolution {
   bool in_contact = false;
-  bool solved = false;                ///< the mechanics have run
-  std::vector<PatchSolution> patches; ///< largest normal force first; with pressure only
+  bool solved = false; ///< the mechanics have run
+  /// With pressure only. By contact, the one with the largest normal force first; within a contact
+  /// by force, too.
+  std::vector<PatchSolution> patches;
   double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
   double depth = 0.0;         ///< vertical, from the first touch to that height
   double approach = 0.0;      ///< answer to the joint problem, from that height
@@ -80,6 +83,7 @@ struct SideSolution {
   Elements elements = Elements::constant;
   GapConvention gap = GapConvention::tangent;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
+  double joining_distance = 0.0;               ///< mm, see remesh/contact_patches.hpp
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
   std::optional<double> validity;       ///< of an approximate model, see patch_model.hpp

@@ -150,6 +150,7 @@ bool is_comparable(const Scene& one, const Scene& other) {
          one.track == other.track && one.wheel_material == other.wheel_material &&
          one.rail_material == other.rail_material && one.gap == other.gap &&
          one.elements == other.elements && one.interaction == other.interaction &&
+         one.joining_distance == other.joining_distance &&
          one.vertical.has_value() == other.vertical.has_value() &&
          one.normal_load.has_value() == other.normal_load.has_value();
 }
@@ -259,6 +260,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
     side_request.grid = scene.grid;
     side_request.tolerance = scene.tolerance;
     side_request.interaction = scene.interaction;
+    side_request.joining_distance = scene.joining_distance;
     side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
     side_request.elements = scene.elements.value_or(
         side_request.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);

@@ -223,6 +223,12 @@ bool Trial::partly_close() const {
   return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; });
 }
 
+bool Trial::has_turned_planes() const {
+  return std::any_of(patches.begin(), patches.end(), [](const PatchTrial& patch) {
+    return patch.place.angle != patch.place.own_angle;
+  });
+}
+
 double Trial::peak_pressure() const {
   double peak = 0.0;
   for (const PatchTrial& patch : patches) {

@@ -115,6 +115,8 @@ struct Trial {
   [[nodiscard]] bool touches_edge() const;
   /// Patches that are neither strangers nor one.
   [[nodiscard]] bool partly_close() const;
+  /// Planes that other patches have turned.
+  [[nodiscard]] bool has_turned_planes() const;
   [[nodiscard]] double peak_pressure() const;
   [[nodiscard]] double normal_force() const;
   /// The patch in contact that holds the deepest place of another one; none if there is none.

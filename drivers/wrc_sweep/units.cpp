@@ -32,6 +32,7 @@ constexpr std::array units{
     Unit{"error_estimate", "1"},
     Unit{"poisson", "1"},
     Unit{"solve.near_tolerance", "mm"},
+    Unit{"solve.joining_distance", "mm"},
     Unit{"solve.", "1"},
     Unit{"fill", "1"},
     Unit{".grid", "1"},

@@ -248,6 +248,119 @@ TEST(Patches, ForcesAndMomentsAddUp) {
   }
 }
 
+/// Two lobes some 6.5 mm apart that share a plane and a load.
+ScenePointer solve_one_contact_of_two_parts() {
+  ScenePointer scene = make_scene();
+  wrc_scene* s = scene.get();
+  EXPECT_EQ(wrc_scene_set_text(s, "track.rail", "UIC60-Manchester"), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_text(s, "solve.side", "right"), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(s, "pose.lateral", -5.0), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(s, "pose.roll", 0.0), WRC_OK);
+  EXPECT_EQ(wrc_scene_set_number(s, "load.vertical", 10000.0), WRC_OK);
+  EXPECT_EQ(wrc_scene_solve(s), WRC_OK) << wrc_scene_error(s);
+  return scene;
+}
+
+TEST(PartsOfAPatch, MakeUpTheWhole) {
+  const ScenePointer scene = solve_one_contact_of_two_parts();
+  wrc_scene* s = scene.get();
+  const auto number = [s](const std::string& name) { return number_of(s, name.c_str()); };
+  const std::string whole = "right.patches.0.";
+  const std::vector<std::string> parts{whole + "parts.0.", whole + "parts.1."};
+  double value = 0.0;
+  EXPECT_EQ(wrc_scene_number(s, "right.patches.1.pmax", &value), WRC_UNKNOWN_NAME);
+  EXPECT_EQ(wrc_scene_number(s, (whole + "parts.2.pmax").c_str(), &value), WRC_UNKNOWN_NAME);
+  EXPECT_EQ(wrc_scene_number(s, (parts[0] + "parts.0.pmax").c_str(), &value), WRC_UNKNOWN_NAME);
+  const double force = number(whole + "normal_force");
+  const double angle = number(whole + "angle");
+  EXPECT_GT(number(parts[0] + "normal_force"), number(parts[1] + "normal_force"));
+  EXPECT_EQ(number(whole + "regions"), 2.0);
+  EXPECT_EQ(number(whole + "closeness"), 0.0);
+  for (const char* name : {"normal_force", "vertical_force", "lateral_force", "area"}) {
+    EXPECT_NEAR(number(whole + name), number(parts[0] + name) + number(parts[1] + name),
+                rounding * force)
+        << name;
+  }
+  for (const char* name : {"pmax", "pmax_element", "approach"}) {
+    EXPECT_EQ(number(whole + name), std::max(number(parts[0] + name), number(parts[1] + name)));
+  }
+  double moment = 0.0;
+  double centre = 0.0;
+  for (const std::string& part : parts) {
+    EXPECT_EQ(number(part + "angle"), angle);
+    EXPECT_GT(number(part + "closeness"), 0.0);
+    EXPECT_LT(number(part + "closeness"), 1.0);
+    const double y = number(part + "y") - number(whole + "y");
+    const double z = number(part + "z") - number(whole + "z");
+    moment += number(part + "moment.x") + y * number(part + "vertical_force") -
+              z * number(part + "lateral_force");
+    const double along = (number(part + "centroid.y") - number(whole + "y")) * std::cos(angle) +
+                         (number(part + "centroid.z") - number(whole + "z")) * std::sin(angle);
+    centre += number(part + "normal_force") / force * along;
+  }
+  EXPECT_NEAR(number(whole + "moment.x"), moment, 1e-3 * std::abs(moment));
+  const double along = (number(whole + "centroid.y") - number(whole + "y")) * std::cos(angle) +
+                       (number(whole + "centroid.z") - number(whole + "z")) * std::sin(angle);
+  EXPECT_NEAR(along, centre, 1e-9);
+  // The lobes are much farther apart than they are wide.
+  EXPECT_GT(number(whole + "semi_axes.1"), 3.0 * number(parts[0] + "semi_axes.1"));
+}
+
+TEST(PartsOfAPatch, HaveFieldsOfTheirOwnAndTogether) {
+  const ScenePointer scene = solve_one_contact_of_two_parts();
+  wrc_scene* s = scene.get();
+  const auto number = [s](const std::string& name) { return number_of(s, name.c_str()); };
+  const auto force_of = [&](const std::string& patch) {
+    const auto pressure = field_of(s, patch + "pressure");
+    EXPECT_EQ(pressure.size(),
+              static_cast<std::size_t>(number(patch + "grid.0") * number(patch + "grid.1")));
+    return std::accumulate(pressure.begin(), pressure.end(), 0.0) *
+           number(patch + "element_size.0") * number(patch + "element_size.1");
+  };
+  const std::string whole = "right.patches.0.";
+  for (const std::string& patch : {whole, whole + "parts.0.", whole + "parts.1."}) {
+    EXPECT_NEAR(force_of(patch), number(patch + "normal_force"),
+                1e-9 * number(patch + "normal_force"))
+        << patch;
+  }
+  // The elements of the part with the largest pressure are those of the whole.
+  const auto pressure = field_of(s, whole + "pressure");
+  EXPECT_NEAR(*std::max_element(pressure.begin(), pressure.end()), number(whole + "pmax_element"),
+              1e-6 * number(whole + "pmax_element"));
+  // Under pressure the gap is closed: undeformed distance + displacement = a constant, up to what
+  // elements of another size make of the second part.
+  const auto distance = field_of(s, whole + "undeformed_distance");
+  const auto displacement = field_of(s, whole + "displacement");
+  const double largest = *std::max_element(displacement.begin(), displacement.end());
+  double least_gap = 1e9;
+  double greatest_gap = -1e9;
+  const double peak = *std::max_element(pressure.begin(), pressure.end());
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    if (pressure[i] > 0.1 * peak) {
+      least_gap = std::min(least_gap, distance[i] + displacement[i]);
+      greatest_gap = std::max(greatest_gap, distance[i] + displacement[i]);
+    }
+  }
+  EXPECT_LT(greatest_gap - least_gap, 0.03 * largest);
+  std::int64_t count = 5;
+  for (const char* name : {"right.patches.0.parts.2.pressure", "right.patches.0.parts.pressure",
+                           "right.patches.0.parts.0.parts.0.pressure"}) {
+    EXPECT_EQ(wrc_scene_field(s, name, nullptr, 0, &count), WRC_UNKNOWN_NAME) << name;
+  }
+}
+
+TEST(PartsOfAPatch, AreNotThereWithoutAJoiningDistance) {
+  const ScenePointer scene = solve_one_contact_of_two_parts();
+  wrc_scene* s = scene.get();
+  ASSERT_EQ(wrc_scene_set_number(s, "solve.joining_distance", 0.0), WRC_OK);
+  ASSERT_EQ(wrc_scene_solve(s), WRC_OK) << wrc_scene_error(s);
+  double value = 0.0;
+  EXPECT_EQ(wrc_scene_number(s, "right.patches.0.parts.0.pmax", &value), WRC_UNKNOWN_NAME);
+  EXPECT_EQ(number_of(s, "right.patches.1.closeness"), 0.0);
+  EXPECT_GT(std::abs(number_of(s, "right.patches.1.angle") - number_of(s, "right.patches.0.angle")),
+            0.1);
+}
+
 TEST(Patches, ResidualsCountWhatPatchesDisplaceAtEachOther) {
   // Nodes of the interaction differ from those of the solution.
   constexpr double interpolation = 5e-3;

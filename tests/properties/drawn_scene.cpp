@@ -62,8 +62,9 @@ WornProfile worn(std::int32_t kind, const std::string& name, const Wear& wear, d
 
 /// mm, N, MPa of what a key's number is in m, N, Pa.
 double unit_of(const std::string& key) {
-  for (const char* length : {"gauge", "gauge_height", "smoothing", "back_to_back", "tape_offset",
-                             "radius", "pose.lateral", "pose.vertical", "near_tolerance"}) {
+  for (const char* length :
+       {"gauge", "gauge_height", "smoothing", "back_to_back", "tape_offset", "radius",
+        "pose.lateral", "pose.vertical", "near_tolerance", "joining_distance"}) {
     if (key.ends_with(length)) {
       return 1e3;
     }
@@ -199,6 +200,9 @@ void DrawnScene::draw_solution() {
   choose("solve.side", 0.1, "right");
   choose("solve.precision", 0.2, "double");
   choose("solve.interaction", 0.15, "all");
+  if (chance(0.2)) {
+    set("solve.joining_distance", chance(0.5) ? 0.0 : between(0.0, 20.0));
+  }
   choose("solve.solver", 0.02, "paper");
 }
 

@@ -191,6 +191,63 @@ TEST(ContactPatches, LobesInOnePlaneByTheirDistance) {
   EXPECT_NEAR(far.patches[0].share, 0.5, 0.02);
 }
 
+TEST(ContactPatches, TurnAndFeelEachOtherByTheirDistanceInMillimetres) {
+  // Two bowls of half widths sqrt(200 d) = 4 and sqrt(200 (d - 0.06)) = 2 mm, planes 0.1 rad apart:
+  // strangers by their widths when penetrations are 4 mm apart or more.
+  constexpr double depth = 0.08;
+  constexpr double joining_distance = 1.6;
+  constexpr double nodes = 0.1; // mm; penetrations end between nodes
+  const auto found_at = [](double distance) {
+    const double border = 14.0 + 0.5 * distance;
+    const auto slope = [border](double y) { return y < border ? 0.0 : std::tan(0.1); };
+    return find_contact_patches(bowls({{10.0, 0.0}, {16.0 + distance, 0.06}}, slope), depth,
+                                joining_distance);
+  };
+  for (const double distance : {4.0, 4.4, 4.7, 5.2}) {
+    SCOPED_TRACE(distance);
+    const ContactPatches found = found_at(distance);
+    expect_sound(found);
+    ASSERT_EQ(found.patches.size(), 2u);
+    const ContactPatch& one = found.patches[0];
+    const ContactPatch& other = found.patches[1];
+    const double apart = other.y_first - one.y_last;
+    EXPECT_NEAR(apart, distance, nodes);
+    const double turned = std::clamp(3.0 - apart / joining_distance, 0.0, 1.0);
+    const double mean = one.share * one.own_angle + other.share * other.own_angle;
+    EXPECT_NEAR(one.angle, one.own_angle + turned * (mean - one.own_angle), 1e-4);
+    EXPECT_NEAR(other.angle, other.own_angle + turned * (mean - other.own_angle), 1e-4);
+    EXPECT_EQ(found.closeness(0, 1), 0.0);
+    EXPECT_FALSE(other.with_last);
+  }
+  for (const double distance :
+       {2.0, 2.6, 3.0}) { // of 2 and more of the wider one's width: by it too
+    SCOPED_TRACE(distance);
+    const ContactPatches found = found_at(distance);
+    ASSERT_EQ(found.patches.size(), 2u);
+    EXPECT_TRUE(found.patches[1].with_last);
+    EXPECT_FALSE(found.patches[0].with_last);
+    EXPECT_EQ(found.patches[0].angle, found.patches[1].angle);
+    const double apart = found.patches[1].y_first - found.patches[0].y_last;
+    const double by_width = closeness_of(apart / 8.0, 0.1);
+    EXPECT_NEAR(found.closeness(0, 1),
+                std::max(by_width, std::clamp(2.0 - apart / joining_distance, 0.0, 1.0)), 0.03);
+  }
+  EXPECT_NE(found_at(3.6).patches[0].angle, found_at(3.6).patches[1].angle);
+}
+
+TEST(ContactPatches, DistanceDoesNotTurnPlanesThatDifferMuch) {
+  const auto bend = [](double y) { return y < 16.0 ? 0.0 : std::tan(0.4); };
+  const ContactScan scan = bowls({{10.0, 0.0}, {20.0, 0.0}}, bend);
+  const ContactPatches near = find_contact_patches(scan, 0.08, 10.0);
+  const ContactPatches alone = find_contact_patches(scan, 0.08);
+  ASSERT_EQ(near.patches.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(near.patches[k].angle, alone.patches[k].angle);
+    EXPECT_FALSE(near.patches[k].with_last);
+  }
+  EXPECT_EQ(near.links, alone.links);
+}
+
 TEST(ContactPatches, LobesInDifferentPlanesStayApart) {
   // As before but over a valley of half the depth, with planes 0.4 rad apart.
   const auto bend = [](double y) { return y < 12.8 ? 0.0 : std::tan(0.4); };

@@ -27,6 +27,7 @@ struct Case {
   double depth;
   double yaw = 0.0;
   double roll = 0.0;
+  double joining_distance = 0.0;
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -43,8 +44,9 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
   const Pose pose{c.lateral, c.yaw, c.roll};
   const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
   const double height = -scan.candidates.front().distance - c.depth;
-  const MovingPatches moving = find_moving_patches(wheel, rail, pose, scan, c.depth);
-  const ContactPatches plain = find_contact_patches(scan, c.depth);
+  const MovingPatches moving =
+      find_moving_patches(wheel, rail, pose, scan, c.depth, c.joining_distance);
+  const ContactPatches plain = find_contact_patches(scan, c.depth, c.joining_distance);
   ASSERT_EQ(moving.found.patches.size(), plain.patches.size());
   ASSERT_EQ(moving.rates.size(), plain.patches.size());
   for (std::size_t k = 0; k < plain.patches.size(); ++k) {
@@ -64,10 +66,13 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
         double z = height;
         (motion == 0 ? at.lateral : motion == 1 ? z : at.roll) += sign * by;
         const ContactScan moved = search_contacts(wheel, rail, at, 0.0, true);
-        return find_contact_patches(moved, -moved.candidates.front().distance - z).patches.at(k);
+        return find_contact_patches(moved, -moved.candidates.front().distance - z,
+                                    c.joining_distance);
       };
-      const ContactPatch ahead = found(1.0);
-      const ContactPatch behind = found(-1.0);
+      const ContactPatches all_ahead = found(1.0);
+      const ContactPatches all_behind = found(-1.0);
+      const ContactPatch& ahead = all_ahead.patches.at(k);
+      const ContactPatch& behind = all_behind.patches.at(k);
       const double unit = motion < 2 ? 1.0 : arm;
       const auto compare = [&](const char* what, const ByMotion<double>& rate, double difference) {
         const double here = motion == 0 ? rate.lateral : (motion == 1 ? rate.vertical : rate.roll);
@@ -76,6 +81,10 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
             << what << " of patch " << k << ", motion " << motion;
       };
       compare("angle", rates.angle, ahead.angle - behind.angle);
+      if (k > 0) {
+        compare("closeness", moving.link_rates[k - 1],
+                all_ahead.links[k - 1] - all_behind.links[k - 1]);
+      }
       compare("mean y", rates.mean_y, ahead.mean_y - behind.mean_y);
       if (c.yaw != 0.0) {
         compare("mean x", rates.mean_x, ahead.mean_x - behind.mean_x);
@@ -86,19 +95,24 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(
     Positions, PlaneRatesOf,
-    testing::Values(Case{"middle", "S1002", "60E1", 0.3, 0.05},
-                    Case{"outwards", "S1002", "60E1", -3.0, 0.05, 0.0, 1e-3},
-                    Case{"two lobes", "S1002", "60E1", 3.0, 0.05},
-                    Case{"flange root", "S1002", "60E1", 5.6, 0.1},
-                    Case{"flange", "S1002", "60E1", 6.8, 0.1, 0.0, 1e-3},
-                    Case{"two patches", "S1002", "60E1", 6.0, 0.14, 0.02, 1e-3},
-                    Case{"yawed", "S1002", "60E1", 1.0, 0.05, 0.02},
-                    Case{"yawed flange", "S1002", "60E1", 6.5, 0.1, 0.03, 1e-3},
-                    Case{"Manchester two lobes", "S1002", "UIC60-Manchester", 5.0, 0.06, 0.0, 4e-4},
-                    Case{"LMA middle", "LMA", "60E1", 0.2, 0.06},
-                    Case{"LMA outwards", "LMA", "CHN60", -4.0, 0.06, 0.0, -5e-4},
-                    Case{"LMA inwards", "LMA", "CHN60", 4.0, 0.06, 0.01},
-                    Case{"LMA flange", "LMA", "CHN60", 9.0, 0.1, -0.02, 1e-3}),
+    testing::Values(
+        Case{"middle", "S1002", "60E1", 0.3, 0.05},
+        Case{"outwards", "S1002", "60E1", -3.0, 0.05, 0.0, 1e-3},
+        Case{"two lobes", "S1002", "60E1", 3.0, 0.05},
+        Case{"flange root", "S1002", "60E1", 5.6, 0.1},
+        Case{"flange", "S1002", "60E1", 6.8, 0.1, 0.0, 1e-3},
+        Case{"two patches", "S1002", "60E1", 6.0, 0.14, 0.02, 1e-3},
+        Case{"yawed", "S1002", "60E1", 1.0, 0.05, 0.02},
+        Case{"yawed flange", "S1002", "60E1", 6.5, 0.1, 0.03, 1e-3},
+        Case{"Manchester two lobes", "S1002", "UIC60-Manchester", 5.0, 0.06, 0.0, 4e-4},
+        Case{"turned by distance", "S1002", "UIC60-Manchester", 5.0, 0.005, 0.0, 0.0, 4.0},
+        Case{"close by distance", "S1002", "UIC60-Manchester", 5.0, 0.022, 0.0, 0.0, 4.0},
+        Case{"close by distance and yawed", "S1002", "UIC60-Manchester", 5.01, 0.022, 0.012, 2e-4,
+             4.0},
+        Case{"LMA middle", "LMA", "60E1", 0.2, 0.06},
+        Case{"LMA outwards", "LMA", "CHN60", -4.0, 0.06, 0.0, -5e-4},
+        Case{"LMA inwards", "LMA", "CHN60", 4.0, 0.06, 0.01},
+        Case{"LMA flange", "LMA", "CHN60", 9.0, 0.1, -0.02, 1e-3}),
     [](const testing::TestParamInfo<Case>& tested) {
       std::string name = tested.param.name;
       std::replace(name.begin(), name.end(), ' ', '_');

@@ -7,8 +7,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "geometry/wheelset_equilibrium.hpp"
-#include "remesh/contact_patches.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 
@@ -33,11 +31,6 @@ double between_elements(const PatchResult& patch) {
 
 /// Of the forces of patches that share a load.
 constexpr double share_tolerance = 0.01;
-/// CONTACT turns the planes of patches towards their common mean whose penetrations are less than
-/// 12 mm apart, in full from 8 mm on; here they are their own until they are much closer
-/// (remesh/contact_patches.hpp).
-constexpr double turning_distance = 12.0; // mm
-constexpr double joining_distance = 8.0;  // mm
 /// The built-in rail lies up to 4.4e-5 mm beside the points that CONTACT has read. That is a
 /// fifteenth of the approach of the small patch in this case, which has to be computed from the
 /// file itself.
@@ -90,30 +83,6 @@ std::vector<nlohmann::json> ordered_patches(const nlohmann::json& entry) {
            other.at("normal_force_N").template get<double>();
   });
   return patches;
-}
-
-/// The angle of a patch by CONTACT's rule, from the penetration and the planes found here.
-double angle_by_distance(const SideResult& side, std::size_t k) {
-  const SideDetails& details = side.details;
-  EquilibriumRequest request;
-  request.lateral = details.pose.lateral;
-  request.yaw = details.pose.yaw;
-  request.roll = details.pose.roll;
-  request.right = false; // in the side's own frame
-  const WheelsetEquilibrium found = find_equilibrium(*details.wheel, *details.rail, request);
-  const ContactPatches places = find_contact_patches(found.left->scan, side.depth);
-  if (places.patches.size() != 2) {
-    return side.patches[k].angle;
-  }
-  const ContactPatch& one = places.patches[0];
-  const ContactPatch& other = places.patches[1];
-  const auto height = [&](double y) { return details.rail->graph().at_lateral(y).height; };
-  const double distance =
-      std::hypot(other.y_first - one.y_last, height(other.y_first) - height(one.y_last));
-  const double turned =
-      std::clamp((turning_distance - distance) / (turning_distance - joining_distance), 0.0, 1.0);
-  const double mean = details.mirror * (one.share * one.own_angle + other.share * other.own_angle);
-  return side.patches[k].angle + turned * (mean - side.patches[k].angle);
 }
 
 nlohmann::json reference_cases() {
@@ -169,7 +138,7 @@ TEST(ContactCases, AllAgree) {
       EXPECT_NEAR(patch.reference.y, value("y_track_mm"), place_tolerance);
       EXPECT_NEAR(patch.reference.z, value("z_track_mm"), place_tolerance);
       EXPECT_NEAR(patch.reference.s_wheel, value("s_wheel_mm"), place_tolerance);
-      EXPECT_NEAR(angle_by_distance(side, k), value("contact_angle_rad"), angle_tolerance);
+      EXPECT_NEAR(patch.angle, value("contact_angle_rad"), angle_tolerance);
       EXPECT_NEAR(patch.normal_force, value("normal_force_N"),
                   share_tolerance * value("normal_force_N"));
       std::printf(
