@@ -52,7 +52,7 @@ void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
   for (std::size_t k = 0; k < boxes_.size(); ++k) {
     Box& box = boxes_[k];
     std::fill(box.values.begin(), box.values.end(), 0.0);
-    coupling_.add(k, box.values.data());
+    coupling_.add<double>(k, box.values.data());
     const std::size_t columns = box.elements.columns();
     for (std::size_t row = 0; row < box.elements.rows(); ++row) {
       double* to = displacement[k].data() + box.first_of(row);

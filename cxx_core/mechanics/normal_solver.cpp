@@ -177,7 +177,11 @@ struct NormalSolver::State {
   bool take_starts(const JointProblem& problem, std::size_t index);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
-  bool find_missed_contact(Cascade& cascade, double tolerance);
+  [[nodiscard]] CoupledBox coupled_box(std::size_t k, const Level& level,
+                                       const ElementBox& box) const;
+  [[nodiscard]] double least_of_others(std::size_t k);
+  void displace_by_others(std::size_t k, const ElementBox& rectangle);
+  bool find_missed_contact(std::size_t k, double tolerance);
   ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates, double reached);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
@@ -378,10 +382,7 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
       request.pressure = cascade.box_pressure;
       request.distance = cascade.box_distance;
       if (interaction != nullptr) {
-        coupled.push_back(
-            {box.rows(), box.columns(), level.grid.lateral_step, level.grid.longitudinal_step,
-             interaction->places[k].lateral + level.grid.lateral(box.first_row),
-             interaction->places[k].longitudinal + level.grid.longitudinal(box.first_column)});
+        coupled.push_back(coupled_box(k, level, box));
       }
     }
     std::optional<PatchCoupling> coupling;
@@ -495,14 +496,72 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
   return possible;
 }
 
+CoupledBox NormalSolver::State::coupled_box(std::size_t k, const Level& level,
+                                            const ElementBox& box) const {
+  return {box.rows(),
+          box.columns(),
+          level.grid.lateral_step,
+          level.grid.longitudinal_step,
+          interaction->places[k].lateral + level.grid.lateral(box.first_row),
+          interaction->places[k].longitudinal + level.grid.longitudinal(box.first_column)};
+}
+
+/// What the other patches displace at least on the grid of one: their loads at the farthest places.
+double NormalSolver::State::least_of_others(std::size_t k) {
+  const Level& level = cascades[k].finest();
+  const CoupledBox here =
+      coupled_box(k, level, {0, level.size.rows - 1, 0, level.size.columns - 1});
+  const auto farthest = [](double first, double step, std::size_t elements, double other_first,
+                           double other_step, std::size_t other_elements) {
+    const double last = first + static_cast<double>(elements - 1) * step;
+    const double other_last = other_first + static_cast<double>(other_elements - 1) * other_step;
+    return std::max(other_last - first, last - other_first) + element_reach * other_step;
+  };
+  double displacement = 0.0;
+  for (std::size_t l = 0; l < count; ++l) {
+    const double closeness = l == k ? 0.0 : interaction->closeness[k * count + l];
+    if (closeness > 0.0) {
+      const CoupledBox there = coupled_box(l, cascades[l].finest(), cascades[l].box);
+      const double distance =
+          std::hypot(farthest(here.lateral_first, here.lateral_step, here.rows, there.lateral_first,
+                              there.lateral_step, there.rows),
+                     farthest(here.longitudinal_first, here.longitudinal_step, here.columns,
+                              there.longitudinal_first, there.longitudinal_step, there.columns));
+      displacement += closeness * sum_of(cascades[l].box_pressure) * there.lateral_step *
+                      there.longitudinal_step / (distance * here.longitudinal_step);
+    }
+  }
+  return displacement;
+}
+
+/// Adds to the displacements on a rectangle of a patch's grid what the other patches cause there.
+void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& rectangle) {
+  std::vector<CoupledBox> coupled;
+  std::vector<double> closeness(count * count);
+  for (std::size_t l = 0; l < count; ++l) {
+    coupled.push_back(coupled_box(l, cascades[l].finest(), l == k ? rectangle : cascades[l].box));
+    closeness[k * count + l] = closeness[l * count + k] = interaction->closeness[k * count + l];
+  }
+  PatchCoupling coupling(std::move(coupled), closeness);
+  for (std::size_t l = 0; l < count; ++l) {
+    if (l != k) {
+      coupling.gather(l, cascades[l].box_pressure.data());
+    }
+  }
+  coupling.transfer();
+  coupling.add<double>(k, exterior_out.data());
+}
+
 /// Looks for overlap outside the box and enlarges the box by it. Displacements are positive, and at
-/// least those of the patch's whole load at the farthest place of the box, so most elements need no
-/// displacement of their own. What other patches displace would only open the gaps further.
-bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance) {
+/// least those of a patch's whole load at the farthest place of its box, so most elements need no
+/// displacement of their own.
+bool NormalSolver::State::find_missed_contact(std::size_t k, double tolerance) {
+  Cascade& cascade = cascades[k];
   const Level& level = cascade.finest();
   const LevelSize& size = level.size;
   ElementBox& box = cascade.box;
-  const double reached = level.share * approach;
+  const double opened = level.share * approach;
+  const double reached = interaction != nullptr ? opened - least_of_others(k) : opened;
   const double aspect = cascade.kernel.aspect;
   const double box_load = sum_of(cascade.box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
@@ -552,14 +611,17 @@ bool NormalSolver::State::find_missed_contact(Cascade& cascade, double tolerance
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
   const double permitted =
       0.5 * tolerance * largest_pressure * cache->table(cascade.kernel, 1, 1)->row(0)[0];
-  double overlap = missed_overlap * reached;
+  double overlap = missed_overlap * opened;
   if (overlap <= permitted) {
     displace(cascade, rectangle, single_iteration.workspace());
   } else {
-    overlap = std::max(permitted, double_overlap * reached);
+    overlap = std::max(permitted, double_overlap * opened);
     displace(cascade, rectangle, double_iteration.workspace());
   }
-  const double limit = reached - overlap;
+  if (interaction != nullptr) {
+    displace_by_others(k, rectangle);
+  }
+  const double limit = opened - overlap;
   bool missed = false;
   ElementBox larger = box;
   for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
@@ -643,7 +705,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
     while (i == 0) {
       bool missed = false;
       for (std::size_t k = 0; k < count; ++k) {
-        missed = find_missed_contact(cascades[k], problem.tolerance) || missed;
+        missed = find_missed_contact(k, problem.tolerance) || missed;
       }
       if (!missed) {
         break;

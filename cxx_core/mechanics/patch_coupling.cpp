@@ -36,15 +36,15 @@ double distance_of(const CoupledBox& one, const CoupledBox& other) {
 
 /// sums[k] = sum_i values[i] * weights[k * count + i].
 template <typename Real>
-WRC_VECTOR_BODY void gather_body(const Real* values, const double* weights, std::size_t count,
+WRC_VECTOR_BODY void gather_body(const Real* values, const Real* weights, std::size_t count,
                                  std::size_t nodes, double* sums) {
   std::size_t k = 0;
   for (; k + 4 <= nodes; k += 4) {
-    const double* w = weights + k * count;
-    double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
+    const Real* w = weights + k * count;
+    Real a = 0, b = 0, c = 0, d = 0;
 #pragma omp simd reduction(+ : a, b, c, d)
     for (std::size_t i = 0; i < count; ++i) {
-      const double value = values[i];
+      const Real value = values[i];
       a += value * w[i];
       b += value * w[count + i];
       c += value * w[2 * count + i];
@@ -56,16 +56,16 @@ WRC_VECTOR_BODY void gather_body(const Real* values, const double* weights, std:
     sums[k + 3] = d;
   }
   for (; k < nodes; ++k) {
-    double sum = 0.0;
+    Real sum = 0;
 #pragma omp simd reduction(+ : sum)
     for (std::size_t i = 0; i < count; ++i) {
-      sum += static_cast<double>(values[i]) * weights[k * count + i];
+      sum += values[i] * weights[k * count + i];
     }
     sums[k] = sum;
   }
 }
 
-WRC_VECTOR_CLONES void gather_line(const float* values, const double* weights, std::size_t count,
+WRC_VECTOR_CLONES void gather_line(const float* values, const float* weights, std::size_t count,
                                    std::size_t nodes, double* sums) {
   gather_body(values, weights, count, nodes, sums);
 }
@@ -75,28 +75,42 @@ WRC_VECTOR_CLONES void gather_line(const double* values, const double* weights, 
 }
 
 /// to[i] += sum_k factors[k] * weights[k * count + i].
-WRC_VECTOR_CLONES void spread_line(const double* factors, const double* weights, std::size_t nodes,
-                                   std::size_t count, double* to) {
+template <typename Real, typename To>
+WRC_VECTOR_BODY void spread_body(const Real* factors, const Real* weights, std::size_t nodes,
+                                 std::size_t count, To* to) {
   std::size_t k = 0;
   for (; k + 4 <= nodes; k += 4) {
-    const double* w = weights + k * count;
-    const double a = factors[k];
-    const double b = factors[k + 1];
-    const double c = factors[k + 2];
-    const double d = factors[k + 3];
+    const Real* w = weights + k * count;
+    const Real a = factors[k];
+    const Real b = factors[k + 1];
+    const Real c = factors[k + 2];
+    const Real d = factors[k + 3];
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
       to[i] += (a * w[i] + b * w[count + i]) + (c * w[2 * count + i] + d * w[3 * count + i]);
     }
   }
   for (; k < nodes; ++k) {
-    const double* w = weights + k * count;
-    const double factor = factors[k];
+    const Real* w = weights + k * count;
+    const Real factor = factors[k];
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
       to[i] += factor * w[i];
     }
   }
+}
+
+WRC_VECTOR_CLONES void spread_line(const float* factors, const float* weights, std::size_t nodes,
+                                   std::size_t count, float* to) {
+  spread_body(factors, weights, nodes, count, to);
+}
+WRC_VECTOR_CLONES void spread_line(const float* factors, const float* weights, std::size_t nodes,
+                                   std::size_t count, double* to) {
+  spread_body(factors, weights, nodes, count, to);
+}
+WRC_VECTOR_CLONES void spread_line(const double* factors, const double* weights, std::size_t nodes,
+                                   std::size_t count, double* to) {
+  spread_body(factors, weights, nodes, count, to);
 }
 
 /// Both ways of a link at once: to += K from, other_to += K^T other_from.
@@ -159,6 +173,7 @@ PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, 
       axis.weight[k * elements + i] = met < count ? (k == met ? 1.0 : 0.0) : weights[k] / sum;
     }
   }
+  axis.single_weight.assign(axis.weight.begin(), axis.weight.end());
   return axis;
 }
 
@@ -215,26 +230,21 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
   }
 }
 
+// Across the rail first, and last when adding: contact is narrower there, so there are fewer nodes.
+
 template <typename Real> void PatchCoupling::gather(std::size_t box, const Real* pressure) {
   Nodes& nodes = nodes_[box];
+  const std::size_t rows = boxes_[box].rows;
   const std::size_t columns = boxes_[box].columns;
   const std::size_t node_columns = nodes.columns.nodes();
   const double area = boxes_[box].lateral_step * boxes_[box].longitudinal_step;
-  std::fill(nodes.load.begin(), nodes.load.end(), 0.0);
-  line_.resize(node_columns);
-  const std::size_t rows = boxes_[box].rows;
-  for (std::size_t i = 0; i < rows; ++i) {
-    const Real* row = pressure + i * columns;
-    if (std::all_of(row, row + columns, [](Real value) { return value == Real{0}; })) {
-      continue;
-    }
-    gather_line(row, nodes.columns.weight.data(), columns, node_columns, line_.data());
-    for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
-      const double share = area * nodes.rows.weight[k * rows + i];
-      for (std::size_t l = 0; l < node_columns; ++l) {
-        nodes.load[k * node_columns + l] += share * line_[l];
-      }
-    }
+  std::vector<Real>& line = lines<Real>();
+  for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
+    line.assign(columns, Real{0});
+    spread_line(nodes.rows.weights<Real>() + k * rows, pressure, rows, columns, line.data());
+    double* load = nodes.load.data() + k * node_columns;
+    gather_line(line.data(), nodes.columns.weights<Real>(), columns, node_columns, load);
+    std::transform(load, load + node_columns, load, [area](double sum) { return area * sum; });
   }
 }
 
@@ -252,33 +262,36 @@ void PatchCoupling::transfer() {
   }
 }
 
-template <typename Real> void PatchCoupling::add(std::size_t box, Real* displacement) {
+template <typename Real, typename To> void PatchCoupling::add(std::size_t box, To* displacement) {
   const Nodes& nodes = nodes_[box];
-  const std::size_t columns = boxes_[box].columns;
-  const std::size_t node_columns = nodes.columns.nodes();
-  const std::size_t node_rows = nodes.rows.nodes();
-  const double unit = 1.0 / boxes_[box].longitudinal_step;
   const std::size_t rows = boxes_[box].rows;
-  factors_.resize(node_rows);
+  const std::size_t columns = boxes_[box].columns;
+  const std::size_t node_rows = nodes.rows.nodes();
+  const std::size_t node_columns = nodes.columns.nodes();
+  const double unit = 1.0 / boxes_[box].longitudinal_step;
+  std::vector<Real>& line = lines<Real>(); // one for each row of nodes, then factors
+  line.assign(node_rows * columns + std::max(node_rows, node_columns), Real{0});
+  Real* factors = line.data() + node_rows * columns;
+  for (std::size_t k = 0; k < node_rows; ++k) {
+    const double* from = nodes.displacement.data() + k * node_columns;
+    std::transform(from, from + node_columns, factors,
+                   [unit](double value) { return static_cast<Real>(unit * value); });
+    spread_line(factors, nodes.columns.weights<Real>(), node_columns, columns,
+                line.data() + k * columns);
+  }
+  const Real* weights = nodes.rows.weights<Real>();
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t k = 0; k < node_rows; ++k) {
-      factors_[k] = unit * nodes.rows.weight[k * rows + i];
+      factors[k] = weights[k * rows + i];
     }
-    at_nodes_.assign(node_columns, 0.0);
-    spread_line(factors_.data(), nodes.displacement.data(), node_rows, node_columns,
-                at_nodes_.data());
-    line_.assign(columns, 0.0);
-    spread_line(at_nodes_.data(), nodes.columns.weight.data(), node_columns, columns, line_.data());
-    Real* row = displacement + i * columns;
-    for (std::size_t j = 0; j < columns; ++j) {
-      row[j] += static_cast<Real>(line_[j]);
-    }
+    spread_line(factors, line.data(), node_rows, columns, displacement + i * columns);
   }
 }
 
 template void PatchCoupling::gather(std::size_t box, const float* pressure);
 template void PatchCoupling::gather(std::size_t box, const double* pressure);
-template void PatchCoupling::add(std::size_t box, float* displacement);
-template void PatchCoupling::add(std::size_t box, double* displacement);
+template void PatchCoupling::add<float>(std::size_t box, float* displacement);
+template void PatchCoupling::add<float>(std::size_t box, double* displacement);
+template void PatchCoupling::add<double>(std::size_t box, double* displacement);
 
 } // namespace wrc

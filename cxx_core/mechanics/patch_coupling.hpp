@@ -41,16 +41,24 @@ public:
   template <typename Real> void gather(std::size_t box, const Real* pressure);
   /// Node to node, once all boxes are gathered.
   void transfer();
-  /// Adds to a box what the others displace there.
-  template <typename Real> void add(std::size_t box, Real* displacement);
+  /// Adds to a box what the others displace there, interpolated in either precision.
+  template <typename Real, typename To> void add(std::size_t box, To* displacement);
 
 private:
   /// Nodes along one direction, and their weights at the elements.
   struct Axis {
     std::vector<double> position; ///< of the nodes, from the first element's centre
     std::vector<double> weight;   ///< [node * elements + element]
-    double half_spacing = 0.0;    ///< half of the nodes' mean distance
+    std::vector<float> single_weight;
+    double half_spacing = 0.0; ///< half of the nodes' mean distance
     [[nodiscard]] std::size_t nodes() const { return position.size(); }
+    template <typename Real> [[nodiscard]] const Real* weights() const {
+      if constexpr (sizeof(Real) < sizeof(double)) {
+        return single_weight.data();
+      } else {
+        return weight.data();
+      }
+    }
   };
   static Axis make_axis(std::size_t elements, double step, double distance);
 
@@ -71,9 +79,16 @@ private:
   std::vector<CoupledBox> boxes_;
   std::vector<Nodes> nodes_;
   std::vector<Link> links_;
-  std::vector<double> line_; ///< of elements or nodes, while one row is gathered or added
-  std::vector<double> at_nodes_;
-  std::vector<double> factors_;
+  /// Of elements, while a box is gathered or added.
+  template <typename Real> std::vector<Real>& lines() {
+    if constexpr (sizeof(Real) < sizeof(double)) {
+      return single_lines_;
+    } else {
+      return double_lines_;
+    }
+  }
+  std::vector<float> single_lines_;
+  std::vector<double> double_lines_;
 };
 
 } // namespace wrc

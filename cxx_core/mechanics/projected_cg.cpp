@@ -286,7 +286,7 @@ template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_do
   if (request_->coupling != nullptr) {
     request_->coupling->transfer();
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      request_->coupling->add(k, fields_[k]->displacement.data());
+      request_->coupling->add<double>(k, fields_[k]->displacement.data());
     }
   }
 }
@@ -305,7 +305,7 @@ template <typename Real> void ProjectedCg<Real>::respond() {
   if (request_->coupling != nullptr) {
     request_->coupling->transfer();
     for (std::size_t k = 0; k < count; ++k) {
-      request_->coupling->add(k, fields_[k]->response.data());
+      request_->coupling->add<Real>(k, fields_[k]->response.data());
     }
   }
 }
@@ -392,7 +392,7 @@ template <typename Real> void ProjectedCg<Real>::cut_negative() {
     }
     coupling->transfer();
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      coupling->add(k, fields_[k]->displacement.data());
+      coupling->add<Real>(k, fields_[k]->displacement.data());
     }
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) {

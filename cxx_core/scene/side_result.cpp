@@ -251,7 +251,7 @@ distances_with_others(const SideResult& side, std::span<const PatchResult* const
   coupling.transfer();
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     std::vector<double> displaced(distances[k].size(), 0.0);
-    coupling.add(k, displaced.data());
+    coupling.add<double>(k, displaced.data());
     const double unit =
         boxes[k].longitudinal_step / (std::numbers::pi * side.details.combined_modulus);
     for (std::size_t i = 0; i < displaced.size(); ++i) {

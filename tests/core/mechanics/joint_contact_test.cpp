@@ -267,7 +267,7 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
   coupling.transfer();
   for (std::size_t k = 0; k < 2; ++k) {
     displacement[k].assign(pressure[k].size(), 0.0);
-    coupling.add(k, displacement[k].data());
+    coupling.add<double>(k, displacement[k].data());
   }
   const double element = boxes[0].lateral_step * boxes[0].longitudinal_step;
   const auto expected = [&](std::size_t i, std::size_t j) {
