@@ -122,8 +122,9 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
  * "left.patches.1.centroid.y", "time_ms.total" and so on (docs/results.md lists and defines them).
  * Names of a side are of all its patches together; patches are numbered from 0, largest normal
- * force first, and wrc_scene_number_name tells how many there are. WRC_UNKNOWN_NAME for the index
- * of a patch that is not there. Since 0.1.
+ * force first, and wrc_scene_number_name tells how many there are. Patches that share a plane are
+ * one, with parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME for the index of a patch that is
+ * not there. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
@@ -132,7 +133,9 @@ WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
- * "left.patches.0.pressure" and has no values without contact. Of a side the outlines
+ * "left.patches.0.pressure" and has no values without contact. Of a patch with parts these are
+ * means over the elements of a grid that spans all of them; "left.patches.0.parts.1.pressure" is
+ * that of a part as it was solved. Of a side the outlines
  * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
  * tells the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
@@ -200,8 +203,8 @@ WRC_API void wrc_normal_destroy(wrc_normal* normal);
 WRC_API const char* wrc_normal_error(const wrc_normal* normal);
 
 /**
- * The grid: numbers of elements (at least 1, at most 2^26 in all) and their sides in mm (> 0).
- * WRC_INVALID_ARGUMENT. Since 0.1.
+ * The grid: numbers of elements (at least 1, at most 2^26 in all) and their sides in mm (1e-30 to
+ * 1e30, neither more than 1e9 times the other). WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                        int64_t longitudinal_count, double lateral_step,
@@ -214,11 +217,11 @@ WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count
 WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count);
 /**
  * Numbers by key:
- *   "combined_modulus"    MPa, > 0; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on steel if not
- *                         set: 210000/(2 (1 - 0.3^2))
- *   "normal_load"         N, >= 0; replaces the approach
- *   "approach"            mm; replaces the normal load
- *   "tolerance"           > 0 to 0.1, 1e-6 if not set. Solver "default": largest error of the
+ *   "combined_modulus"    MPa, 1e-30 to 1e30; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on
+ *                         steel if not set: 210000/(2 (1 - 0.3^2))
+ *   "normal_load"         N, 0 or 1e-60 to 1e60; replaces the approach
+ *   "approach"            mm, -1e60 to 1e60; replaces the normal load
+ *   "tolerance"           1e-13 to 0.1, 1e-6 if not set. Solver "default": largest error of the
  *                         pressures relative to their largest, against the exact solution on this
  *                         grid, by measurement. Solver "paper": update of the pressures and
  *                         complementarity
@@ -229,6 +232,9 @@ WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, do
 /**
  * Texts by key; the first is taken if not set:
  *   "solver"     "default", or "paper" (Polonsky & Keer 1999, always in double precision)
+ *   "elements"   "smooth": a pressure is the value at the element's centre of one that is smooth
+ *                inside the contact; or "constant": it is that everywhere on the element (Love
+ *                1929), at five to ten times the error. Solver "paper": "constant" if not set
  *   "precision"  "mixed": directions of the iteration in single precision; or "double"
  *   "planner"    "estimate": plans of transforms at once; or "measure": faster ones after seconds
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.

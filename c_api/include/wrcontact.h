@@ -122,8 +122,9 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
  * "left.patches.1.centroid.y", "time_ms.total" and so on (docs/results.md lists and defines them).
  * Names of a side are of all its patches together; patches are numbered from 0, largest normal
- * force first, and wrc_scene_number_name tells how many there are. WRC_UNKNOWN_NAME for the index
- * of a patch that is not there. Since 0.1.
+ * force first, and wrc_scene_number_name tells how many there are. Patches that share a plane are
+ * one, with parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME for the index of a patch that is
+ * not there. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
@@ -132,7 +133,9 @@ WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
- * "left.patches.0.pressure" and has no values without contact. Of a side the outlines
+ * "left.patches.0.pressure" and has no values without contact. Of a patch with parts these are
+ * means over the elements of a grid that spans all of them; "left.patches.0.parts.1.pressure" is
+ * that of a part as it was solved. Of a side the outlines
  * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
  * tells the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "mechanics/cascade.hpp"
 #include "mechanics/projected_cg.hpp"
@@ -181,7 +182,7 @@ struct NormalSolver::State {
                                        const ElementBox& box) const;
   [[nodiscard]] double least_of_others(std::size_t k);
   void displace_by_others(std::size_t k, const ElementBox& rectangle);
-  bool find_missed_contact(std::size_t k, double tolerance);
+  std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
   ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates, double reached);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
@@ -552,14 +553,15 @@ void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& re
   coupling.add<double>(k, exterior_out.data());
 }
 
-/// Looks for overlap outside the box and enlarges the box by it. Displacements are positive, and at
-/// least those of a patch's whole load at the farthest place of its box, so most elements need no
-/// displacement of their own.
-bool NormalSolver::State::find_missed_contact(std::size_t k, double tolerance) {
+/// Looks for overlap outside the box: the box enlarged by it, or none. Displacements are positive,
+/// and at least those of a patch's whole load at the farthest place of its box, so most elements
+/// need no displacement of their own.
+std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size_t k,
+                                                                       double tolerance) {
   Cascade& cascade = cascades[k];
   const Level& level = cascade.finest();
   const LevelSize& size = level.size;
-  ElementBox& box = cascade.box;
+  const ElementBox& box = cascade.box;
   const double opened = level.share * approach;
   const double reached = interaction != nullptr ? opened - least_of_others(k) : opened;
   const double aspect = cascade.kernel.aspect;
@@ -603,7 +605,7 @@ bool NormalSolver::State::find_missed_contact(std::size_t k, double tolerance) {
     candidates = possible_contact(cascade, candidates, reached);
   }
   if (candidates.first_row > candidates.last_row) {
-    return false;
+    return std::nullopt;
   }
 
   ElementBox rectangle = box;
@@ -638,8 +640,7 @@ bool NormalSolver::State::find_missed_contact(std::size_t k, double tolerance) {
       }
     }
   }
-  box = larger;
-  return missed;
+  return missed ? std::optional(larger) : std::nullopt;
 }
 
 JointSolution NormalSolver::State::solve(const JointProblem& problem) {
@@ -703,9 +704,15 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
                                    : stop_share * problem.tolerance;
     outcome = solve_level(i, tolerance, solution);
     while (i == 0) {
+      // All are looked through before any box changes, which goes with the pressures on it.
+      std::vector<std::optional<ElementBox>> larger(count);
+      for (std::size_t k = 0; k < count; ++k) {
+        larger[k] = box_with_missed_contact(k, problem.tolerance);
+      }
       bool missed = false;
       for (std::size_t k = 0; k < count; ++k) {
-        missed = find_missed_contact(k, problem.tolerance) || missed;
+        missed = missed || larger[k].has_value();
+        cascades[k].box = larger[k].value_or(cascades[k].box);
       }
       if (!missed) {
         break;

@@ -19,11 +19,14 @@
 /// Closeness w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall as the
 /// planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned towards each
 /// other by the share w, so that nothing jumps on the way from two patches to one.
-/// Where the planes of the two differ little, the distance d of their penetrations across the rail
-/// counts, too, as in CONTACT (Vollebregt, User guide for CONTACT, D_COMB = d_j, D_SEP = 2 d_j and
-/// D_TURN = 3 d_j, 4 mm by default): they turn from d = 3 d_j on, linearly, and share their plane
-/// from 2 d_j on; they feel each other from 2 d_j on, in full from d_j on. Two in one plane are one
-/// contact, on grids of their own until they are joined. The greater of both shares counts.
+///
+/// Where planes differ little, the distance d of the penetrations in the cross-section counts, too,
+/// with a joining distance d_j in mm, as in CONTACT (Vollebregt, User guide for CONTACT, where d_j,
+/// 2 d_j and 3 d_j are D_COMB, D_SEP and D_TURN): planes turn towards each other from 3 d_j on and
+/// are one from 2 d_j on; patches feel each other from 2 d_j on, in full from d_j on, all linearly.
+/// Two in one plane are one contact, on grids of their own until they are joined. The greater share
+/// counts, by width or by distance.
+///
 /// Patches further on are as close as the weakest link between: such an (ultrametric) matrix has no
 /// negative eigenvalue. The angle of a plane is the mean over all levels between 0 and 1 of the
 /// plane of the patches that turn at least that far towards each other, which for two is

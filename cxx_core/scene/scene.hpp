@@ -61,8 +61,8 @@ struct Scene {
   PlannerRigor planner = PlannerRigor::estimate;
   Precision precision = Precision::mixed;
   bool interaction = false; ///< elastic, between patches of a wheel however far apart
-  double joining_distance =
-      4.0;                     ///< of patches on one grid's plane, mm (remesh/contact_patches.hpp)
+  /// Patches closer than twice this share a plane, mm (remesh/contact_patches.hpp).
+  double joining_distance = 4.0;
   double near_tolerance = 0.1; ///< contacts listed as near: distance at the first touch, mm
   int threads = 1;
 

@@ -26,17 +26,18 @@ Outcome::Outcome(wrc_scene* scene, wrc_status status_, bool with_fields)
       texts.emplace(name, value);
     }
   }
-  for (const std::string& side : sides()) {
-    for (int i = 0; with_fields; ++i) {
-      const std::string patch = side + ".patches." + std::to_string(i);
-      if (!has(patch + ".pmax")) {
-        break;
-      }
-      std::int64_t count = 0;
-      wrc_scene_field(scene, (patch + ".pressure").c_str(), nullptr, 0, &count);
-      pressures.emplace_back(static_cast<std::size_t>(count));
-      wrc_scene_field(scene, (patch + ".pressure").c_str(), pressures.back().data(), count, &count);
+  constexpr std::string_view told_of_all = ".pmax_element";
+  for (auto number = numbers.begin(); with_fields && number != numbers.end(); ++number) {
+    const std::string& name = number->first;
+    if (name.find(".patches.") == std::string::npos || !name.ends_with(told_of_all)) {
+      continue;
     }
+    const std::string patch = name.substr(0, name.size() - told_of_all.size());
+    std::int64_t count = 0;
+    wrc_scene_field(scene, (patch + ".pressure").c_str(), nullptr, 0, &count);
+    std::vector<double>& field = pressures[patch];
+    field.resize(static_cast<std::size_t>(count));
+    wrc_scene_field(scene, (patch + ".pressure").c_str(), field.data(), count, &count);
   }
 }
 

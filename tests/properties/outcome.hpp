@@ -14,7 +14,8 @@ struct Outcome {
   std::string error;
   std::map<std::string, double> numbers; ///< but for times and sensitivities
   std::map<std::string, std::string> texts;
-  std::vector<std::vector<double>> pressures; ///< of the patches, with `with_fields`
+  /// Of the patches and their parts ("left.patches.0.parts.1"), with `with_fields`.
+  std::map<std::string, std::vector<double>> pressures;
 
   Outcome(wrc_scene* scene, wrc_status status, bool with_fields = false);
 

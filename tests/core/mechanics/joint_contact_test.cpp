@@ -226,6 +226,37 @@ TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
   EXPECT_LT(solver.solve(problem).approach, 0.95 * whole.approach);
 }
 
+TEST(JointContact, FindsWhatCoarseGridsMissInBothPatchesThatInteract) {
+  CutPlane plane = cut_plane();
+  const std::size_t columns = plane.whole.grid.longitudinal_count;
+  // Single elements far outside, as deep as the first lobe.
+  for (const auto& [part, row, column] : {std::array<std::size_t, 3>{0, 3, 4}, {1, 54, 45}}) {
+    plane.parts[part].distance[row * columns + column] = 0.0;
+    plane.whole.distance[((part == 0 ? 0 : 62) + row) * columns + column] = 0.0;
+  }
+  NormalSolver solver;
+  const double load = 1e4;
+  const NormalSolution whole =
+      solver.solve(with_load(plane.whole.grid, plane.whole.distance, load, 1e-8));
+  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
+  JointProblem problem = joint_with_load(gaps, load, 1e-8);
+  problem.interaction = &plane.interaction;
+  const JointSolution joint = solver.solve(problem);
+  EXPECT_EQ(joint.stop_reason, StopReason::tolerance_met);
+  EXPECT_GT(joint.patches[0].pressure[3 * columns + 4], 0.0);
+  EXPECT_GT(joint.patches[1].pressure[54 * columns + 45], 0.0);
+  constexpr double node_error = 1e-4; // boxes now reach to the corners
+  EXPECT_NEAR(joint.approach, whole.approach, node_error * whole.approach);
+  const double largest = *std::max_element(whole.pressure.begin(), whole.pressure.end());
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t first = k == 0 ? 0 : 62 * columns;
+    for (std::size_t i = 0; i < joint.patches[k].pressure.size(); ++i) {
+      ASSERT_NEAR(joint.patches[k].pressure[i], whole.pressure[first + i],
+                  5.0 * node_error * largest);
+    }
+  }
+}
+
 TEST(JointContact, InteractionGrowsWithCloseness) {
   CutPlane plane = cut_plane();
   const std::vector<PatchGap> gaps = gaps_of(plane.parts);
