@@ -86,18 +86,26 @@ public:
     double factor = 1.0;
   };
 
-  PatchPrinter(const Scene& scene, std::ostream& out)
-      : scene_(scene), out_(out), patches_(all_patches(scene)) {}
+  PatchPrinter(const Scene& scene, std::ostream& out) : scene_(scene), out_(out) {
+    for (const PatchName& patch : all_patches(scene)) {
+      const std::string index = std::to_string(patch.index);
+      lines_.push_back({patch.side, index, patch.prefix});
+      const int parts = scene.count_of(patch.prefix + "parts");
+      for (int part = 0; part < parts; ++part) {
+        const std::string of_part = std::to_string(part);
+        lines_.push_back({"", index + '.' + of_part, patch.prefix + "parts." + of_part + '.'});
+      }
+    }
+  }
 
   /// Whether a value of any patch exceeds a limit.
   [[nodiscard]] bool any_above(const char* name, double limit) const {
-    return std::any_of(patches_.begin(), patches_.end(), [&](const PatchName& patch) {
-      return scene_.number(patch.prefix + name) > limit;
-    });
+    return std::any_of(lines_.begin(), lines_.end(),
+                       [&](const Line& line) { return scene_.number(line.prefix + name) > limit; });
   }
 
   void print(const std::string& title, const std::vector<Column>& columns) const {
-    if (patches_.empty()) {
+    if (lines_.empty()) {
       return;
     }
     std::ostringstream titles;
@@ -110,12 +118,12 @@ public:
     }
     out_ << '\n' << without_end_blanks(titles.str()) << '\n' << without_end_blanks(units.str());
     out_ << '\n' << std::fixed;
-    for (const PatchName& patch : patches_) {
-      out_ << "  " << std::left << std::setw(6) << patch.side << std::right
-           << std::setw(label_width - 8) << patch.index;
+    for (const Line& line : lines_) {
+      out_ << "  " << std::left << std::setw(6) << line.side << std::right
+           << std::setw(label_width - 8) << line.label;
       for (const Column& column : columns) {
         out_ << std::setprecision(column.decimals) << std::setw(column.width)
-             << column.factor * scene_.number(patch.prefix + column.name);
+             << column.factor * scene_.number(line.prefix + column.name);
       }
       out_ << '\n';
     }
@@ -127,10 +135,16 @@ private:
     line.erase(line.find_last_not_of(' ') + 1);
     return line;
   }
+  /// Of a patch, or of a part of one ("0.1").
+  struct Line {
+    std::string side;
+    std::string label;
+    std::string prefix;
+  };
   static constexpr int label_width = 11;
   const Scene& scene_;
   std::ostream& out_;
-  std::vector<PatchName> patches_;
+  std::vector<Line> lines_;
 };
 
 void print_patch_forces(const Scene& scene, std::ostream& out) {
