@@ -191,9 +191,11 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
     PatchResult& made = result.patches.emplace_back(
         contact_of({first, last}, pair, solution.combined_modulus, side));
     if (result.details.interaction) {
-      const auto begin = static_cast<std::size_t>(first - solution.patches.begin());
+      const auto index_of = [&solution](auto patch) {
+        return static_cast<std::size_t>(patch - solution.patches.begin());
+      };
       made.closeness =
-          closeness_outside(*result.details.interaction, begin, begin + (last - first));
+          closeness_outside(*result.details.interaction, index_of(first), index_of(last));
     }
     first = last;
     result.pmax_element = std::max(result.pmax_element, made.pmax_element);

@@ -67,9 +67,9 @@ std::vector<Overlap> overlaps(const Cells& from, const Cells& to) {
     const double last = std::clamp(std::ceil(end) - 1.0, first, last_cell);
     Overlap& overlap = all.emplace_back();
     overlap.first = static_cast<std::size_t>(first);
-    for (double cell = first; cell <= last; cell += 1.0) {
-      const double inside = std::min(end, cell + 1.0) - std::max(begin, cell);
-      overlap.shares.push_back(std::max(inside, 0.0));
+    for (std::size_t cell = overlap.first; cell <= static_cast<std::size_t>(last); ++cell) {
+      const auto at = static_cast<double>(cell);
+      overlap.shares.push_back(std::max(0.0, std::min(end, at + 1.0) - std::max(begin, at)));
     }
   }
   return all;

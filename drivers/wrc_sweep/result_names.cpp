@@ -48,16 +48,22 @@ std::vector<std::string> default_results() {
 }
 
 std::vector<std::string> all_results() {
-  // A scene that has whatever there is: both sides, and contacts that almost touch.
+  // Scenes that have whatever there is: both sides, contacts that almost touch, and a contact of
+  // several parts on the one or the other side.
   Scene scene;
   scene.set("solve.accuracy", 0.1);
   scene.set("solve.near_tolerance", 10.0);
-  scene.solve();
+  scene.set("track.rail", std::string("UIC60-Manchester"));
+  scene.set("load.vertical", 1e4);
   std::vector<std::string> names;
-  for (const std::string& name : scene.number_names()) {
-    const std::string first = with_first_entry(name);
-    if (std::find(names.begin(), names.end(), first) == names.end()) {
-      names.push_back(first);
+  for (const double lateral : {-5.0, 5.0}) {
+    scene.set("pose.lateral", lateral);
+    scene.solve();
+    for (const std::string& name : scene.number_names()) {
+      const std::string first = with_first_entry(name);
+      if (std::find(names.begin(), names.end(), first) == names.end()) {
+        names.push_back(first);
+      }
     }
   }
   for (const char* side : {"left", "right"}) {

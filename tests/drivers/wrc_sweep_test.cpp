@@ -331,7 +331,11 @@ TEST_F(WrcSweep, RefusesBadArguments) {
   for (const char* part : {"{from = -6, to = 6", "--resume", "mpirun", "[[picture]]"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
-  EXPECT_NE(sweep("--list-results").out.find("left.patches.0.pmax\n"), std::string::npos);
+  const std::string listed = sweep("--list-results").out;
+  for (const char* name : {"left.patches.0.pmax\n", "left.patches.0.parts.0.pmax\n",
+                           "right.patches.0.parts.0.centroid.y\n", "left.near_contacts.0.y\n"}) {
+    EXPECT_NE(listed.find(name), std::string::npos) << name;
+  }
 }
 
 } // namespace
