@@ -6,4 +6,4 @@ build_packages=(
   gnuplot-nox fonts-dejavu-core
   libnetcdf-dev libopenmpi-dev openmpi-bin
 )
-check_packages=(clang clang-format clang-tidy binutils qemu-user abigail-tools)
+check_packages=(clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools)
