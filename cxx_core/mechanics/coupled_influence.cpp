@@ -5,6 +5,16 @@
 
 namespace wrc {
 
+CoupledBox coupled_box(const Grid& grid, const PatchInteraction::Place& place,
+                       const ElementBox& box) {
+  return {box.rows(),
+          box.columns(),
+          grid.lateral_step,
+          grid.longitudinal_step,
+          place.lateral + grid.lateral(box.first_row),
+          place.longitudinal + grid.longitudinal(box.first_column)};
+}
+
 std::vector<CoupledInfluence::Box> CoupledInfluence::boxes_of(std::span<const SolvedPatch> patches,
                                                               double combined_modulus) {
   std::vector<Box> boxes;
@@ -23,11 +33,7 @@ std::vector<CoupledBox> CoupledInfluence::coupled_boxes(std::span<const SolvedPa
                                                         const std::vector<Box>& boxes) {
   std::vector<CoupledBox> coupled;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    const Grid& grid = patches[k].grid;
-    const ElementBox& box = boxes[k].elements;
-    coupled.push_back({box.rows(), box.columns(), grid.lateral_step, grid.longitudinal_step,
-                       interaction.places[k].lateral + grid.lateral(box.first_row),
-                       interaction.places[k].longitudinal + grid.longitudinal(box.first_column)});
+    coupled.push_back(coupled_box(patches[k].grid, interaction.places[k], boxes[k].elements));
   }
   return coupled;
 }

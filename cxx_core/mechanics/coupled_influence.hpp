@@ -16,6 +16,10 @@
 
 namespace wrc {
 
+/// A box of a patch's elements in the mean plane.
+CoupledBox coupled_box(const Grid& grid, const PatchInteraction::Place& place,
+                       const ElementBox& box);
+
 class CoupledInfluence : public PatchInfluence {
 public:
   /// All patches must have pressure.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mechanics/cascade.hpp"
+#include "mechanics/coupled_influence.hpp"
 #include "mechanics/projected_cg.hpp"
 #include "reductions.hpp"
 #include "vector_clones.hpp"
@@ -178,8 +179,10 @@ struct NormalSolver::State {
   bool take_starts(const JointProblem& problem, std::size_t index);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
-  [[nodiscard]] CoupledBox coupled_box(std::size_t k, const Level& level,
-                                       const ElementBox& box) const;
+  /// A box of elements of a patch's finest grid.
+  [[nodiscard]] CoupledBox coupled_on_finest(std::size_t k, const ElementBox& box) {
+    return coupled_box(cascades[k].finest().grid, interaction->places[k], box);
+  }
   [[nodiscard]] double least_of_others(std::size_t k);
   void displace_by_others(std::size_t k, const ElementBox& rectangle);
   std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
@@ -383,7 +386,7 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
       request.pressure = cascade.box_pressure;
       request.distance = cascade.box_distance;
       if (interaction != nullptr) {
-        coupled.push_back(coupled_box(k, level, box));
+        coupled.push_back(coupled_box(level.grid, interaction->places[k], box));
       }
     }
     std::optional<PatchCoupling> coupling;
@@ -497,21 +500,10 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
   return possible;
 }
 
-CoupledBox NormalSolver::State::coupled_box(std::size_t k, const Level& level,
-                                            const ElementBox& box) const {
-  return {box.rows(),
-          box.columns(),
-          level.grid.lateral_step,
-          level.grid.longitudinal_step,
-          interaction->places[k].lateral + level.grid.lateral(box.first_row),
-          interaction->places[k].longitudinal + level.grid.longitudinal(box.first_column)};
-}
-
 /// What the other patches displace at least on the grid of one: their loads at the farthest places.
 double NormalSolver::State::least_of_others(std::size_t k) {
   const Level& level = cascades[k].finest();
-  const CoupledBox here =
-      coupled_box(k, level, {0, level.size.rows - 1, 0, level.size.columns - 1});
+  const CoupledBox here = coupled_on_finest(k, {0, level.size.rows - 1, 0, level.size.columns - 1});
   const auto farthest = [](double first, double step, std::size_t elements, double other_first,
                            double other_step, std::size_t other_elements) {
     const double last = first + static_cast<double>(elements - 1) * step;
@@ -522,7 +514,7 @@ double NormalSolver::State::least_of_others(std::size_t k) {
   for (std::size_t l = 0; l < count; ++l) {
     const double closeness = l == k ? 0.0 : interaction->closeness[k * count + l];
     if (closeness > 0.0) {
-      const CoupledBox there = coupled_box(l, cascades[l].finest(), cascades[l].box);
+      const CoupledBox there = coupled_on_finest(l, cascades[l].box);
       const double distance =
           std::hypot(farthest(here.lateral_first, here.lateral_step, here.rows, there.lateral_first,
                               there.lateral_step, there.rows),
@@ -540,7 +532,7 @@ void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& re
   std::vector<CoupledBox> coupled;
   std::vector<double> closeness(count * count);
   for (std::size_t l = 0; l < count; ++l) {
-    coupled.push_back(coupled_box(l, cascades[l].finest(), l == k ? rectangle : cascades[l].box));
+    coupled.push_back(coupled_on_finest(l, l == k ? rectangle : cascades[l].box));
     closeness[k * count + l] = closeness[l * count + k] = interaction->closeness[k * count + l];
   }
   PatchCoupling coupling(std::move(coupled), closeness);

@@ -88,10 +88,10 @@ struct ContactPatch {
 
 struct ContactPatches {
   std::vector<ContactPatch> patches; ///< ordered by y, never empty
-  std::vector<double> links;         ///< closeness of each one and the next, below 1
+  std::vector<double> links;         ///< closeness of each one and the next
   std::size_t main = 0;              ///< the one that holds the first contact
 
-  /// 0: far apart, no interaction; 1: the same.
+  /// 0: no interaction; 1: in full.
   [[nodiscard]] double closeness(std::size_t i, std::size_t j) const;
 };
 

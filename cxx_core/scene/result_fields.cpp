@@ -1,9 +1,9 @@
 // Fields of a patch and outlines of a side: computed when they are asked for.
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "mechanics/displacement_operator.hpp"
+#include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
 #include "scene/united_patch.hpp"
 
@@ -139,13 +139,8 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
     }
     return values;
   };
-  const auto take = [&name](std::string_view prefix) {
-    const bool there = name.starts_with(prefix);
-    name.remove_prefix(there ? prefix.size() : 0);
-    return there;
-  };
-  const bool left = take("left.");
-  const auto& side = left || !take("right.") ? result.left : result.right;
+  const bool left = take(name, "left.");
+  const auto& side = left || !take(name, "right.") ? result.left : result.right;
   if (!side || (!left && &side == &result.left)) {
     return std::nullopt;
   }
@@ -155,16 +150,18 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
     }
   }
   const PatchResult* patch = side->patches.empty() ? nullptr : &side->patches.front();
-  const auto choose = [&](const std::vector<PatchResult>& patches) {
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-    name.remove_prefix(static_cast<std::size_t>(end - name.data()));
-    const bool there = error == std::errc() && index < patches.size() && take(".");
-    patch = there ? &patches[index] : nullptr;
-    return there;
-  };
-  if (take("patches.") && (!choose(side->patches) || (take("parts.") && !choose(patch->parts)))) {
-    return std::nullopt;
+  std::size_t index = 0;
+  if (take(name, "patches.")) {
+    if (!take_index(name, side->patches.size(), index)) {
+      return std::nullopt;
+    }
+    patch = &side->patches[index];
+    if (take(name, "parts.")) {
+      if (!take_index(name, patch->parts.size(), index)) {
+        return std::nullopt;
+      }
+      patch = &patch->parts[index];
+    }
   }
   for (const PatchField& field : patch_fields) {
     if (field.name == name) {

@@ -1,9 +1,9 @@
 // Results by name: the one list that the C interface, JSON and tables are made of.
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "mechanics/contact_area.hpp"
+#include "scene/result_names.hpp"
 #include "scene/side_sensitivities.hpp"
 #include "scene/solve_scene.hpp"
 
@@ -209,25 +209,6 @@ constexpr std::array time_numbers{
                               [](const StageMilliseconds& t) { return t.mechanics; }},
     Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
 };
-
-/// Takes a prefix off a name.
-bool take(std::string_view& name, std::string_view prefix) {
-  if (!name.starts_with(prefix)) {
-    return false;
-  }
-  name.remove_prefix(prefix.size());
-  return true;
-}
-
-/// Takes "12." off a name, as an index below `count`.
-bool take_index(std::string_view& name, std::size_t count, std::size_t& index) {
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-  if (error != std::errc() || index >= count) {
-    return false;
-  }
-  name.remove_prefix(static_cast<std::size_t>(end - name.data()));
-  return take(name, ".");
-}
 
 std::optional<Value> touch_value(const ContactPlace& place, std::string_view name) {
   const auto value = find_in(place_numbers, place, name);

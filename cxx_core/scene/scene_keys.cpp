@@ -392,7 +392,7 @@ std::vector<Key> solve_keys() {
   keys.push_back(word_key<bool>(
       {"solve.interaction", "\"near\"", "\"near\" or \"all\"",
        "which patches of a wheel feel each other elastically: those "
-       "about to join, or all, as if in one plane"},
+       "that are close, or all, as if in one plane"},
       {{"near", false}, {"all", true}}, [](auto& s) -> auto& { return s.interaction; }));
   keys.push_back(number_key(
       {"solve.joining_distance", "4", "0 to 100 mm",

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "mechanics/coupled_influence.hpp"
 #include "mechanics/hertz.hpp"
 #include "mechanics/patch_coupling.hpp"
 #include "scene/united_patch.hpp"
@@ -241,10 +242,8 @@ distances_with_others(const SideResult& side, std::span<const PatchResult* const
   std::vector<CoupledBox> boxes;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const Grid& grid = patches[k]->grid;
-    const PatchInteraction::Place& place = interaction.places[k];
-    boxes.push_back({grid.lateral_count, grid.longitudinal_count, grid.lateral_step,
-                     grid.longitudinal_step, place.lateral + grid.lateral_first,
-                     place.longitudinal + grid.longitudinal_first});
+    boxes.push_back(coupled_box(grid, interaction.places[k],
+                                {0, grid.lateral_count - 1, 0, grid.longitudinal_count - 1}));
   }
   PatchCoupling coupling(boxes, interaction.closeness);
   for (std::size_t k = 0; k < boxes.size(); ++k) {

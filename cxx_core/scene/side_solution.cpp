@@ -373,7 +373,7 @@ bool SideSolver::slides(const Trial& trial) const {
 /// have turned towards each other be turned otherwise.
 bool SideSolver::changes_closeness(const Trial& trial) const {
   if (request_.position_is_prescribed() || !(trial.next_depth > 0.0) ||
-      !(trial.partly_close() || trial.has_turned_planes())) {
+      !(trial.has_close_patches() || trial.has_turned_planes())) {
     return false;
   }
   const ContactPatches found = planner_.patches_at(trial.next_depth);
@@ -408,7 +408,7 @@ bool SideSolver::changes_closeness(const Trial& trial) const {
 /// further on, by the feedback that the last two trials have shown.
 double SideSolver::improved_depth(const Trial& trial) {
   const double change = trial.depth - told_depth_;
-  if (!trial.partly_close() || trial.patches.size() != told_patches_) {
+  if (!trial.has_close_patches() || trial.patches.size() != told_patches_) {
     feedback_ = 0.0;
   } else if (std::abs(change) > telling_change * trial.depth) {
     feedback_ = std::clamp((trial.next_depth - told_next_) / change, 0.0, greatest_feedback);

@@ -219,7 +219,7 @@ bool Trial::touches_edge() const {
                      [](const PatchTrial& patch) { return patch.touches_edge(); });
 }
 
-bool Trial::partly_close() const {
+bool Trial::has_close_patches() const {
   return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; });
 }
 

@@ -113,8 +113,8 @@ struct Trial {
 
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] bool touches_edge() const;
-  /// Patches that are neither strangers nor one.
-  [[nodiscard]] bool partly_close() const;
+  /// Patches that feel each other by their closeness.
+  [[nodiscard]] bool has_close_patches() const;
   /// Planes that other patches have turned.
   [[nodiscard]] bool has_turned_planes() const;
   [[nodiscard]] double peak_pressure() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "mechanics/displacement_operator.hpp"
 #include "remesh/undeformed_distance.hpp"
@@ -118,7 +119,6 @@ PressureRegion united_region(std::span<const PatchSolution> parts, std::span<con
     all.peak_pressure = std::max(all.peak_pressure, part.peak_pressure);
     all.largest_element_pressure =
         std::max(all.largest_element_pressure, part.largest_element_pressure);
-    all.area += part.area;
     all.normal_force += part.normal_force;
     all.centroid_longitudinal +=
         part.normal_force * (part.centroid_longitudinal + shifts[k].longitudinal);
@@ -183,16 +183,15 @@ Grid united_grid(std::span<const PatchSolution> parts, std::span<const Shift> sh
 
 PatchSolution united(std::span<const PatchSolution> parts, const RailSurface& rail) {
   PatchSolution whole;
-  whole.place = parts.front().place;
-  whole.place.share = 0.0;
+  double share = 0.0;
   Vector3 mean;
   for (const PatchSolution& part : parts) {
-    whole.place.share += part.place.share;
+    share += part.place.share;
     mean = mean + part.place.share * Vector3{part.place.mean_x, part.place.mean_y, 0.0};
     whole.normal_force += part.normal_force;
     whole.approach = std::max(whole.approach, part.approach);
   }
-  mean = (1.0 / whole.place.share) * mean;
+  mean = (1.0 / share) * mean;
   whole.frame = parts.front().frame;
   whole.frame.origin = {mean.x, mean.y, rail.graph().at_lateral(mean.y).height};
   whole.share = parts.front().share;

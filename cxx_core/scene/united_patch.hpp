@@ -20,8 +20,8 @@
 
 namespace wrc {
 
-/// The whole, without fields. `parts`: at least one, largest normal force first, in parallel
-/// planes.
+/// The whole, without fields and place of penetration. `parts`: at least one, largest normal force
+/// first, in parallel planes.
 PatchSolution united(std::span<const PatchSolution> parts, const RailSurface& rail);
 
 /// Of a patch that has parts, on its grid: MPa, and mm.

@@ -198,16 +198,28 @@ CutPlane cut_plane() {
   return plane;
 }
 
+/// Both ways to solve a cut plane.
+struct CutPlaneSolutions {
+  NormalSolution whole;
+  JointSolution joint;
+};
+
+CutPlaneSolutions solve_both_ways(const CutPlane& plane, double load) {
+  constexpr double tolerance = 1e-8;
+  NormalSolver solver;
+  CutPlaneSolutions found;
+  found.whole = solver.solve(with_load(plane.whole.grid, plane.whole.distance, load, tolerance));
+  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
+  JointProblem problem = joint_with_load(gaps, load, tolerance);
+  problem.interaction = &plane.interaction;
+  found.joint = solver.solve(problem);
+  return found;
+}
+
 TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
   const CutPlane plane = cut_plane();
-  NormalSolver solver;
   const double load = 1e4;
-  const NormalSolution whole =
-      solver.solve(with_load(plane.whole.grid, plane.whole.distance, load, 1e-8));
-  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
-  JointProblem problem = joint_with_load(gaps, load, 1e-8);
-  problem.interaction = &plane.interaction;
-  const JointSolution joint = solver.solve(problem);
+  const auto [whole, joint] = solve_both_ways(plane, load);
   EXPECT_EQ(joint.stop_reason, StopReason::tolerance_met);
   // Interpolation between sixteen nodes each way, with less distance than they would like.
   constexpr double node_error = 2e-6;
@@ -222,8 +234,9 @@ TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
   }
   EXPECT_LE(error, 5.0 * node_error * largest);
   // Without interaction the approach is less by what the lobes displace at each other.
-  problem.interaction = nullptr;
-  EXPECT_LT(solver.solve(problem).approach, 0.95 * whole.approach);
+  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
+  EXPECT_LT(NormalSolver().solve(joint_with_load(gaps, load, 1e-8)).approach,
+            0.95 * whole.approach);
 }
 
 TEST(JointContact, FindsWhatCoarseGridsMissInBothPatchesThatInteract) {
@@ -234,14 +247,7 @@ TEST(JointContact, FindsWhatCoarseGridsMissInBothPatchesThatInteract) {
     plane.parts[part].distance[row * columns + column] = 0.0;
     plane.whole.distance[((part == 0 ? 0 : 62) + row) * columns + column] = 0.0;
   }
-  NormalSolver solver;
-  const double load = 1e4;
-  const NormalSolution whole =
-      solver.solve(with_load(plane.whole.grid, plane.whole.distance, load, 1e-8));
-  const std::vector<PatchGap> gaps = gaps_of(plane.parts);
-  JointProblem problem = joint_with_load(gaps, load, 1e-8);
-  problem.interaction = &plane.interaction;
-  const JointSolution joint = solver.solve(problem);
+  const auto [whole, joint] = solve_both_ways(plane, 1e4);
   EXPECT_EQ(joint.stop_reason, StopReason::tolerance_met);
   EXPECT_GT(joint.patches[0].pressure[3 * columns + 4], 0.0);
   EXPECT_GT(joint.patches[1].pressure[54 * columns + 45], 0.0);

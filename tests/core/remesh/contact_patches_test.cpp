@@ -219,8 +219,7 @@ TEST(ContactPatches, TurnAndFeelEachOtherByTheirDistanceInMillimetres) {
     EXPECT_EQ(found.closeness(0, 1), 0.0);
     EXPECT_FALSE(other.with_last);
   }
-  for (const double distance :
-       {2.0, 2.6, 3.0}) { // of 2 and more of the wider one's width: by it too
+  for (const double distance : {2.0, 2.6, 3.0}) { // close by their widths, too
     SCOPED_TRACE(distance);
     const ContactPatches found = found_at(distance);
     ASSERT_EQ(found.patches.size(), 2u);
