@@ -9,7 +9,7 @@ namespace wrc {
 namespace {
 
 /// Grids are halved while one side is longer than this and the other not yet too short to halve.
-constexpr std::size_t coarsest_length = 32;
+constexpr std::size_t coarsest_length = 24;
 constexpr std::size_t shortest_side = 8;
 
 /// A row of distances, the row after the last one by linear continuation.

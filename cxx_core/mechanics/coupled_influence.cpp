@@ -41,7 +41,8 @@ std::vector<CoupledBox> CoupledInfluence::coupled_boxes(std::span<const SolvedPa
 CoupledInfluence::CoupledInfluence(std::span<const SolvedPatch> patches,
                                    const PatchInteraction& interaction, double combined_modulus)
     : boxes_(boxes_of(patches, combined_modulus)),
-      coupling_(coupled_boxes(patches, interaction, boxes_), interaction.closeness) {}
+      coupling_(coupled_boxes(patches, interaction, boxes_), interaction.closeness),
+      field_(coupling_.field()) {}
 
 void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
                            std::span<std::vector<double>> displacement) {
@@ -52,13 +53,13 @@ void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
       std::copy_n(from, box.elements.columns(),
                   box.values.begin() + static_cast<std::ptrdiff_t>(row * box.elements.columns()));
     }
-    coupling_.gather(k, box.values.data());
+    coupling_.gather(k, box.values.data(), field_);
   }
-  coupling_.transfer();
+  coupling_.transfer(field_);
   for (std::size_t k = 0; k < boxes_.size(); ++k) {
     Box& box = boxes_[k];
     std::fill(box.values.begin(), box.values.end(), 0.0);
-    coupling_.add<double>(k, box.values.data());
+    coupling_.add_others(field_, k, box.values.data());
     const std::size_t columns = box.elements.columns();
     for (std::size_t row = 0; row < box.elements.rows(); ++row) {
       double* to = displacement[k].data() + box.first_of(row);

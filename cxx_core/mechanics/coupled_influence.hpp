@@ -48,6 +48,7 @@ private:
 
   std::vector<Box> boxes_;
   PatchCoupling coupling_;
+  NodeField field_;
 };
 
 } // namespace wrc

@@ -32,6 +32,10 @@ constexpr double stop_share = 0.75;
 constexpr double missed_overlap = 5e-7;
 /// The same for double precision.
 constexpr double double_overlap = 1e-13;
+/// Error that interpolation may have in what patches displace at each other: a share of the
+/// tolerance, but no less than this.
+constexpr double coupling_share = 0.03;
+constexpr double least_coupling_error = 1e-5;
 /// Rectangles from this many elements on are looked at with elements of twice the size first. Their
 /// displacement is interpolated, with an error of up to 0.07 of its change over such an element;
 /// this share is allowed for, and that of the displacement, where it is flat.
@@ -179,14 +183,10 @@ struct NormalSolver::State {
   bool take_starts(const JointProblem& problem, std::size_t index);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
-  /// A box of elements of a patch's finest grid.
-  [[nodiscard]] CoupledBox coupled_on_finest(std::size_t k, const ElementBox& box) {
-    return coupled_box(cascades[k].finest().grid, interaction->places[k], box);
-  }
-  [[nodiscard]] double least_of_others(std::size_t k);
-  void displace_by_others(std::size_t k, const ElementBox& rectangle);
+  [[nodiscard]] const double* distance_with_others(std::size_t k);
   std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
-  ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates, double reached);
+  ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates,
+                              const double* distances);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
                 ConvolutionWorkspace<Real>& workspace);
@@ -210,6 +210,7 @@ struct NormalSolver::State {
   std::vector<IterationBox> boxes;
   std::vector<double> exterior_out;
   std::vector<double> column_reach;
+  std::vector<double> exterior_distance;
 };
 
 /// Without dimensions: lengths in longitudinal steps of each grid, u = K p, approach in that of the
@@ -391,7 +392,8 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
     }
     std::optional<PatchCoupling> coupling;
     if (interaction != nullptr) {
-      coupling.emplace(std::move(coupled), interaction->closeness);
+      coupling.emplace(std::move(coupled), interaction->closeness,
+                       std::clamp(coupling_share * tolerance, least_coupling_error, 1.0));
     }
     IterationRequest request;
     request.boxes = boxes;
@@ -439,8 +441,9 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
 /// The rectangle of those candidates outside the box that may overlap as far as pressures on
 /// elements of twice the size tell; with nothing in it (first_row > last_row) there is none.
 ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const ElementBox& candidates,
-                                                 double reached) {
+                                                 const double* distances) {
   const Level& level = cascade.finest();
+  const double opened = level.share * approach;
   const ElementBox& box = cascade.box;
   // Large elements begin at the box's first one; those beyond the candidates by one on each side.
   const LevelSize from{(box.rows() + 1) / 2, (box.columns() + 1) / 2};
@@ -475,7 +478,7 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
     const std::size_t down = row + 2 * rows_before - box.first_row;
     const float* near_row = displacement.data() + down / 2 * columns;
     const float* far_row = down % 2 == 0 ? near_row - columns : near_row + columns;
-    const double* distance = level.distance.data() + row * level.size.columns;
+    const double* distance = distances + row * level.size.columns;
     for (std::size_t column = candidates.first_column; column <= candidates.last_column; ++column) {
       if (box.holds(row, column)) {
         column = box.last_column;
@@ -492,7 +495,7 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
       const double between = (9.0 * a + 3.0 * (b + c) + d) / 16.0;
       const double change = std::max({a, b, c, d}) - std::min({a, b, c, d});
       const double distrust = coarse_distrust * change + coarse_rounding * between;
-      if (distance[column] + between - distrust < reached) {
+      if (distance[column] + between - distrust < opened) {
         include(possible, {row, row, column, column});
       }
     }
@@ -500,49 +503,30 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
   return possible;
 }
 
-/// What the other patches displace at least on the grid of one: their loads at the farthest places.
-double NormalSolver::State::least_of_others(std::size_t k) {
+/// The distances on a patch's finest grid, with what the other patches displace there.
+const double* NormalSolver::State::distance_with_others(std::size_t k) {
   const Level& level = cascades[k].finest();
-  const CoupledBox here = coupled_on_finest(k, {0, level.size.rows - 1, 0, level.size.columns - 1});
-  const auto farthest = [](double first, double step, std::size_t elements, double other_first,
-                           double other_step, std::size_t other_elements) {
-    const double last = first + static_cast<double>(elements - 1) * step;
-    const double other_last = other_first + static_cast<double>(other_elements - 1) * other_step;
-    return std::max(other_last - first, last - other_first) + element_reach * other_step;
-  };
-  double displacement = 0.0;
-  for (std::size_t l = 0; l < count; ++l) {
-    const double closeness = l == k ? 0.0 : interaction->closeness[k * count + l];
-    if (closeness > 0.0) {
-      const CoupledBox there = coupled_on_finest(l, cascades[l].box);
-      const double distance =
-          std::hypot(farthest(here.lateral_first, here.lateral_step, here.rows, there.lateral_first,
-                              there.lateral_step, there.rows),
-                     farthest(here.longitudinal_first, here.longitudinal_step, here.columns,
-                              there.longitudinal_first, there.longitudinal_step, there.columns));
-      displacement += closeness * sum_of(cascades[l].box_pressure) * there.lateral_step *
-                      there.longitudinal_step / (distance * here.longitudinal_step);
-    }
+  if (interaction == nullptr) {
+    return level.distance.data();
   }
-  return displacement;
-}
-
-/// Adds to the displacements on a rectangle of a patch's grid what the other patches cause there.
-void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& rectangle) {
   std::vector<CoupledBox> coupled;
   std::vector<double> closeness(count * count);
   for (std::size_t l = 0; l < count; ++l) {
-    coupled.push_back(coupled_on_finest(l, l == k ? rectangle : cascades[l].box));
+    coupled.push_back(coupled_box(cascades[l].finest().grid, interaction->places[l],
+                                  l == k ? whole(level.size) : cascades[l].box));
     closeness[k * count + l] = closeness[l * count + k] = interaction->closeness[k * count + l];
   }
   PatchCoupling coupling(std::move(coupled), closeness);
+  NodeField field = coupling.field();
   for (std::size_t l = 0; l < count; ++l) {
     if (l != k) {
-      coupling.gather(l, cascades[l].box_pressure.data());
+      coupling.gather(l, cascades[l].box_pressure.data(), field);
     }
   }
-  coupling.transfer();
-  coupling.add<double>(k, exterior_out.data());
+  coupling.transfer(field);
+  exterior_distance = level.distance;
+  coupling.add_others(field, k, exterior_distance.data());
+  return exterior_distance.data();
 }
 
 /// Looks for overlap outside the box: the box enlarged by it, or none. Displacements are positive,
@@ -555,7 +539,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   const LevelSize& size = level.size;
   const ElementBox& box = cascade.box;
   const double opened = level.share * approach;
-  const double reached = interaction != nullptr ? opened - least_of_others(k) : opened;
+  const double* distances = distance_with_others(k);
   const double aspect = cascade.kernel.aspect;
   const double box_load = sum_of(cascade.box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
@@ -572,10 +556,10 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   const double longest_column = std::max(column_reach.front(), column_reach.back());
   ElementBox candidates{size.rows, 0, size.columns, 0};
   for (std::size_t row = 0; row < size.rows; ++row) {
-    const double* distance = level.distance.data() + row * size.columns;
+    const double* distance = distances + row * size.columns;
     const double row_reach = aspect * farthest(row, box.first_row, box.last_row);
     const double row_square = row_reach * row_reach;
-    if (count_below(distance, reached - box_load / std::sqrt(row_square + longest_column),
+    if (count_below(distance, opened - box_load / std::sqrt(row_square + longest_column),
                     size.columns) == 0.0) {
       continue;
     }
@@ -585,7 +569,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
         column = box.last_column;
         continue;
       }
-      const double penetration = reached - distance[column];
+      const double penetration = opened - distance[column];
       if (penetration > 0.0 &&
           penetration * penetration * (row_square + column_reach[column]) > box_load * box_load) {
         include(candidates, {row, row, column, column});
@@ -594,7 +578,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   }
   if (candidates.first_row <= candidates.last_row &&
       candidates.rows() * candidates.columns() >= least_coarse_check) {
-    candidates = possible_contact(cascade, candidates, reached);
+    candidates = possible_contact(cascade, candidates, distances);
   }
   if (candidates.first_row > candidates.last_row) {
     return std::nullopt;
@@ -612,16 +596,13 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
     overlap = std::max(permitted, double_overlap * opened);
     displace(cascade, rectangle, double_iteration.workspace());
   }
-  if (interaction != nullptr) {
-    displace_by_others(k, rectangle);
-  }
   const double limit = opened - overlap;
   bool missed = false;
   ElementBox larger = box;
   for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
     const double* displacement =
         exterior_out.data() + (row - rectangle.first_row) * rectangle.columns();
-    const double* distance = level.distance.data() + row * size.columns + rectangle.first_column;
+    const double* distance = distances + row * size.columns + rectangle.first_column;
     for (std::size_t j = 0; j < rectangle.columns(); ++j) {
       const std::size_t column = rectangle.first_column + j;
       if (distance[j] + displacement[j] < limit && !box.holds(row, column)) {

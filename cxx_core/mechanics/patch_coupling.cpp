@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "vector_clones.hpp"
@@ -12,8 +14,7 @@ namespace wrc {
 
 namespace {
 
-/// Error of the interpolation, and the nodes that it may take in either direction.
-constexpr double interpolation_error = 1e-5;
+/// Nodes that the interpolation may take in either direction.
 constexpr std::size_t least_nodes = 4;
 constexpr std::size_t most_nodes = 16;
 
@@ -113,16 +114,34 @@ WRC_VECTOR_CLONES void spread_line(const double* factors, const double* weights,
   spread_body(factors, weights, nodes, count, to);
 }
 
-/// Both ways of a link at once: to += K from, other_to += K^T other_from.
-WRC_VECTOR_CLONES void link_line(const double* values, const double* from, double other_from,
-                                 std::size_t count, double* to, double* other_to) {
+/// Both ways of a link at once: K from, and other_to += K^T other_from.
+WRC_VECTOR_CLONES double link_line(const double* values, const double* from, double other_from,
+                                   std::size_t count, double* other_to) {
   double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t i = 0; i < count; ++i) {
     sum += values[i] * from[i];
     other_to[i] += other_from * values[i];
   }
-  *to += sum;
+  return sum;
+}
+
+/// weight_i = factor / (place_i - node), which is kept away from 0 without a trace.
+WRC_VECTOR_CLONES void add_weights(double factor, double node, const double* place,
+                                   std::size_t count, double* weight, double* sum) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    const double apart = place[i] - node;
+    weight[i] = factor / (apart == 0.0 ? 1e-200 : apart);
+    sum[i] += weight[i];
+  }
+}
+
+WRC_VECTOR_CLONES void divide(double* values, const double* by, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    values[i] /= by[i];
+  }
 }
 
 /// c / sqrt(x_i^2 + square).
@@ -137,41 +156,34 @@ WRC_VECTOR_CLONES void fill_link(double closeness, double square, double along,
 
 } // namespace
 
-PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double distance) {
+PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double distance,
+                                             double error) {
   Axis axis;
   const double half = 0.5 * extent(elements, step);
   const double ratio = half > 0.0 ? distance / half : std::numeric_limits<double>::infinity();
   const double needed =
-      std::isfinite(ratio) ? std::ceil(-std::log(interpolation_error) / std::asinh(ratio)) : 1.0;
+      std::isfinite(ratio) ? std::ceil(-std::log(error) / std::asinh(ratio)) : 1.0;
   const std::size_t count = std::min(
       elements, static_cast<std::size_t>(std::clamp(needed, static_cast<double>(least_nodes),
                                                     static_cast<double>(most_nodes))));
   // Barycentric formula (Berrut & Trefethen, SIAM Review 46, 2004, eq. 5.4).
-  std::vector<double> node;
-  std::vector<double> factor;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double angle =
-        std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    node.push_back(-std::cos(angle));
-    factor.push_back((k % 2 == 0 ? 1.0 : -1.0) * std::sin(angle));
-    axis.position.push_back(half * (1.0 + node.back()));
+  std::vector<double> place(elements);
+  for (std::size_t i = 0; i < elements; ++i) {
+    place[i] = half > 0.0 ? static_cast<double>(i) * step / half - 1.0 : 0.0;
   }
   axis.half_spacing = half / static_cast<double>(count);
   axis.weight.resize(count * elements);
-  std::vector<double> weights(count);
-  for (std::size_t i = 0; i < elements; ++i) {
-    const double place = half > 0.0 ? static_cast<double>(i) * step / half - 1.0 : 0.0;
-    double sum = 0.0;
-    std::size_t met = count;
-    for (std::size_t k = 0; k < count && met == count; ++k) {
-      const double apart = place - node[k];
-      met = apart == 0.0 ? k : met;
-      weights[k] = factor[k] / apart;
-      sum += weights[k];
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      axis.weight[k * elements + i] = met < count ? (k == met ? 1.0 : 0.0) : weights[k] / sum;
-    }
+  std::vector<double> sum(elements, 0.0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle =
+        std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    const double node = -std::cos(angle);
+    axis.position.push_back(half * (1.0 + node));
+    add_weights((k % 2 == 0 ? 1.0 : -1.0) * std::sin(angle), node, place.data(), elements,
+                axis.weight.data() + k * elements, sum.data());
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    divide(axis.weight.data() + k * elements, sum.data(), elements);
   }
   axis.single_weight.assign(axis.weight.begin(), axis.weight.end());
   return axis;
@@ -203,7 +215,8 @@ PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
   return link;
 }
 
-PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<double>& closeness)
+PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<double>& closeness,
+                             double error)
     : boxes_(std::move(boxes)) {
   const std::size_t count = boxes_.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -215,10 +228,8 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
     }
     const CoupledBox& box = boxes_[k];
     Nodes nodes;
-    nodes.rows = make_axis(box.rows, box.lateral_step, nearest);
-    nodes.columns = make_axis(box.columns, box.longitudinal_step, nearest);
-    nodes.load.resize(nodes.count());
-    nodes.displacement.resize(nodes.count());
+    nodes.rows = make_axis(box.rows, box.lateral_step, nearest, error);
+    nodes.columns = make_axis(box.columns, box.longitudinal_step, nearest, error);
     nodes_.push_back(std::move(nodes));
   }
   for (std::size_t k = 0; k < count; ++k) {
@@ -230,10 +241,24 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
   }
 }
 
+NodeField PatchCoupling::field() const {
+  NodeField field;
+  for (const Nodes& nodes : nodes_) {
+    field.load.emplace_back(nodes.count());
+  }
+  field.displacement.resize(boxes_.size() * boxes_.size());
+  for (const Link& link : links_) {
+    field.displacement[pair(link.one, link.other)].resize(nodes_[link.one].count());
+    field.displacement[pair(link.other, link.one)].resize(nodes_[link.other].count());
+  }
+  return field;
+}
+
 // Across the rail first, and last when adding: contact is narrower there, so there are fewer nodes.
 
-template <typename Real> void PatchCoupling::gather(std::size_t box, const Real* pressure) {
-  Nodes& nodes = nodes_[box];
+template <typename Real>
+void PatchCoupling::gather(std::size_t box, const Real* pressure, NodeField& field) {
+  const Nodes& nodes = nodes_[box];
   const std::size_t rows = boxes_[box].rows;
   const std::size_t columns = boxes_[box].columns;
   const std::size_t node_columns = nodes.columns.nodes();
@@ -242,44 +267,58 @@ template <typename Real> void PatchCoupling::gather(std::size_t box, const Real*
   for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
     line.assign(columns, Real{0});
     spread_line(nodes.rows.weights<Real>() + k * rows, pressure, rows, columns, line.data());
-    double* load = nodes.load.data() + k * node_columns;
+    double* load = field.load[box].data() + k * node_columns;
     gather_line(line.data(), nodes.columns.weights<Real>(), columns, node_columns, load);
     std::transform(load, load + node_columns, load, [area](double sum) { return area * sum; });
   }
 }
 
-void PatchCoupling::transfer() {
-  for (Nodes& nodes : nodes_) {
-    std::fill(nodes.displacement.begin(), nodes.displacement.end(), 0.0);
-  }
+void PatchCoupling::transfer(NodeField& field) const {
   for (const Link& link : links_) {
-    Nodes& one = nodes_[link.one];
-    Nodes& other = nodes_[link.other];
-    for (std::size_t k = 0; k < one.count(); ++k) {
-      link_line(link.values.data() + k * other.count(), other.load.data(), one.load[k],
-                other.count(), &one.displacement[k], other.displacement.data());
+    std::vector<double>& here = field.displacement[pair(link.one, link.other)];
+    std::vector<double>& there = field.displacement[pair(link.other, link.one)];
+    std::fill(there.begin(), there.end(), 0.0);
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      here[k] = link_line(link.values.data() + k * there.size(), field.load[link.other].data(),
+                          field.load[link.one][k], there.size(), there.data());
     }
   }
 }
 
-template <typename Real, typename To> void PatchCoupling::add(std::size_t box, To* displacement) {
-  const Nodes& nodes = nodes_[box];
+double PatchCoupling::energy(const NodeField& loads, std::size_t box, const NodeField& displacing,
+                             std::size_t other) const {
+  const std::vector<double>& displacement = displacing.displacement[pair(box, other)];
+  return std::inner_product(displacement.begin(), displacement.end(), loads.load[box].begin(), 0.0);
+}
+
+void PatchCoupling::add_others(const NodeField& field, std::size_t box, double* displacement) {
+  std::vector<double> nodes(nodes_[box].count());
+  for (std::size_t other = 0; other < boxes_.size(); ++other) {
+    const std::vector<double>& by_other = field.displacement[pair(box, other)];
+    std::transform(by_other.begin(), by_other.end(), nodes.begin(), nodes.begin(), std::plus<>());
+  }
+  add<double>(box, nodes, displacement);
+}
+
+template <typename Real>
+void PatchCoupling::add(std::size_t box, const std::vector<double>& nodes, double* displacement) {
+  const Nodes& here = nodes_[box];
   const std::size_t rows = boxes_[box].rows;
   const std::size_t columns = boxes_[box].columns;
-  const std::size_t node_rows = nodes.rows.nodes();
-  const std::size_t node_columns = nodes.columns.nodes();
+  const std::size_t node_rows = here.rows.nodes();
+  const std::size_t node_columns = here.columns.nodes();
   const double unit = 1.0 / boxes_[box].longitudinal_step;
   std::vector<Real>& line = lines<Real>(); // one for each row of nodes, then factors
   line.assign(node_rows * columns + std::max(node_rows, node_columns), Real{0});
   Real* factors = line.data() + node_rows * columns;
   for (std::size_t k = 0; k < node_rows; ++k) {
-    const double* from = nodes.displacement.data() + k * node_columns;
+    const double* from = nodes.data() + k * node_columns;
     std::transform(from, from + node_columns, factors,
                    [unit](double value) { return static_cast<Real>(unit * value); });
-    spread_line(factors, nodes.columns.weights<Real>(), node_columns, columns,
+    spread_line(factors, here.columns.weights<Real>(), node_columns, columns,
                 line.data() + k * columns);
   }
-  const Real* weights = nodes.rows.weights<Real>();
+  const Real* weights = here.rows.weights<Real>();
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t k = 0; k < node_rows; ++k) {
       factors[k] = weights[k * rows + i];
@@ -288,10 +327,11 @@ template <typename Real, typename To> void PatchCoupling::add(std::size_t box, T
   }
 }
 
-template void PatchCoupling::gather(std::size_t box, const float* pressure);
-template void PatchCoupling::gather(std::size_t box, const double* pressure);
-template void PatchCoupling::add<float>(std::size_t box, float* displacement);
-template void PatchCoupling::add<float>(std::size_t box, double* displacement);
-template void PatchCoupling::add<double>(std::size_t box, double* displacement);
+template void PatchCoupling::gather(std::size_t box, const float* pressure, NodeField& field);
+template void PatchCoupling::gather(std::size_t box, const double* pressure, NodeField& field);
+template void PatchCoupling::add<float>(std::size_t box, const std::vector<double>& nodes,
+                                        double* displacement);
+template void PatchCoupling::add<double>(std::size_t box, const std::vector<double>& nodes,
+                                         double* displacement);
 
 } // namespace wrc

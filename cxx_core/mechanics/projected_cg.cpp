@@ -25,6 +25,11 @@ constexpr int stagnation_window = 60;
 /// so many elements.
 constexpr std::size_t most_single_cuts = 128;
 constexpr double elements_per_cut = 256.0;
+/// A box whose max|z| is below this share of what ends the iteration waits for the others.
+constexpr double rest_share = 0.3;
+/// By how much the pressures of one box may grow in an iteration.
+constexpr double least_growth = 0.5;
+constexpr double most_growth = 2.0;
 
 struct ContactMean {
   double sum;
@@ -129,6 +134,39 @@ WRC_VECTOR_BODY StepSums step_body(const Real* r, const Real* v, const Real* q, 
   return {r_v, v_q};
 }
 
+/// What a joint step needs of one box.
+struct JointStepSums {
+  double v_q;
+  double p_q;
+  double p_u;
+  double r_v;
+  double r_p;
+  double v;
+  double p;
+};
+
+template <typename Real>
+WRC_VECTOR_BODY JointStepSums joint_step_body(const double* pressure, const double* displacement,
+                                              const Real* r, const Real* v, const Real* q,
+                                              std::size_t count) {
+  double v_q = 0.0, p_q = 0.0, p_u = 0.0, r_v = 0.0, r_p = 0.0, sum_v = 0.0, sum_p = 0.0;
+#pragma omp simd reduction(+ : v_q, p_q, p_u, r_v, r_p, sum_v, sum_p)
+  for (std::size_t i = 0; i < count; ++i) {
+    const double p = pressure[i];
+    const double ri = r[i];
+    const double vi = v[i];
+    const double qi = q[i];
+    v_q += vi * qi;
+    p_q += p * qi;
+    p_u += p * displacement[i];
+    r_v += ri * vi;
+    r_p += ri * p;
+    sum_v += vi;
+    sum_p += p;
+  }
+  return {v_q, p_q, p_u, r_v, r_p, sum_v, sum_p};
+}
+
 struct MoveSums {
   double pressure = 0.0; ///< of the positive ones
   double largest = 0.0;
@@ -186,6 +224,14 @@ WRC_VECTOR_CLONES StepSums sum_step(const float* r, const float* v, const float*
 WRC_VECTOR_CLONES StepSums sum_step(const double* r, const double* v, const double* q,
                                     std::size_t n) {
   return step_body(r, v, q, n);
+}
+WRC_VECTOR_CLONES JointStepSums sum_joint_step(const double* p, const double* u, const float* r,
+                                               const float* v, const float* q, std::size_t n) {
+  return joint_step_body(p, u, r, v, q, n);
+}
+WRC_VECTOR_CLONES JointStepSums sum_joint_step(const double* p, const double* u, const double* r,
+                                               const double* v, const double* q, std::size_t n) {
+  return joint_step_body(p, u, r, v, q, n);
 }
 WRC_VECTOR_CLONES MoveSums move(double* p, double* u, const float* v, const float* q, double step,
                                 std::size_t n) {
@@ -260,6 +306,11 @@ template <typename Real> void ProjectedCg<Real>::prepare(const IterationBox& box
   }
   std::fill_n(fields.direction.data(), box.count(), Real{0});
   std::fill_n(fields.last_residual.data(), box.count(), Real{0});
+  fields.last_z_r = 0.0;
+  fields.factor = 1.0;
+  if (request_->coupling != nullptr) {
+    provide(fields.distance, box.count());
+  }
 }
 
 /// u = K p. In the precision of the directions, or in double if they are single and it matters.
@@ -280,33 +331,145 @@ template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_do
       std::copy_n(fields.response.data(), box.count(), fields.displacement.data());
     }
     if (request_->coupling != nullptr) {
-      request_->coupling->gather(k, box.pressure.data());
+      request_->coupling->gather(k, box.pressure.data(), pressure_nodes_);
     }
   }
   if (request_->coupling != nullptr) {
-    request_->coupling->transfer();
+    request_->coupling->transfer(pressure_nodes_);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      request_->coupling->add<double>(k, fields_[k]->displacement.data());
+      std::copy_n(boxes[k].distance.data(), boxes[k].count(), fields_[k]->distance.data());
+      request_->coupling->add_others(pressure_nodes_, k, fields_[k]->distance.data());
     }
   }
 }
 
-/// K v.
+/// K v: within each box, and at the nodes what the others displace there.
 template <typename Real> void ProjectedCg<Real>::respond() {
   ++convolutions_;
-  const std::size_t count = request_->boxes.size();
-  for (std::size_t k = 0; k < count; ++k) {
+  PatchCoupling* coupling = request_->coupling;
+  for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
     Fields& fields = *fields_[k];
+    if (fields.rests) {
+      std::fill_n(fields.response.data(), request_->boxes[k].count(), Real{0});
+      if (coupling != nullptr) {
+        std::fill(direction_nodes_.load[k].begin(), direction_nodes_.load[k].end(), 0.0);
+      }
+      continue;
+    }
     fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
-    if (request_->coupling != nullptr) {
-      request_->coupling->gather(k, fields.direction.data());
+    if (coupling != nullptr) {
+      coupling->gather(k, fields.direction.data(), direction_nodes_);
     }
   }
-  if (request_->coupling != nullptr) {
-    request_->coupling->transfer();
+  if (coupling != nullptr) {
+    coupling->transfer(direction_nodes_);
+  }
+}
+
+/// How far to go in each box, and by how much its pressures then grow.
+template <typename Real> void ProjectedCg<Real>::choose_steps() {
+  const auto boxes = request_->boxes;
+  const std::size_t count = boxes.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    fields_[k]->factor = 1.0;
+  }
+  bool found = false;
+  if (count > 1) {
+    joint_step_.begin(count);
     for (std::size_t k = 0; k < count; ++k) {
-      request_->coupling->add<Real>(k, fields_[k]->response.data());
+      const IterationBox& box = boxes[k];
+      const Fields& fields = *fields_[k];
+      const JointStepSums sums =
+          sum_joint_step(box.pressure.data(), fields.displacement.data(), fields.residual.data(),
+                         fields.direction.data(), fields.response.data(), box.count());
+      joint_step_.set_energy(k, k, box.weight * sums.v_q);
+      joint_step_.set_energy(k, count + k, box.weight * sums.p_q);
+      joint_step_.set_energy(count + k, count + k, box.weight * sums.p_u);
+      joint_step_.set_work(k, box.weight * sums.r_v);
+      joint_step_.set_work(count + k, box.weight * sums.r_p);
+      joint_step_.set_load(k, box.weight * box.share * sums.v);
+      joint_step_.set_load(count + k, box.weight * box.share * sums.p);
     }
+    if (request_->coupling != nullptr) {
+      add_coupled_energies();
+    }
+    found = joint_step_.solve(request_->load.has_value());
+  }
+  if (found) {
+    for (std::size_t k = 0; k < count; ++k) {
+      Fields& fields = *fields_[k];
+      fields.factor = std::clamp(1.0 + joint_step_.growth(k), least_growth, most_growth);
+      fields.step = joint_step_.step(k) / fields.factor; // pressures grow after it
+    }
+    return;
+  }
+  double r_v = 0.0;
+  double v_q = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Fields& fields = *fields_[k];
+    const StepSums step = sum_step(fields.residual.data(), fields.direction.data(),
+                                   fields.response.data(), boxes[k].count());
+    r_v += boxes[k].weight * step.r_v;
+    v_q += boxes[k].weight * step.v_q;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    fields_[k]->step = v_q > 0.0 && r_v > 0.0 ? r_v / v_q : 0.0;
+  }
+}
+
+/// Energies of what a box displaces at another, from loads and displacements of the nodes.
+template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
+  const PatchCoupling& coupling = *request_->coupling;
+  const std::size_t count = request_->boxes.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    // The same for all boxes: weights go like element area times unit of length.
+    const double unit = request_->boxes[k].weight / coupling.energy_unit(k);
+    for (std::size_t l = 0; l < count; ++l) {
+      if (l < k) {
+        joint_step_.set_energy(l, k,
+                               unit * coupling.energy(direction_nodes_, k, direction_nodes_, l));
+        joint_step_.set_energy(count + l, count + k,
+                               unit * coupling.energy(pressure_nodes_, k, pressure_nodes_, l));
+      }
+      if (l != k) {
+        joint_step_.set_energy(k, count + l,
+                               unit * coupling.energy(direction_nodes_, k, pressure_nodes_, l));
+      }
+    }
+  }
+}
+
+/// Follows the pressures that have moved, been cut and been scaled with what boxes displace at each
+/// other.
+template <typename Real> void ProjectedCg<Real>::advance_coupling(bool any_cut) {
+  PatchCoupling& coupling = *request_->coupling;
+  const std::size_t count = request_->boxes.size();
+  if (any_cut) {
+    coupling.transfer(cut_nodes_);
+  }
+  // What box l has displaced and loads now; its change is added to `change`.
+  const auto advance = [&](std::size_t l, std::vector<double>& values,
+                           const std::vector<double>& moved, const std::vector<double>& cut,
+                           double* change) {
+    const double factor = fields_[l]->factor;
+    const double step = fields_[l]->step;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double value = factor * (values[i] + step * moved[i] + (any_cut ? cut[i] : 0.0));
+      if (change != nullptr) {
+        change[i] += value - values[i];
+      }
+      values[i] = value;
+    }
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    advance(k, pressure_nodes_.load[k], direction_nodes_.load[k], cut_nodes_.load[k], nullptr);
+    node_change_.assign(pressure_nodes_.load[k].size(), 0.0);
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::size_t pair = k * count + l;
+      advance(l, pressure_nodes_.displacement[pair], direction_nodes_.displacement[pair],
+              cut_nodes_.displacement[pair], node_change_.data());
+    }
+    coupling.add<Real>(k, node_change_, fields_[k]->distance.data());
   }
 }
 
@@ -327,9 +490,23 @@ void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields
   fields.has_mirrored = true;
 }
 
+/// Loads of the nodes that setting negative pressures to 0 adds.
+template <typename Real> void ProjectedCg<Real>::gather_cut(std::size_t k) {
+  Fields& fields = *fields_[k];
+  if (fields.cut > 0.0) {
+    const auto pressure = request_->boxes[k].pressure;
+    std::transform(pressure.begin(), pressure.end(), fields.response.data(),
+                   [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
+    request_->coupling->gather(k, fields.response.data(), cut_nodes_);
+  } else {
+    std::fill(cut_nodes_.load[k].begin(), cut_nodes_.load[k].end(), 0.0);
+  }
+}
+
 /// Sets negative pressures to 0 and takes their displacement out of u.
-template <typename Real>
-void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
+template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
+  const IterationBox& box = request_->boxes[k];
+  Fields& fields = *fields_[k];
   double* pressure = box.pressure.data();
   const double most = static_cast<double>(box.count()) / elements_per_cut;
   if (fields.cut <= std::min(most, static_cast<double>(most_single_cuts))) {
@@ -358,10 +535,10 @@ void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
       mirror_influence(box, fields);
     }
     for (std::size_t i = 0; i < box.rows; ++i) {
-      for (std::size_t k = 0; k < cut_count; ++k) {
-        const Cut& cut = cuts[k];
+      for (std::size_t c = 0; c < cut_count; ++c) {
+        const Cut& cut = cuts[c];
         const std::size_t offset = i > cut.row ? i - cut.row : cut.row - i;
-        kernels[k] = fields.mirrored.data() + offset * (2 * box.columns - 1) +
+        kernels[c] = fields.mirrored.data() + offset * (2 * box.columns - 1) +
                      (box.columns - 1 - cut.column);
       }
       take_out(fields.displacement.data() + i * box.columns, fields.response.data(), kernels.data(),
@@ -377,28 +554,6 @@ void ProjectedCg<Real>::cut_negative(const IterationBox& box, Fields& fields) {
   fields.convolution.apply(fields.response.data(), fields.response.data(), workspace_);
   for (std::size_t index = 0; index < box.count(); ++index) {
     fields.displacement.data()[index] += static_cast<double>(fields.response.data()[index]);
-  }
-}
-
-template <typename Real> void ProjectedCg<Real>::cut_negative() {
-  const auto boxes = request_->boxes;
-  PatchCoupling* coupling = request_->coupling;
-  if (coupling != nullptr) {
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      Fields& fields = *fields_[k];
-      std::transform(boxes[k].pressure.begin(), boxes[k].pressure.end(), fields.response.data(),
-                     [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
-      coupling->gather(k, fields.response.data());
-    }
-    coupling->transfer();
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      coupling->add<Real>(k, fields_[k]->displacement.data());
-    }
-  }
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    if (fields_[k]->cut > 0.0) {
-      cut_negative(boxes[k], *fields_[k]);
-    }
   }
 }
 
@@ -454,10 +609,22 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     }
     load += box.weight * box.share * sum;
   }
+  if (load_given) {
+    const double factor = *request.load / load;
+    outcome.largest_pressure *= factor;
+    for (const IterationBox& box : boxes) {
+      for (double& pressure : box.pressure) {
+        pressure *= factor;
+      }
+    }
+  }
+  PatchCoupling* coupling = request.coupling;
+  if (coupling != nullptr) {
+    direction_nodes_ = pressure_nodes_ = cut_nodes_ = coupling->field();
+  }
   const double amplification = std::pow(static_cast<double>(longest), drift_exponent);
   const double least_drift = double_drift * amplification;
   const double drift_rate = is_single ? single_drift * amplification : least_drift;
-  double factor = load_given ? *request.load / load : 1.0;
   // The error of p that rounding in u stands for, relative to the largest pressure.
   double drift = drift_rate;
   const double permitted_drift = request.rounding_share * request.tolerance;
@@ -467,13 +634,12 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
   } else {
     refresh_displacement(false);
   }
-  outcome.approach =
-      load_given ? (fields_[0]->displacement.data()[0] + boxes[0].distance[0]) / boxes[0].share
-                 : request.approach;
+  outcome.approach = load_given
+                         ? (fields_[0]->displacement.data()[0] + distance_of(0)[0]) / boxes[0].share
+                         : request.approach;
   // The same as a pressure: pressures may fall by orders of magnitude, rounding in u does not.
   double rounding = drift * outcome.largest_pressure;
 
-  double last_z_r = 0.0;
   double best_error = std::numeric_limits<double>::infinity();
   int best_iteration = 0;
   for (;; ++outcome.iterations) {
@@ -481,16 +647,15 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     double gap_count = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       const IterationBox& box = boxes[k];
+      Fields& fields = *fields_[k];
       const ContactMean mean =
-          scale_and_average(box.pressure.data(), fields_[k]->displacement.data(),
-                            box.distance.data(), factor, box.share * outcome.approach, box.count());
+          scale_and_average(box.pressure.data(), fields.displacement.data(), distance_of(k),
+                            fields.factor, box.share * outcome.approach, box.count());
+      fields.factor = 1.0;
       gap_sum += box.weight * box.share * mean.sum;
       gap_count += box.weight * box.share * box.share * mean.count;
     }
-    outcome.largest_pressure *= factor;
-    rounding *= factor;
     drift = rounding / std::max(outcome.largest_pressure, 1e-300);
-    factor = 1.0;
     if (load_given) {
       outcome.approach += gap_sum / gap_count;
     }
@@ -499,7 +664,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       const IterationBox& box = boxes[k];
       Fields& fields = *fields_[k];
       std::swap(fields.residual, fields.last_residual);
-      form_residual(box.pressure.data(), fields.displacement.data(), box.distance.data(),
+      form_residual(box.pressure.data(), fields.displacement.data(), distance_of(k),
                     box.share * outcome.approach, fields.residual.data(), fields.contact.data(),
                     box.count());
       outcome.reached[k] = reached_sides(box, fields.contact.data());
@@ -511,7 +676,6 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     }
     sums_.resize(count);
     double z_sum = 0.0;
-    double v_sum = 0.0;
     double contacts = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       const IterationBox& box = boxes[k];
@@ -522,22 +686,29 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
                                 fields.contact.data(), box.count());
       const double load_weight = box.weight * box.share;
       z_sum += load_weight * sums_[k].z;
-      v_sum += load_weight * sums_[k].v;
       contacts += load_weight * box.share * sums_[k].contacts;
     }
     const double z_mean = load_given && contacts > 0.0 ? z_sum / contacts : 0.0;
-    const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
     double largest_z = 0.0;
-    double z_r = 0.0;
-    double z_old_r = 0.0;
+    double v_sum = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       const double shift = z_mean * boxes[k].share;
-      if (sums_[k].contacts > 0.0) {
-        largest_z = std::max({largest_z, sums_[k].largest_z - shift, shift - sums_[k].least_z});
-      }
-      z_r += boxes[k].weight * (sums_[k].z_r - shift * sums_[k].r);
-      z_old_r += boxes[k].weight * (sums_[k].z_old_r - shift * sums_[k].old_r);
+      const double largest = sums_[k].contacts > 0.0
+                                 ? std::max(sums_[k].largest_z - shift, shift - sums_[k].least_z)
+                                 : 0.0;
+      largest_z = std::max(largest_z, largest);
+      Fields& fields = *fields_[k];
+      fields.rests =
+          count > 1 && largest <= rest_share * request.tolerance * outcome.largest_pressure;
+      const double z_r = sums_[k].z_r - shift * sums_[k].r;
+      const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
+      fields.beta = fields.last_z_r > 0.0 && !fields.rests
+                        ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r)
+                        : 0.0;
+      fields.last_z_r = fields.rests ? 0.0 : z_r;
+      v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
     }
+    const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
     outcome.error = outcome.largest_pressure > 0.0 ? largest_z / outcome.largest_pressure
                                                    : (largest_z > 0.0 ? 1.0 : 0.0);
     if (outcome.error < best_error) {
@@ -552,8 +723,8 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       rounding = least_drift * outcome.largest_pressure;
       best_error = std::numeric_limits<double>::infinity();
       best_iteration = outcome.iterations;
-      last_z_r = 0.0;
       for (std::size_t k = 0; k < count; ++k) {
+        fields_[k]->last_z_r = 0.0;
         std::fill_n(fields_[k]->direction.data(), boxes[k].count(), Real{0});
       }
       continue;
@@ -565,24 +736,17 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       return outcome;
     }
 
-    const double beta = last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / last_z_r) : 0.0;
-    last_z_r = z_r;
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
-      form_direction(fields.correction.data(), fields.direction.data(), fields.contact.data(), beta,
-                     (z_mean + beta * v_mean) * boxes[k].share, boxes[k].count());
+      if (fields.rests) {
+        std::fill_n(fields.direction.data(), boxes[k].count(), Real{0});
+        continue;
+      }
+      form_direction(fields.correction.data(), fields.direction.data(), fields.contact.data(),
+                     fields.beta, (z_mean + v_mean) * boxes[k].share, boxes[k].count());
     }
     respond();
-    double r_v = 0.0;
-    double v_q = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Fields& fields = *fields_[k];
-      const StepSums step = sum_step(fields.residual.data(), fields.direction.data(),
-                                     fields.response.data(), boxes[k].count());
-      r_v += boxes[k].weight * step.r_v;
-      v_q += boxes[k].weight * step.v_q;
-    }
-    const double step = v_q > 0.0 && r_v > 0.0 ? r_v / v_q : 0.0;
+    choose_steps();
     double largest_change = 0.0;
     bool any_cut = false;
     outcome.largest_pressure = 0.0;
@@ -592,22 +756,38 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       Fields& fields = *fields_[k];
       const MoveSums moved =
           move(box.pressure.data(), fields.displacement.data(), fields.direction.data(),
-               fields.response.data(), step, box.count());
+               fields.response.data(), fields.step, box.count());
       fields.cut = moved.negative_count;
       any_cut = any_cut || moved.negative_count > 0.0;
-      largest_change = std::max(largest_change, moved.largest_change);
-      outcome.largest_pressure = std::max(outcome.largest_pressure, moved.largest);
-      load += box.weight * box.share * moved.pressure;
+      largest_change = std::max(largest_change, fields.factor * moved.largest_change);
+      outcome.largest_pressure = std::max(outcome.largest_pressure, fields.factor * moved.largest);
+      load += box.weight * box.share * fields.factor * moved.pressure;
+      if (fields.step == 0.0) {
+        fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
+      }
     }
-    if (step == 0.0) {
-      last_z_r = 0.0; // no descent along this direction: steepest descent next
+    for (std::size_t k = 0; k < count && any_cut; ++k) {
+      if (coupling != nullptr) {
+        gather_cut(k);
+      }
+      if (fields_[k]->cut > 0.0) {
+        cut_negative(k);
+      }
     }
-    if (any_cut) {
-      cut_negative();
+    const double kept_load = load_given ? *request.load / load : 1.0;
+    double largest_factor = 0.0;
+    double largest_growth = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      double& factor = fields_[k]->factor;
+      factor *= kept_load;
+      largest_factor = std::max(largest_factor, factor);
+      largest_growth = std::max(largest_growth, std::abs(factor - 1.0));
     }
-    rounding += drift_rate * largest_change;
-    if (load_given) {
-      factor = *request.load / load;
+    outcome.largest_pressure *= kept_load;
+    rounding = largest_factor * rounding + drift_rate * kept_load * largest_change;
+    if (coupling != nullptr) {
+      rounding += drift_rate * largest_growth * outcome.largest_pressure; // of what others displace
+      advance_coupling(any_cut);
     }
   }
 }

@@ -7,14 +7,20 @@
 ///   contact C = {p > 0 or r > 0}
 ///   approach: least squares of r over p > 0 (if the load is given)
 ///   z = M r on C, M the inverse of the periodic convolution on each rectangle
-///   v = z + beta v, beta = max(0, <z, r - r_old> / <z_old, r_old>) (Polak & Ribiere), on C
-///   step <r, v>/<v, K v>;  p = max(0, p + step v), and what this cut off is added to u directly
-/// with <a, b> = sum_k w_k sum a b. With the load given, z and v carry none (a multiple of s_k on C
-/// is taken off), which keeps the load inside the iteration, and p and u are scaled to it after the
-/// cut. The method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
-/// preconditioner) with the load constraint taken in and the boxes joined.
+///   v = z + beta_k v, beta_k = max(0, <z, r - r_old>_k / <z_old, r_old>_k) (Polak & Ribiere), on C
+///   p = max(0, (1 + gamma_k) p + alpha_k v), and what this cut off is added to u directly
+/// with <a, b>_k = sum a b over box k. One box: gamma = 0, alpha = <r, v>/<v, K v>; several: both
+/// for each box by joint_step.hpp. With the load given, z and v carry none in sum over the boxes (a
+/// multiple of s_k on C is taken off), which keeps the load inside the iteration, and p and u are
+/// scaled to it after the cut. The method is that of Vollebregt (J. Comput. Phys. 257, 2014,
+/// bound-constrained CG with FFT preconditioner) with the load constraint taken in and the boxes
+/// joined.
 /// z approximates the error of p; iteration stops at max|z| <= tolerance max p and takes one free
-/// step p = max(0, p + z).
+/// step p = max(0, p + z). A box that is well below this before the others do not moves on only by
+/// its gamma.
+/// With coupling (patch_coupling.hpp), what boxes displace at each other is kept at their nodes and
+/// counts as part of h: loads there are followed through steps, cuts and scaling, and only the
+/// change is interpolated to the elements, once an iteration.
 /// In units of influence_cache.hpp. Directions are kept in `Real`; p and u always in double. u is
 /// carried along, and computed anew when its accumulated rounding could matter, so `float` reaches
 /// any tolerance that double does.
@@ -28,6 +34,7 @@
 #include <vector>
 
 #include "mechanics/box_convolution.hpp"
+#include "mechanics/joint_step.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/patch_coupling.hpp"
 
@@ -109,7 +116,8 @@ private:
   struct Fields {
     BoxConvolution<Real> convolution;
     BoxConvolution<Real> preconditioner;
-    AlignedArray<double> displacement;
+    AlignedArray<double> displacement; ///< by the pressures of this box
+    AlignedArray<double> distance;     ///< with coupling: h, and what other boxes displace here
     AlignedArray<Real> residual;
     AlignedArray<Real> last_residual;
     AlignedArray<Real> correction; ///< z
@@ -117,17 +125,31 @@ private:
     AlignedArray<Real> response;   ///< K v; also the input of a fresh u = K p
     AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
     double cut = 0.0;              ///< number of pressures below 0
-    AlignedArray<Real> mirrored;   ///< K[row * (2 columns - 1) + columns - 1 + offset]
-    bool has_mirrored = false;     ///< for this box
+    bool rests = false;            ///< v = 0
+    double beta = 0.0;
+    double last_z_r = 0.0;       ///< <z, r> of the iteration before; 0: the next direction is z
+    double step = 0.0;           ///< along v, and ...
+    double factor = 1.0;         ///< ... by what all pressures, and u, grow after it
+    AlignedArray<Real> mirrored; ///< K[row * (2 columns - 1) + columns - 1 + offset]
+    bool has_mirrored = false;   ///< for this box
   };
 
   void prepare(const IterationBox& box, Fields& fields);
   void refresh_displacement(bool in_double);
   void respond();
-  void cut_negative();
-  void cut_negative(const IterationBox& box, Fields& fields);
+  void choose_steps();
+  void add_coupled_energies();
+  void gather_cut(std::size_t k);
+  void cut_negative(std::size_t k);
+  void advance_coupling(bool any_cut);
   void mirror_influence(const IterationBox& box, Fields& fields);
   void take_free_step(double z_mean);
+
+  /// h of a box, and with coupling what the other boxes displace there.
+  [[nodiscard]] const double* distance_of(std::size_t k) const {
+    return request_->coupling != nullptr ? fields_[k]->distance.data()
+                                         : request_->boxes[k].distance.data();
+  }
 
   InfluenceCache& cache_;
   ConvolutionWorkspace<Real> workspace_;
@@ -135,6 +157,12 @@ private:
   std::vector<std::unique_ptr<Fields>> fields_; ///< at least as many as boxes
   const IterationRequest* request_ = nullptr;
   std::vector<CorrectionSums> sums_; ///< by box
+  JointStep joint_step_;
+  // With coupling: loads and displacements at the nodes.
+  NodeField direction_nodes_;
+  NodeField pressure_nodes_;
+  NodeField cut_nodes_;
+  std::vector<double> node_change_;
   int convolutions_ = 0;
 };
 

@@ -246,13 +246,14 @@ distances_with_others(const SideResult& side, std::span<const PatchResult* const
                                 {0, grid.lateral_count - 1, 0, grid.longitudinal_count - 1}));
   }
   PatchCoupling coupling(boxes, interaction.closeness);
+  NodeField field = coupling.field();
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    coupling.gather(k, patches[k]->pressure.data());
+    coupling.gather(k, patches[k]->pressure.data(), field);
   }
-  coupling.transfer();
+  coupling.transfer(field);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     std::vector<double> displaced(distances[k].size(), 0.0);
-    coupling.add<double>(k, displaced.data());
+    coupling.add_others(field, k, displaced.data());
     const double unit =
         boxes[k].longitudinal_step / (std::numbers::pi * side.details.combined_modulus);
     for (std::size_t i = 0; i < displaced.size(); ++i) {

@@ -288,6 +288,7 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
                      grid.longitudinal_first});
   }
   PatchCoupling coupling(boxes, {0.0, 1.0, 1.0, 0.0});
+  NodeField loads = coupling.field();
   // Half an ellipsoid of pressure in either box.
   std::vector<std::vector<double>> pressure(2);
   std::vector<std::vector<double>> displacement(2);
@@ -299,12 +300,12 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
         pressure[k].push_back(std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
       }
     }
-    coupling.gather(k, pressure[k].data());
+    coupling.gather(k, pressure[k].data(), loads);
   }
-  coupling.transfer();
+  coupling.transfer(loads);
   for (std::size_t k = 0; k < 2; ++k) {
     displacement[k].assign(pressure[k].size(), 0.0);
-    coupling.add<double>(k, displacement[k].data());
+    coupling.add_others(loads, k, displacement[k].data());
   }
   const double element = boxes[0].lateral_step * boxes[0].longitudinal_step;
   const auto expected = [&](std::size_t i, std::size_t j) {
@@ -344,6 +345,8 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
     other_way += pressure[1][i] * displacement[1][i];
   }
   EXPECT_NEAR(one_way, other_way, 1e-12 * one_way);
+  EXPECT_NEAR(coupling.energy(loads, 0, loads, 1), coupling.energy_unit(0) * one_way,
+              1e-12 * coupling.energy_unit(0) * one_way);
 }
 
 TEST(JointProblem, WhatIsWrongIsNamed) {
