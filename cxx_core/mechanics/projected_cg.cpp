@@ -27,6 +27,8 @@ constexpr std::size_t most_single_cuts = 128;
 constexpr double elements_per_cut = 256.0;
 /// A box whose max|z| is below this share of what ends the iteration waits for the others.
 constexpr double rest_share = 0.3;
+/// By how much an iteration must lessen the error for that.
+constexpr double rest_progress = 0.7;
 /// By how much the pressures of one box may grow in an iteration.
 constexpr double least_growth = 0.5;
 constexpr double most_growth = 2.0;
@@ -690,25 +692,15 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     }
     const double z_mean = load_given && contacts > 0.0 ? z_sum / contacts : 0.0;
     double largest_z = 0.0;
-    double v_sum = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       const double shift = z_mean * boxes[k].share;
-      const double largest = sums_[k].contacts > 0.0
-                                 ? std::max(sums_[k].largest_z - shift, shift - sums_[k].least_z)
-                                 : 0.0;
+      double& largest = fields_[k]->largest_z;
+      largest = sums_[k].contacts > 0.0
+                    ? std::max(sums_[k].largest_z - shift, shift - sums_[k].least_z)
+                    : 0.0;
       largest_z = std::max(largest_z, largest);
-      Fields& fields = *fields_[k];
-      fields.rests =
-          count > 1 && largest <= rest_share * request.tolerance * outcome.largest_pressure;
-      const double z_r = sums_[k].z_r - shift * sums_[k].r;
-      const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
-      fields.beta = fields.last_z_r > 0.0 && !fields.rests
-                        ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r)
-                        : 0.0;
-      fields.last_z_r = fields.rests ? 0.0 : z_r;
-      v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
     }
-    const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
+    const double last_error = outcome.error;
     outcome.error = outcome.largest_pressure > 0.0 ? largest_z / outcome.largest_pressure
                                                    : (largest_z > 0.0 ? 1.0 : 0.0);
     if (outcome.error < best_error) {
@@ -736,6 +728,24 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       return outcome;
     }
 
+    // A box rests only while the others get on: they may be waiting for the approach that its
+    // residual would lead to.
+    const bool others_get_on = outcome.error < rest_progress * last_error;
+    const double rest_limit = rest_share * request.tolerance * outcome.largest_pressure;
+    double v_sum = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      Fields& fields = *fields_[k];
+      fields.rests = count > 1 && others_get_on && fields.largest_z <= rest_limit;
+      const double shift = z_mean * boxes[k].share;
+      const double z_r = sums_[k].z_r - shift * sums_[k].r;
+      const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
+      fields.beta = fields.last_z_r > 0.0 && !fields.rests
+                        ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r)
+                        : 0.0;
+      fields.last_z_r = fields.rests ? 0.0 : z_r;
+      v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
+    }
+    const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
       if (fields.rests) {

@@ -16,8 +16,8 @@
 /// bound-constrained CG with FFT preconditioner) with the load constraint taken in and the boxes
 /// joined.
 /// z approximates the error of p; iteration stops at max|z| <= tolerance max p and takes one free
-/// step p = max(0, p + z). A box that is well below this before the others do not moves on only by
-/// its gamma.
+/// step p = max(0, p + z). A box that is well below this before the others moves on only by its
+/// gamma, as long as the others get on.
 /// With coupling (patch_coupling.hpp), what boxes displace at each other is kept at their nodes and
 /// counts as part of h: loads there are followed through steps, cuts and scaling, and only the
 /// change is interpolated to the elements, once an iteration.
@@ -126,6 +126,7 @@ private:
     AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
     double cut = 0.0;              ///< number of pressures below 0
     bool rests = false;            ///< v = 0
+    double largest_z = 0.0;
     double beta = 0.0;
     double last_z_r = 0.0;       ///< <z, r> of the iteration before; 0: the next direction is z
     double step = 0.0;           ///< along v, and ...
