@@ -178,4 +178,21 @@ bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, 
   return true;
 }
 
+void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
+              std::vector<double>& inside) {
+  inside.resize(box.rows() * box.columns());
+  for (std::size_t row = 0; row < box.rows(); ++row) {
+    std::copy_n(field.data() + (box.first_row + row) * size.columns + box.first_column,
+                box.columns(), inside.data() + row * box.columns());
+  }
+}
+
+void put_box(const LevelSize& size, const ElementBox& box, std::span<const double> inside,
+             std::vector<double>& field) {
+  for (std::size_t row = 0; row < box.rows(); ++row) {
+    std::copy_n(inside.data() + row * box.columns(), box.columns(),
+                field.data() + (box.first_row + row) * size.columns + box.first_column);
+  }
+}
+
 } // namespace wrc

@@ -53,4 +53,10 @@ struct ElementBox {
 bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, std::size_t margin,
                        ElementBox& box);
 
+/// A field within a box, and back.
+void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
+              std::vector<double>& inside);
+void put_box(const LevelSize& size, const ElementBox& box, std::span<const double> inside,
+             std::vector<double>& field);
+
 } // namespace wrc

@@ -112,23 +112,6 @@ void draw_pressure(Level& level, double height) {
   }
 }
 
-void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
-              std::vector<double>& inside) {
-  inside.resize(box.rows() * box.columns());
-  for (std::size_t row = 0; row < box.rows(); ++row) {
-    std::copy_n(field.data() + (box.first_row + row) * size.columns + box.first_column,
-                box.columns(), inside.data() + row * box.columns());
-  }
-}
-
-void put_box(const LevelSize& size, const ElementBox& box, std::span<const double> inside,
-             std::vector<double>& field) {
-  for (std::size_t row = 0; row < box.rows(); ++row) {
-    std::copy_n(inside.data() + row * box.columns(), box.columns(),
-                field.data() + (box.first_row + row) * size.columns + box.first_column);
-  }
-}
-
 ElementBox whole(const LevelSize& size) {
   return {0, size.rows - 1, 0, size.columns - 1};
 }
@@ -183,7 +166,8 @@ struct NormalSolver::State {
   bool take_starts(const JointProblem& problem, std::size_t index);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
-  [[nodiscard]] const double* distance_with_others(std::size_t k);
+  [[nodiscard]] const double* distance_with_others(std::size_t k, const ElementBox& candidates);
+  [[nodiscard]] ElementBox outside_candidates(const Cascade& cascade, const double* distances);
   std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
   ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates,
                               const double* distances);
@@ -503,17 +487,18 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
   return possible;
 }
 
-/// The distances on a patch's finest grid, with what the other patches displace there.
-const double* NormalSolver::State::distance_with_others(std::size_t k) {
+/// The distances on a patch's finest grid, with what the other patches displace on its box and the
+/// candidates.
+const double* NormalSolver::State::distance_with_others(std::size_t k,
+                                                        const ElementBox& candidates) {
   const Level& level = cascades[k].finest();
-  if (interaction == nullptr) {
-    return level.distance.data();
-  }
+  ElementBox rectangle = cascades[k].box;
+  include(rectangle, candidates);
   std::vector<CoupledBox> coupled;
   std::vector<double> closeness(count * count);
   for (std::size_t l = 0; l < count; ++l) {
     coupled.push_back(coupled_box(cascades[l].finest().grid, interaction->places[l],
-                                  l == k ? whole(level.size) : cascades[l].box));
+                                  l == k ? rectangle : cascades[l].box));
     closeness[k * count + l] = closeness[l * count + k] = interaction->closeness[k * count + l];
   }
   PatchCoupling coupling(std::move(coupled), closeness);
@@ -524,22 +509,23 @@ const double* NormalSolver::State::distance_with_others(std::size_t k) {
     }
   }
   coupling.transfer(field);
+  copy_box(level.size, rectangle, level.distance, exterior_out);
+  coupling.add_others(field, k, exterior_out.data());
   exterior_distance = level.distance;
-  coupling.add_others(field, k, exterior_distance.data());
+  put_box(level.size, rectangle, exterior_out, exterior_distance);
   return exterior_distance.data();
 }
 
-/// Looks for overlap outside the box: the box enlarged by it, or none. Displacements are positive,
-/// and at least those of a patch's whole load at the farthest place of its box, so most elements
-/// need no displacement of their own.
-std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size_t k,
-                                                                       double tolerance) {
-  Cascade& cascade = cascades[k];
-  const Level& level = cascade.finest();
+/// The rectangle of those elements outside the box that the load does not keep apart for sure, with
+/// nothing in it (first_row > last_row) if there is none. Displacements are positive, and at least
+/// those of a patch's whole load at the farthest place of its box, so most elements need no
+/// displacement of their own.
+ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade,
+                                                   const double* distances) {
+  const Level& level = cascade.levels.front();
   const LevelSize& size = level.size;
   const ElementBox& box = cascade.box;
   const double opened = level.share * approach;
-  const double* distances = distance_with_others(k);
   const double aspect = cascade.kernel.aspect;
   const double box_load = sum_of(cascade.box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
@@ -575,6 +561,23 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
         include(candidates, {row, row, column, column});
       }
     }
+  }
+  return candidates;
+}
+
+/// Looks for overlap outside the box: the box enlarged by it, or none.
+std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size_t k,
+                                                                       double tolerance) {
+  Cascade& cascade = cascades[k];
+  const Level& level = cascade.finest();
+  const LevelSize& size = level.size;
+  const ElementBox& box = cascade.box;
+  const double opened = level.share * approach;
+  const double* distances = level.distance.data();
+  ElementBox candidates = outside_candidates(cascade, distances);
+  if (interaction != nullptr && candidates.first_row <= candidates.last_row) {
+    distances = distance_with_others(k, candidates);
+    candidates = outside_candidates(cascade, distances);
   }
   if (candidates.first_row <= candidates.last_row &&
       candidates.rows() * candidates.columns() >= least_coarse_check) {

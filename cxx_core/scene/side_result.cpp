@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mechanics/coupled_influence.hpp"
+#include "mechanics/displacement_operator.hpp"
 #include "mechanics/hertz.hpp"
 #include "mechanics/patch_coupling.hpp"
 #include "scene/united_patch.hpp"
@@ -228,39 +229,46 @@ std::vector<const PatchResult*> solved_patches(const SideResult& side) {
 
 namespace {
 
-/// The undeformed distances of all patches, with what the other patches displace there.
-std::vector<std::vector<double>>
-distances_with_others(const SideResult& side, std::span<const PatchResult* const> patches) {
-  std::vector<std::vector<double>> distances;
-  for (const PatchResult* patch : patches) {
-    distances.push_back(patch->undeformed_distance);
-  }
-  if (!side.details.interaction) {
-    return distances;
-  }
+/// Adds to displacements what the other patches cause, as far as there is pressure or the own one
+/// leaves overlap: nodes are best on as small a rectangle as will do.
+void add_displacement_by_others(const SideResult& side, std::span<const PatchResult* const> patches,
+                                std::vector<std::vector<double>>& displacements) {
   const PatchInteraction& interaction = *side.details.interaction;
+  std::vector<LevelSize> sizes;
+  std::vector<ElementBox> rectangles;
   std::vector<CoupledBox> boxes;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    const Grid& grid = patches[k]->grid;
-    boxes.push_back(coupled_box(grid, interaction.places[k],
-                                {0, grid.lateral_count - 1, 0, grid.longitudinal_count - 1}));
+    const PatchResult& patch = *patches[k];
+    sizes.push_back({patch.grid.lateral_count, patch.grid.longitudinal_count});
+    const double approach = patch.share * side.details.problem_approach;
+    std::vector<double> touched = patch.pressure;
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+      const double overlap = approach - patch.undeformed_distance[i] - displacements[k][i];
+      touched[i] = std::max(touched[i], overlap);
+    }
+    ElementBox& rectangle = rectangles.emplace_back();
+    find_pressure_box(sizes[k], touched, 0, rectangle);
+    boxes.push_back(coupled_box(patch.grid, interaction.places[k], rectangle));
   }
   PatchCoupling coupling(boxes, interaction.closeness);
   NodeField field = coupling.field();
+  std::vector<double> inside;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    coupling.gather(k, patches[k]->pressure.data(), field);
+    copy_box(sizes[k], rectangles[k], patches[k]->pressure, inside);
+    coupling.gather(k, inside.data(), field);
   }
   coupling.transfer(field);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    std::vector<double> displaced(distances[k].size(), 0.0);
-    coupling.add_others(field, k, displaced.data());
+    inside.assign(boxes[k].rows * boxes[k].columns, 0.0);
+    coupling.add_others(field, k, inside.data());
+    std::vector<double> others(displacements[k].size(), 0.0);
+    put_box(sizes[k], rectangles[k], inside, others);
     const double unit =
         boxes[k].longitudinal_step / (std::numbers::pi * side.details.combined_modulus);
-    for (std::size_t i = 0; i < displaced.size(); ++i) {
-      distances[k][i] += unit * displaced[i];
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      displacements[k][i] += unit * others[i];
     }
   }
-  return distances;
 }
 
 } // namespace
@@ -270,19 +278,27 @@ const Residuals& residuals_of(SideResult& side) {
     return *side.residuals;
   }
   const std::vector<const PatchResult*> patches = solved_patches(side);
-  const std::vector<std::vector<double>> distances = distances_with_others(side, patches);
+  std::vector<std::vector<double>> displacements;
+  for (const PatchResult* patch : patches) {
+    DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements)
+        .apply(patch->pressure, displacements.emplace_back(patch->pressure.size()));
+  }
+  if (side.details.interaction) {
+    add_displacement_by_others(side, patches, displacements);
+  }
   Residuals worst;
   double load = 0.0;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
     NormalProblem problem;
     problem.grid = patch.grid;
-    problem.undeformed_distance = distances[k];
+    problem.undeformed_distance = patch.undeformed_distance;
     problem.combined_modulus = side.details.combined_modulus;
     problem.elements = side.details.elements;
     const double approach = patch.share * side.details.problem_approach;
     problem.approach = approach;
-    const Residuals residuals = compute_residuals(problem, patch.pressure, approach);
+    const Residuals residuals =
+        compute_residuals(problem, patch.pressure, displacements[k], approach);
     worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
     worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
     load += patch.share * patch.normal_force;
