@@ -8,8 +8,7 @@ namespace wrc {
 
 namespace {
 
-/// Grids are halved while one side is longer than this and the other not yet too short to halve.
-constexpr std::size_t coarsest_length = 24;
+/// No side of a coarser grid is shorter.
 constexpr std::size_t shortest_side = 8;
 
 /// A row of distances, the row after the last one by linear continuation.
@@ -28,8 +27,8 @@ double distance_at(std::span<const double> distance, const LevelSize& size, std:
 
 } // namespace
 
-bool can_coarsen(const LevelSize& size) {
-  return std::max(size.rows, size.columns) > coarsest_length &&
+bool can_coarsen(const LevelSize& size, std::size_t coarsest) {
+  return std::max(size.rows, size.columns) > coarsest &&
          std::min(size.rows, size.columns) >= 2 * shortest_side;
 }
 

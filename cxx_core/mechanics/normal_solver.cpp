@@ -18,6 +18,10 @@ namespace {
 
 /// Error of p at which a coarser grid is left: what refining adds is about as much.
 constexpr double coarse_tolerance = 1e-2;
+/// Longest side of the coarsest grid: of one patch, and of each of several, which together would
+/// have more elements there than one.
+constexpr std::size_t coarsest_of_one = 32;
+constexpr std::size_t coarsest_of_several = 24;
 /// Elements around the pressures found on the coarser grid.
 constexpr std::size_t box_margin = 2;
 /// How far from its centre an element's pressure is taken to act at most, in elements, for the
@@ -239,6 +243,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
                                  cache->table(cascades[k].kernel, 1, 1)->row(0)[0] / finest.share);
     }
   }
+  const std::size_t coarsest = count > 1 ? coarsest_of_several : coarsest_of_one;
   for (std::size_t k = 0; k < count; ++k) {
     const PatchGap& patch = problem.patches[k];
     Cascade& cascade = cascades[k];
@@ -248,7 +253,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
                                                : std::numeric_limits<double>::infinity();
     double element = patch.grid.element_area();
     for (LevelSize size{patch.grid.lateral_count, patch.grid.longitudinal_count};
-         can_coarsen(size) && element < largest_element; size = coarser_size(size)) {
+         can_coarsen(size, coarsest) && element < largest_element; size = coarser_size(size)) {
       element *= 4.0;
       ++cascade.level_count;
     }

@@ -141,14 +141,23 @@ TEST(JointContact, OnePatchIsTheSingleProblem) {
 }
 
 TEST(JointContact, SharedApproachCostsFewMoreConvolutions) {
-  // Two equal halves of the load, against one of them alone.
+  // Two patches that differ in size, load and angle, against two that are alike: those take as many
+  // as one of them alone on the same grids.
   const OwnedPatch patch = hertz_patch(128, 64, 0.1, 0.2, 300.0, 0.0, 1.0);
   NormalSolver solver;
-  const JointSolution one = solver.solve(joint_with_load({patch.gap()}, 2e4, 1e-5));
-  OwnedPatch other = hertz_patch(120, 60, 0.1, 0.2, 250.0, 0.004, std::cos(0.4));
+  const JointSolution alike = solver.solve(joint_with_load({patch.gap(), patch.gap()}, 4e4, 1e-5));
+  const OwnedPatch other = hertz_patch(120, 60, 0.1, 0.2, 250.0, 0.004, std::cos(0.4));
   const JointSolution both = solver.solve(joint_with_load({patch.gap(), other.gap()}, 3.5e4, 1e-5));
-  EXPECT_LE(both.convolutions, 1.3 * one.convolutions + 1.0)
-      << one.convolutions << " and " << both.convolutions;
+  EXPECT_LE(both.convolutions, 1.3 * alike.convolutions + 1.0)
+      << alike.convolutions << " and " << both.convolutions;
+  // A patch with a hundredth of the load: one step length for all would serve the larger one.
+  const OwnedPatch small = hertz_patch(40, 64, 0.05, 0.1, 300.0, 0.0395, 1.0);
+  const JointSolution unequal =
+      solver.solve(joint_with_load({patch.gap(), small.gap()}, 2e4, 1e-5));
+  EXPECT_GT(unequal.patches[1].normal_force, 0.0);
+  EXPECT_LT(unequal.patches[1].normal_force, 0.02 * unequal.patches[0].normal_force);
+  EXPECT_LE(unequal.convolutions, 1.3 * alike.convolutions + 1.0)
+      << alike.convolutions << " and " << unequal.convolutions;
 }
 
 TEST(JointContact, ALoadOfNothingPressesNothing) {
