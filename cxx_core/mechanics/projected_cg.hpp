@@ -37,6 +37,7 @@
 #include "mechanics/joint_step.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/patch_coupling.hpp"
+#include "mechanics/projected_cg_loops.hpp"
 
 namespace wrc {
 
@@ -88,19 +89,6 @@ struct IterationOutcome {
   std::vector<ReachedSides> reached;
   bool reached_any = false;
   StopReason stop_reason = StopReason::iteration_limit;
-};
-
-/// Sums over C from which the mean of z, the coefficient beta and the error follow.
-struct CorrectionSums {
-  double contacts = 0.0;
-  double z = 0.0;
-  double r = 0.0;
-  double old_r = 0.0;
-  double z_r = 0.0;
-  double z_old_r = 0.0;
-  double v = 0.0;
-  double least_z = 0.0;
-  double largest_z = 0.0;
 };
 
 /// Everything the iteration needs, kept between calls.
