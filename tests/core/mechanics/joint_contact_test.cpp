@@ -43,6 +43,7 @@ std::vector<OwnedPatch> tread_and_flange() {
 
 std::vector<PatchGap> gaps_of(const std::vector<OwnedPatch>& patches) {
   std::vector<PatchGap> gaps;
+  gaps.reserve(patches.size());
   for (const OwnedPatch& patch : patches) {
     gaps.push_back(patch.gap());
   }
