@@ -127,8 +127,9 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
 std::vector<const PatchResult*> solved_patches(const SideResult& side);
 
 /// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
-/// of their own; computed once. What patches displace at each other counts as in the solution, but
-/// for other nodes (patch_coupling.hpp), which shows where they interact.
+/// of their own; computed once. What patches displace at each other counts as in the solution, also
+/// in the displacement that gaps are relative to, but for other nodes (patch_coupling.hpp), which
+/// shows where they interact.
 const Residuals& residuals_of(SideResult& side);
 
 } // namespace wrc
