@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/projected_cg_loops.hpp"
 #include "reductions.hpp"
 
 namespace wrc {
@@ -32,6 +31,14 @@ constexpr double rest_progress = 0.7;
 /// By how much the pressures of one box may grow in an iteration.
 constexpr double least_growth = 0.5;
 constexpr double most_growth = 2.0;
+
+void scale_pressures(std::span<const IterationBox> boxes, double factor) {
+  for (const IterationBox& box : boxes) {
+    for (double& pressure : box.pressure) {
+      pressure *= factor;
+    }
+  }
+}
 
 /// Sides of the box that contact has reached and beyond which there are elements.
 template <typename Real> ReachedSides reached_sides(const IterationBox& box, const Real* contact) {
@@ -211,27 +218,24 @@ template <typename Real> void ProjectedCg<Real>::advance_coupling(bool any_cut) 
   if (any_cut) {
     coupling.transfer(cut_nodes_);
   }
-  // What box l has displaced and loads now; its change is added to `change`.
-  const auto advance = [&](std::size_t l, std::vector<double>& values,
-                           const std::vector<double>& moved, const std::vector<double>& cut,
-                           double* change) {
-    const double factor = fields_[l]->factor;
-    const double step = fields_[l]->step;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double value = factor * (values[i] + step * moved[i] + (any_cut ? cut[i] : 0.0));
-      if (change != nullptr) {
-        change[i] += value - values[i];
-      }
-      values[i] = value;
-    }
+  const auto advanced = [&](std::size_t l, double value, double moved, double cut) {
+    return fields_[l]->factor * (value + fields_[l]->step * moved + (any_cut ? cut : 0.0));
   };
   for (std::size_t k = 0; k < count; ++k) {
-    advance(k, pressure_nodes_.load[k], direction_nodes_.load[k], cut_nodes_.load[k], nullptr);
-    node_change_.assign(pressure_nodes_.load[k].size(), 0.0);
+    std::vector<double>& load = pressure_nodes_.load[k];
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      load[i] = advanced(k, load[i], direction_nodes_.load[k][i], cut_nodes_.load[k][i]);
+    }
+    node_change_.assign(load.size(), 0.0);
     for (std::size_t l = 0; l < count; ++l) {
       const std::size_t pair = k * count + l;
-      advance(l, pressure_nodes_.displacement[pair], direction_nodes_.displacement[pair],
-              cut_nodes_.displacement[pair], node_change_.data());
+      std::vector<double>& displacement = pressure_nodes_.displacement[pair];
+      for (std::size_t i = 0; i < displacement.size(); ++i) {
+        const double value = advanced(l, displacement[i], direction_nodes_.displacement[pair][i],
+                                      cut_nodes_.displacement[pair][i]);
+        node_change_[i] += value - displacement[i];
+        displacement[i] = value;
+      }
     }
     coupling.add<Real>(k, node_change_, fields_[k]->distance.data());
   }
@@ -254,26 +258,22 @@ void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields
   fields.has_mirrored = true;
 }
 
-/// Loads of the nodes that setting negative pressures to 0 adds.
-template <typename Real> void ProjectedCg<Real>::gather_cut(std::size_t k) {
-  Fields& fields = *fields_[k];
-  if (fields.cut > 0.0) {
-    const auto pressure = request_->boxes[k].pressure;
-    std::transform(pressure.begin(), pressure.end(), fields.response.data(),
-                   [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
-    request_->coupling->gather(k, fields.response.data(), cut_nodes_);
-  } else {
-    std::fill(cut_nodes_.load[k].begin(), cut_nodes_.load[k].end(), 0.0);
-  }
-}
-
-/// Sets negative pressures to 0 and takes their displacement out of u.
+/// Sets negative pressures to 0 and takes their displacement out of u; with coupling, gathers what
+/// this adds to the loads of the nodes.
 template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
   const IterationBox& box = request_->boxes[k];
   Fields& fields = *fields_[k];
   double* pressure = box.pressure.data();
   const double most = static_cast<double>(box.count()) / elements_per_cut;
-  if (fields.cut <= std::min(most, static_cast<double>(most_single_cuts))) {
+  const bool one_by_one = fields.cut <= std::min(most, static_cast<double>(most_single_cuts));
+  if (request_->coupling != nullptr || !one_by_one) {
+    std::transform(pressure, pressure + box.count(), fields.response.data(),
+                   [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
+  }
+  if (request_->coupling != nullptr) {
+    request_->coupling->gather(k, fields.response.data(), cut_nodes_);
+  }
+  if (one_by_one) {
     struct Cut {
       std::size_t row;
       std::size_t column;
@@ -310,11 +310,8 @@ template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
     }
     return;
   }
-  for (std::size_t index = 0; index < box.count(); ++index) {
-    const double p = pressure[index];
-    fields.response.data()[index] = static_cast<Real>(std::max(0.0, -p));
-    pressure[index] = std::max(0.0, p);
-  }
+  std::transform(pressure, pressure + box.count(), pressure,
+                 [](double p) { return std::max(0.0, p); });
   fields.convolution.apply(fields.response.data(), fields.response.data(), workspace_);
   for (std::size_t index = 0; index < box.count(); ++index) {
     fields.displacement.data()[index] += static_cast<double>(fields.response.data()[index]);
@@ -338,12 +335,7 @@ template <typename Real> void ProjectedCg<Real>::take_free_step(double z_mean) {
     load += box.weight * box.share * sum;
   }
   if (request_->load) {
-    const double factor = *request_->load / load;
-    for (const IterationBox& box : boxes) {
-      for (double& pressure : box.pressure) {
-        pressure *= factor;
-      }
-    }
+    scale_pressures(boxes, *request_->load / load);
   }
 }
 
@@ -376,11 +368,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
   if (load_given) {
     const double factor = *request.load / load;
     outcome.largest_pressure *= factor;
-    for (const IterationBox& box : boxes) {
-      for (double& pressure : box.pressure) {
-        pressure *= factor;
-      }
-    }
+    scale_pressures(boxes, factor);
   }
   PatchCoupling* coupling = request.coupling;
   if (coupling != nullptr) {
@@ -539,11 +527,10 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       }
     }
     for (std::size_t k = 0; k < count && any_cut; ++k) {
-      if (coupling != nullptr) {
-        gather_cut(k);
-      }
       if (fields_[k]->cut > 0.0) {
         cut_negative(k);
+      } else if (coupling != nullptr) {
+        std::fill(cut_nodes_.load[k].begin(), cut_nodes_.load[k].end(), 0.0);
       }
     }
     const double kept_load = load_given ? *request.load / load : 1.0;

@@ -114,7 +114,7 @@ private:
     AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
     double cut = 0.0;              ///< number of pressures below 0
     bool rests = false;            ///< v = 0
-    double largest_z = 0.0;
+    double largest_z = 0.0;        ///< max|z|
     double beta = 0.0;
     double last_z_r = 0.0;       ///< <z, r> of the iteration before; 0: the next direction is z
     double step = 0.0;           ///< along v, and ...
@@ -128,7 +128,6 @@ private:
   void respond();
   void choose_steps();
   void add_coupled_energies();
-  void gather_cut(std::size_t k);
   void cut_negative(std::size_t k);
   void advance_coupling(bool any_cut);
   void mirror_influence(const IterationBox& box, Fields& fields);
