@@ -12,6 +12,7 @@ namespace {
 /// Rows that are transposed together, as pairs: eight single-precision complex values fill a cache
 /// line.
 constexpr std::size_t block_rows = 8;
+static_assert(block_rows / 2 == LineFft<float>::block_lines);
 
 template <typename Real>
 WRC_VECTOR_BODY void multiply_body(Real* values, const Real* factors, std::size_t count) {
@@ -179,8 +180,10 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
   provide(workspace.lines, block_rows / 2 * line_pitch);
   provide(workspace.spectral_lines, block_rows / 2 * line_pitch);
   provide(workspace.columns, spectral_length * column_pitch);
-  provide(workspace.column_line, spectrum_->rows);
-  provide(workspace.column_spectrum, spectrum_->rows);
+  const std::size_t group = column_fft_->best_count();
+  const std::size_t group_pitch = aligned_pitch<Complex>(spectrum_->rows);
+  provide(workspace.column_lines, group * group_pitch);
+  provide(workspace.column_spectra, group * group_pitch);
   Complex* lines = workspace.lines.data();
   Complex* spectral_lines = workspace.spectral_lines.data();
   Complex* columns = workspace.columns.data();
@@ -201,30 +204,41 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
           std::copy_n(in + row * shape_.columns_in, shape_.columns_in, pair_line);
         }
       }
-      row_fft_->forward(pair_line, spectral_lines + (row - first) / 2 * line_pitch);
     }
+    row_fft_->forward(lines, spectral_lines, block_rows / 2);
     scatter(pairs_of(spectral_lines), line_pitch, length, pairs_of(columns + first), column_pitch,
             spectral_length);
   }
 
   const std::size_t padded_rows = (shape_.rows_out + block_rows - 1) / block_rows * block_rows;
-  Complex* line = workspace.column_line.data();
-  Complex* line_spectrum = workspace.column_spectrum.data();
-  for (std::size_t column = 0; column < spectral_length; ++column) {
-    Complex* values = columns + column * column_pitch;
-    std::copy_n(values, shape_.rows_in, line);
-    std::fill(line + shape_.rows_in, line + spectrum_->rows, Complex{});
-    column_fft_->forward(line, line_spectrum);
-    multiply(pairs_of(line_spectrum), spectrum_->column(column), spectrum_->rows);
-    column_fft_->backward(line_spectrum, line);
-    // Displacements before the first pressure are found at the end of the period.
-    const auto shift = static_cast<std::ptrdiff_t>(spectrum_->rows);
-    const auto start = static_cast<std::size_t>((shape_.row_offset % shift + shift) % shift);
-    const std::size_t until_end = std::min(shape_.rows_out, spectrum_->rows - start);
-    std::copy_n(line + start, until_end, values);
-    std::copy_n(line, shape_.rows_out - until_end, values + until_end);
-    // A row without partner is paired with nothing.
-    std::fill(values + shape_.rows_out, values + padded_rows, Complex{});
+  // Displacements before the first pressure are found at the end of the period.
+  const auto shift = static_cast<std::ptrdiff_t>(spectrum_->rows);
+  const auto first_out = static_cast<std::size_t>((shape_.row_offset % shift + shift) % shift);
+  const std::size_t rows_until_end = std::min(shape_.rows_out, spectrum_->rows - first_out);
+  for (std::size_t first = 0; first < spectral_length; first += group) {
+    const std::size_t count = std::min(group, spectral_length - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      Complex* line = workspace.column_lines.data() + k * group_pitch;
+      std::copy_n(columns + (first + k) * column_pitch, shape_.rows_in, line);
+      std::fill(line + shape_.rows_in, line + spectrum_->rows, Complex{});
+    }
+    for (std::size_t k = count; k < group; ++k) { // a block that is not full
+      std::fill_n(workspace.column_lines.data() + k * group_pitch, spectrum_->rows, Complex{});
+    }
+    column_fft_->forward(workspace.column_lines.data(), workspace.column_spectra.data(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      multiply(pairs_of(workspace.column_spectra.data() + k * group_pitch),
+               spectrum_->column(first + k), spectrum_->rows);
+    }
+    column_fft_->backward(workspace.column_spectra.data(), workspace.column_lines.data(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Complex* line = workspace.column_lines.data() + k * group_pitch;
+      Complex* values = columns + (first + k) * column_pitch;
+      std::copy_n(line + first_out, rows_until_end, values);
+      std::copy_n(line, shape_.rows_out - rows_until_end, values + rows_until_end);
+      // A row without partner is paired with nothing.
+      std::fill(values + shape_.rows_out, values + padded_rows, Complex{});
+    }
   }
 
   const auto period = static_cast<std::ptrdiff_t>(length);
@@ -234,10 +248,9 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
     const std::size_t last = std::min(first + block_rows, shape_.rows_out);
     gather(pairs_of(columns + first), column_pitch, pairs_of(spectral_lines), line_pitch, length,
            spectral_length);
+    row_fft_->backward(spectral_lines, lines, (last - first + 1) / 2);
     for (std::size_t row = first; row < last; row += 2) {
-      const std::size_t offset = (row - first) / 2 * line_pitch;
-      row_fft_->backward(spectral_lines + offset, lines + offset);
-      const Complex* values = lines + offset;
+      const Complex* values = lines + (row - first) / 2 * line_pitch;
       Real* target = out + row * shape_.columns_out;
       if (row + 1 < last) {
         Real* next = target + shape_.columns_out;

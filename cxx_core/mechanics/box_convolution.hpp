@@ -24,8 +24,8 @@ template <typename Real> struct ConvolutionWorkspace {
   AlignedArray<Complex> lines;
   AlignedArray<Complex> spectral_lines;
   AlignedArray<Complex> columns;
-  AlignedArray<Complex> column_line;
-  AlignedArray<Complex> column_spectrum;
+  AlignedArray<Complex> column_lines;
+  AlignedArray<Complex> column_spectra;
 };
 
 /// Two rectangles of elements: where the pressures are and where displacements are wanted.

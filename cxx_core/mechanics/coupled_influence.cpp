@@ -53,7 +53,7 @@ void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
       std::copy_n(from, box.elements.columns(),
                   box.values.begin() + static_cast<std::ptrdiff_t>(row * box.elements.columns()));
     }
-    coupling_.gather(k, box.values.data(), field_);
+    coupling_.gather(k, box.values.data(), field_.load);
   }
   coupling_.transfer(field_);
   for (std::size_t k = 0; k < boxes_.size(); ++k) {

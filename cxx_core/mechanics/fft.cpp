@@ -80,8 +80,10 @@ template <> struct Library<double> {
   using Complex = fftw_complex;
   using Plan = fftw_plan_s;
   static void destroy(Plan* plan) { fftw_destroy_plan(plan); }
-  static Plan* plan_complex(int length, Complex* from, Complex* to, int sign, unsigned flags) {
-    return fftw_plan_dft_1d(length, from, to, sign, flags | FFTW_PRESERVE_INPUT);
+  static Plan* plan_complex(int length, int lines, int pitch, Complex* from, Complex* to, int sign,
+                            unsigned flags) {
+    return fftw_plan_many_dft(1, &length, lines, from, nullptr, 1, pitch, to, nullptr, 1, pitch,
+                              sign, flags | FFTW_PRESERVE_INPUT);
   }
   static void run(const Plan* plan, Complex* from, Complex* to) {
     fftw_execute_dft(const_cast<Plan*>(plan), from, to);
@@ -92,8 +94,10 @@ template <> struct Library<float> {
   using Complex = fftwf_complex;
   using Plan = fftwf_plan_s;
   static void destroy(Plan* plan) { fftwf_destroy_plan(plan); }
-  static Plan* plan_complex(int length, Complex* from, Complex* to, int sign, unsigned flags) {
-    return fftwf_plan_dft_1d(length, from, to, sign, flags | FFTW_PRESERVE_INPUT);
+  static Plan* plan_complex(int length, int lines, int pitch, Complex* from, Complex* to, int sign,
+                            unsigned flags) {
+    return fftwf_plan_many_dft(1, &length, lines, from, nullptr, 1, pitch, to, nullptr, 1, pitch,
+                               sign, flags | FFTW_PRESERVE_INPUT);
   }
   static void run(const Plan* plan, Complex* from, Complex* to) {
     fftwf_execute_dft(const_cast<Plan*>(plan), from, to);
@@ -114,6 +118,9 @@ using Plan = std::unique_ptr<typename Library<Real>::Plan, PlanRelease<Real>>;
 template <typename Real> typename Library<Real>::Complex* fftw_of(std::complex<Real>* values) {
   return reinterpret_cast<typename Library<Real>::Complex*>(values);
 }
+
+/// Lines from this length on are fast one by one.
+constexpr std::size_t least_lone_line = 48;
 
 /// Parts of a wisdom file: both precisions, one after the other.
 constexpr const char* single_precision_mark = "single precision\n";
@@ -188,9 +195,13 @@ std::size_t good_fft_length(std::size_t least) {
 
 std::size_t fast_line_length(std::size_t least) {
   constexpr std::size_t vector_length = 16;
-  if (least < 3 * vector_length) {
-    const std::size_t length = good_fft_length(std::max<std::size_t>(least, 2));
-    return length % 2 == 0 ? length : fast_line_length(length + 1);
+  if (least <= vector_length) {
+    return std::max<std::size_t>(least + least % 2, 2);
+  }
+  for (const std::size_t length : {20U, 32U}) {
+    if (least <= length) {
+      return length;
+    }
   }
   constexpr std::size_t longest_of_odd_factors = 400;
   std::size_t best = std::numeric_limits<std::size_t>::max();
@@ -209,35 +220,63 @@ std::size_t fast_line_length(std::size_t least) {
 // Lines of other memory need no more than the same alignment to be transformed by the same plan.
 
 template <typename Real> struct LineFft<Real>::Plans {
+  std::size_t pitch = 0;
   Plan<Real> forward;
   Plan<Real> backward;
+  // Of blocks; none for long lines.
+  Plan<Real> block_forward;
+  Plan<Real> block_backward;
+
+  void run(const Plan<Real>& line, const Plan<Real>& block, Complex* from, Complex* to,
+           std::size_t count) const {
+    const bool in_blocks = block != nullptr && count > 1;
+    const std::size_t lines = in_blocks ? block_lines : 1;
+    for (std::size_t first = 0; first < count; first += lines) {
+      Library<Real>::run((in_blocks ? block : line).get(), fftw_of(from + first * pitch),
+                         fftw_of(to + first * pitch));
+    }
+  }
 };
 
 template <typename Real>
 LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
   check_length("length", length);
-  AlignedArray<Complex> first(length);
-  AlignedArray<Complex> second(length);
-  const int count = static_cast<int>(length);
-  {
-    const PlanningGuard guard(planner());
-    plans_->forward.reset(Library<Real>::plan_complex(
-        count, fftw_of(first.data()), fftw_of(second.data()), FFTW_FORWARD, flags_of(rigor)));
-    plans_->backward.reset(Library<Real>::plan_complex(
-        count, fftw_of(first.data()), fftw_of(second.data()), FFTW_BACKWARD, flags_of(rigor)));
-  }
-  if (plans_->forward == nullptr || plans_->backward == nullptr) {
-    throw_no_memory(1, length);
+  Plans& own = *plans_;
+  own.pitch = aligned_pitch<Complex>(length);
+  const std::size_t lines = length < least_lone_line ? block_lines : 1;
+  AlignedArray<Complex> first(lines * own.pitch);
+  AlignedArray<Complex> second(lines * own.pitch);
+  const auto plan = [&](std::size_t count, int sign) {
+    Plan<Real> made(Library<Real>::plan_complex(static_cast<int>(length), static_cast<int>(count),
+                                                static_cast<int>(own.pitch), fftw_of(first.data()),
+                                                fftw_of(second.data()), sign, flags_of(rigor)));
+    if (made == nullptr) {
+      throw_no_memory(count, length);
+    }
+    return made;
+  };
+  const PlanningGuard guard(planner());
+  own.forward = plan(1, FFTW_FORWARD);
+  own.backward = plan(1, FFTW_BACKWARD);
+  if (lines > 1) {
+    own.block_forward = plan(lines, FFTW_FORWARD);
+    own.block_backward = plan(lines, FFTW_BACKWARD);
   }
 }
 
 template <typename Real> LineFft<Real>::~LineFft() = default;
 
-template <typename Real> void LineFft<Real>::forward(Complex* from, Complex* to) const {
-  Library<Real>::run(plans_->forward.get(), fftw_of(from), fftw_of(to));
+template <typename Real> std::size_t LineFft<Real>::best_count() const {
+  return plans_->block_forward != nullptr ? block_lines : 1;
 }
-template <typename Real> void LineFft<Real>::backward(Complex* from, Complex* to) const {
-  Library<Real>::run(plans_->backward.get(), fftw_of(from), fftw_of(to));
+
+template <typename Real>
+void LineFft<Real>::forward(Complex* from, Complex* to, std::size_t count) const {
+  plans_->run(plans_->forward, plans_->block_forward, from, to, count);
+}
+template <typename Real>
+void LineFft<Real>::backward(Complex* from, Complex* to, std::size_t count) const {
+  plans_->run(plans_->backward, plans_->block_backward, from, to, count);
 }
 
 template class LineFft<float>;

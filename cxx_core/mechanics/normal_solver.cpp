@@ -40,6 +40,9 @@ constexpr double double_overlap = 1e-13;
 /// tolerance, but no less than this.
 constexpr double coupling_share = 0.03;
 constexpr double least_coupling_error = 1e-5;
+/// Share of the least displacement by other patches that is counted on: interpolation between
+/// nodes, and their distance from each other where boxes meet (patch_coupling.hpp), leave more.
+constexpr double least_share_by_others = 0.95;
 /// Rectangles from this many elements on are looked at with elements of twice the size first. Their
 /// displacement is interpolated, with an error of up to 0.07 of its change over such an element;
 /// this share is allowed for, and that of the displacement, where it is flat.
@@ -170,11 +173,11 @@ struct NormalSolver::State {
   bool take_starts(const JointProblem& problem, std::size_t index);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
-  [[nodiscard]] const double* distance_with_others(std::size_t k, const ElementBox& candidates);
-  [[nodiscard]] ElementBox outside_candidates(const Cascade& cascade, const double* distances);
+  void displace_by_others(std::size_t k, const ElementBox& rectangle);
+  [[nodiscard]] double least_by_others(std::size_t k) const;
+  [[nodiscard]] ElementBox outside_candidates(const Cascade& cascade, double opened);
   std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
-  ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates,
-                              const double* distances);
+  ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates, double opened);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
                 ConvolutionWorkspace<Real>& workspace);
@@ -198,7 +201,6 @@ struct NormalSolver::State {
   std::vector<IterationBox> boxes;
   std::vector<double> exterior_out;
   std::vector<double> column_reach;
-  std::vector<double> exterior_distance;
 };
 
 /// Without dimensions: lengths in longitudinal steps of each grid, u = K p, approach in that of the
@@ -430,9 +432,8 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
 /// The rectangle of those candidates outside the box that may overlap as far as pressures on
 /// elements of twice the size tell; with nothing in it (first_row > last_row) there is none.
 ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const ElementBox& candidates,
-                                                 const double* distances) {
+                                                 double opened) {
   const Level& level = cascade.finest();
-  const double opened = level.share * approach;
   const ElementBox& box = cascade.box;
   // Large elements begin at the box's first one; those beyond the candidates by one on each side.
   const LevelSize from{(box.rows() + 1) / 2, (box.columns() + 1) / 2};
@@ -467,7 +468,7 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
     const std::size_t down = row + 2 * rows_before - box.first_row;
     const float* near_row = displacement.data() + down / 2 * columns;
     const float* far_row = down % 2 == 0 ? near_row - columns : near_row + columns;
-    const double* distance = distances + row * level.size.columns;
+    const double* distance = level.distance.data() + row * level.size.columns;
     for (std::size_t column = candidates.first_column; column <= candidates.last_column; ++column) {
       if (box.holds(row, column)) {
         column = box.last_column;
@@ -492,13 +493,9 @@ ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const Element
   return possible;
 }
 
-/// The distances on a patch's finest grid, with what the other patches displace on its box and the
-/// candidates.
-const double* NormalSolver::State::distance_with_others(std::size_t k,
-                                                        const ElementBox& candidates) {
-  const Level& level = cascades[k].finest();
-  ElementBox rectangle = cascades[k].box;
-  include(rectangle, candidates);
+/// Adds what the other patches displace to the displacements on a rectangle of a patch's finest
+/// grid.
+void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& rectangle) {
   std::vector<CoupledBox> coupled;
   std::vector<double> closeness(count * count);
   for (std::size_t l = 0; l < count; ++l) {
@@ -510,27 +507,42 @@ const double* NormalSolver::State::distance_with_others(std::size_t k,
   NodeField field = coupling.field();
   for (std::size_t l = 0; l < count; ++l) {
     if (l != k) {
-      coupling.gather(l, cascades[l].box_pressure.data(), field);
+      coupling.gather(l, cascades[l].box_pressure.data(), field.load);
     }
   }
   coupling.transfer(field);
-  copy_box(level.size, rectangle, level.distance, exterior_out);
   coupling.add_others(field, k, exterior_out.data());
-  exterior_distance = level.distance;
-  put_box(level.size, rectangle, exterior_out, exterior_distance);
-  return exterior_distance.data();
+}
+
+/// A bound of the same from below, anywhere on the patch's finest grid: their loads at the farthest
+/// place.
+double NormalSolver::State::least_by_others(std::size_t k) const {
+  if (interaction == nullptr) {
+    return 0.0;
+  }
+  const Level& level = cascades[k].levels.front();
+  const CoupledBox here = coupled_box(level.grid, interaction->places[k], whole(level.size));
+  double sum = 0.0;
+  for (std::size_t l = 0; l < count; ++l) {
+    const double closeness = l == k ? 0.0 : interaction->closeness[k * count + l];
+    if (closeness > 0.0) {
+      const Grid& grid = cascades[l].levels.front().grid;
+      const double distance =
+          farthest_apart(here, coupled_box(grid, interaction->places[l], cascades[l].box));
+      sum += closeness * sum_of(cascades[l].box_pressure) * grid.element_area() / distance;
+    }
+  }
+  return least_share_by_others * sum / level.grid.longitudinal_step;
 }
 
 /// The rectangle of those elements outside the box that the load does not keep apart for sure, with
 /// nothing in it (first_row > last_row) if there is none. Displacements are positive, and at least
 /// those of a patch's whole load at the farthest place of its box, so most elements need no
 /// displacement of their own.
-ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade,
-                                                   const double* distances) {
+ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade, double opened) {
   const Level& level = cascade.levels.front();
   const LevelSize& size = level.size;
   const ElementBox& box = cascade.box;
-  const double opened = level.share * approach;
   const double aspect = cascade.kernel.aspect;
   const double box_load = sum_of(cascade.box_pressure) * aspect;
   const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
@@ -547,7 +559,7 @@ ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade,
   const double longest_column = std::max(column_reach.front(), column_reach.back());
   ElementBox candidates{size.rows, 0, size.columns, 0};
   for (std::size_t row = 0; row < size.rows; ++row) {
-    const double* distance = distances + row * size.columns;
+    const double* distance = level.distance.data() + row * size.columns;
     const double row_reach = aspect * farthest(row, box.first_row, box.last_row);
     const double row_square = row_reach * row_reach;
     if (count_below(distance, opened - box_load / std::sqrt(row_square + longest_column),
@@ -578,15 +590,13 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   const LevelSize& size = level.size;
   const ElementBox& box = cascade.box;
   const double opened = level.share * approach;
-  const double* distances = level.distance.data();
-  ElementBox candidates = outside_candidates(cascade, distances);
-  if (interaction != nullptr && candidates.first_row <= candidates.last_row) {
-    distances = distance_with_others(k, candidates);
-    candidates = outside_candidates(cascade, distances);
-  }
+  // What the others displace takes that much off the approach at least; what more, is found out
+  // only where that is not enough.
+  const double opened_by_others = opened - least_by_others(k);
+  ElementBox candidates = outside_candidates(cascade, opened_by_others);
   if (candidates.first_row <= candidates.last_row &&
       candidates.rows() * candidates.columns() >= least_coarse_check) {
-    candidates = possible_contact(cascade, candidates, distances);
+    candidates = possible_contact(cascade, candidates, opened_by_others);
   }
   if (candidates.first_row > candidates.last_row) {
     return std::nullopt;
@@ -604,24 +614,31 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
     overlap = std::max(permitted, double_overlap * opened);
     displace(cascade, rectangle, double_iteration.workspace());
   }
-  const double limit = opened - overlap;
-  bool missed = false;
-  ElementBox larger = box;
-  for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
-    const double* displacement =
-        exterior_out.data() + (row - rectangle.first_row) * rectangle.columns();
-    const double* distance = distances + row * size.columns + rectangle.first_column;
-    for (std::size_t j = 0; j < rectangle.columns(); ++j) {
-      const std::size_t column = rectangle.first_column + j;
-      if (distance[j] + displacement[j] < limit && !box.holds(row, column)) {
-        missed = true;
-        include(larger, {row - std::min(row, box_margin), std::min(row + box_margin, size.rows - 1),
-                         column - std::min(column, box_margin),
-                         std::min(column + box_margin, size.columns - 1)});
+  const auto box_with_overlap = [&](double limit) {
+    std::optional<ElementBox> larger;
+    for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
+      const double* displacement =
+          exterior_out.data() + (row - rectangle.first_row) * rectangle.columns();
+      const double* distance = level.distance.data() + row * size.columns + rectangle.first_column;
+      for (std::size_t j = 0; j < rectangle.columns(); ++j) {
+        const std::size_t column = rectangle.first_column + j;
+        if (distance[j] + displacement[j] < limit && !box.holds(row, column)) {
+          larger = larger.value_or(box);
+          include(*larger,
+                  {row - std::min(row, box_margin), std::min(row + box_margin, size.rows - 1),
+                   column - std::min(column, box_margin),
+                   std::min(column + box_margin, size.columns - 1)});
+        }
       }
     }
+    return larger;
+  };
+  std::optional<ElementBox> larger = box_with_overlap(opened_by_others - overlap);
+  if (larger && interaction != nullptr) {
+    displace_by_others(k, rectangle);
+    larger = box_with_overlap(opened - overlap);
   }
-  return missed ? std::optional(larger) : std::nullopt;
+  return larger;
 }
 
 JointSolution NormalSolver::State::solve(const JointProblem& problem) {

@@ -27,12 +27,32 @@ double between(double first, double length, double other_first, double other_len
   return std::max({0.0, other_first - (first + length), first - (other_first + other_length)});
 }
 
-double distance_of(const CoupledBox& one, const CoupledBox& other) {
-  return std::hypot(between(one.lateral_first, extent(one.rows, one.lateral_step),
-                            other.lateral_first, extent(other.rows, other.lateral_step)),
-                    between(one.longitudinal_first, extent(one.columns, one.longitudinal_step),
-                            other.longitudinal_first,
-                            extent(other.columns, other.longitudinal_step)));
+double lateral_distance(const CoupledBox& one, const CoupledBox& other) {
+  return between(one.lateral_first, extent(one.rows, one.lateral_step), other.lateral_first,
+                 extent(other.rows, other.lateral_step));
+}
+
+double longitudinal_distance(const CoupledBox& one, const CoupledBox& other) {
+  return between(one.longitudinal_first, extent(one.columns, one.longitudinal_step),
+                 other.longitudinal_first, extent(other.columns, other.longitudinal_step));
+}
+
+/// ln rho along one direction of a box: its half length, and how far the other box lies beyond it
+/// and beside it.
+double convergence(double half, double beyond, double beside) {
+  return half > 0.0 ? std::max(std::acosh(1.0 + beyond / half), std::asinh(beside / half))
+                    : std::numeric_limits<double>::infinity();
+}
+
+double distance_of_middles(const CoupledBox& one, const CoupledBox& other) {
+  const double lateral = (one.lateral_first + 0.5 * extent(one.rows, one.lateral_step)) -
+                         (other.lateral_first + 0.5 * extent(other.rows, other.lateral_step));
+  const double longitudinal =
+      (one.longitudinal_first + 0.5 * extent(one.columns, one.longitudinal_step)) -
+      (other.longitudinal_first + 0.5 * extent(other.columns, other.longitudinal_step));
+  // Boxes that lie on each other are as far apart as their elements.
+  return std::max(std::hypot(lateral, longitudinal),
+                  std::hypot(one.lateral_step, one.longitudinal_step));
 }
 
 /// sums[k] = sum_i values[i] * weights[k * count + i].
@@ -156,13 +176,22 @@ WRC_VECTOR_CLONES void fill_link(double closeness, double square, double along,
 
 } // namespace
 
-PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double distance,
+double farthest_apart(const CoupledBox& one, const CoupledBox& other) {
+  const auto farthest = [](double first, double length, double other_first, double other_length) {
+    return std::max(other_first + other_length - first, first + length - other_first);
+  };
+  return std::hypot(farthest(one.lateral_first, extent(one.rows, one.lateral_step),
+                             other.lateral_first, extent(other.rows, other.lateral_step)),
+                    farthest(one.longitudinal_first, extent(one.columns, one.longitudinal_step),
+                             other.longitudinal_first,
+                             extent(other.columns, other.longitudinal_step)));
+}
+
+PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double convergence,
                                              double error) {
   Axis axis;
   const double half = 0.5 * extent(elements, step);
-  const double ratio = half > 0.0 ? distance / half : std::numeric_limits<double>::infinity();
-  const double needed =
-      std::isfinite(ratio) ? std::ceil(-std::log(error) / std::asinh(ratio)) : 1.0;
+  const double needed = std::ceil(-std::log(error) / convergence);
   const std::size_t count = std::min(
       elements, static_cast<std::size_t>(std::clamp(needed, static_cast<double>(least_nodes),
                                                     static_cast<double>(most_nodes))));
@@ -199,7 +228,8 @@ PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
   const double longitudinal = boxes_[one].longitudinal_first - boxes_[other].longitudinal_first;
   const double least = std::max({here.rows.half_spacing, here.columns.half_spacing,
                                  there.rows.half_spacing, there.columns.half_spacing});
-  const double distance = distance_of(boxes_[one], boxes_[other]);
+  const double distance = std::hypot(lateral_distance(boxes_[one], boxes_[other]),
+                                     longitudinal_distance(boxes_[one], boxes_[other]));
   const double softening = std::max(0.0, least * least - distance * distance);
   double* values = link.values.data();
   for (const double row : here.rows.position) {
@@ -220,22 +250,33 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
     : boxes_(std::move(boxes)) {
   const std::size_t count = boxes_.size();
   for (std::size_t k = 0; k < count; ++k) {
-    double nearest = std::numeric_limits<double>::infinity();
+    const CoupledBox& box = boxes_[k];
+    double by_rows = std::numeric_limits<double>::infinity();
+    double by_columns = by_rows;
     for (std::size_t l = 0; l < count; ++l) {
       if (l != k && closeness[k * count + l] != 0.0) {
-        nearest = std::min(nearest, distance_of(boxes_[k], boxes_[l]));
+        const double lateral = lateral_distance(box, boxes_[l]);
+        const double longitudinal = longitudinal_distance(box, boxes_[l]);
+        by_rows = std::min(
+            by_rows, convergence(0.5 * extent(box.rows, box.lateral_step), lateral, longitudinal));
+        by_columns =
+            std::min(by_columns, convergence(0.5 * extent(box.columns, box.longitudinal_step),
+                                             longitudinal, lateral));
       }
     }
-    const CoupledBox& box = boxes_[k];
     Nodes nodes;
-    nodes.rows = make_axis(box.rows, box.lateral_step, nearest, error);
-    nodes.columns = make_axis(box.columns, box.longitudinal_step, nearest, error);
+    nodes.rows = make_axis(box.rows, box.lateral_step, by_rows, error);
+    nodes.columns = make_axis(box.columns, box.longitudinal_step, by_columns, error);
     nodes_.push_back(std::move(nodes));
   }
+  between_middles_.resize(count * count);
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t l = 0; l < k; ++l) {
-      if (closeness[k * count + l] != 0.0) {
-        links_.push_back(make_link(k, l, closeness[k * count + l]));
+      const double close = closeness[pair(k, l)];
+      if (close != 0.0) {
+        links_.push_back(make_link(k, l, close));
+        between_middles_[pair(k, l)] = between_middles_[pair(l, k)] =
+            close / distance_of_middles(boxes_[k], boxes_[l]);
       }
     }
   }
@@ -257,7 +298,7 @@ NodeField PatchCoupling::field() const {
 // Across the rail first, and last when adding: contact is narrower there, so there are fewer nodes.
 
 template <typename Real>
-void PatchCoupling::gather(std::size_t box, const Real* pressure, NodeField& field) {
+void PatchCoupling::gather(std::size_t box, const Real* pressure, NodeLoads& loads) {
   const Nodes& nodes = nodes_[box];
   const std::size_t rows = boxes_[box].rows;
   const std::size_t columns = boxes_[box].columns;
@@ -267,7 +308,7 @@ void PatchCoupling::gather(std::size_t box, const Real* pressure, NodeField& fie
   for (std::size_t k = 0; k < nodes.rows.nodes(); ++k) {
     line.assign(columns, Real{0});
     spread_line(nodes.rows.weights<Real>() + k * rows, pressure, rows, columns, line.data());
-    double* load = field.load[box].data() + k * node_columns;
+    double* load = loads[box].data() + k * node_columns;
     gather_line(line.data(), nodes.columns.weights<Real>(), columns, node_columns, load);
     std::transform(load, load + node_columns, load, [area](double sum) { return area * sum; });
   }
@@ -285,18 +326,32 @@ void PatchCoupling::transfer(NodeField& field) const {
   }
 }
 
-double PatchCoupling::energy(const NodeField& loads, std::size_t box, const NodeField& displacing,
+double PatchCoupling::energy(const NodeLoads& loads, std::size_t box, const NodeField& displacing,
                              std::size_t other) const {
   const std::vector<double>& displacement = displacing.displacement[pair(box, other)];
-  return std::inner_product(displacement.begin(), displacement.end(), loads.load[box].begin(), 0.0);
+  return std::inner_product(displacement.begin(), displacement.end(), loads[box].begin(), 0.0);
 }
 
-void PatchCoupling::add_others(const NodeField& field, std::size_t box, double* displacement) {
-  std::vector<double> nodes(nodes_[box].count());
+double PatchCoupling::rough_energy(const NodeLoads& loads, std::size_t box,
+                                   std::size_t other) const {
+  const auto whole = [](const std::vector<double>& load) {
+    return std::accumulate(load.begin(), load.end(), 0.0);
+  };
+  return between_middles_[pair(box, other)] * whole(loads[box]) * whole(loads[other]);
+}
+
+void PatchCoupling::sum_others(const NodeField& field, std::size_t box,
+                               std::vector<double>& nodes) const {
+  nodes.assign(nodes_[box].count(), 0.0);
   for (std::size_t other = 0; other < boxes_.size(); ++other) {
     const std::vector<double>& by_other = field.displacement[pair(box, other)];
     std::transform(by_other.begin(), by_other.end(), nodes.begin(), nodes.begin(), std::plus<>());
   }
+}
+
+void PatchCoupling::add_others(const NodeField& field, std::size_t box, double* displacement) {
+  std::vector<double> nodes;
+  sum_others(field, box, nodes);
   add<double>(box, nodes, displacement);
 }
 
@@ -327,8 +382,8 @@ void PatchCoupling::add(std::size_t box, const std::vector<double>& nodes, doubl
   }
 }
 
-template void PatchCoupling::gather(std::size_t box, const float* pressure, NodeField& field);
-template void PatchCoupling::gather(std::size_t box, const double* pressure, NodeField& field);
+template void PatchCoupling::gather(std::size_t box, const float* pressure, NodeLoads& loads);
+template void PatchCoupling::gather(std::size_t box, const double* pressure, NodeLoads& loads);
 template void PatchCoupling::add<float>(std::size_t box, const std::vector<double>& nodes,
                                         double* displacement);
 template void PatchCoupling::add<double>(std::size_t box, const std::vector<double>& nodes,

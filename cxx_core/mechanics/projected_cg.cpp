@@ -23,7 +23,7 @@ constexpr int stagnation_window = 60;
 /// Pressures whose displacements are added up one by one: about as many as cost a convolution of
 /// so many elements.
 constexpr std::size_t most_single_cuts = 128;
-constexpr double elements_per_cut = 256.0;
+constexpr double elements_per_cut = 16.0;
 /// A box whose max|z| is below this share of what ends the iteration waits for the others.
 constexpr double rest_share = 0.3;
 /// By how much an iteration must lessen the error for that.
@@ -102,19 +102,20 @@ template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_do
       std::copy_n(fields.response.data(), box.count(), fields.displacement.data());
     }
     if (request_->coupling != nullptr) {
-      request_->coupling->gather(k, box.pressure.data(), pressure_nodes_);
+      request_->coupling->gather(k, box.pressure.data(), pressure_nodes_.load);
     }
   }
   if (request_->coupling != nullptr) {
     request_->coupling->transfer(pressure_nodes_);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       std::copy_n(boxes[k].distance.data(), boxes[k].count(), fields_[k]->distance.data());
-      request_->coupling->add_others(pressure_nodes_, k, fields_[k]->distance.data());
+      request_->coupling->sum_others(pressure_nodes_, k, others_[k]);
+      request_->coupling->add<double>(k, others_[k], fields_[k]->distance.data());
     }
   }
 }
 
-/// K v: within each box, and at the nodes what the others displace there.
+/// K v within each box, and v as loads of the nodes.
 template <typename Real> void ProjectedCg<Real>::respond() {
   ++convolutions_;
   PatchCoupling* coupling = request_->coupling;
@@ -123,17 +124,14 @@ template <typename Real> void ProjectedCg<Real>::respond() {
     if (fields.rests) {
       std::fill_n(fields.response.data(), request_->boxes[k].count(), Real{0});
       if (coupling != nullptr) {
-        std::fill(direction_nodes_.load[k].begin(), direction_nodes_.load[k].end(), 0.0);
+        std::fill(direction_loads_[k].begin(), direction_loads_[k].end(), 0.0);
       }
       continue;
     }
     fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
     if (coupling != nullptr) {
-      coupling->gather(k, fields.direction.data(), direction_nodes_);
+      coupling->gather(k, fields.direction.data(), direction_loads_);
     }
-  }
-  if (coupling != nullptr) {
-    coupling->transfer(direction_nodes_);
   }
 }
 
@@ -188,7 +186,8 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   }
 }
 
-/// Energies of what a box displaces at another, from loads and displacements of the nodes.
+/// Energies of what a box displaces at another, from loads and displacements of the nodes. That of
+/// two directions only decides how far to go: a rough value leads to as many iterations.
 template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
   const PatchCoupling& coupling = *request_->coupling;
   const std::size_t count = request_->boxes.size();
@@ -197,14 +196,13 @@ template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
     const double unit = request_->boxes[k].weight / coupling.energy_unit(k);
     for (std::size_t l = 0; l < count; ++l) {
       if (l < k) {
-        joint_step_.set_energy(l, k,
-                               unit * coupling.energy(direction_nodes_, k, direction_nodes_, l));
+        joint_step_.set_energy(l, k, unit * coupling.rough_energy(direction_loads_, k, l));
         joint_step_.set_energy(count + l, count + k,
-                               unit * coupling.energy(pressure_nodes_, k, pressure_nodes_, l));
+                               unit * coupling.energy(pressure_nodes_.load, k, pressure_nodes_, l));
       }
       if (l != k) {
         joint_step_.set_energy(k, count + l,
-                               unit * coupling.energy(direction_nodes_, k, pressure_nodes_, l));
+                               unit * coupling.energy(direction_loads_, k, pressure_nodes_, l));
       }
     }
   }
@@ -212,31 +210,23 @@ template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
 
 /// Follows the pressures that have moved, been cut and been scaled with what boxes displace at each
 /// other.
-template <typename Real> void ProjectedCg<Real>::advance_coupling(bool any_cut) {
+template <typename Real> void ProjectedCg<Real>::advance_coupling() {
   PatchCoupling& coupling = *request_->coupling;
   const std::size_t count = request_->boxes.size();
-  if (any_cut) {
-    coupling.transfer(cut_nodes_);
-  }
-  const auto advanced = [&](std::size_t l, double value, double moved, double cut) {
-    return fields_[l]->factor * (value + fields_[l]->step * moved + (any_cut ? cut : 0.0));
-  };
   for (std::size_t k = 0; k < count; ++k) {
+    const Fields& fields = *fields_[k];
     std::vector<double>& load = pressure_nodes_.load[k];
     for (std::size_t i = 0; i < load.size(); ++i) {
-      load[i] = advanced(k, load[i], direction_nodes_.load[k][i], cut_nodes_.load[k][i]);
+      const double cut = fields.cut > 0.0 ? cut_loads_[k][i] : 0.0;
+      load[i] = fields.factor * (load[i] + fields.step * direction_loads_[k][i] + cut);
     }
-    node_change_.assign(load.size(), 0.0);
-    for (std::size_t l = 0; l < count; ++l) {
-      const std::size_t pair = k * count + l;
-      std::vector<double>& displacement = pressure_nodes_.displacement[pair];
-      for (std::size_t i = 0; i < displacement.size(); ++i) {
-        const double value = advanced(l, displacement[i], direction_nodes_.displacement[pair][i],
-                                      cut_nodes_.displacement[pair][i]);
-        node_change_[i] += value - displacement[i];
-        displacement[i] = value;
-      }
-    }
+  }
+  coupling.transfer(pressure_nodes_);
+  for (std::size_t k = 0; k < count; ++k) {
+    node_change_ = others_[k];
+    coupling.sum_others(pressure_nodes_, k, others_[k]);
+    std::transform(others_[k].begin(), others_[k].end(), node_change_.begin(), node_change_.begin(),
+                   std::minus<>());
     coupling.add<Real>(k, node_change_, fields_[k]->distance.data());
   }
 }
@@ -271,7 +261,7 @@ template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
                    [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
   }
   if (request_->coupling != nullptr) {
-    request_->coupling->gather(k, fields.response.data(), cut_nodes_);
+    request_->coupling->gather(k, fields.response.data(), cut_loads_);
   }
   if (one_by_one) {
     struct Cut {
@@ -372,7 +362,8 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
   }
   PatchCoupling* coupling = request.coupling;
   if (coupling != nullptr) {
-    direction_nodes_ = pressure_nodes_ = cut_nodes_ = coupling->field();
+    pressure_nodes_ = coupling->field();
+    direction_loads_ = cut_loads_ = others_ = pressure_nodes_.load;
   }
   const double amplification = std::pow(static_cast<double>(longest), drift_exponent);
   const double least_drift = double_drift * amplification;
@@ -508,7 +499,6 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     respond();
     choose_steps();
     double largest_change = 0.0;
-    bool any_cut = false;
     outcome.largest_pressure = 0.0;
     load = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
@@ -518,7 +508,6 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
           move(box.pressure.data(), fields.displacement.data(), fields.direction.data(),
                fields.response.data(), fields.step, box.count());
       fields.cut = moved.negative_count;
-      any_cut = any_cut || moved.negative_count > 0.0;
       largest_change = std::max(largest_change, fields.factor * moved.largest_change);
       outcome.largest_pressure = std::max(outcome.largest_pressure, fields.factor * moved.largest);
       load += box.weight * box.share * fields.factor * moved.pressure;
@@ -526,11 +515,9 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
         fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
       }
     }
-    for (std::size_t k = 0; k < count && any_cut; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       if (fields_[k]->cut > 0.0) {
         cut_negative(k);
-      } else if (coupling != nullptr) {
-        std::fill(cut_nodes_.load[k].begin(), cut_nodes_.load[k].end(), 0.0);
       }
     }
     const double kept_load = load_given ? *request.load / load : 1.0;
@@ -546,7 +533,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     rounding = largest_factor * rounding + drift_rate * kept_load * largest_change;
     if (coupling != nullptr) {
       rounding += drift_rate * largest_growth * outcome.largest_pressure; // of what others displace
-      advance_coupling(any_cut);
+      advance_coupling();
     }
   }
 }

@@ -19,8 +19,8 @@
 /// step p = max(0, p + z). A box that is well below this before the others moves on only by its
 /// gamma, as long as the others get on.
 /// With coupling (patch_coupling.hpp), what boxes displace at each other is kept at their nodes and
-/// counts as part of h: loads there are followed through steps, cuts and scaling, and only the
-/// change is interpolated to the elements, once an iteration.
+/// counts as part of h: loads there are followed through steps, cuts and scaling, and the change of
+/// displacement is interpolated to the elements, once an iteration.
 /// In units of influence_cache.hpp. Directions are kept in `Real`; p and u always in double. u is
 /// carried along, and computed anew when its accumulated rounding could matter, so `float` reaches
 /// any tolerance that double does.
@@ -129,7 +129,7 @@ private:
   void choose_steps();
   void add_coupled_energies();
   void cut_negative(std::size_t k);
-  void advance_coupling(bool any_cut);
+  void advance_coupling();
   void mirror_influence(const IterationBox& box, Fields& fields);
   void take_free_step(double z_mean);
 
@@ -146,11 +146,12 @@ private:
   const IterationRequest* request_ = nullptr;
   std::vector<CorrectionSums> sums_; ///< by box
   JointStep joint_step_;
-  // With coupling: loads and displacements at the nodes.
-  NodeField direction_nodes_;
+  // With coupling: at the nodes.
   NodeField pressure_nodes_;
-  NodeField cut_nodes_;
+  NodeLoads direction_loads_;
+  NodeLoads cut_loads_;
   std::vector<double> node_change_;
+  std::vector<std::vector<double>> others_; ///< by box: displacement of its nodes by all others
   int convolutions_ = 0;
 };
 

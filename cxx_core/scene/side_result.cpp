@@ -255,7 +255,7 @@ void add_displacement_by_others(const SideResult& side, std::span<const PatchRes
   std::vector<double> inside;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     copy_box(sizes[k], rectangles[k], patches[k]->pressure, inside);
-    coupling.gather(k, inside.data(), field);
+    coupling.gather(k, inside.data(), field.load);
   }
   coupling.transfer(field);
   for (std::size_t k = 0; k < boxes.size(); ++k) {

