@@ -50,7 +50,7 @@ std::size_t good_fft_length(std::size_t least);
 /// Least length for a line that is also fast with vector instructions: a multiple of 16 with an
 /// odd factor of 1, 3, 5, 9, 15 or 25 where that has been measured to be as good per element (9,
 /// 15 and 25 only up to 400); below 48 those that FFTW transforms several lines of at once: 2 to
-/// 16, 20 and 32. Even, so that the columns of a spectrum are one more than whole blocks of lines.
+/// 16, 20 and 32. Always even.
 std::size_t fast_line_length(std::size_t least);
 
 /// Memory aligned for vector instructions; values are not initialised. At least one value.

@@ -44,15 +44,22 @@ double convergence(double half, double beyond, double beside) {
                     : std::numeric_limits<double>::infinity();
 }
 
-double distance_of_middles(const CoupledBox& one, const CoupledBox& other) {
+double half_diagonal(const CoupledBox& box) {
+  return 0.5 *
+         std::hypot(extent(box.rows, box.lateral_step), extent(box.columns, box.longitudinal_step));
+}
+
+/// Between the loads of two boxes: that of their middles, or half of the longer diagonal where long
+/// boxes lie close beside each other, or on each other.
+double typical_distance(const CoupledBox& one, const CoupledBox& other) {
   const double lateral = (one.lateral_first + 0.5 * extent(one.rows, one.lateral_step)) -
                          (other.lateral_first + 0.5 * extent(other.rows, other.lateral_step));
   const double longitudinal =
       (one.longitudinal_first + 0.5 * extent(one.columns, one.longitudinal_step)) -
       (other.longitudinal_first + 0.5 * extent(other.columns, other.longitudinal_step));
-  // Boxes that lie on each other are as far apart as their elements.
-  return std::max(std::hypot(lateral, longitudinal),
-                  std::hypot(one.lateral_step, one.longitudinal_step));
+  const double element = std::hypot(one.lateral_step, one.longitudinal_step);
+  return std::max(
+      {std::hypot(lateral, longitudinal), half_diagonal(one), half_diagonal(other), element});
 }
 
 /// sums[k] = sum_i values[i] * weights[k * count + i].
@@ -269,14 +276,14 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
     nodes.columns = make_axis(box.columns, box.longitudinal_step, by_columns, error);
     nodes_.push_back(std::move(nodes));
   }
-  between_middles_.resize(count * count);
+  rough_links_.resize(count * count);
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t l = 0; l < k; ++l) {
       const double close = closeness[pair(k, l)];
       if (close != 0.0) {
         links_.push_back(make_link(k, l, close));
-        between_middles_[pair(k, l)] = between_middles_[pair(l, k)] =
-            close / distance_of_middles(boxes_[k], boxes_[l]);
+        rough_links_[pair(k, l)] = rough_links_[pair(l, k)] =
+            close / typical_distance(boxes_[k], boxes_[l]);
       }
     }
   }
@@ -337,7 +344,7 @@ double PatchCoupling::rough_energy(const NodeLoads& loads, std::size_t box,
   const auto whole = [](const std::vector<double>& load) {
     return std::accumulate(load.begin(), load.end(), 0.0);
   };
-  return between_middles_[pair(box, other)] * whole(loads[box]) * whole(loads[other]);
+  return rough_links_[pair(box, other)] * whole(loads[box]) * whole(loads[other]);
 }
 
 void PatchCoupling::sum_others(const NodeField& field, std::size_t box,

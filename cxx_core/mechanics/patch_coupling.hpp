@@ -65,8 +65,8 @@ public:
   /// in P^2 times mm^3 over pi E*.
   [[nodiscard]] double energy(const NodeLoads& loads, std::size_t box, const NodeField& displacing,
                               std::size_t other) const;
-  /// The same of loads on two boxes, as if each box had its load in its middle: no more than a
-  /// rough value, but it takes no transfer.
+  /// The same of loads on two boxes, with one distance for all of each: no more than a rough value,
+  /// but it takes no transfer.
   [[nodiscard]] double rough_energy(const NodeLoads& loads, std::size_t box,
                                     std::size_t other) const;
   /// Energies over this are sums of pressure times displacement over the elements of a box.
@@ -118,7 +118,7 @@ private:
   std::vector<CoupledBox> boxes_;
   std::vector<Nodes> nodes_;
   std::vector<Link> links_;
-  std::vector<double> between_middles_; ///< [box * boxes + other]: c / r, 0 if not coupled
+  std::vector<double> rough_links_; ///< [box * boxes + other]: c / r, 0 if not coupled
   /// Of elements, while a box is gathered or added.
   template <typename Real> std::vector<Real>& lines() {
     if constexpr (sizeof(Real) < sizeof(double)) {
