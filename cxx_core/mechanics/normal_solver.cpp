@@ -622,7 +622,11 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
       const double* distance = level.distance.data() + row * size.columns + rectangle.first_column;
       for (std::size_t j = 0; j < rectangle.columns(); ++j) {
         const std::size_t column = rectangle.first_column + j;
-        if (distance[j] + displacement[j] < limit && !box.holds(row, column)) {
+        if (box.holds(row, column)) {
+          j = box.last_column - rectangle.first_column;
+          continue;
+        }
+        if (distance[j] + displacement[j] < limit) {
           larger = larger.value_or(box);
           include(*larger,
                   {row - std::min(row, box_margin), std::min(row + box_margin, size.rows - 1),

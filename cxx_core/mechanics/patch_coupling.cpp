@@ -333,18 +333,17 @@ void PatchCoupling::transfer(NodeField& field) const {
   }
 }
 
-double PatchCoupling::energy(const NodeLoads& loads, std::size_t box, const NodeField& displacing,
-                             std::size_t other) const {
-  const std::vector<double>& displacement = displacing.displacement[pair(box, other)];
-  return std::inner_product(displacement.begin(), displacement.end(), loads[box].begin(), 0.0);
+double PatchCoupling::energy(const NodeField& field, std::size_t box, std::size_t other) const {
+  const std::vector<double>& displacement = field.displacement[pair(box, other)];
+  return std::inner_product(displacement.begin(), displacement.end(), field.load[box].begin(), 0.0);
 }
 
-double PatchCoupling::rough_energy(const NodeLoads& loads, std::size_t box,
-                                   std::size_t other) const {
-  const auto whole = [](const std::vector<double>& load) {
-    return std::accumulate(load.begin(), load.end(), 0.0);
+double PatchCoupling::rough_energy(std::size_t box, double sum, std::size_t other,
+                                   double other_sum) const {
+  const auto load = [this](std::size_t k, double pressures) {
+    return pressures * boxes_[k].lateral_step * boxes_[k].longitudinal_step;
   };
-  return rough_links_[pair(box, other)] * whole(loads[box]) * whole(loads[other]);
+  return rough_links_[pair(box, other)] * load(box, sum) * load(other, other_sum);
 }
 
 void PatchCoupling::sum_others(const NodeField& field, std::size_t box,

@@ -61,14 +61,13 @@ public:
   template <typename Real> void gather(std::size_t box, const Real* pressure, NodeLoads& loads);
   /// Node to node, once all boxes are gathered.
   void transfer(NodeField& field) const;
-  /// Sum of displacement times load, of loads on `box` by those that `displacing` has on `other`;
-  /// in P^2 times mm^3 over pi E*.
-  [[nodiscard]] double energy(const NodeLoads& loads, std::size_t box, const NodeField& displacing,
-                              std::size_t other) const;
-  /// The same of loads on two boxes, with one distance for all of each: no more than a rough value,
-  /// but it takes no transfer.
-  [[nodiscard]] double rough_energy(const NodeLoads& loads, std::size_t box,
-                                    std::size_t other) const;
+  /// Sum of displacement times load, of the loads on `box` by those on `other`; in P^2 times mm^3
+  /// over pi E*.
+  [[nodiscard]] double energy(const NodeField& field, std::size_t box, std::size_t other) const;
+  /// The same of pressures whose sums over the elements of two boxes are given, with one distance
+  /// for all of them: no more than a rough value, but it takes no nodes.
+  [[nodiscard]] double rough_energy(std::size_t box, double sum, std::size_t other,
+                                    double other_sum) const;
   /// Energies over this are sums of pressure times displacement over the elements of a box.
   [[nodiscard]] double energy_unit(std::size_t box) const {
     return boxes_[box].lateral_step * boxes_[box].longitudinal_step * boxes_[box].longitudinal_step;

@@ -115,22 +115,15 @@ template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_do
   }
 }
 
-/// K v within each box, and v as loads of the nodes.
+/// K v within each box.
 template <typename Real> void ProjectedCg<Real>::respond() {
   ++convolutions_;
-  PatchCoupling* coupling = request_->coupling;
   for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
     Fields& fields = *fields_[k];
     if (fields.rests) {
       std::fill_n(fields.response.data(), request_->boxes[k].count(), Real{0});
-      if (coupling != nullptr) {
-        std::fill(direction_loads_[k].begin(), direction_loads_[k].end(), 0.0);
-      }
-      continue;
-    }
-    fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
-    if (coupling != nullptr) {
-      coupling->gather(k, fields.direction.data(), direction_loads_);
+    } else {
+      fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
     }
   }
 }
@@ -145,10 +138,11 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   bool found = false;
   if (count > 1) {
     joint_step_.begin(count);
+    step_sums_.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       const IterationBox& box = boxes[k];
       const Fields& fields = *fields_[k];
-      const JointStepSums sums =
+      const JointStepSums& sums = step_sums_[k] =
           sum_joint_step(box.pressure.data(), fields.displacement.data(), fields.residual.data(),
                          fields.direction.data(), fields.response.data(), box.count());
       joint_step_.set_energy(k, k, box.weight * sums.v_q);
@@ -186,26 +180,39 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   }
 }
 
-/// Energies of what a box displaces at another, from loads and displacements of the nodes. That of
-/// two directions only decides how far to go: a rough value leads to as many iterations.
+/// Energies of what a box displaces at another. Those of directions only decide how far to go:
+/// rough values lead to as many iterations.
 template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
   const PatchCoupling& coupling = *request_->coupling;
   const std::size_t count = request_->boxes.size();
   for (std::size_t k = 0; k < count; ++k) {
     // The same for all boxes: weights go like element area times unit of length.
     const double unit = request_->boxes[k].weight / coupling.energy_unit(k);
+    const double moved = step_sums_[k].v;
     for (std::size_t l = 0; l < count; ++l) {
       if (l < k) {
-        joint_step_.set_energy(l, k, unit * coupling.rough_energy(direction_loads_, k, l));
-        joint_step_.set_energy(count + l, count + k,
-                               unit * coupling.energy(pressure_nodes_.load, k, pressure_nodes_, l));
+        joint_step_.set_energy(l, k, unit * coupling.rough_energy(k, moved, l, step_sums_[l].v));
+        joint_step_.set_energy(count + l, count + k, unit * coupling.energy(pressure_nodes_, k, l));
       }
       if (l != k) {
         joint_step_.set_energy(k, count + l,
-                               unit * coupling.energy(direction_loads_, k, pressure_nodes_, l));
+                               unit * coupling.rough_energy(k, moved, l, step_sums_[l].p));
       }
     }
   }
+}
+
+/// What the pressures of a box, which have moved and will be cut, add to the loads of its nodes.
+template <typename Real> void ProjectedCg<Real>::gather_change(std::size_t k) {
+  const IterationBox& box = request_->boxes[k];
+  Fields& fields = *fields_[k];
+  if (fields.rests) {
+    std::fill(load_change_[k].begin(), load_change_[k].end(), 0.0);
+    return;
+  }
+  form_change(box.pressure.data(), fields.direction.data(), fields.step, fields.correction.data(),
+              box.count());
+  request_->coupling->gather(k, fields.correction.data(), load_change_);
 }
 
 /// Follows the pressures that have moved, been cut and been scaled with what boxes displace at each
@@ -214,12 +221,11 @@ template <typename Real> void ProjectedCg<Real>::advance_coupling() {
   PatchCoupling& coupling = *request_->coupling;
   const std::size_t count = request_->boxes.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const Fields& fields = *fields_[k];
     std::vector<double>& load = pressure_nodes_.load[k];
-    for (std::size_t i = 0; i < load.size(); ++i) {
-      const double cut = fields.cut > 0.0 ? cut_loads_[k][i] : 0.0;
-      load[i] = fields.factor * (load[i] + fields.step * direction_loads_[k][i] + cut);
-    }
+    std::transform(load.begin(), load.end(), load_change_[k].begin(), load.begin(),
+                   [factor = fields_[k]->factor](double now, double change) {
+                     return factor * (now + change);
+                   });
   }
   coupling.transfer(pressure_nodes_);
   for (std::size_t k = 0; k < count; ++k) {
@@ -248,21 +254,13 @@ void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields
   fields.has_mirrored = true;
 }
 
-/// Sets negative pressures to 0 and takes their displacement out of u; with coupling, gathers what
-/// this adds to the loads of the nodes.
+/// Sets negative pressures to 0 and takes their displacement out of u.
 template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
   const IterationBox& box = request_->boxes[k];
   Fields& fields = *fields_[k];
   double* pressure = box.pressure.data();
   const double most = static_cast<double>(box.count()) / elements_per_cut;
   const bool one_by_one = fields.cut <= std::min(most, static_cast<double>(most_single_cuts));
-  if (request_->coupling != nullptr || !one_by_one) {
-    std::transform(pressure, pressure + box.count(), fields.response.data(),
-                   [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
-  }
-  if (request_->coupling != nullptr) {
-    request_->coupling->gather(k, fields.response.data(), cut_loads_);
-  }
   if (one_by_one) {
     struct Cut {
       std::size_t row;
@@ -300,6 +298,8 @@ template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
     }
     return;
   }
+  std::transform(pressure, pressure + box.count(), fields.response.data(),
+                 [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
   std::transform(pressure, pressure + box.count(), pressure,
                  [](double p) { return std::max(0.0, p); });
   fields.convolution.apply(fields.response.data(), fields.response.data(), workspace_);
@@ -363,7 +363,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
   PatchCoupling* coupling = request.coupling;
   if (coupling != nullptr) {
     pressure_nodes_ = coupling->field();
-    direction_loads_ = cut_loads_ = others_ = pressure_nodes_.load;
+    load_change_ = others_ = pressure_nodes_.load;
   }
   const double amplification = std::pow(static_cast<double>(longest), drift_exponent);
   const double least_drift = double_drift * amplification;
@@ -516,6 +516,9 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       }
     }
     for (std::size_t k = 0; k < count; ++k) {
+      if (coupling != nullptr) {
+        gather_change(k);
+      }
       if (fields_[k]->cut > 0.0) {
         cut_negative(k);
       }

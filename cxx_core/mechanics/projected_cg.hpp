@@ -108,7 +108,7 @@ private:
     AlignedArray<double> distance;     ///< with coupling: h, and what other boxes displace here
     AlignedArray<Real> residual;
     AlignedArray<Real> last_residual;
-    AlignedArray<Real> correction; ///< z
+    AlignedArray<Real> correction; ///< z; with coupling also what p changes by in a step
     AlignedArray<Real> direction;  ///< v
     AlignedArray<Real> response;   ///< K v; also the input of a fresh u = K p
     AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
@@ -129,6 +129,7 @@ private:
   void choose_steps();
   void add_coupled_energies();
   void cut_negative(std::size_t k);
+  void gather_change(std::size_t k);
   void advance_coupling();
   void mirror_influence(const IterationBox& box, Fields& fields);
   void take_free_step(double z_mean);
@@ -146,10 +147,10 @@ private:
   const IterationRequest* request_ = nullptr;
   std::vector<CorrectionSums> sums_; ///< by box
   JointStep joint_step_;
+  std::vector<JointStepSums> step_sums_; ///< by box
   // With coupling: at the nodes.
   NodeField pressure_nodes_;
-  NodeLoads direction_loads_;
-  NodeLoads cut_loads_;
+  NodeLoads load_change_; ///< in a step, before pressures are scaled
   std::vector<double> node_change_;
   std::vector<std::vector<double>> others_; ///< by box: displacement of its nodes by all others
   int convolutions_ = 0;

@@ -124,6 +124,15 @@ WRC_VECTOR_BODY MoveSums move_body(double* pressure, double* displacement, const
 }
 
 template <typename Real>
+WRC_VECTOR_BODY void change_body(const double* pressure, const Real* v, Real step, Real* change,
+                                 std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    change[i] = step * v[i] + static_cast<Real>(std::max(0.0, -pressure[i]));
+  }
+}
+
+template <typename Real>
 WRC_VECTOR_BODY void take_out_body(double* displacement, Real* sum, const Real* const* kernels,
                                    const Real* pressures, std::size_t cuts, std::size_t columns) {
   std::fill_n(sum, columns, Real{0});
@@ -220,6 +229,16 @@ WRC_VECTOR_CLONES MoveSums move(double* p, double* u, const float* v, const floa
 WRC_VECTOR_CLONES MoveSums move(double* p, double* u, const double* v, const double* q, double step,
                                 std::size_t n) {
   return move_body(p, u, v, q, step, n);
+}
+
+WRC_VECTOR_CLONES void form_change(const double* p, const float* v, double step, float* change,
+                                   std::size_t n) {
+  change_body(p, v, static_cast<float>(step), change, n);
+}
+
+WRC_VECTOR_CLONES void form_change(const double* p, const double* v, double step, double* change,
+                                   std::size_t n) {
+  change_body(p, v, step, change, n);
 }
 
 WRC_VECTOR_CLONES void take_out(double* u, float* sum, const float* const* kernels,

@@ -84,6 +84,10 @@ struct MoveSums {
 MoveSums move(double* p, double* u, const float* v, const float* q, double step, std::size_t n);
 MoveSums move(double* p, double* u, const double* v, const double* q, double step, std::size_t n);
 
+/// What p has changed by, when it is cut at 0 after the step: step v + max(0, -p).
+void form_change(const double* p, const float* v, double step, float* change, std::size_t n);
+void form_change(const double* p, const double* v, double step, double* change, std::size_t n);
+
 /// u -= sum_k pressures[k] kernels[k] in a row of n elements, each kernel starting at its first
 /// element. `sum` is for scratch.
 void take_out(double* u, float* sum, const float* const* kernels, const float* pressures,
