@@ -28,9 +28,12 @@ constexpr double elements_per_cut = 16.0;
 constexpr double rest_share = 0.3;
 /// By how much an iteration must lessen the error for that.
 constexpr double rest_progress = 0.7;
-/// By how much the pressures of one box may grow in an iteration.
-constexpr double least_growth = 0.5;
-constexpr double most_growth = 2.0;
+/// By which share the pressures of one box may shrink or grow in an iteration. Where the least
+/// energy lies beyond, all go the same part of the way, which keeps the load; where that would be
+/// less than the least part, a step of the same length in all boxes is taken.
+constexpr double most_shrinking = 0.5;
+constexpr double most_growth = 1.0;
+constexpr double least_part = 0.1;
 
 void scale_pressures(std::span<const IterationBox> boxes, double factor) {
   for (const IterationBox& box : boxes) {
@@ -158,11 +161,16 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
     }
     found = joint_step_.solve(request_->load.has_value());
   }
-  if (found) {
+  double part = found ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < count && found; ++k) {
+    const double growth = joint_step_.growth(k);
+    part = std::min(part, (growth < 0.0 ? most_shrinking : most_growth) / std::abs(growth));
+  }
+  if (part >= least_part) {
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
-      fields.factor = std::clamp(1.0 + joint_step_.growth(k), least_growth, most_growth);
-      fields.step = joint_step_.step(k) / fields.factor; // pressures grow after it
+      fields.factor = 1.0 + part * joint_step_.growth(k);
+      fields.step = part * joint_step_.step(k) / fields.factor; // pressures grow after it
     }
     return;
   }
@@ -385,6 +393,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
 
   double best_error = std::numeric_limits<double>::infinity();
   int best_iteration = 0;
+  int idle = 0; // iterations without a step, one after the other
   for (;; ++outcome.iterations) {
     double gap_sum = 0.0;
     double gap_count = 0.0;
@@ -473,6 +482,17 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     // residual would lead to.
     const bool others_get_on = outcome.error < rest_progress * last_error;
     const double rest_limit = rest_share * request.tolerance * outcome.largest_pressure;
+    // z, taken off its mean, need not lead to less energy far from the answer; r does.
+    const bool plain = idle >= 2;
+    double mean = z_mean;
+    if (plain) {
+      double r_sum = 0.0;
+      for (std::size_t k = 0; k < count; ++k) {
+        r_sum += boxes[k].weight * boxes[k].share * sums_[k].r;
+        fields_[k]->last_z_r = 0.0;
+      }
+      mean = load_given && contacts > 0.0 ? r_sum / contacts : 0.0;
+    }
     double v_sum = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
@@ -483,7 +503,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       fields.beta = fields.last_z_r > 0.0 && !fields.rests
                         ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r)
                         : 0.0;
-      fields.last_z_r = fields.rests ? 0.0 : z_r;
+      fields.last_z_r = fields.rests || plain ? 0.0 : z_r;
       v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
     }
     const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
@@ -493,11 +513,13 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
         std::fill_n(fields.direction.data(), boxes[k].count(), Real{0});
         continue;
       }
-      form_direction(fields.correction.data(), fields.direction.data(), fields.contact.data(),
-                     fields.beta, (z_mean + v_mean) * boxes[k].share, boxes[k].count());
+      form_direction(plain ? fields.residual.data() : fields.correction.data(),
+                     fields.direction.data(), fields.contact.data(), fields.beta,
+                     (mean + v_mean) * boxes[k].share, boxes[k].count());
     }
     respond();
     choose_steps();
+    bool moves = false;
     double largest_change = 0.0;
     outcome.largest_pressure = 0.0;
     load = 0.0;
@@ -514,7 +536,9 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       if (fields.step == 0.0) {
         fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
       }
+      moves = moves || fields.step != 0.0;
     }
+    idle = moves ? 0 : idle + 1;
     for (std::size_t k = 0; k < count; ++k) {
       if (coupling != nullptr) {
         gather_change(k);

@@ -1,0 +1,165 @@
+// Random patches together, from starts that are far from the answer: nothing fails, and the answer
+// is that of no start at all, to the tolerance asked.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mechanics/normal_solver.hpp"
+
+namespace wrc::test {
+namespace {
+
+/// Two or three patches, paraboloids with or without waves, on grids of all shapes.
+class RandomPatches {
+public:
+  explicit RandomPatches(std::uint64_t seed) : generator_(seed) {
+    const std::size_t count = even(0.0, 1.0) < 0.25 ? 3 : 2;
+    distances_.resize(count);
+    starts_.resize(count);
+    double beside = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      Grid grid;
+      grid.lateral_count = static_cast<std::size_t>(even(5.0, 60.0));
+      grid.longitudinal_count = static_cast<std::size_t>(even(4.0, 40.0));
+      const double width = spread(1.0, 12.0);
+      const double length = spread(4.0, 14.0);
+      grid.lateral_step = width / static_cast<double>(grid.lateral_count);
+      grid.longitudinal_step = length / static_cast<double>(grid.longitudinal_count);
+      grid.lateral_first = -0.5 * (width - grid.lateral_step);
+      grid.longitudinal_first = -0.5 * (length - grid.longitudinal_step);
+      fill_distance(grid, k, width);
+      fill_start(grid, k, width, length);
+      PatchGap& gap = gaps_.emplace_back();
+      gap.grid = grid;
+      gap.approach_share = even(0.4, 1.0);
+      interaction_.places.push_back({beside + 0.5 * width, even(-1.0, 1.0)});
+      // Apart enough for interpolation to be good to 1e-5.
+      beside += width + std::max(width, length) * spread(0.6, 3.0);
+    }
+    interaction_.closeness.assign(count * count, even(0.0, 1.0));
+    for (std::size_t k = 0; k < count; ++k) {
+      gaps_[k].undeformed_distance = distances_[k];
+    }
+    problem_.combined_modulus = 115384.6;
+    problem_.elements = Elements::smooth;
+    problem_.tolerance = spread(3e-5, 1e-2);
+    if (even(0.0, 1.0) < 0.8) {
+      problem_.load = spread(1.0, 2e5);
+    } else {
+      problem_.approach = spread(1e-3, 0.2);
+    }
+    if (even(0.0, 1.0) < 0.7) {
+      problem_.interaction = &interaction_;
+    }
+  }
+  RandomPatches(const RandomPatches&) = delete;
+  RandomPatches& operator=(const RandomPatches&) = delete;
+
+  [[nodiscard]] JointProblem problem(bool with_starts) {
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      gaps_[k].start.reset();
+      if (with_starts) {
+        gaps_[k].start = StartPressure{gaps_[k].grid, starts_[k]};
+      }
+    }
+    problem_.patches = gaps_;
+    return problem_;
+  }
+
+private:
+  double even(double from, double to) {
+    return from + (to - from) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
+  }
+  double spread(double from, double to) { return std::exp(even(std::log(from), std::log(to))); }
+
+  void fill_distance(const Grid& grid, std::size_t k, double width) {
+    const double lateral_radius = spread(10.0, 600.0);
+    const double longitudinal_radius = spread(150.0, 900.0);
+    const double middle = even(-0.3, 0.3) * width;
+    const double offset = k > 0 ? even(-0.02, 0.05) : 0.0;
+    const double wave = even(0.0, 1.0) < 0.3 ? even(0.0, 0.002) : 0.0;
+    for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+      for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
+        const double y = grid.lateral(i) - middle;
+        const double x = grid.longitudinal(j);
+        distances_[k].push_back(offset +
+                                0.5 * (y * y / lateral_radius + x * x / longitudinal_radius) +
+                                wave * std::cos(4.0 * y));
+      }
+    }
+  }
+
+  /// Nothing, noise, half an ellipsoid somewhere, or one element.
+  void fill_start(const Grid& grid, std::size_t k, double width, double length) {
+    std::vector<double>& start = starts_[k];
+    start.assign(grid.element_count(), 0.0);
+    switch (static_cast<int>(even(0.0, 4.0))) {
+    case 0:
+      break;
+    case 1:
+      std::generate(start.begin(), start.end(), [this] { return even(0.0, 1.0); });
+      break;
+    case 2: {
+      const double y = even(-0.4, 0.4) * width;
+      const double x = even(-0.3, 0.3) * length;
+      const double size = 0.5 * spread(0.02, 1.0);
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        const double across = (grid.lateral(i / grid.longitudinal_count) - y) / (size * width);
+        const double along = (grid.longitudinal(i % grid.longitudinal_count) - x) / (size * length);
+        start[i] = 1000.0 * std::sqrt(std::max(0.0, 1.0 - across * across - along * along));
+      }
+      break;
+    }
+    default:
+      start[static_cast<std::size_t>(even(0.0, static_cast<double>(start.size())))] =
+          spread(1e-6, 1e4);
+    }
+  }
+
+  std::mt19937_64 generator_;
+  std::vector<std::vector<double>> distances_;
+  std::vector<std::vector<double>> starts_;
+  std::vector<PatchGap> gaps_;
+  PatchInteraction interaction_;
+  JointProblem problem_;
+};
+
+TEST(JointContactRandom, StartsFarFromTheAnswerLeadToIt) {
+  constexpr int count = 300;
+  NormalSolver solver;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPatches patches(seed);
+    JointProblem exact = patches.problem(false);
+    exact.tolerance = 1e-11;
+    const JointSolution expected =
+        NormalSolver(PlannerRigor::estimate, Precision::double_only).solve(exact);
+    double largest = 0.0;
+    for (const JointSolution::Patch& patch : expected.patches) {
+      largest = std::max(largest, *std::max_element(patch.pressure.begin(), patch.pressure.end()));
+    }
+    for (const bool with_starts : {false, true}) {
+      const JointProblem problem = patches.problem(with_starts);
+      const JointSolution found = solver.solve(problem);
+      EXPECT_EQ(found.stop_reason, StopReason::tolerance_met) << with_starts;
+      double error = 0.0;
+      for (std::size_t k = 0; k < found.patches.size(); ++k) {
+        for (std::size_t i = 0; i < found.patches[k].pressure.size(); ++i) {
+          const double difference =
+              std::abs(found.patches[k].pressure[i] - expected.patches[k].pressure[i]);
+          error = difference <= error ? error : difference; // NaN stays
+        }
+      }
+      EXPECT_LE(error, problem.tolerance * largest) << with_starts;
+      EXPECT_TRUE(std::isfinite(found.approach)) << with_starts;
+    }
+  }
+}
+
+} // namespace
+} // namespace wrc::test
