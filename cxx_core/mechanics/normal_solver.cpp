@@ -431,6 +431,7 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
 
 /// The rectangle of those candidates outside the box that may overlap as far as pressures on
 /// elements of twice the size tell; with nothing in it (first_row > last_row) there is none.
+/// `opened`: the approach, less what the other patches displace.
 ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const ElementBox& candidates,
                                                  double opened) {
   const Level& level = cascade.finest();
@@ -538,7 +539,7 @@ double NormalSolver::State::least_by_others(std::size_t k) const {
 /// The rectangle of those elements outside the box that the load does not keep apart for sure, with
 /// nothing in it (first_row > last_row) if there is none. Displacements are positive, and at least
 /// those of a patch's whole load at the farthest place of its box, so most elements need no
-/// displacement of their own.
+/// displacement of their own. `opened`: as above.
 ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade, double opened) {
   const Level& level = cascade.levels.front();
   const LevelSize& size = level.size;

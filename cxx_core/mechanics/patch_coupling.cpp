@@ -22,19 +22,30 @@ double extent(std::size_t elements, double step) {
   return static_cast<double>(elements - 1) * step;
 }
 
-/// Between two intervals; 0 if they overlap.
-double between(double first, double length, double other_first, double other_length) {
-  return std::max({0.0, other_first - (first + length), first - (other_first + other_length)});
+/// Centres of a box's elements along one direction.
+struct Interval {
+  double first = 0.0;
+  double length = 0.0;
+  [[nodiscard]] double half() const { return 0.5 * length; }
+  [[nodiscard]] double middle() const { return first + half(); }
+  [[nodiscard]] double last() const { return first + length; }
+};
+
+Interval lateral_of(const CoupledBox& box) {
+  return {box.lateral_first, extent(box.rows, box.lateral_step)};
 }
 
-double lateral_distance(const CoupledBox& one, const CoupledBox& other) {
-  return between(one.lateral_first, extent(one.rows, one.lateral_step), other.lateral_first,
-                 extent(other.rows, other.lateral_step));
+Interval longitudinal_of(const CoupledBox& box) {
+  return {box.longitudinal_first, extent(box.columns, box.longitudinal_step)};
 }
 
-double longitudinal_distance(const CoupledBox& one, const CoupledBox& other) {
-  return between(one.longitudinal_first, extent(one.columns, one.longitudinal_step),
-                 other.longitudinal_first, extent(other.columns, other.longitudinal_step));
+/// 0 if they overlap.
+double between(const Interval& one, const Interval& other) {
+  return std::max({0.0, other.first - one.last(), one.first - other.last()});
+}
+
+double farthest(const Interval& one, const Interval& other) {
+  return std::max(other.last() - one.first, one.last() - other.first);
 }
 
 /// ln rho along one direction of a box: its half length, and how far the other box lies beyond it
@@ -45,21 +56,18 @@ double convergence(double half, double beyond, double beside) {
 }
 
 double half_diagonal(const CoupledBox& box) {
-  return 0.5 *
-         std::hypot(extent(box.rows, box.lateral_step), extent(box.columns, box.longitudinal_step));
+  return std::hypot(lateral_of(box).half(), longitudinal_of(box).half());
 }
 
 /// Between the loads of two boxes: that of their middles, or half of the longer diagonal where long
-/// boxes lie close beside each other, or on each other.
+/// boxes lie close beside each other, or on each other; that of one element is no less than its
+/// diagonal.
 double typical_distance(const CoupledBox& one, const CoupledBox& other) {
-  const double lateral = (one.lateral_first + 0.5 * extent(one.rows, one.lateral_step)) -
-                         (other.lateral_first + 0.5 * extent(other.rows, other.lateral_step));
-  const double longitudinal =
-      (one.longitudinal_first + 0.5 * extent(one.columns, one.longitudinal_step)) -
-      (other.longitudinal_first + 0.5 * extent(other.columns, other.longitudinal_step));
+  const double middles =
+      std::hypot(lateral_of(one).middle() - lateral_of(other).middle(),
+                 longitudinal_of(one).middle() - longitudinal_of(other).middle());
   const double element = std::hypot(one.lateral_step, one.longitudinal_step);
-  return std::max(
-      {std::hypot(lateral, longitudinal), half_diagonal(one), half_diagonal(other), element});
+  return std::max({middles, half_diagonal(one), half_diagonal(other), element});
 }
 
 /// sums[k] = sum_i values[i] * weights[k * count + i].
@@ -184,14 +192,8 @@ WRC_VECTOR_CLONES void fill_link(double closeness, double square, double along,
 } // namespace
 
 double farthest_apart(const CoupledBox& one, const CoupledBox& other) {
-  const auto farthest = [](double first, double length, double other_first, double other_length) {
-    return std::max(other_first + other_length - first, first + length - other_first);
-  };
-  return std::hypot(farthest(one.lateral_first, extent(one.rows, one.lateral_step),
-                             other.lateral_first, extent(other.rows, other.lateral_step)),
-                    farthest(one.longitudinal_first, extent(one.columns, one.longitudinal_step),
-                             other.longitudinal_first,
-                             extent(other.columns, other.longitudinal_step)));
+  return std::hypot(farthest(lateral_of(one), lateral_of(other)),
+                    farthest(longitudinal_of(one), longitudinal_of(other)));
 }
 
 PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double convergence,
@@ -235,8 +237,9 @@ PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
   const double longitudinal = boxes_[one].longitudinal_first - boxes_[other].longitudinal_first;
   const double least = std::max({here.rows.half_spacing, here.columns.half_spacing,
                                  there.rows.half_spacing, there.columns.half_spacing});
-  const double distance = std::hypot(lateral_distance(boxes_[one], boxes_[other]),
-                                     longitudinal_distance(boxes_[one], boxes_[other]));
+  const double distance =
+      std::hypot(between(lateral_of(boxes_[one]), lateral_of(boxes_[other])),
+                 between(longitudinal_of(boxes_[one]), longitudinal_of(boxes_[other])));
   const double softening = std::max(0.0, least * least - distance * distance);
   double* values = link.values.data();
   for (const double row : here.rows.position) {
@@ -262,13 +265,11 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
     double by_columns = by_rows;
     for (std::size_t l = 0; l < count; ++l) {
       if (l != k && closeness[k * count + l] != 0.0) {
-        const double lateral = lateral_distance(box, boxes_[l]);
-        const double longitudinal = longitudinal_distance(box, boxes_[l]);
-        by_rows = std::min(
-            by_rows, convergence(0.5 * extent(box.rows, box.lateral_step), lateral, longitudinal));
+        const double lateral = between(lateral_of(box), lateral_of(boxes_[l]));
+        const double longitudinal = between(longitudinal_of(box), longitudinal_of(boxes_[l]));
+        by_rows = std::min(by_rows, convergence(lateral_of(box).half(), lateral, longitudinal));
         by_columns =
-            std::min(by_columns, convergence(0.5 * extent(box.columns, box.longitudinal_step),
-                                             longitudinal, lateral));
+            std::min(by_columns, convergence(longitudinal_of(box).half(), longitudinal, lateral));
       }
     }
     Nodes nodes;

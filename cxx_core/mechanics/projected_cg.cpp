@@ -489,7 +489,6 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       double r_sum = 0.0;
       for (std::size_t k = 0; k < count; ++k) {
         r_sum += boxes[k].weight * boxes[k].share * sums_[k].r;
-        fields_[k]->last_z_r = 0.0;
       }
       mean = load_given && contacts > 0.0 ? r_sum / contacts : 0.0;
     }
@@ -535,8 +534,9 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       load += box.weight * box.share * fields.factor * moved.pressure;
       if (fields.step == 0.0) {
         fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
+      } else {
+        moves = true;
       }
-      moves = moves || fields.step != 0.0;
     }
     idle = moves ? 0 : idle + 1;
     for (std::size_t k = 0; k < count; ++k) {

@@ -13,17 +13,22 @@
 /// for each box by joint_step.hpp. With the load given, z and v carry none in sum over the boxes (a
 /// multiple of s_k on C is taken off), which keeps the load inside the iteration, and p and u are
 /// scaled to it after the cut. No gamma goes beyond -0.5 and 1: all go the same part of the way
-/// then. Where z leads to no less energy, which happens far from the answer, r takes its place. The
-/// method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
-/// preconditioner) with the load constraint taken in and the boxes joined. z approximates the error
-/// of p; iteration stops at max|z| <= tolerance max p and takes one free step p = max(0, p + z). A
-/// box that is well below this before the others moves on only by its gamma, as long as the others
-/// get on. With coupling (patch_coupling.hpp), what boxes displace at each other is kept at their
-/// nodes and counts as part of h: loads there are followed through steps, cuts and scaling, and the
-/// change of displacement is interpolated to the elements, once an iteration. In units of
-/// influence_cache.hpp. Directions are kept in `Real`; p and u always in double. u is carried
-/// along, and computed anew when its accumulated rounding could matter, so `float` reaches any
-/// tolerance that double does. Thread rule: one object serves one thread at a time.
+/// then. Where z leads to no less energy, which happens far from the answer, r takes its place.
+/// The method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
+/// preconditioner) with the load constraint taken in and the boxes joined.
+///
+/// z approximates the error of p; iteration stops at max|z| <= tolerance max p and takes one free
+/// step p = max(0, p + z). A box that is well below this before the others moves on only by its
+/// gamma, as long as the others get on.
+///
+/// With coupling (patch_coupling.hpp), what boxes displace at each other is kept at their nodes and
+/// counts as part of h: loads there are followed through steps, cuts and scaling, and the change of
+/// displacement is interpolated to the elements, once an iteration.
+///
+/// In units of influence_cache.hpp. Directions are kept in `Real`; p and u always in double. u is
+/// carried along, and computed anew when its accumulated rounding could matter, so `float` reaches
+/// any tolerance that double does.
+/// Thread rule: one object serves one thread at a time.
 #pragma once
 
 #include <cstddef>

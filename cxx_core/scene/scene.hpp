@@ -18,6 +18,7 @@
 #include "profile/profile.hpp"
 #include "remesh/contact_frame.hpp"
 #include "scene/convention.hpp"
+#include "scene/accuracy_of.hpp"
 #include "scene/module.hpp"
 
 namespace wrc {
@@ -55,6 +56,7 @@ struct Scene {
   std::string model = "auto";
   std::string solver = "default";
   std::optional<Elements> elements; ///< smooth, but constant with the paper's solver, if not set
+  AccuracyOf accuracy_of = AccuracyOf::pressures;
   double accuracy = 1e-3;
   std::optional<std::array<std::size_t, 2>> grid; ///< elements [lateral, longitudinal]
   double tolerance = 1e-5;                        ///< of the pressures, relative

@@ -363,9 +363,15 @@ std::vector<Key> solve_keys() {
        "constant on each, as other programs have it and solver paper in auto"},
       {{"auto", std::nullopt}, {"smooth", Elements::smooth}, {"constant", Elements::constant}},
       [](auto& s) -> auto& { return s.elements; }));
+  keys.push_back(word_key<AccuracyOf>(
+      {"solve.accuracy_of", "\"pressures\"", "\"pressures\" or \"forces\"",
+       "what solve.accuracy is of: forces are depth, forces, moments and their place; pressures the "
+       "largest pressure as well"},
+      {{"pressures", AccuracyOf::pressures}, {"forces", AccuracyOf::forces}},
+      [](auto& s) -> auto& { return s.accuracy_of; }));
   Key accuracy = number_key(
       {"solve.accuracy", "1e-3", "1e-5 to 0.1",
-       "relative error asked of pmax and approach; chooses the grid"},
+       "requested relative error of what solve.accuracy_of names; chooses the grid"},
       {1e-5, 0.1}, pure, [](auto& s) -> auto& { return s.accuracy; });
   accuracy.set_number = [](Scene& s, double v) {
     s.accuracy = v;

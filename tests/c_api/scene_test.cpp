@@ -134,6 +134,7 @@ TEST(SceneKeys, AllHaveNameDefaultAllowedAndMeaning) {
                           "solve.gap",
                           "solve.model",
                           "solve.accuracy",
+                          "solve.accuracy_of",
                           "solve.grid",
                           "solve.tolerance",
                           "solve.threads"}) {
