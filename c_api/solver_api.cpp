@@ -38,7 +38,6 @@ void solve_waiting(const std::vector<SceneInUse>& scenes, std::atomic<std::size_
       if (!solver) {
         solver.emplace(shared.beside());
       }
-      solver->forget_positions();
       return scene.take_result(solver->solve(scene.scene));
     });
   }
@@ -78,8 +77,6 @@ wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles) {
   return wrc::guard(solver, [&](wrc::SolverObject& object) {
     if (profiles != 0) {
       object.solver.forget();
-    } else {
-      object.solver.forget_positions();
     }
     return WRC_OK;
   });

@@ -28,7 +28,7 @@ check c_api 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|me
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
-check tests/properties '(drawn_scene|outcome|scene_properties)\.hpp|wrcontact\.h'
+check tests/properties '(drawn_scene|outcome|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
 check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp'
 

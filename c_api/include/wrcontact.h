@@ -154,25 +154,23 @@ WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
 typedef struct wrc_solver wrc_solver;
 
 /**
- * Keeps profiles, influence coefficients, transform plans and memory between solutions, and the
- * positions, extents and pressures of the last contact as the start of the next one. For vehicle
- * simulations: one solver a wheelset, solved every time step. A jump of the contact is never
- * missed: every search is global. "left.jump" tells it. Since 0.1.
+ * Keeps profiles, surfaces, influence coefficients, transform plans and memory between solutions:
+ * what saves time and changes no bit of a result. For vehicle simulations: one solver a wheelset,
+ * solved every time step, in any order of steps. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_create(wrc_solver** solver);
 WRC_API void wrc_solver_destroy(wrc_solver* solver);
 WRC_API const char* wrc_solver_error(const wrc_solver* solver);
 
 /**
- * As wrc_scene_solve, with what the solver keeps. Results are on the scene's handle; they agree
- * with those of wrc_scene_solve within the accuracy asked. After a failure the next solution starts
- * without positions of earlier ones. The error text is on the scene. The caller may use one scene's
- * handle again and again, changing its pose. Since 0.1.
+ * As wrc_scene_solve, bit for bit, whatever was solved before, with what the solver keeps. Results
+ * and the error text are on the scene's handle. The caller may use one scene's handle again and
+ * again, changing its pose. Since 0.1; the same bits since 0.3.
  */
 WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
 /**
- * Drops positions, so that the next solution is bit for bit that of wrc_scene_solve; with
- * `profiles` not 0 also everything else (profile files are read again). Since 0.1.
+ * With `profiles` not 0 drops everything that is kept, so that profile files are read again; with 0
+ * does nothing: there are no positions to forget since 0.3. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
 

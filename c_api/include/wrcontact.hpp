@@ -234,7 +234,6 @@ class Solver
 public:
   /// False if the iteration has not converged; failures are those of the scene.
   bool solve(Scene& scene) { return scene.converged(wrc_solver_solve(handle(), scene.handle())); }
-  void forget_positions() { check(wrc_solver_forget(handle(), 0)); }
   void forget() { check(wrc_solver_forget(handle(), 1)); }
 };
 

@@ -19,6 +19,8 @@ constexpr double followed_tolerance = 2e-13;
 constexpr int follow_limit = 12;
 /// Every so many global searches the interval is halved, whatever Newton's method says.
 constexpr int halving_period = 5;
+/// Further contacts are found as far as they may be penetrated, mm: more than any depth on a tread.
+constexpr double penetrated_tolerance = 0.3;
 
 /// Derivative of a side's least distance with respect to the side's own roll. A point fixed in the
 /// wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z') its place before the yaw
@@ -143,8 +145,14 @@ private:
 SideEquilibrium settle(const SideSearch& search, const Pose& pose, double near_tolerance) {
   SideEquilibrium side;
   side.pose = pose;
-  side.scan = contacts_of(search, near_tolerance, true);
-  side.vertical = -side.scan.candidates.front().distance;
+  side.scan = contacts_of(search, std::max(near_tolerance, penetrated_tolerance), true);
+  const std::vector<ContactCandidate>& candidates = side.scan.candidates;
+  const double nearest = candidates.front().distance;
+  side.vertical = -nearest;
+  side.near_count = static_cast<std::size_t>(
+      std::count_if(candidates.begin(), candidates.end(), [&](const ContactCandidate& candidate) {
+        return candidate.distance <= nearest + near_tolerance;
+      }));
   return side;
 }
 

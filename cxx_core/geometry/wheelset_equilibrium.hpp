@@ -20,9 +20,10 @@ namespace wrc {
 
 /// Equilibrium of one side; all in the left-hand frame of that side (mirrored for the right).
 struct SideEquilibrium {
-  Pose pose;             ///< with the roll found, mirrored for the right side
-  double vertical = 0.0; ///< z of the wheelset's centre at which this wheel touches
-  ContactScan scan;      ///< candidates: least distance first; samples of the scan
+  Pose pose;                  ///< with the roll found, mirrored for the right side
+  double vertical = 0.0;      ///< z of the wheelset's centre at which this wheel touches
+  ContactScan scan;           ///< candidates: least distance first; samples of the scan
+  std::size_t near_count = 1; ///< of the candidates, those within the near tolerance
 };
 
 struct WheelsetEquilibrium {

@@ -95,55 +95,6 @@ void refine_pressure(const LevelSize& coarse, std::span<const double> pressure,
   }
 }
 
-void resample_pressure(const Grid& from, std::span<const double> pressure, const Grid& to,
-                       std::vector<double>& resampled) {
-  std::vector<double> squares;
-  square_and_continue({from.lateral_count, from.longitudinal_count}, pressure, squares);
-  resampled.assign(to.element_count(), 0.0);
-  // Where a centre lies between those of the other grid: index of the one before, and share of the
-  // one after; beyond the other grid there is no pressure.
-  struct Place {
-    bool inside;
-    std::size_t before;
-    std::size_t after;
-    double share;
-  };
-  const auto place_of = [](double offset, std::size_t count) {
-    const double last = static_cast<double>(count - 1);
-    const bool inside = offset > -0.5 && offset < last + 0.5;
-    const double clamped = std::clamp(offset, 0.0, last);
-    const auto before = static_cast<std::size_t>(clamped);
-    return Place{inside, before, std::min(before + 1, count - 1),
-                 clamped - static_cast<double>(before)};
-  };
-  std::vector<Place> columns;
-  columns.reserve(to.longitudinal_count);
-  for (std::size_t j = 0; j < to.longitudinal_count; ++j) {
-    columns.push_back(
-        place_of((to.longitudinal(j) - from.longitudinal_first) / from.longitudinal_step,
-                 from.longitudinal_count));
-  }
-  for (std::size_t i = 0; i < to.lateral_count; ++i) {
-    const Place row =
-        place_of((to.lateral(i) - from.lateral_first) / from.lateral_step, from.lateral_count);
-    if (!row.inside) {
-      continue;
-    }
-    const double* first = squares.data() + row.before * from.longitudinal_count;
-    const double* second = squares.data() + row.after * from.longitudinal_count;
-    for (std::size_t j = 0; j < to.longitudinal_count; ++j) {
-      const Place& column = columns[j];
-      const double before =
-          first[column.before] + row.share * (second[column.before] - first[column.before]);
-      const double after =
-          first[column.after] + row.share * (second[column.after] - first[column.after]);
-      const double square = before + column.share * (after - before);
-      resampled[i * to.longitudinal_count + j] =
-          column.inside ? std::sqrt(std::max(0.0, square)) : 0.0;
-    }
-  }
-}
-
 bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, std::size_t margin,
                        ElementBox& box) {
   std::size_t first_row = size.rows;

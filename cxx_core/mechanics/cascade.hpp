@@ -30,11 +30,6 @@ void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
 void refine_pressure(const LevelSize& coarse, std::span<const double> pressure,
                      const LevelSize& fine, std::vector<double>& refined);
 
-/// Pressures of one grid on another one that lies elsewhere and has other elements, by the same
-/// interpolation of p^2.
-void resample_pressure(const Grid& from, std::span<const double> pressure, const Grid& to,
-                       std::vector<double>& resampled);
-
 /// A rectangle of elements; last row and column included.
 struct ElementBox {
   std::size_t first_row = 0;

@@ -37,9 +37,4 @@ private:
   std::vector<double> kernel_spectrum_; ///< with the transform's 1/size and 1/(pi E*) taken in
 };
 
-/// Displacement in mm at any place of the plane, by direct summation; for single places. Right to
-/// 3e-5: elements some diagonals away count by their moments to the second.
-double displacement_at(const Grid& grid, std::span<const double> pressure, double combined_modulus,
-                       double longitudinal, double lateral, Elements elements = Elements::constant);
-
 } // namespace wrc

@@ -6,12 +6,14 @@
 /// coefficients at every place and even in both directions, so its spectrum is real. Divided by the
 /// number of elements, since the transforms are not normalised.
 /// Nothing kept here changes a result: asking again gives the same bits as computing anew.
-/// Thread rule: one object serves any number of threads at once; what one of them is making the
-/// others wait for. What was handed out stays valid when it is dropped here.
+/// Contacts of wheels have aspect ratios of their own in every solution, so only the transforms of
+/// lines are kept for long and shared; tables and spectra stay from one solution to the next, for
+/// those who solve on the same grid again.
+/// Thread rule: LinePlans serve any number of threads at once, an InfluenceCache one at a time.
+/// What was handed out stays valid when it is dropped here.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -53,60 +55,65 @@ template <typename Real> struct KernelSpectrum {
 /// different roundings share their influence coefficients.
 double shared_aspect(double aspect);
 
+/// Transforms of lines by their length, each made when it is first asked for.
+class LinePlans {
+public:
+  explicit LinePlans(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
+
+  /// Kept as long as the plans.
+  template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
+
+private:
+  template <typename Real> using ByLength = std::map<std::size_t, std::unique_ptr<LineFft<Real>>>;
+
+  PlannerRigor rigor_;
+  std::mutex mutex_;
+  std::tuple<ByLength<float>, ByLength<double>> plans_;
+};
+
 class InfluenceCache {
 public:
-  explicit InfluenceCache(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
+  explicit InfluenceCache(PlannerRigor rigor = PlannerRigor::estimate)
+      : InfluenceCache(std::make_shared<LinePlans>(rigor)) {}
+  explicit InfluenceCache(std::shared_ptr<LinePlans> plans) : plans_(std::move(plans)) {}
 
-  /// Kept as long as the cache.
-  template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
+  template <typename Real> const LineFft<Real>& line_fft(std::size_t length) {
+    return plans_->line_fft<Real>(length);
+  }
   /// At least rows x columns offsets.
   std::shared_ptr<const InfluenceTable> table(const InfluenceKernel& kernel, std::size_t rows,
                                               std::size_t columns);
   template <typename Real>
   std::shared_ptr<const KernelSpectrum<Real>> spectrum(const InfluenceKernel& kernel,
-                                                       std::size_t rows, std::size_t columns);
+                                                       std::size_t rows, std::size_t columns) {
+    return spectrum_of<Real>({kernel, rows, columns, Content::direct});
+  }
   /// The inverse of the spectrum, for use as a preconditioner.
   template <typename Real>
   std::shared_ptr<const KernelSpectrum<Real>>
-  inverse_spectrum(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns);
+  inverse_spectrum(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns) {
+    return spectrum_of<Real>({kernel, rows, columns, Content::inverse});
+  }
 
-  /// Drops what was used longest ago, until no more than this is held, but nothing that was used
-  /// since a time that now() has told. To be called between solutions.
-  void trim(std::size_t bytes, std::uint64_t since);
-  [[nodiscard]] std::uint64_t now() const;
+  /// Drops what was not asked for since the last call. To be called between solutions.
+  void drop_unused();
 
 private:
   enum class Content { direct, inverse };
   using SpectrumKey = std::tuple<InfluenceKernel, std::size_t, std::size_t, Content>;
-  template <typename Item> struct Place {
-    std::mutex making; ///< guards `item`
+  template <typename Item> struct Kept {
     std::shared_ptr<const Item> item;
-    std::size_t bytes = 0; ///< of the item, once it is counted
-    std::uint64_t last_use = 0;
-    bool dropped = false;
+    bool used = true;
   };
-  template <typename Key, typename Item> using Kept = std::map<Key, std::shared_ptr<Place<Item>>>;
-  template <typename Real> struct Store {
-    std::map<std::size_t, std::unique_ptr<LineFft<Real>>> line_ffts;
-    Kept<SpectrumKey, KernelSpectrum<Real>> spectra;
-  };
+  template <typename Real> using Spectra = std::map<SpectrumKey, Kept<KernelSpectrum<Real>>>;
 
-  template <typename Real> Store<Real>& store();
-  template <typename Key, typename Item, class Serves, class Make>
-  std::shared_ptr<const Item> obtain(Kept<Key, Item>& kept, const Key& key, const Serves& serves,
-                                     const Make& make);
   template <typename Real>
   std::shared_ptr<const KernelSpectrum<Real>> spectrum_of(const SpectrumKey& key);
   template <typename Real> KernelSpectrum<Real> compute_spectrum(const SpectrumKey& key);
 
-  PlannerRigor rigor_;
-  std::mutex fft_mutex_;     ///< guards the transforms of lines
-  mutable std::mutex mutex_; ///< guards all else but the items
-  std::uint64_t clock_ = 0;
-  std::size_t held_bytes_ = 0;
-  Store<float> single_;
-  Store<double> double_;
-  Kept<InfluenceKernel, InfluenceTable> tables_;
+  std::shared_ptr<LinePlans> plans_;
+  std::tuple<Spectra<float>, Spectra<double>> spectra_;
+  std::map<InfluenceKernel, Kept<InfluenceTable>> tables_;
 };
 
 } // namespace wrc

@@ -3,9 +3,13 @@
 ///   u(x, y) = p/(pi E*) * I(x, y),   I = integral over the element of dA / distance
 /// (Love, Phil. Trans. R. Soc. A 228, 1929; Johnson, Contact Mechanics, 1985, eq. 3.25).
 /// Near the element the closed form in logarithms, grouped so that no two large numbers are
-/// subtracted: the error is some units of rounding times the distance counted in elements. Beyond
-/// `far_field_distance` times the longer side, the multipole expansion of the element up to order
-/// six (mean of r^n P_n over the rectangle), whose first neglected term is below 2e-13.
+/// subtracted: the sum over the element's edges of the distance to the edge's line times
+///   integral along the edge of 1/distance = ln((r1 + r2 + c)/(r1 + r2 - c)),
+/// r1 and r2 to the ends of the edge, c its length. Tables compute each corner and edge once for
+/// the elements that meet there. The error is some units of rounding times the distance counted in
+/// elements; sums of x ln(y + r) + y ln(x + r) over the corners would lose with its square.
+/// Beyond `far_field_distance` times the longer side, the multipole expansion of the element up to
+/// order six (mean of r^n P_n over the rectangle), whose error is below 3e-13.
 /// That is for elements of constant pressure. Sums over them are off by the second order of the
 /// element size even where the pressure is smooth: with its values p at the centres they leave
 ///   u - sum K p = -1/24 A (a^2 p_xx + b^2 p_yy) + higher orders

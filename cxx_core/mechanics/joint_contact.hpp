@@ -26,7 +26,6 @@ struct PatchGap {
   Grid grid;
   std::span<const double> undeformed_distance; ///< h per element centre, mm. Finite.
   double approach_share = 1.0;                 ///< s, in (0, 1]
-  std::optional<StartPressure> start = std::nullopt;
 };
 
 /// Where the patches lie in their mean plane, and how much of their interaction counts.

@@ -110,20 +110,12 @@ void check_request(const Problem& problem, const std::optional<double>& load,
   }
 }
 
-void check_start(const std::optional<StartPressure>& start) {
-  if (start) {
-    check_grid(start->grid);
-    check_size("start.pressure", start->pressure.size(), start->grid.element_count());
-  }
-}
-
 } // namespace
 
 void check_problem(const NormalProblem& problem) {
   check_grid(problem.grid);
   check_distances(problem.undeformed_distance, problem.grid);
   check_request(problem, problem.normal_load, "normal_load");
-  check_start(problem.start);
 }
 
 void check_problem(const JointProblem& problem) {
@@ -133,7 +125,6 @@ void check_problem(const JointProblem& problem) {
   for (const PatchGap& patch : problem.patches) {
     check_grid(patch.grid);
     check_distances(patch.undeformed_distance, patch.grid);
-    check_start(patch.start);
     if (!(patch.approach_share > 0.0 && patch.approach_share <= 1.0)) {
       throw_invalid_argument("approach_share", patch.approach_share,
                              "must be greater than 0 and at most 1");

@@ -18,12 +18,6 @@
 
 namespace wrc {
 
-/// Pressures near the answer, on any grid of the same plane, MPa.
-struct StartPressure {
-  Grid grid;
-  std::span<const double> pressure;
-};
-
 struct NormalProblem {
   Grid grid;
   /// Undeformed distance h per element centre, mm; may be negative. Finite.
@@ -35,8 +29,6 @@ struct NormalProblem {
   double tolerance = 1e-6;           ///< relative, > 0
   int maximum_iterations = 5000;
   Elements elements = Elements::constant;
-  std::optional<StartPressure> start =
-      std::nullopt; ///< saves iterations; changes the answer within the tolerance
 };
 
 enum class StopReason { tolerance_met, iteration_limit, stagnation };

@@ -43,21 +43,8 @@ constexpr double least_coupling_error = 1e-5;
 /// Share of the least displacement by other patches that is counted on: interpolation between
 /// nodes, and their distance from each other where boxes meet (patch_coupling.hpp), leave more.
 constexpr double least_share_by_others = 0.95;
-/// Rectangles from this many elements on are looked at with elements of twice the size first. Their
-/// displacement is interpolated, with an error of up to 0.07 of its change over such an element;
-/// this share is allowed for, and that of the displacement, where it is flat.
-constexpr std::size_t least_coarse_check = 4096;
-constexpr double coarse_distrust = 0.15;
-constexpr double coarse_rounding = 5e-4;
-/// A start serves grids whose elements have at least this share of the area of its own.
-constexpr double start_coarseness = 0.15;
 /// Share of elements below the distance from which the first pressures are drawn.
-constexpr double start_quantile = 0.2;
-/// Memory for tables and spectra kept between calls by all that share a cache, besides those of the
-/// last solution. A hunting wheelset meets new ones again and again: with more memory its steps are
-/// no faster.
-constexpr std::size_t kept_bytes = std::size_t{8} << 20;
-
+constexpr double start_quantile = 0.3;
 /// One grid of a patch's cascade, in its own unit of length.
 struct Level {
   LevelSize size;
@@ -164,27 +151,25 @@ WRC_VECTOR_CLONES double count_below(const double* values, double limit, std::si
 } // namespace
 
 struct NormalSolver::State {
-  State(std::shared_ptr<InfluenceCache> shared, Precision precision_asked)
-      : precision(precision_asked), cache(std::move(shared)), single_iteration(*cache),
-        double_iteration(*cache) {}
+  State(std::shared_ptr<LinePlans> plans, Precision precision_asked)
+      : precision(precision_asked), cache(std::move(plans)), single_iteration(cache),
+        double_iteration(cache) {}
 
   void make_levels(const JointProblem& problem);
   void draw_start(std::size_t index);
-  bool take_starts(const JointProblem& problem, std::size_t index);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
   void displace_by_others(std::size_t k, const ElementBox& rectangle);
   [[nodiscard]] double least_by_others(std::size_t k) const;
   [[nodiscard]] ElementBox outside_candidates(const Cascade& cascade, double opened);
   std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
-  ElementBox possible_contact(Cascade& cascade, const ElementBox& candidates, double opened);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
                 ConvolutionWorkspace<Real>& workspace);
   JointSolution solve(const JointProblem& problem);
 
   Precision precision;
-  std::shared_ptr<InfluenceCache> cache;
+  InfluenceCache cache;
   ProjectedCg<float> single_iteration;
   ProjectedCg<double> double_iteration;
   std::vector<Cascade> cascades; ///< at least as many as patches
@@ -242,7 +227,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
       const Level& finest = cascades[k].finest();
       farthest =
           std::max(farthest, *load / finest.load_weight() *
-                                 cache->table(cascades[k].kernel, 1, 1)->row(0)[0] / finest.share);
+                                 cache.table(cascades[k].kernel, 1, 1)->row(0)[0] / finest.share);
     }
   }
   const std::size_t coarsest = count > 1 ? coarsest_of_several : coarsest_of_one;
@@ -250,13 +235,8 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
     const PatchGap& patch = problem.patches[k];
     Cascade& cascade = cascades[k];
     cascade.level_count = 1;
-    // The cascade begins where elements are about as large as those of the start, if there is one.
-    const double largest_element = patch.start ? start_coarseness * patch.start->grid.element_area()
-                                               : std::numeric_limits<double>::infinity();
-    double element = patch.grid.element_area();
     for (LevelSize size{patch.grid.lateral_count, patch.grid.longitudinal_count};
-         can_coarsen(size, coarsest) && element < largest_element; size = coarser_size(size)) {
-      element *= 4.0;
+         can_coarsen(size, coarsest); size = coarser_size(size)) {
       ++cascade.level_count;
     }
     cascade.levels.resize(std::max(cascade.levels.size(), cascade.level_count));
@@ -310,31 +290,6 @@ void NormalSolver::State::draw_start(std::size_t index) {
     }
   }
   approach = load ? height : approach;
-}
-
-/// Puts the starts on the coarsest grids, with the load asked for. False if nothing lies there.
-bool NormalSolver::State::take_starts(const JointProblem& problem, std::size_t index) {
-  double taken = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
-    Level& level = cascades[k].at(index);
-    const auto& start = problem.patches[k].start;
-    if (!start) {
-      return false;
-    }
-    resample_pressure(start->grid, start->pressure, level.grid, level.pressure);
-    taken += level.load_weight() * sum_of(level.pressure);
-  }
-  if (!(taken > 0.0) || !std::isfinite(taken)) {
-    return false;
-  }
-  const double scale = load ? *load / taken : 1.0 / pressure_scale;
-  for (std::size_t k = 0; k < count; ++k) {
-    Level& level = cascades[k].at(index);
-    for (double& value : level.pressure) {
-      value *= scale;
-    }
-  }
-  return true;
 }
 
 /// The box around a patch's pressures; without any, around its penetration at the last approach, or
@@ -422,76 +377,11 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
       {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
        -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
        -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
-      cascade.kernel, *cache);
+      cascade.kernel, cache);
   const std::vector<Real> in(cascade.box_pressure.begin(), cascade.box_pressure.end());
   std::vector<Real> out(rectangle.rows() * rectangle.columns());
   convolution.apply(in.data(), out.data(), workspace);
   exterior_out.assign(out.begin(), out.end());
-}
-
-/// The rectangle of those candidates outside the box that may overlap as far as pressures on
-/// elements of twice the size tell; with nothing in it (first_row > last_row) there is none.
-/// `opened`: the approach, less what the other patches displace.
-ElementBox NormalSolver::State::possible_contact(Cascade& cascade, const ElementBox& candidates,
-                                                 double opened) {
-  const Level& level = cascade.finest();
-  const ElementBox& box = cascade.box;
-  // Large elements begin at the box's first one; those beyond the candidates by one on each side.
-  const LevelSize from{(box.rows() + 1) / 2, (box.columns() + 1) / 2};
-  std::vector<float> pressure(from.count());
-  for (std::size_t row = 0; row < box.rows(); ++row) {
-    const double* values = cascade.box_pressure.data() + row * box.columns();
-    float* sums = pressure.data() + row / 2 * from.columns;
-    for (std::size_t column = 0; column < box.columns(); ++column) {
-      sums[column / 2] += static_cast<float>(0.25 * values[column]);
-    }
-  }
-  const auto before = [](std::size_t box_first, std::size_t first) {
-    return (box_first - std::min(box_first, first) + 1) / 2 + 1; // large elements
-  };
-  const auto after = [](std::size_t box_first, std::size_t last) {
-    return last < box_first ? 1 : (last - box_first) / 2 + 2;
-  };
-  const std::size_t rows_before = before(box.first_row, candidates.first_row);
-  const std::size_t columns_before = before(box.first_column, candidates.first_column);
-  const std::size_t rows = rows_before + after(box.first_row, candidates.last_row);
-  const std::size_t columns = columns_before + after(box.first_column, candidates.last_column);
-  const BoxConvolution<float> convolution = BoxConvolution<float>::linear(
-      {from.rows, from.columns, rows, columns, -static_cast<std::ptrdiff_t>(rows_before),
-       -static_cast<std::ptrdiff_t>(columns_before)},
-      cascade.kernel, *cache);
-  std::vector<float> displacement(rows * columns);
-  convolution.apply(pressure.data(), displacement.data(), single_iteration.workspace());
-
-  ElementBox possible{level.size.rows, 0, level.size.columns, 0};
-  for (std::size_t row = candidates.first_row; row <= candidates.last_row; ++row) {
-    // Between the large elements' centres; the odd ones are nearer to the next.
-    const std::size_t down = row + 2 * rows_before - box.first_row;
-    const float* near_row = displacement.data() + down / 2 * columns;
-    const float* far_row = down % 2 == 0 ? near_row - columns : near_row + columns;
-    const double* distance = level.distance.data() + row * level.size.columns;
-    for (std::size_t column = candidates.first_column; column <= candidates.last_column; ++column) {
-      if (box.holds(row, column)) {
-        column = box.last_column;
-        continue;
-      }
-      const std::size_t right = column + 2 * columns_before - box.first_column;
-      const std::size_t near = right / 2;
-      const std::size_t far = right % 2 == 0 ? near - 1 : near + 1;
-      // Lengths in steps twice as long.
-      const double a = 2.0 * near_row[near];
-      const double b = 2.0 * near_row[far];
-      const double c = 2.0 * far_row[near];
-      const double d = 2.0 * far_row[far];
-      const double between = (9.0 * a + 3.0 * (b + c) + d) / 16.0;
-      const double change = std::max({a, b, c, d}) - std::min({a, b, c, d});
-      const double distrust = coarse_distrust * change + coarse_rounding * between;
-      if (distance[column] + between - distrust < opened) {
-        include(possible, {row, row, column, column});
-      }
-    }
-  }
-  return possible;
 }
 
 /// Adds what the other patches displace to the displacements on a rectangle of a patch's finest
@@ -539,7 +429,8 @@ double NormalSolver::State::least_by_others(std::size_t k) const {
 /// The rectangle of those elements outside the box that the load does not keep apart for sure, with
 /// nothing in it (first_row > last_row) if there is none. Displacements are positive, and at least
 /// those of a patch's whole load at the farthest place of its box, so most elements need no
-/// displacement of their own. `opened`: as above.
+/// displacement of their own. `opened`: the approach,
+/// less what the other patches displace.
 ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade, double opened) {
   const Level& level = cascade.levels.front();
   const LevelSize& size = level.size;
@@ -594,11 +485,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   // What the others displace takes that much off the approach at least; what more, is found out
   // only where that is not enough.
   const double opened_by_others = opened - least_by_others(k);
-  ElementBox candidates = outside_candidates(cascade, opened_by_others);
-  if (candidates.first_row <= candidates.last_row &&
-      candidates.rows() * candidates.columns() >= least_coarse_check) {
-    candidates = possible_contact(cascade, candidates, opened_by_others);
-  }
+  const ElementBox candidates = outside_candidates(cascade, opened_by_others);
   if (candidates.first_row > candidates.last_row) {
     return std::nullopt;
   }
@@ -607,7 +494,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   include(rectangle, candidates);
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
   const double permitted =
-      0.5 * tolerance * largest_pressure * cache->table(cascade.kernel, 1, 1)->row(0)[0];
+      0.5 * tolerance * largest_pressure * cache.table(cascade.kernel, 1, 1)->row(0)[0];
   double overlap = missed_overlap * opened;
   if (overlap <= permitted) {
     displace(cascade, rectangle, single_iteration.workspace());
@@ -647,17 +534,14 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
 }
 
 JointSolution NormalSolver::State::solve(const JointProblem& problem) {
-  const std::uint64_t start = cache->now();
   count = problem.patches.size();
   approach = 0.0;
   interaction = problem.interaction;
   least_approach = std::numeric_limits<double>::infinity();
-  bool has_start = true;
   for (const PatchGap& patch : problem.patches) {
     const double least =
         least_of(patch.undeformed_distance.data(), patch.undeformed_distance.size());
     least_approach = std::min(least_approach, least / patch.approach_share);
-    has_start = has_start && patch.start.has_value();
   }
   JointSolution solution;
   solution.patches.resize(count);
@@ -677,10 +561,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   for (std::size_t k = 0; k < count; ++k) {
     level_count = std::max(level_count, cascades[k].level_count);
   }
-  const bool drawn = !has_start || !take_starts(problem, level_count - 1);
-  if (drawn) {
-    draw_start(level_count - 1);
-  }
+  draw_start(level_count - 1);
   IterationOutcome outcome;
   for (std::size_t i = level_count; i-- > 0;) {
     bool any_pressure = false;
@@ -695,7 +576,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
       any_pressure = any_pressure || std::any_of(level.pressure.begin(), level.pressure.end(),
                                                  [](double p) { return p > 0.0; });
     }
-    if (i + 1 < level_count || !drawn) {
+    if (i + 1 < level_count) {
       for (std::size_t k = 0; k < count && any_pressure; ++k) {
         choose_box(cascades[k], cascades[k].at(i));
       }
@@ -737,14 +618,14 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   }
   solution.approach =
       problem.approach ? *problem.approach : least_approach + approach * approach_scale;
-  cache->trim(kept_bytes, start);
+  cache.drop_unused();
   return solution;
 }
 
 NormalSolver::NormalSolver(PlannerRigor rigor, Precision precision)
-    : NormalSolver(std::make_shared<InfluenceCache>(rigor), precision) {}
-NormalSolver::NormalSolver(std::shared_ptr<InfluenceCache> shared, Precision precision)
-    : state_(new State(std::move(shared), precision)) {}
+    : NormalSolver(std::make_shared<LinePlans>(rigor), precision) {}
+NormalSolver::NormalSolver(std::shared_ptr<LinePlans> plans, Precision precision)
+    : state_(new State(std::move(plans), precision)) {}
 NormalSolver::~NormalSolver() = default;
 NormalSolver::NormalSolver(NormalSolver&&) noexcept = default;
 NormalSolver& NormalSolver::operator=(NormalSolver&&) noexcept = default;
@@ -756,7 +637,7 @@ JointSolution NormalSolver::solve(const JointProblem& problem) {
 
 NormalSolution NormalSolver::solve(const NormalProblem& problem) {
   check_problem(problem);
-  const PatchGap patch{problem.grid, problem.undeformed_distance, 1.0, problem.start};
+  const PatchGap patch{problem.grid, problem.undeformed_distance, 1.0};
   JointProblem joint;
   joint.patches = {&patch, 1};
   joint.combined_modulus = problem.combined_modulus;

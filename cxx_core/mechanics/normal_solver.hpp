@@ -28,9 +28,8 @@ class NormalSolver {
 public:
   explicit NormalSolver(PlannerRigor rigor = PlannerRigor::estimate,
                         Precision precision = Precision::mixed);
-  /// Shares influence coefficients and transforms with others that have the same cache.
-  explicit NormalSolver(std::shared_ptr<InfluenceCache> shared,
-                        Precision precision = Precision::mixed);
+  /// Shares transforms of lines with others that have the same ones.
+  explicit NormalSolver(std::shared_ptr<LinePlans> plans, Precision precision = Precision::mixed);
   ~NormalSolver();
   NormalSolver(NormalSolver&&) noexcept;
   NormalSolver& operator=(NormalSolver&&) noexcept;

@@ -25,13 +25,13 @@ struct PlainPlaces {
             false,
             0.0};
   }
-  [[nodiscard]] Place place_of(const ContactCandidate& contact, double depth) const {
+  [[nodiscard]] Place place_of(const ContactCandidate& contact, double penetration) const {
     const Vector3& at = contact.wheel.position;
     return {at.x,
             at.y,
             at.z - contact.distance,
             contact.wheel.lateral,
-            depth,
+            penetration,
             std::tan(contact.rail_angle),
             contact.wheel.normal_curvature,
             true,

@@ -33,8 +33,9 @@
 /// angle = own + turn (mean of both - own).
 ///
 /// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
-/// elsewhere with the curvature of the nodes around. The top is the first contact where that lies,
-/// else that of the parabola through three nodes. Integrals by Simpson's rule. Everything is thus
+/// elsewhere with the curvature of the nodes around. The top is the candidate of the scan that lies
+/// there, else that of the parabola through three nodes, which jumps a little where the node in the
+/// middle becomes another one. Integrals by Simpson's rule. Everything is thus
 /// continuous in the depth, but for what a patch just born between two others changes in their
 /// closeness, and has a limit for depth -> 0.
 /// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).

@@ -14,9 +14,10 @@ namespace {
 constexpr double virtual_penetration_share = 0.55;
 /// Narrower contacts are taken for lines of this axis ratio.
 constexpr double least_axis_ratio = 1e-4;
-/// The depth to a load is a start for coarse solutions: one per cent is enough. Depths outside the
-/// limits, mm, are not searched.
-constexpr double depth_accuracy = 0.01;
+/// The depth to a load is a start for coarse solutions. One per cent would be near enough, but
+/// where the search ends would show in forces by 5e-6 of the load. Depths outside the limits, mm,
+/// are not searched.
+constexpr double depth_accuracy = 1e-4;
 constexpr double first_depth = 0.05;
 constexpr double smallest_depth = 1e-300;
 constexpr double largest_depth_factor = 1e4;

@@ -203,15 +203,24 @@ void set_second(const Place<Real>& before, Place<Real>& here, const Place<Real>&
 ///   using Real = double or one with rates;
 ///   Place<Real> place_of(const DistanceSample&, double limit): of a node, penetration = limit -
 ///   distance;
-///   Place<Real> place_of(const ContactCandidate&, double depth): of the first contact.
+///   Place<Real> place_of(const ContactCandidate&, double penetration): of a locally least
+///   distance.
 template <class Source> class PatchFinder {
 public:
   using Real = typename Source::Real;
 
   PatchFinder(const ContactScan& scan, double depth, double joining_distance, const Source& source)
-      : samples_(scan.samples), contact_(scan.candidates.front()), source_(source), depth_(depth),
-        joining_distance_(joining_distance), limit_(contact_.distance + depth),
-        place_of_contact_(source.place_of(contact_, depth)), reach_scale_(1.0 / std::sqrt(depth)) {}
+      : samples_(scan.samples), source_(source), depth_(depth), joining_distance_(joining_distance),
+        limit_(scan.candidates.front().distance + depth), reach_scale_(1.0 / std::sqrt(depth)) {
+    for (const ContactCandidate& candidate : scan.candidates) {
+      if (candidate.distance <= limit_) {
+        tops_.push_back({&candidate, node_after(candidate), &candidate == scan.candidates.data()});
+      }
+    }
+    std::sort(tops_.begin(), tops_.end(), [](const Top& one, const Top& other) {
+      return one.contact->wheel.lateral < other.contact->wheel.lateral;
+    });
+  }
 
   ContactPatches find() {
     collect_places();
@@ -256,52 +265,73 @@ public:
   }
 
 private:
+  /// A locally least distance, which is known better than the nodes of the scan tell.
+  struct Top {
+    const ContactCandidate* contact;
+    std::size_t after; ///< the first sample beyond it
+    bool is_first;     ///< the least of all
+  };
+
+  [[nodiscard]] std::size_t node_after(const ContactCandidate& contact) const {
+    const double s = contact.wheel.lateral;
+    const auto after =
+        std::lower_bound(samples_.begin(), samples_.end(), s, [](const auto& sample, double at) {
+          return sample.wheel.lateral < at - same_place;
+        });
+    return static_cast<std::size_t>(after - samples_.begin());
+  }
+
+  /// Whether a top lies just before or just beyond a sample.
+  [[nodiscard]] bool beside_top(std::size_t sample) const {
+    return std::any_of(tops_.begin(), tops_.end(), [sample](const Top& top) {
+      return sample == top.after || sample + 1 == top.after;
+    });
+  }
+
+  void collect_top(const Top& top) {
+    contact_place_ = top.is_first ? places_.size() : contact_place_;
+    places_.push_back(
+        source_.place_of(*top.contact, top.is_first ? depth_ : limit_ - top.contact->distance));
+  }
+
   /// All stretches of the scan in which there may be penetration.
   void collect_places() {
     const std::size_t count = samples_.size();
-    if (count == 0) {
-      places_.push_back(place_of_contact_);
-      contact_place_ = 0;
-      return;
-    }
-    const double s = contact_.wheel.lateral;
-    after_contact_ =
-        static_cast<std::size_t>(std::lower_bound(samples_.begin(), samples_.end(), s,
-                                                  [](const auto& sample, double at) {
-                                                    return sample.wheel.lateral < at - same_place;
-                                                  }) -
-                                 samples_.begin());
     const double least_distance = limit_ + highest_top;
+    const auto belongs = [&](std::size_t sample) {
+      return samples_[sample].distance < least_distance || beside_top(sample);
+    };
     std::size_t i = 0;
     while (i < count) {
-      if (samples_[i].distance >= least_distance && i != after_contact_ &&
-          i + 1 != after_contact_) {
+      if (!belongs(i)) {
         ++i;
         continue;
       }
       const std::size_t first = i > 0 ? i - 1 : 0;
-      while (i < count && (samples_[i].distance < least_distance || i == after_contact_ ||
-                           i + 1 == after_contact_)) {
+      while (i < count && belongs(i)) {
         ++i;
       }
       collect_run(first, std::min(i, count - 1));
     }
-    if (after_contact_ == count) {
-      // Beyond the last node: the run before has ended with it.
-      contact_place_ = places_.size();
-      places_.push_back(place_of_contact_);
+    for (const Top& top : tops_) {
+      if (top.after == count) {
+        collect_top(top); // beyond the last node: the run before has ended with it
+      }
     }
   }
 
   void collect_run(std::size_t first, std::size_t last) {
     const std::size_t from = places_.size();
+    auto top = std::find_if(tops_.begin(), tops_.end(),
+                            [first](const Top& one) { return one.after >= first; });
     for (std::size_t i = first; i <= last; ++i) {
-      if (i == after_contact_) {
-        contact_place_ = places_.size();
-        places_.push_back(place_of_contact_);
-        if (samples_[i].wheel.lateral - contact_.wheel.lateral <= same_place) {
-          continue; // the node itself
-        }
+      bool is_node = false;
+      for (; top != tops_.end() && top->after == i; ++top) {
+        collect_top(*top);
+        is_node = is_node || samples_[i].wheel.lateral - top->contact->wheel.lateral <= same_place;
+      }
+      if (is_node) {
+        continue;
       }
       places_.push_back(source_.place_of(samples_[i], limit_));
       if (places_.size() >= from + 3) {
@@ -333,8 +363,7 @@ private:
     Place<Real> top = way < 0.0 ? between(here, before, -way / length_before)
                                 : between(here, after, way / length_after);
     // No place is deeper than the first contact.
-    top.penetration =
-        std::min<Real>(here.penetration + 0.5 * slope * way, place_of_contact_.penetration);
+    top.penetration = std::min<Real>(here.penetration + 0.5 * slope * way, Real(depth_));
     top.top = true;
     places_.insert(way < 0.0 ? middle : middle + 1, top);
   }
@@ -568,18 +597,16 @@ private:
   }
 
   const std::vector<DistanceSample>& samples_;
-  const ContactCandidate& contact_;
   const Source& source_;
   double depth_;
   double joining_distance_;
   double limit_;
-  Place<Real> place_of_contact_;
   std::vector<Place<Real>> places_; ///< stretches that hold penetration and one place more each end
-  std::size_t after_contact_ = 0;   ///< the first sample beyond the first contact
-  std::size_t contact_place_ = 0;
-  double reach_scale_;           ///< makes weights free of the depth's magnitude
-  Moments<Real> begin_density_;  ///< where the next stretch of a lobe begins
-  std::vector<Real> affinities_; ///< of each lobe and the next
+  std::size_t contact_place_ = 0;   ///< of the first contact
+  std::vector<Top> tops_;           ///< along the profile
+  double reach_scale_;              ///< makes weights free of the depth's magnitude
+  Moments<Real> begin_density_;     ///< where the next stretch of a lobe begins
+  std::vector<Real> affinities_;    ///< of each lobe and the next
   std::vector<Lobe<Real>> lobes_;
   std::vector<Real> links_;  ///< closeness of each patch and the next
   std::vector<Real> turns_;  ///< likewise, of their planes

@@ -41,7 +41,7 @@ public:
     return place;
   }
 
-  [[nodiscard]] Place place_of(const ContactCandidate& contact, double depth) const {
+  [[nodiscard]] Place place_of(const ContactCandidate& contact, double penetration) const {
     const Meeting meeting = meet(contact.wheel.lateral);
     std::array<double, motion_count> moves{};
     const double by_place = meeting.sine.rates[along];
@@ -52,7 +52,7 @@ public:
     }
     Place place = place_of(meeting, moves);
     place.top = true;
-    set_values(place, contact.wheel, contact.distance, depth, std::tan(contact.rail_angle));
+    set_values(place, contact.wheel, contact.distance, penetration, std::tan(contact.rail_angle));
     return place;
   }
 

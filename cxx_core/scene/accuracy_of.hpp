@@ -1,8 +1,9 @@
 /// What a requested accuracy is of.
 ///
 ///   forces: depth (force, if the position is prescribed), normal and lateral force, centre of
-///     pressure and moments; contact area to ten times as much. Integrals, for vehicle dynamics.
-///   pressures: the largest pressure as well, which may sit on a crest a tenth of a millimetre wide.
+///     pressure and moments; contact area to twenty times as much. Integrals, for vehicle dynamics.
+///   pressures: the largest pressure as well, which may sit on a crest a tenth of a millimetre
+///   wide.
 /// Thread rule: a plain value.
 #pragma once
 

@@ -101,11 +101,11 @@ double ApproximateSide::first_depth() const {
 }
 
 void ApproximateSide::find_patches(double depth) {
-  const SidePlan plan = SidePlanner(rail_, equilibrium_, request_).empty_plan(depth);
+  const SidePlan plan = SidePlanner(rail_, equilibrium_, request_).plan(depth);
   found_ = plan.found;
   models_.clear();
   shares_.clear();
-  for (const PatchPlan& patch : plan.patches) {
+  for (const PlannedPatch& patch : plan.patches) {
     models_.push_back(model_ == ApproximateModel::hertz
                           ? make_hertz_patch(side_, patch.place)
                           : make_virtual_patch(side_, patch.place, patch.frame));

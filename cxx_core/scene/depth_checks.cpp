@@ -23,7 +23,7 @@ constexpr double noise_response = 0.9069;
 constexpr double table_difference = 2e-12;
 
 /// By how much the rounding of positions may change a patch's largest pressure, MPa.
-double pressure_rounding(const PatchTrial& patch, double combined_modulus, double wheel_radius) {
+double pressure_rounding(const PatchOnGrid& patch, double combined_modulus, double wheel_radius) {
   const double rounding = coordinate_deviation * std::numeric_limits<double>::epsilon();
   const double angle = patch.frame.angle();
   const double radial = rounding * wheel_radius * std::cos(angle);
@@ -71,22 +71,22 @@ void check_depth_found(const SideRequest& request, double depth) {
                                          text_of(greatest_depth) + " mm");
 }
 
-void mark_unsettled(Trial& trial, int solutions, std::vector<std::string>& warnings) {
-  if (trial.no_contact()) {
+void mark_unsettled(GridSolution& solution, int solutions, std::vector<std::string>& warnings) {
+  if (solution.no_contact()) {
     return;
   }
-  trial.stop_reason = StopReason::iteration_limit;
+  solution.stop_reason = StopReason::iteration_limit;
   warnings.push_back("not settled: depth, plane or extent of the contact still change after " +
                      std::to_string(solutions) + " solutions on the final grid");
 }
 
-void warn_of_rounding(const Trial& trial, const SideRequest& request, double wheel_radius,
+void warn_of_rounding(const GridSolution& solution, const SideRequest& request, double wheel_radius,
                       std::vector<std::string>& warnings) {
   double overlap = 0.0;
   double pressure = 0.0;
-  for (const PatchTrial& patch : trial.patches) {
+  for (const PatchOnGrid& patch : solution.patches) {
     if (!patch.no_contact()) {
-      overlap = std::max(overlap, patch.overlap(trial.approach));
+      overlap = std::max(overlap, patch.overlap(solution.approach));
       pressure =
           std::max(pressure, pressure_rounding(patch, request.combined_modulus, wheel_radius));
     }
@@ -94,7 +94,7 @@ void warn_of_rounding(const Trial& trial, const SideRequest& request, double whe
   if (!(overlap > 0.0)) {
     return;
   }
-  const double error = std::max(pressure / trial.peak_pressure(), table_difference / overlap);
+  const double error = std::max(pressure / solution.peak_pressure(), table_difference / overlap);
   if (error > request.accuracy) {
     // With as many elements across, elements grow with the root of the overlap, and pressures too.
     warnings.push_back("wheel and rail overlap by " + short_text_of(overlap) + " mm only: below " +

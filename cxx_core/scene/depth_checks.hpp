@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/grid_solution.hpp"
 #include "scene/side_request.hpp"
-#include "scene/trial.hpp"
 
 namespace wrc {
 
@@ -33,12 +33,12 @@ bool is_in_contact(const SideRequest& request, double depth, std::vector<std::st
 /// and rail. `depth` is vertical, from the first touch.
 void check_depth_found(const SideRequest& request, double depth);
 
-/// A trial after which the search gives up, though it is in contact: not converged, and a warning
-/// tells after how many solutions.
-void mark_unsettled(Trial& trial, int solutions, std::vector<std::string>& warnings);
+/// A solution after which the search gives up, though it is in contact: not converged, and a
+/// warning tells after how many solutions.
+void mark_unsettled(GridSolution& solution, int solutions, std::vector<std::string>& warnings);
 
 /// Warns of overlaps so small that the rounding of positions takes more than the accuracy asked.
-void warn_of_rounding(const Trial& trial, const SideRequest& request, double wheel_radius,
+void warn_of_rounding(const GridSolution& solution, const SideRequest& request, double wheel_radius,
                       std::vector<std::string>& warnings);
 
 } // namespace wrc

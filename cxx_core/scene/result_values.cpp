@@ -146,7 +146,6 @@ constexpr std::array side_numbers{
     Number<SideResult>{"moment.x", moment, [](const SideResult& r) { return r.moment.x; }},
     Number<SideResult>{"moment.y", turning_moment, [](const SideResult& r) { return r.moment.y; }},
     Number<SideResult>{"moment.z", turning_moment, [](const SideResult& r) { return r.moment.z; }},
-    Number<SideResult>{"jump", length, [](const SideResult& r) { return r.jump; }},
     Number<SideResult>{"approach", length, [](const SideResult& r) { return r.approach; }},
     Number<SideResult>{"depth", length, [](const SideResult& r) { return r.depth; }},
     Number<SideResult>{"angle", pure, [](const SideResult& r) { return r.angle; }},
@@ -156,8 +155,6 @@ constexpr std::array side_numbers{
                        [](const SideResult& r) { return static_cast<double>(r.convolutions); }},
     Number<SideResult>{"solutions", pure,
                        [](const SideResult& r) { return static_cast<double>(r.solutions); }},
-    Number<SideResult>{"regrown", pure,
-                       [](const SideResult& r) { return static_cast<double>(r.regrown); }},
 };
 
 /// Of the first patch, told for the side too.

@@ -17,8 +17,8 @@
 #include "mechanics/normal_solver.hpp"
 #include "profile/profile.hpp"
 #include "remesh/contact_frame.hpp"
-#include "scene/convention.hpp"
 #include "scene/accuracy_of.hpp"
+#include "scene/convention.hpp"
 #include "scene/module.hpp"
 
 namespace wrc {

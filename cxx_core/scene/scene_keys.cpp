@@ -365,7 +365,8 @@ std::vector<Key> solve_keys() {
       [](auto& s) -> auto& { return s.elements; }));
   keys.push_back(word_key<AccuracyOf>(
       {"solve.accuracy_of", "\"pressures\"", "\"pressures\" or \"forces\"",
-       "what solve.accuracy is of: forces are depth, forces, moments and their place; pressures the "
+       "what solve.accuracy is of: forces are depth, forces, moments and their place; pressures "
+       "the "
        "largest pressure as well"},
       {{"pressures", AccuracyOf::pressures}, {"forces", AccuracyOf::forces}},
       [](auto& s) -> auto& { return s.accuracy_of; }));

@@ -9,6 +9,7 @@
 
 #include "mechanics/influence_coefficients.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "scene/accuracy_of.hpp"
 #include "scene/module.hpp"
 
 namespace wrc {
@@ -22,6 +23,7 @@ struct SideRequest {
   std::optional<double> vertical_load; ///< N
   std::optional<double> normal_load;   ///< N, along the normal of the main patch
   std::optional<double> vertical;      ///< height of the wheelset's centre, mm
+  AccuracyOf accuracy_of = AccuracyOf::pressures;
   double accuracy = 1e-3;
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given

@@ -154,7 +154,7 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   result.vertical = equilibrium.vertical;
   const auto& candidates = equilibrium.scan.candidates;
   result.rigid_contact = place_of(candidates.front(), *wheel, *rail, equilibrium.vertical, side);
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
+  for (std::size_t i = 1; i < equilibrium.near_count; ++i) {
     result.near_contacts.push_back(
         place_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
   }
@@ -174,7 +174,6 @@ SideResult make_side_result(SideSolution solution, const std::shared_ptr<const W
   result.iterations = solution.iterations;
   result.convolutions = solution.convolutions;
   result.solutions = solution.solutions;
-  result.regrown = solution.regrown;
   result.angle = result.rigid_contact.angle;
   result.solved = solution.solved;
   if (!solution.in_contact) {

@@ -87,9 +87,6 @@ struct SideRates {
 struct SideResult {
   ContactPlace rigid_contact;
   std::vector<ContactPlace> near_contacts; ///< further ones, nearest first
-  /// How far along the wheel's profile the rigid contact has jumped since the last solution with
-  /// the same solver, mm; 0 if it has moved without a jump, or if there is no last one.
-  double jump = 0.0;
   double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
   double pmax = 0.0;     ///< largest one of the patches
   double pmax_element = 0.0;
@@ -108,7 +105,6 @@ struct SideResult {
   int iterations = 0;
   int convolutions = 0;
   int solutions = 0;
-  int regrown = 0;
   StopReason stop_reason = StopReason::tolerance_met;
   std::optional<Residuals> residuals;     ///< once asked for, see residuals_of
   std::optional<SideRates> sensitivities; ///< once asked for, see sensitivities_of

@@ -23,10 +23,12 @@ struct Planes {
 
 Planes find_planes(const SideResult& side, std::span<const PatchResult* const> patches) {
   const SideDetails& details = side.details;
-  const ContactScan scan = search_contacts(*details.wheel, *details.rail, details.pose, 0.0, true);
+  const double depth = side.vertical - details.vertical;
+  const ContactScan scan =
+      search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
   Planes planes;
-  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan,
-                                      side.vertical - details.vertical, details.joining_distance);
+  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
+                                      details.joining_distance);
   const auto& found = planes.moving.found.patches;
   for (const PatchResult* patch : patches) {
     const auto apart = [patch](const ContactPatch& place) {

@@ -1,20 +1,18 @@
 /// One wheel on its rail: from the contact search to pressures.
 ///
 /// Joins remesh and mechanics for one side:
-///  1. the depth to which the wheel sinks is taken from the last solution, or else estimated from
-///     the virtual penetration;
+///  1. the depth to which the wheel sinks is estimated from the virtual penetration (with the load
+///     prescribed);
 ///  2. the patches of penetration at that depth (remesh/contact_patches.hpp), each with a plane, an
-///     area and a grid of its own, are solved together (mechanics/joint_contact.hpp); coarse
-///     solutions settle depth, planes and the extents of contact;
-///  3. the undeformed distance is sampled again with the wheel lowered by that depth (not at the
-///     first touch: under a contact angle a sinking wheel also slides along the tangent) on the
-///     final grids, and solved. If the depth found then differs so much that the slide it makes,
-///     |change| sin(angle), exceeds a small share of the depth, the distance is sampled anew;
-///  4. contact must not touch the edge of an area, nor may the pressures leave overlap beyond it:
-///     else the area grows, and the result counts it;
-///  5. without a grid given, grids are refined until the error estimated from two of them meets the
-///     accuracy. A wheel that has hardly moved since that was found out is solved on one grid only,
-///     as fine as the one that met it.
+///     area and a grid of its own, are solved together (mechanics/joint_contact.hpp) on few
+///     elements: this coarse solution finds the depth, and what the final grid must resolve
+///     (scene/resolution.hpp);
+///  3. planes, grids and undeformed distance at the depth found (not at the first touch: under a
+///     contact angle a sinking wheel also slides along the tangent), and the final solution.
+/// Nothing is kept from one solution to the next, so the result depends on the scene alone. Grids
+/// span the penetration, which contact cannot leave. Exceptions cost a further
+/// final solution each: a depth so different that the slide it makes, or planes of close patches,
+/// count; and an estimated error of pmax above the accuracy. `solutions` counts them all.
 /// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
 /// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
 /// patch. Patches that are close turn their planes towards each other and feel each other in part
@@ -23,7 +21,7 @@
 /// A side may also stop after the geometry (no patches), or after the remesh: the patches of
 /// penetration at the depth estimated or prescribed, their grids and undeformed distances.
 /// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
-/// Thread rule: solver and memory serve one thread at a time; otherwise a pure function.
+/// Thread rule: a solver serves one thread at a time; otherwise a pure function.
 /// Not known here: friction; forces between the wheels; patches that are not plane.
 #pragma once
 
@@ -39,9 +37,7 @@
 #include "remesh/contact_frame.hpp"
 #include "remesh/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "scene/side_memory.hpp"
 #include "scene/side_request.hpp"
-#include "scene/trial.hpp"
 
 namespace wrc {
 
@@ -85,20 +81,18 @@ struct SideSolution {
   std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
   double joining_distance = 0.0;               ///< mm, see remesh/contact_patches.hpp
   double peak_pressure = 0.0;
-  std::optional<double> error_estimate; ///< relative, of pmax and approach; none if not known
+  std::optional<double> error_estimate; ///< relative, of what the accuracy is of; none if not known
   std::optional<double> validity;       ///< of an approximate model, see patch_model.hpp
   StopReason stop_reason = StopReason::tolerance_met;
   int iterations = 0;   ///< of all solutions together
   int convolutions = 0; ///< likewise: applications of the influence coefficients
   int solutions = 0;    ///< joint problems solved
-  int regrown = 0;      ///< how often an area had to grow
   StageTimes times;
   std::vector<std::string> warnings;
 };
 
-/// `memory` is read if valid, and written.
 SideSolution solve_side(const WheelSurface& wheel, const RailSurface& rail,
                         const SideEquilibrium& equilibrium, const SideRequest& request,
-                        NormalSolver& solver, SideMemory& memory);
+                        NormalSolver& solver);
 
 } // namespace wrc

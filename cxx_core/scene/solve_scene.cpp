@@ -5,7 +5,6 @@
 #include <cmath>
 #include <future>
 #include <mutex>
-#include <type_traits>
 
 #include "error.hpp"
 #include "profile/readers.hpp"
@@ -100,135 +99,47 @@ private:
   std::vector<Entry> entries_; ///< last used first
 };
 
-/// What one wheel keeps.
-struct SideState {
-  std::optional<NormalSolver> solver;
-  SideMemory memory;
-  struct Touch {
-    double s;       ///< on the wheel
-    double lateral; ///< of the wheelset
-  };
-  std::optional<Touch> touch; ///< the last rigid contact
-};
-
-/// How far the rigid contact has jumped along the wheel; 0 if it has moved there. It has jumped if
-/// the distance rises on the way there from the last place, or if the place moves much faster than
-/// the wheelset (a least distance has vanished).
-double jump_of(const ContactScan& scan, const SideState::Touch& last, double lateral) {
-  constexpr double least_rise = 1e-7; // mm; above the rounding of distances
-  constexpr double standing = 0.5;    // mm; about the distance of the scan's nodes
-  constexpr double fastest = 20.0;    // times the wheelset's displacement
-  const double s = scan.candidates.front().wheel.lateral;
-  const double moved = s - last.s;
-  if (std::abs(moved) > standing + fastest * std::abs(lateral - last.lateral)) {
-    return moved;
-  }
-  // The profile of distances between both places, seen from the new one, must not fall.
-  double highest = scan.candidates.front().distance;
-  bool falls = false;
-  const auto look_at = [&](const DistanceSample& sample) {
-    const double at = sample.wheel.lateral;
-    if ((at - s) * (at - last.s) < 0.0) {
-      falls = falls || sample.distance < highest - least_rise;
-      highest = std::max(highest, sample.distance);
-    }
-  };
-  if (moved < 0.0) {
-    std::for_each(scan.samples.begin(), scan.samples.end(), look_at);
+SideRequest request_of(const Scene& scene, double load) {
+  SideRequest request;
+  request.gap = scene.gap;
+  request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
+  if (scene.vertical) {
+    request.vertical = scene.vertical;
+  } else if (scene.normal_load) {
+    request.normal_load = scene.normal_load;
   } else {
-    std::for_each(scan.samples.rbegin(), scan.samples.rend(), look_at);
+    request.vertical_load = load;
   }
-  return falls ? moved : 0.0;
+  request.accuracy_of = scene.accuracy_of;
+  request.accuracy = scene.accuracy;
+  request.grid = scene.grid;
+  request.tolerance = scene.tolerance;
+  request.interaction = scene.interaction;
+  request.joining_distance = scene.joining_distance;
+  request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
+  request.elements = scene.elements.value_or(
+      request.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
+  request.until = scene.until;
+  return request;
 }
 
-/// Whether the last contact says anything about the next one.
-bool is_comparable(const Scene& one, const Scene& other) {
-  return one.wheel == other.wheel && one.rail == other.rail &&
-         one.wheel_profile == other.wheel_profile && one.rail_profile == other.rail_profile &&
-         one.until == other.until && one.wheel_smoothing == other.wheel_smoothing &&
-         one.rail_smoothing == other.rail_smoothing && one.wheelset == other.wheelset &&
-         one.track == other.track && one.wheel_material == other.wheel_material &&
-         one.rail_material == other.rail_material && one.gap == other.gap &&
-         one.elements == other.elements && one.interaction == other.interaction &&
-         one.joining_distance == other.joining_distance &&
-         one.vertical.has_value() == other.vertical.has_value() &&
-         one.normal_load.has_value() == other.normal_load.has_value();
+/// What patches displace at each other is interpolated, which boxes nearly in touch spoil.
+void warn_of_residuals(SideResult& side, double accuracy) {
+  if (!side.details.interaction || side.patches.empty()) {
+    return;
+  }
+  const Residuals& residuals = residuals_of(side);
+  const double worst = std::max(-residuals.least_gap, residuals.complementarity);
+  if (worst > accuracy) {
+    side.warnings.push_back("patches nearly in touch: what they displace at each other is off by " +
+                            short_text_of(worst) +
+                            " of the largest displacement, more than the "
+                            "accuracy of " +
+                            text_of(accuracy));
+  }
 }
 
-} // namespace
-
-/// What changes no bit of a result.
-struct SceneSolver::Shared {
-  SurfaceCache<WheelSurface, WheelsetDimensions> wheels;
-  SurfaceCache<RailSurface, TrackDimensions> rails;
-  InfluenceCache estimated;
-  InfluenceCache measured{PlannerRigor::measure};
-};
-
-struct SceneSolver::State {
-  std::shared_ptr<Shared> shared = std::make_shared<Shared>();
-  SideState left;
-  SideState right;
-  std::optional<Scene> last; ///< whose solvers and positions these are
-
-  SceneResult solve(const Scene& scene);
-};
-
-SceneResult SceneSolver::State::solve(const Scene& scene) {
-  const auto start = Clock::now();
-  SceneResult result;
-  // Loads a profile and makes a surface of it; the time goes to the stage it belongs to.
-  const auto make_entry = [&](auto* cache, const auto& key, ProfileKind kind,
-                              const std::string& scene_key) {
-    using Entry = typename std::remove_pointer_t<decltype(cache)>::Entry;
-    return cache->get(key, [&] {
-      const auto profile_start = Clock::now();
-      Entry entry{key, nullptr, {}};
-      const Profile profile =
-          load_profile(key.given, key.name, kind, key.smoothing, scene_key, entry.corrections);
-      const auto surface_start = Clock::now();
-      result.time.profile +=
-          1e3 * std::chrono::duration<double>(surface_start - profile_start).count();
-      using Surface = typename decltype(entry.surface)::element_type;
-      entry.surface = std::make_shared<Surface>(profile, key.dimensions);
-      return entry;
-    });
-  };
-  const auto wheel_entry =
-      make_entry(&shared->wheels,
-                 SurfaceKey<WheelsetDimensions>{scene.wheel_profile, scene.wheel,
-                                                scene.wheel_smoothing, scene.wheelset},
-                 ProfileKind::wheel, "wheelset.wheel");
-  const auto rail_entry = make_entry(&shared->rails,
-                                     SurfaceKey<TrackDimensions>{scene.rail_profile, scene.rail,
-                                                                 scene.rail_smoothing, scene.track},
-                                     ProfileKind::rail, "track.rail");
-  const std::shared_ptr<const WheelSurface> wheel = wheel_entry.surface;
-  const std::shared_ptr<const RailSurface> rail = rail_entry.surface;
-  result.corrections = wheel_entry.corrections;
-  result.corrections.insert(result.corrections.end(), rail_entry.corrections.begin(),
-                            rail_entry.corrections.end());
-
-  const double modulus = combined_modulus(scene.wheel_material, scene.rail_material);
-  const bool new_solver =
-      !last || last->planner != scene.planner || last->precision != scene.precision;
-  const bool comparable = last && is_comparable(*last, scene);
-  last.reset(); // until the solvers are those of this scene, which may fail after all
-  for (SideState* side : {&left, &right}) {
-    if (new_solver || !side->solver) {
-      InfluenceCache* cache =
-          scene.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated;
-      side->solver.emplace(std::shared_ptr<InfluenceCache>(shared, cache), scene.precision);
-    }
-    if (!comparable) {
-      side->memory.valid = false;
-      side->touch.reset();
-    }
-  }
-  last = scene;
-  result.time.setup = milliseconds_since(start) - result.time.profile;
-
-  const auto geometry_start = Clock::now();
+EquilibriumRequest equilibrium_request_of(const Scene& scene) {
   EquilibriumRequest request;
   request.lateral = scene.lateral;
   request.yaw = scene.yaw;
@@ -236,7 +147,85 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   request.left = scene.side != SideChoice::right;
   request.right = scene.side != SideChoice::left;
   request.near_tolerance = scene.near_tolerance;
-  const WheelsetEquilibrium equilibrium = find_equilibrium(*wheel, *rail, request);
+  return request;
+}
+
+} // namespace
+
+/// Kept, and shared between threads.
+struct SceneSolver::Shared {
+  SurfaceCache<WheelSurface, WheelsetDimensions> wheels;
+  SurfaceCache<RailSurface, TrackDimensions> rails;
+  LinePlans estimated;
+  LinePlans measured{PlannerRigor::measure};
+};
+
+struct SceneSolver::State {
+  std::shared_ptr<Shared> shared = std::make_shared<Shared>();
+  std::optional<NormalSolver> left;
+  std::optional<NormalSolver> right;
+  PlannerRigor planner = PlannerRigor::estimate; ///< of the solvers
+  Precision precision = Precision::mixed;
+
+  template <class Surface, class Dimensions>
+  typename SurfaceCache<Surface, Dimensions>::Entry
+  surface(SurfaceCache<Surface, Dimensions>& cache, const SurfaceKey<Dimensions>& key,
+          ProfileKind kind, const std::string& scene_key, SceneResult& result);
+  void prepare_solvers(const Scene& scene);
+  SceneResult solve(const Scene& scene);
+};
+
+/// Loads a profile and makes a surface of it; the time goes to the stage it belongs to.
+template <class Surface, class Dimensions>
+typename SurfaceCache<Surface, Dimensions>::Entry
+SceneSolver::State::surface(SurfaceCache<Surface, Dimensions>& cache,
+                            const SurfaceKey<Dimensions>& key, ProfileKind kind,
+                            const std::string& scene_key, SceneResult& result) {
+  auto found = cache.get(key, [&] {
+    const auto start = Clock::now();
+    typename SurfaceCache<Surface, Dimensions>::Entry entry{key, nullptr, {}};
+    const Profile profile =
+        load_profile(key.given, key.name, kind, key.smoothing, scene_key, entry.corrections);
+    result.time.profile += milliseconds_since(start);
+    entry.surface = std::make_shared<Surface>(profile, key.dimensions);
+    return entry;
+  });
+  result.corrections.insert(result.corrections.end(), found.corrections.begin(),
+                            found.corrections.end());
+  return found;
+}
+
+void SceneSolver::State::prepare_solvers(const Scene& scene) {
+  const bool others = planner != scene.planner || precision != scene.precision;
+  LinePlans* plans =
+      scene.planner == PlannerRigor::measure ? &shared->measured : &shared->estimated;
+  for (std::optional<NormalSolver>* solver : {&left, &right}) {
+    if (others || !*solver) {
+      solver->emplace(std::shared_ptr<LinePlans>(shared, plans), scene.precision);
+    }
+  }
+  planner = scene.planner;
+  precision = scene.precision;
+}
+
+SceneResult SceneSolver::State::solve(const Scene& scene) {
+  const auto start = Clock::now();
+  SceneResult result;
+  const auto wheel =
+      surface(shared->wheels,
+              {scene.wheel_profile, scene.wheel, scene.wheel_smoothing, scene.wheelset},
+              ProfileKind::wheel, "wheelset.wheel", result)
+          .surface;
+  const auto rail =
+      surface(shared->rails, {scene.rail_profile, scene.rail, scene.rail_smoothing, scene.track},
+              ProfileKind::rail, "track.rail", result)
+          .surface;
+  prepare_solvers(scene);
+  result.time.setup = milliseconds_since(start) - result.time.profile;
+
+  const auto geometry_start = Clock::now();
+  const WheelsetEquilibrium equilibrium =
+      find_equilibrium(*wheel, *rail, equilibrium_request_of(scene));
   result.roll = equilibrium.roll;
   result.vertical = equilibrium.vertical;
   result.time.geometry = milliseconds_since(geometry_start);
@@ -244,69 +233,33 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const ModelChoice choice = choose_model(scene);
   result.model = choice.name;
   result.solver = scene.solver == "paper" ? "paper" : "default";
-  const auto solve_one = [&](const SideEquilibrium& equilibrium_of_side, double load,
-                             SideState& side) {
-    SideRequest side_request;
-    side_request.gap = scene.gap;
-    side_request.combined_modulus = modulus;
-    if (scene.vertical) {
-      side_request.vertical = scene.vertical;
-    } else if (scene.normal_load) {
-      side_request.normal_load = scene.normal_load;
-    } else {
-      side_request.vertical_load = load;
-    }
-    side_request.accuracy = scene.accuracy;
-    side_request.grid = scene.grid;
-    side_request.tolerance = scene.tolerance;
-    side_request.interaction = scene.interaction;
-    side_request.joining_distance = scene.joining_distance;
-    side_request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
-    side_request.elements = scene.elements.value_or(
-        side_request.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
-    side_request.until = scene.until;
-    if (choice.approximate && scene.until == Module::mechanics) {
-      return solve_side_approximately(*wheel, *rail, equilibrium_of_side, side_request,
-                                      *choice.approximate);
-    }
-    return solve_side(*wheel, *rail, equilibrium_of_side, side_request, *side.solver, side.memory);
+  const auto solve_one = [&](const SideEquilibrium& side, double load, NormalSolver& solver) {
+    const SideRequest request = request_of(scene, load);
+    return choice.approximate && scene.until == Module::mechanics
+               ? solve_side_approximately(*wheel, *rail, side, request, *choice.approximate)
+               : solve_side(*wheel, *rail, side, request, solver);
   };
-  const auto complete = [&](SideResult& result_of_side, const SideEquilibrium& found, double mirror,
-                            SideState& side) {
-    result_of_side.model = choice.name;
-    result_of_side.model_reason = choice.reason;
-    const double lateral = mirror * scene.lateral;
-    if (side.touch) {
-      result_of_side.jump = jump_of(found.scan, *side.touch, lateral);
-    }
-    side.touch = SideState::Touch{found.scan.candidates.front().wheel.lateral, lateral};
-    if (result_of_side.jump != 0.0) {
-      result_of_side.warnings.push_back("the rigid contact has jumped by " +
-                                        short_text_of(result_of_side.jump) +
-                                        " mm along the wheel since the last solution");
-    }
+  const auto complete = [&](SideSolution solution, const SideEquilibrium& side, double mirror) {
+    result.time.remesh += 1e3 * solution.times.remesh;
+    result.time.mechanics += 1e3 * solution.times.mechanics;
+    SideResult made = make_side_result(std::move(solution), wheel, rail, side, mirror);
+    made.model = choice.name;
+    made.model_reason = choice.reason;
+    warn_of_residuals(made, scene.accuracy);
+    return made;
   };
   std::future<SideSolution> other;
   if (equilibrium.right) {
     const bool beside = scene.threads > 1 && equilibrium.left;
     other = std::async(beside ? std::launch::async : std::launch::deferred, solve_one,
-                       std::cref(*equilibrium.right), scene.right_load, std::ref(right));
+                       std::cref(*equilibrium.right), scene.right_load, std::ref(*right));
   }
-  const auto add_times = [&result](const SideSolution& solution) {
-    result.time.remesh += 1e3 * solution.times.remesh;
-    result.time.mechanics += 1e3 * solution.times.mechanics;
-  };
   if (equilibrium.left) {
-    SideSolution solution = solve_one(*equilibrium.left, scene.left_load, left);
-    add_times(solution);
-    result.left = make_side_result(std::move(solution), wheel, rail, *equilibrium.left, 1.0);
-    complete(*result.left, *equilibrium.left, 1.0, left);
+    result.left =
+        complete(solve_one(*equilibrium.left, scene.left_load, *left), *equilibrium.left, 1.0);
   }
   if (equilibrium.right) {
-    SideSolution solution = other.get();
-    add_times(solution);
-    result.right = make_side_result(std::move(solution), wheel, rail, *equilibrium.right, -1.0);
-    complete(*result.right, *equilibrium.right, -1.0, right);
+    result.right = complete(other.get(), *equilibrium.right, -1.0);
   }
   if (result.left && result.right) {
     result.rolling_radius_difference =
@@ -322,19 +275,7 @@ SceneSolver::SceneSolver(SceneSolver&&) noexcept = default;
 SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;
 
 SceneResult SceneSolver::solve(const Scene& scene) {
-  try {
-    return state_->solve(scene);
-  } catch (...) {
-    forget_positions(); // which may be those of half a solution
-    throw;
-  }
-}
-
-void SceneSolver::forget_positions() {
-  for (SideState* side : {&state_->left, &state_->right}) {
-    side->memory.valid = false;
-    side->touch.reset();
-  }
+  return state_->solve(scene);
 }
 
 void SceneSolver::forget() {

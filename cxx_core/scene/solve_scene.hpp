@@ -44,14 +44,10 @@ struct SceneResult {
 /// A scene by itself: a pure function.
 SceneResult solve_scene(const Scene& scene);
 
-/// Solves scenes one after the other and keeps what the next one can use.
-///
-/// Profiles, influence coefficients, transform plans and memory are kept; they change no bit of a
-/// result. Positions, extents and pressures of the last contact are kept too and serve as the start
-/// of the next solution; results then agree with those of solve_scene within the accuracy asked.
-/// Every contact search is global all the same, so a jump of the contact is never missed. A profile
-/// read from a file is kept by its name: forget() after the file has changed. Thread rule: one
-/// object serves one thread at a time.
+/// Solves scenes one after the other and keeps what saves time and changes no bit of a result:
+/// profiles, surfaces, influence coefficients, transform plans and memory. A profile read from a
+/// file is kept by its name: forget() after the file has changed. Thread rule: one object serves
+/// one thread at a time.
 class SceneSolver {
 public:
   SceneSolver();
@@ -59,11 +55,9 @@ public:
   SceneSolver(SceneSolver&&) noexcept;
   SceneSolver& operator=(SceneSolver&&) noexcept;
 
-  /// After a failure the next solution starts without positions of earlier ones.
+  /// Bit for bit the result of solve_scene, whatever was solved before.
   SceneResult solve(const Scene& scene);
-  /// The next solution starts without positions of earlier ones: bit for bit that of solve_scene.
-  void forget_positions();
-  /// Drops everything, profiles included.
+  /// Drops everything that is kept.
   void forget();
   /// One more, for another thread: both share profiles, influence coefficients and plans, and
   /// either may be used, forgotten or destroyed at any time.

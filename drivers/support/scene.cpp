@@ -54,12 +54,6 @@ wrc_status Solver::solve_alone(Scene& scene) {
 
 Scene::Scene() : handle_(create_scene(), wrc_scene_destroy) {}
 
-void Solver::forget_positions() {
-  if (wrc_solver_forget(handle_.get(), 0) != WRC_OK) {
-    throw Failure(wrc_solver_error(handle_.get()));
-  }
-}
-
 void Scene::check(wrc_status status) const {
   if (status != WRC_OK) {
     throw Failure(wrc_scene_error(handle_.get()));

@@ -26,8 +26,6 @@ public:
   Solver();
   /// Solves like Scene::solve, with what is kept.
   bool solve(Scene& scene);
-  /// The next solution starts without positions of earlier ones.
-  void forget_positions();
   /// Bit for bit as Scene::solve, but with profiles, tables and plans of earlier scenes. Tells the
   /// status instead of throwing.
   wrc_status solve_alone(Scene& scene);

@@ -20,13 +20,13 @@ struct Options {
   std::optional<double> accuracy;
   std::string method;
   int repeat = 15;
-  int steps = 200;
+  std::optional<int> steps;
   bool json = false;
   bool first_solve = false;
   bool both_wheels = false;
 };
 
-enum class Kind { gap, scene, vehicle, batch };
+enum class Kind { gap, scene, vehicle, batch, service };
 
 struct Case {
   benchmark::CaseDescription description;
@@ -44,6 +44,10 @@ std::vector<Case> all_cases() {
   all.push_back(
       {{"vehicle-step", "scene: a hunting wheelset, both wheels, step by step"}, Kind::vehicle});
   all.push_back({{"batch", "scene: 64 of them on one and on two threads"}, Kind::batch});
+  all.push_back(
+      {{"service", "scene: a run over irregular track, three pairs of profiles; takes over "
+                   "a minute and is not among all"},
+       Kind::service});
   return all;
 }
 
@@ -93,7 +97,11 @@ std::vector<Case> chosen_cases(const Options& options) {
       return known.description.name == "hertz-circle" || known.description.name == "two-lobes";
     });
   }
-  return chosen.empty() ? all : chosen;
+  if (chosen.empty()) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+                 [](const Case& known) { return known.kind != Kind::service; });
+  }
+  return chosen;
 }
 
 void check_grid(const Case& chosen, const GridSize& grid) {
@@ -128,6 +136,29 @@ void measure_on_grid(const Case& chosen, const GridSize& grid, const Options& op
   }
 }
 
+void measure_vehicle(const Options& options, benchmark::Report& report) {
+  benchmark::MotionPlan plan;
+  plan.steps = options.steps.value_or(plan.steps);
+  if (options.accuracy) {
+    plan.accuracies = {*options.accuracy};
+  }
+  if (!options.method.empty()) {
+    plan.methods = {options.method};
+  }
+  for (benchmark::Row& row : benchmark::measure_vehicle_steps(plan)) {
+    report.rows.push_back(std::move(row));
+  }
+}
+
+void measure_service(const Options& options, benchmark::Report& report) {
+  benchmark::ServicePlan plan;
+  plan.steps = options.steps.value_or(plan.steps);
+  if (options.accuracy) {
+    plan.accuracies = {*options.accuracy};
+  }
+  report.service = benchmark::measure_service(plan);
+}
+
 benchmark::Report measure(const std::vector<Case>& cases, const std::vector<GridSize>& grids,
                           const Options& options) {
   benchmark::Report report;
@@ -140,17 +171,9 @@ benchmark::Report measure(const std::vector<Case>& cases, const std::vector<Grid
     }
     std::cerr << "wrc_benchmark: " << chosen.description.name << " ...\n";
     if (chosen.kind == Kind::vehicle) {
-      benchmark::MotionPlan plan;
-      plan.steps = options.steps;
-      if (options.accuracy) {
-        plan.accuracies = {*options.accuracy};
-      }
-      if (!options.method.empty()) {
-        plan.methods = {options.method};
-      }
-      for (benchmark::Row& row : benchmark::measure_vehicle_steps(plan)) {
-        report.rows.push_back(std::move(row));
-      }
+      measure_vehicle(options, report);
+    } else if (chosen.kind == Kind::service) {
+      measure_service(options, report);
     } else {
       report.batch = benchmark::measure_batch(std::min(options.repeat, 5));
       report.rows.insert(report.rows.end(), report.batch->rows.begin(), report.batch->rows.end());
@@ -199,7 +222,7 @@ int main(int argc, char** argv) {
       "machines may not: read the ratios, and times in transforms of the same size (pairs).",
       "wrc_benchmark");
   Options options;
-  std::string case_list = "case to run, may be repeated; all if not given:";
+  std::string case_list = "case to run, may be repeated; all but service if not given:";
   for (const Case& known : all_cases()) {
     case_list += "\n" + known.description.name + ": " + known.description.meaning;
   }
@@ -207,13 +230,13 @@ int main(int argc, char** argv) {
   app.add_option(
          "--grid", options.grid,
          "elements across x along the rail (default 256x128), or \"all\": 32x16 to 4096x2048, "
-         "for hertz-circle and two-lobes if no case is given; vehicle-step and batch choose "
-         "their own")
+         "for hertz-circle and two-lobes if no case is given; vehicle-step, batch and service "
+         "choose their own")
       ->type_name("NxM");
   app.add_option(
          "--accuracy", options.accuracy,
          "error asked: of all pressures relative to pmax (default 1e-4); with vehicle-step of "
-         "pmax (default 1e-2 and 1e-3)")
+         "pmax, with service of forces and of pressures (default 1e-2 and 1e-3)")
       ->type_name("EPS")
       ->check(CLI::Range(1e-9, 0.1));
   app.add_option("--method", options.method,
@@ -224,7 +247,8 @@ int main(int argc, char** argv) {
                  "warm solutions a row (default 15; fewer if they take more than 1.5 s)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--steps", options.steps, "steps of vehicle-step (default 200: one wave)")
+  app.add_option("--steps", options.steps,
+                 "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
   app.add_flag("--json", options.json, "print one JSON object instead of the tables");
@@ -238,6 +262,7 @@ int main(int argc, char** argv) {
              "  wrc_benchmark --case table1 --method default   where the time of a scene goes\n"
              "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
              "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
+             "  wrc_benchmark --case service --steps 300       what a step of a real run costs\n"
              "docs/performance.md explains the columns.");
   return driver::run_program(app, argc, argv, [&] { return run(options); });
 }

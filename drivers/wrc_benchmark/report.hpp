@@ -6,11 +6,13 @@
 
 #include "wrc_benchmark/motion_cases.hpp"
 #include "wrc_benchmark/row.hpp"
+#include "wrc_benchmark/service_case.hpp"
 
 namespace benchmark {
 
 struct Report {
-  std::vector<Row> rows;      ///< of all cases
+  std::vector<Row> rows; ///< of all cases but service
+  std::vector<ServiceRow> service;
   std::optional<Batch> batch; ///< its rows are among those above
 };
 

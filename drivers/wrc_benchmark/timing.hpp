@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <utility>
 #include <vector>
 
 #include "support/statistics.hpp"
@@ -24,6 +25,20 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
+/// The same of the processor's time in this process: what else goes on in the machine does not
+/// count.
+class ProcessorStopwatch {
+public:
+  double lap() {
+    const double now = milliseconds();
+    return now - std::exchange(start_, now);
+  }
+
+private:
+  static double milliseconds();
+  double start_ = milliseconds();
+};
+
 using driver::median;
 using driver::quantile;
 /// Stage by stage.
@@ -36,10 +51,14 @@ class Yardstick {
 public:
   explicit Yardstick(const GridSize& grid) : grid_(grid) {}
   void sample();
+  /// One during which the process had a processor to itself, as far as there is one: what went by
+  /// is then processor time.
+  void sample_undisturbed();
   /// Median of all samples; samples once if there are none.
   double milliseconds();
 
 private:
+  [[nodiscard]] double measure() const;
   GridSize grid_;
   std::vector<double> samples_;
 };

@@ -42,7 +42,6 @@ constexpr std::array units{
     Unit{"iterations", "1"},
     Unit{"convolutions", "1"},
     Unit{"solutions", "1"},
-    Unit{"regrown", "1"},
     Unit{"rolling_radius", "mm"},
     Unit{"angle", "rad"},
     Unit{"roll", "rad"},

@@ -1,6 +1,5 @@
 #include "wrc_tradeoff/family.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -45,16 +44,17 @@ Case drawn_case(std::size_t index, Draw& draw) {
   Case made;
   made.group = "spread";
   made.name = "spread-" + std::to_string(index);
-  made.texts = {{"wheelset.wheel", pair.wheel}, {"track.rail", pair.rail}};
-  made.numbers = {{"wheelset.back_to_back", pair.back_to_back},
-                  {"wheelset.radius", pair.radius},
-                  {"track.gauge_height", pair.gauge_height}};
+  made.settings.texts = {{"wheelset.wheel", pair.wheel}, {"track.rail", pair.rail}};
+  made.settings.numbers = {{"wheelset.back_to_back", pair.back_to_back},
+                           {"wheelset.radius", pair.radius},
+                           {"track.gauge_height", pair.gauge_height}};
   constexpr std::array cants{1.0 / 40.0, 1.0 / 20.0, 0.0};
-  made.numbers.emplace_back("track.cant", std::atan(cants[(index / pairings.size()) % 3]));
-  made.numbers.emplace_back("pose.lateral", draw.between(-6.5, 6.5));
+  made.settings.numbers.emplace_back("track.cant", std::atan(cants[(index / pairings.size()) % 3]));
+  made.settings.numbers.emplace_back("pose.lateral", draw.between(-6.5, 6.5));
   const double yaw = draw.between(-0.04, 0.04);
-  made.numbers.emplace_back("pose.yaw", index % 2 == 0 ? 0.0 : yaw);
-  made.numbers.emplace_back("load.vertical", std::exp(draw.between(std::log(1e3), std::log(3e5))));
+  made.settings.numbers.emplace_back("pose.yaw", index % 2 == 0 ? 0.0 : yaw);
+  made.settings.numbers.emplace_back("load.vertical",
+                                     std::exp(draw.between(std::log(1e3), std::log(3e5))));
   return made;
 }
 
@@ -68,8 +68,8 @@ std::vector<Case> sweep(const std::string& group, const std::string& wheel, cons
     std::ostringstream name;
     name << group << (yaw != 0.0 ? "-yawed" : "") << "-y" << lateral;
     made.name = name.str();
-    made.texts = {{"wheelset.wheel", wheel}, {"track.rail", rail}};
-    made.numbers = {{"pose.lateral", lateral}, {"pose.yaw", yaw}};
+    made.settings.texts = {{"wheelset.wheel", wheel}, {"track.rail", rail}};
+    made.settings.numbers = {{"pose.lateral", lateral}, {"pose.yaw", yaw}};
     cases.push_back(std::move(made));
   }
   return cases;
@@ -77,33 +77,10 @@ std::vector<Case> sweep(const std::string& group, const std::string& wheel, cons
 
 } // namespace
 
-void Case::apply(driver::Scene& scene) const {
-  for (const auto& [key, value] : texts) {
-    scene.set(key, value);
-  }
-  for (const auto& [key, value] : numbers) {
-    scene.set(key, value);
-  }
-}
-
-double Case::number_or(const std::string& key, double otherwise) const {
-  const auto found = std::find_if(numbers.begin(), numbers.end(),
-                                  [&key](const auto& number) { return number.first == key; });
-  return found == numbers.end() ? otherwise : found->second;
-}
-
-std::string Case::text() const {
-  std::ostringstream line;
-  line.precision(17);
-  for (const auto& [key, value] : texts) {
-    line << key << '=' << value << ' ';
-  }
-  for (const auto& [key, value] : numbers) {
-    line << key << '=' << value << ' ';
-  }
-  std::string text = line.str();
-  text.pop_back();
-  return text;
+double load_of(const driver::Settings& scene, std::size_t side) {
+  constexpr double usual = 80e3;
+  return scene.number_or(side == 0 ? "load.left" : "load.right",
+                         scene.number_or("load.vertical", usual));
 }
 
 std::vector<Case> make_family(std::size_t count) {
@@ -130,6 +107,15 @@ std::vector<Case> make_family(std::size_t count) {
     }
   }
   return family;
+}
+
+std::vector<Case> make_random(std::size_t count) {
+  constexpr std::uint64_t seed = 20240607;
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < count; ++i) {
+    cases.push_back({"random-" + std::to_string(i), "random", driver::random_scene(seed, i)});
+  }
+  return cases;
 }
 
 } // namespace tradeoff

@@ -8,28 +8,24 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "support/scene.hpp"
+#include "support/random_scenes.hpp"
 
 namespace tradeoff {
 
 struct Case {
   std::string name;
   std::string group;
-  std::vector<std::pair<std::string, std::string>> texts;
-  std::vector<std::pair<std::string, double>> numbers;
-
-  void apply(driver::Scene& scene) const;
-  /// A number of the scene that the family sets, or a value to take if it does not.
-  [[nodiscard]] double number_or(const std::string& key, double otherwise) const;
-  /// Keys and values in one line.
-  [[nodiscard]] std::string text() const;
+  driver::Settings settings;
 };
+/// Of a wheel, 0 left and 1 right.
+double load_of(const driver::Settings& scene, std::size_t side);
 
 /// The first `count` scenes of the family, groups mixed so that few already show all of them; all
 /// groups but `spread` have an end, `spread` has none.
 std::vector<Case> make_family(std::size_t count);
+/// Instead of the family: so many of driver::random_scene, group `random`.
+std::vector<Case> make_random(std::size_t count);
 
 } // namespace tradeoff

@@ -15,12 +15,44 @@ using tradeoff::Measured;
 /// Every so many scenes grids by hand are measured too.
 constexpr std::size_t grid_interval = 5;
 
-std::vector<Measured> measure_all(const std::vector<tradeoff::Case>& family, int threads,
-                                  int steps) {
+struct Options {
+  std::size_t scenes = 520;
+  std::size_t random = 0; ///< instead of the family
+  std::string accuracy_of = "both";
+  int threads = 1;
+  int repeats = 15;
+  std::string csv, json, pictures;
+};
+
+/// Random scenes are solved for what accuracies are worth; the family in all ways.
+std::vector<std::string> labels_of(const Options& options, std::size_t index) {
+  std::vector<std::string> labels;
+  if (options.accuracy_of != "pressures") {
+    labels.emplace_back("forces");
+  }
+  if (options.accuracy_of != "forces") {
+    labels.emplace_back("pressures");
+  }
+  if (options.random == 0) {
+    if (options.accuracy_of != "forces") {
+      labels.emplace_back("double");
+    }
+    labels.insert(labels.end(), {"hertz", "kik-piotrowski"});
+    if (index % grid_interval == 0) {
+      labels.emplace_back("grid");
+    }
+  }
+  return labels;
+}
+
+std::vector<Measured> measure_all(const Options& options) {
+  const std::vector<tradeoff::Case> family = options.random > 0
+                                                 ? tradeoff::make_random(options.random)
+                                                 : tradeoff::make_family(options.scenes);
   std::vector<Measured> all(family.size());
   driver::ProgressLines progress(family.size());
-  driver::for_each_index(family.size(), threads, [&](std::size_t i) {
-    all[i] = tradeoff::measure(family[i], {steps, i % grid_interval == 0});
+  driver::for_each_index(family.size(), options.threads, [&](std::size_t i) {
+    all[i] = tradeoff::measure(family[i], {labels_of(options, i), options.repeats});
     progress.one_done([&](std::size_t done, double seconds) {
       const double left =
           seconds * static_cast<double>(family.size() - done) / static_cast<double>(done);
@@ -34,45 +66,53 @@ std::vector<Measured> measure_all(const std::vector<tradeoff::Case>& family, int
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Solves a fixed family of scenes at all accuracies and with all models, against much "
-      "finer solutions of the same scenes, and tells what was asked, achieved, estimated, "
-      "and how long it took.",
-      "wrc_tradeoff");
-  std::size_t scenes = 520;
-  int threads = 1;
-  int steps = 15;
-  std::string csv;
-  std::string json;
-  std::string pictures;
-  app.add_option("--scenes", scenes, "how many scenes of the family")
-      ->check(CLI::Range(1, 100000))
+  CLI::App app("Solves a fixed family of scenes, or random ones, at all accuracies and with all "
+               "models, against much "
+               "finer solutions of the same scenes, and tells what was asked, achieved, estimated, "
+               "and how long it took.",
+               "wrc_tradeoff");
+  Options options;
+  auto* scenes = app.add_option("--scenes", options.scenes, "how many scenes of the family")
+                     ->check(CLI::Range(1, 100000))
+                     ->capture_default_str();
+  app.add_option(
+         "--random", options.random,
+         "so many scenes drawn at random over what vehicles may meet, instead of the family; "
+         "without models and grids by hand")
+      ->check(CLI::Range(1, 1000000))
+      ->excludes(scenes);
+  app.add_option("--accuracy-of", options.accuracy_of, "what accuracies are of")
+      ->check(CLI::IsMember({"forces", "pressures", "both"}))
       ->capture_default_str();
-  app.add_option("--threads", threads,
-                 "scenes solved at once; times depend on it, and the errors of warm steps within "
-                 "their scatter")
+  app.add_option("--threads", options.threads, "scenes solved at once; times depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("--steps", steps, "warm steps timed for each way to solve a scene, at most")
+  app.add_option("--repeats", options.repeats,
+                 "solutions timed for each way to solve a scene, at "
+                 "most")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--csv", csv, "write one line for each wheel and way")->type_name("FILE");
-  app.add_option("--json", json, "write everything as one object")->type_name("FILE");
-  app.add_option("--pictures", pictures, "draw four pictures, tradeoff_*.png, into a folder")
+  app.add_option("--csv", options.csv, "write one line for each wheel and way")->type_name("FILE");
+  app.add_option("--json", options.json, "write everything as one object")->type_name("FILE");
+  app.add_option("--pictures", options.pictures, "draw pictures, tradeoff_*.png, into a folder")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
-  app.footer("\nExample:\n  wrc_tradeoff --threads 2 --csv tradeoff.csv --pictures docs/images\n");
-  return driver::run_program(app, argc, argv, [&] {
-    const std::vector<Measured> all = measure_all(tradeoff::make_family(scenes), threads, steps);
+  app.footer("\nExamples:\n"
+             "  wrc_tradeoff --threads 2 --csv tradeoff.csv --pictures docs/images\n"
+             "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n");
+  return driver::run_program(app, argc, argv, [&options] {
+    const std::vector<Measured> all = measure_all(options);
     tradeoff::print_summary(all, std::cout);
-    if (!csv.empty()) {
-      driver::write_whole(csv, [&all](std::ostream& out) { tradeoff::print_csv(all, out); });
+    if (!options.csv.empty()) {
+      driver::write_whole(options.csv,
+                          [&all](std::ostream& out) { tradeoff::print_csv(all, out); });
     }
-    if (!json.empty()) {
-      driver::write_whole(json, [&all](std::ostream& out) { tradeoff::print_json(all, out); });
+    if (!options.json.empty()) {
+      driver::write_whole(options.json,
+                          [&all](std::ostream& out) { tradeoff::print_json(all, out); });
     }
-    if (!pictures.empty()) {
-      tradeoff::draw_pictures(all, pictures);
+    if (!options.pictures.empty()) {
+      tradeoff::draw_pictures(all, options.pictures, options.random == 0);
     }
     return 0;
   });

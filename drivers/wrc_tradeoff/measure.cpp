@@ -1,7 +1,7 @@
 #include "wrc_tradeoff/measure.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "wrc_tradeoff/statistics.hpp"
 
@@ -9,47 +9,12 @@ namespace tradeoff {
 namespace {
 
 constexpr std::array side_names{"left", "right"};
-constexpr double warm_step = 0.01; // mm
-/// Slow ways are timed in fewer steps: no more once that much time is spent.
+/// Slow ways are timed less often: no more once that much time is spent.
 constexpr double budget_ms = 40.0;
-constexpr int least_steps = 2;
 /// Grids by hand: elements across; half as many along, and tolerances that leave the grid's error.
 constexpr std::array rows_by_hand{12.0, 16.0,  24.0,  32.0,  48.0, 64.0,
                                   96.0, 128.0, 192.0, 256.0, 384.0};
 constexpr double hand_tolerance = 1e-4;
-
-struct Figures {
-  double pmax, approach, area, normal_force;
-};
-
-Figures figures_of(const driver::Scene& scene, const std::string& side) {
-  return {scene.number(side + ".pmax"), scene.number(side + ".depth"), scene.number(side + ".area"),
-          scene.number(side + ".normal_force")};
-}
-
-double relative(double value, double truth) {
-  return std::abs(value / truth - 1.0);
-}
-
-WheelError error_of(const driver::Scene& scene, const std::string& side, const Figures& truth) {
-  const Figures found = figures_of(scene, side);
-  WheelError error;
-  error.pmax = relative(found.pmax, truth.pmax);
-  error.approach = relative(found.approach, truth.approach);
-  error.area = relative(found.area, truth.area);
-  error.normal_force = relative(found.normal_force, truth.normal_force);
-  for (auto [name, value] :
-       {std::pair{".error_estimate", &error.estimate}, std::pair{".validity", &error.validity}}) {
-    if (scene.has_number(side + name)) {
-      *value = scene.number(side + name);
-    }
-  }
-  const int warnings = scene.count_of(side + ".warnings");
-  for (int i = 0; i < warnings; ++i) {
-    error.warnings += (i > 0 ? "; " : "") + scene.text(side + ".warnings." + std::to_string(i));
-  }
-  return error;
-}
 
 void set_way(driver::Scene& scene, const Way& way) {
   if (way.label == "grid") {
@@ -59,6 +24,7 @@ void set_way(driver::Scene& scene, const Way& way) {
     scene.set("solve.model", way.label);
   } else {
     scene.set("solve.accuracy", way.accuracy);
+    scene.set("solve.accuracy_of", std::string(way.label == "forces" ? "forces" : "pressures"));
     scene.set("solve.precision", std::string(way.label == "double" ? "double" : "mixed"));
   }
 }
@@ -71,7 +37,7 @@ public:
 
   Measured measure() {
     find_truth();
-    for (const Way& way : all_ways(options_.with_grids)) {
+    for (const Way& way : ways_of(options_.labels)) {
       result_.runs.push_back(run(way));
     }
     return std::move(result_);
@@ -80,7 +46,7 @@ public:
 private:
   std::array<Figures, 2> solve_on_grid(double share) {
     driver::Scene scene;
-    result_.scene.apply(scene);
+    result_.scene.settings.apply(scene);
     scene.set("solve.grid", std::vector<double>{share * truth_grid[0], share * truth_grid[1]});
     scene.set("solve.tolerance", 1e-8);
     scene.set("solve.precision", std::string("double"));
@@ -97,42 +63,28 @@ private:
     truth_ = solve_on_grid(1.0);
     for (std::size_t side = 0; side < 2; ++side) {
       result_.truth_pmax[side] = truth_[side].pmax;
-      result_.truth_uncertainty[side] =
-          std::max(relative(coarser[side].pmax, truth_[side].pmax),
-                   relative(coarser[side].approach, truth_[side].approach));
+      result_.truth_uncertainty[side] = error_of(coarser[side], truth_[side]);
     }
-  }
-
-  std::array<WheelError, 2> errors_of(const driver::Scene& scene) const {
-    return {error_of(scene, "left", truth_[0]), error_of(scene, "right", truth_[1])};
   }
 
   Run run(const Way& way) {
     driver::Scene scene;
-    result_.scene.apply(scene);
+    result_.scene.settings.apply(scene);
     set_way(scene, way);
-    const double lateral = result_.scene.number_or("pose.lateral", 0.0);
     Run made;
     made.way = way;
-    const auto solve = [&](double at) {
-      scene.set("pose.lateral", at);
+    solver_.solve(scene); // plans
+    std::vector<double> times;
+    for (double spent = 0.0;
+         times.empty() || (spent < budget_ms && std::ssize(times) < options_.repeats);) {
       const auto start = std::chrono::steady_clock::now();
       solver_.solve(scene);
-      return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    solve(lateral); // plans
-    solver_.forget_positions();
-    made.cold_ms = solve(lateral);
-    made.cold = errors_of(scene);
-    std::vector<double> times;
-    double spent = 0.0;
-    for (int i = 0; i < options_.warm_steps && (i < least_steps || spent < budget_ms); ++i) {
-      spent += solve(lateral + warm_step);
-      times.push_back(solve(lateral));
+      times.push_back(
+          1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       spent += times.back();
     }
-    made.warm_ms = median(times);
-    made.warm = errors_of(scene);
+    made.time_ms = median(times);
+    made.errors = {error_of(scene, "left", truth_[0]), error_of(scene, "right", truth_[1])};
     return made;
   }
 
@@ -144,19 +96,19 @@ private:
 
 } // namespace
 
-std::vector<Way> all_ways(bool with_grids) {
+std::vector<Way> ways_of(const std::vector<std::string>& labels) {
   std::vector<Way> ways;
-  for (const char* label : {"auto", "double"}) {
-    for (const double accuracy : accuracies) {
-      ways.push_back({label, accuracy, {}});
-    }
-  }
-  for (const char* model : {"hertz", "kik-piotrowski"}) {
-    ways.push_back({model, 0.0, {}});
-  }
-  if (with_grids) {
-    for (const double rows : rows_by_hand) {
-      ways.push_back({"grid", 0.0, {rows, 0.5 * rows}});
+  for (const std::string& label : labels) {
+    if (label == "grid") {
+      for (const double rows : rows_by_hand) {
+        ways.push_back({label, 0.0, {rows, 0.5 * rows}});
+      }
+    } else if (label == "hertz" || label == "kik-piotrowski") {
+      ways.push_back({label, 0.0, {}});
+    } else {
+      for (const double accuracy : accuracies) {
+        ways.push_back({label, accuracy, {}});
+      }
     }
   }
   return ways;

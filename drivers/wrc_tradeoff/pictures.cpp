@@ -13,6 +13,8 @@ namespace tradeoff {
 namespace {
 
 constexpr double least_shown = 1e-7;
+constexpr std::array labels{"forces", "pressures", "double", "grid", "hertz", "kik-piotrowski"};
+constexpr std::array meanings{"forces", "pressures"};
 
 /// Points of several kinds on one picture; kinds without points are left out, which gnuplot would
 /// refuse.
@@ -49,7 +51,7 @@ private:
 
 using ErrorOf = std::function<double(const WheelError&)>;
 
-/// Warm times of all scenes and errors of all wheels of a way.
+/// Times of all scenes and errors of all wheels of a way.
 struct Cloud {
   std::vector<double> times;
   std::vector<double> errors;
@@ -61,8 +63,8 @@ Cloud cloud_of(const std::vector<Measured>& all, const Way& way, const ErrorOf& 
     for (const Run& run : measured.runs) {
       if (run.way.label == way.label && run.way.accuracy == way.accuracy &&
           run.way.grid == way.grid) {
-        cloud.times.push_back(run.warm_ms);
-        for (const WheelError& error : run.warm) {
+        cloud.times.push_back(run.time_ms);
+        for (const WheelError& error : run.errors) {
           cloud.errors.push_back(std::max(error_of(error), least_shown));
         }
       }
@@ -75,18 +77,18 @@ void draw_work_precision(const std::vector<Measured>& all, const std::filesystem
   driver::Gnuplot plot;
   auto& script = plot.script();
   script << "set multiplot layout 1,3\nset logscale xy\nset grid\nset xlabel 'median time, both "
-            "wheels, warm, ms'\nset format y '10^{%T}'\nset key bottom left\n";
+            "wheels, ms'\nset format y '10^{%T}'\nset key bottom left\n";
   const std::pair<const char*, ErrorOf> quantities[] = {
-      {"pmax", [](const WheelError& error) { return error.pmax; }},
-      {"approach", [](const WheelError& error) { return error.approach; }},
-      {"area", [](const WheelError& error) { return error.area; }}};
+      {"pmax", [](const WheelError& error) { return error.of(Quantity::pmax); }},
+      {"approach", [](const WheelError& error) { return error.of(Quantity::depth); }},
+      {"area", [](const WheelError& error) { return error.of(Quantity::area); }}};
   for (const auto& [quantity, error_of] : quantities) {
     script << "set title '" << quantity << "'\nset ylabel 'relative error: median, and to 95 %'\n";
     Series series;
-    for (const char* label : {"auto", "double", "grid", "hertz", "kik-piotrowski"}) {
+    for (const char* label : labels) {
       auto& points = series.add("using 1:2:3:4 with yerrorlines pt 7 ps 0.6", label);
-      for (const Way& way : all_ways(true)) {
-        const Cloud cloud = way.label == label ? cloud_of(all, way, error_of) : Cloud{};
+      for (const Way& way : ways_of({label})) {
+        const Cloud cloud = cloud_of(all, way, error_of);
         if (!cloud.times.empty()) {
           const double middle = median(cloud.errors);
           points << median(cloud.times) << ' ' << middle << ' ' << middle << ' '
@@ -100,63 +102,92 @@ void draw_work_precision(const std::vector<Measured>& all, const std::filesystem
   plot.draw(path, 1500, 500);
 }
 
+/// One half of a picture for each meaning of an accuracy.
+void begin_halves(std::ostream& script, const std::string& across, const std::string& ranges) {
+  script << "set multiplot layout 1,2\nset logscale xy\nset grid\nset xlabel '" << across
+         << "'\nset ylabel 'largest error'\nset format '10^{%T}'\nset key bottom right\n"
+         << ranges;
+}
+
+bool has(const std::vector<AskedRow>& rows, const std::string& label) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [&label](const AskedRow& row) { return row.label == label; });
+}
+
 void draw_asked(const std::vector<Measured>& all, const std::filesystem::path& path) {
   driver::Gnuplot plot;
   auto& script = plot.script();
-  script << "set logscale xy\nset grid\nset xlabel 'accuracy asked'\nset ylabel 'error of pmax and "
-            "approach, the larger one'\nset format '10^{%T}'\nset key bottom right\n"
-            "set xrange [2e-4:2e-1]\n";
-  const std::pair<const char*, double AskedRow::*> lines[] = {{"worst", &AskedRow::worst},
-                                                              {"99 %", &AskedRow::error_99},
-                                                              {"95 %", &AskedRow::error_95},
-                                                              {"median", &AskedRow::median_error}};
-  Series series;
-  for (const auto& [title, member] : lines) {
-    auto& points = series.add("with linespoints pt 7", title);
-    for (const AskedRow& row : asked_rows(all)) {
-      if (row.label == "auto" && row.samples > 0) {
-        points << row.asked << ' ' << row.*member << '\n';
+  begin_halves(script, "accuracy asked", "set xrange [2e-4:2e-1]\n");
+  const std::pair<const char*, std::function<double(const AskedRow&)>> lines[] = {
+      {"worst", [](const AskedRow& row) { return row.worst * row.asked; }},
+      {"99 %", [](const AskedRow& row) { return row.error_99; }},
+      {"95 %", [](const AskedRow& row) { return row.error_95; }},
+      {"median", [](const AskedRow& row) { return row.median_error; }}};
+  const std::vector<AskedRow> rows = asked_rows(all);
+  for (const char* label : meanings) {
+    Series series;
+    for (const auto& [title, value] : lines) {
+      auto& points = series.add("with linespoints pt 7", title);
+      for (const AskedRow& row : rows) {
+        if (row.label == label) {
+          points << row.asked << ' ' << value(row) << '\n';
+        }
+      }
+    }
+    if (has(rows, label)) {
+      script << "set title 'accuracy of " << label << "'\n";
+      series.plot(script, "x with lines dt 2 lc 'black' title 'as asked', 3*x with lines dt 3 lc "
+                          "'black' title 'three times'");
+    }
+  }
+  script << "unset multiplot\n";
+  plot.draw(path, 1300, 600);
+}
+
+/// Estimates and errors of one way at one accuracy.
+void add_estimates(const std::vector<Measured>& all, const std::string& label, double asked,
+                   std::ostream& points) {
+  for (const Measured& measured : all) {
+    for (const Run& run : measured.runs) {
+      if (run.way.label != label || run.way.accuracy != asked) {
+        continue;
+      }
+      for (const WheelError& error : run.errors) {
+        if (error.estimate) {
+          points << *error.estimate << ' ' << std::max(error.controlled(label), least_shown)
+                 << '\n';
+        }
       }
     }
   }
-  series.plot(script, "x with lines dt 2 lc 'black' title 'as asked', 3*x with lines dt 3 lc "
-                      "'black' title 'three times'");
-  plot.draw(path, 700, 600);
 }
 
 void draw_estimate(const std::vector<Measured>& all, const std::filesystem::path& path) {
   driver::Gnuplot plot;
   auto& script = plot.script();
-  script << "set logscale xy\nset grid\nset xlabel 'estimated error'\nset ylabel 'error of pmax "
-            "and approach, the larger one'\nset format '10^{%T}'\nset key bottom right\n"
-            "set xrange [1e-5:1]\nset yrange [1e-7:1]\n";
-  Series series;
-  for (const double asked : accuracies) {
-    std::ostringstream title;
-    title << "asked " << asked;
-    auto& points = series.add("with points pt 7 ps 0.3", title.str());
-    for (const Measured& measured : all) {
-      for (const Run& run : measured.runs) {
-        if (run.way.label != "auto" || run.way.accuracy != asked) {
-          continue;
-        }
-        for (const WheelError& error : run.cold) {
-          if (error.estimate) {
-            points << *error.estimate << ' ' << std::max(error.controlled(), least_shown) << '\n';
-          }
-        }
-      }
+  begin_halves(script, "estimated error", "set xrange [1e-5:1]\nset yrange [1e-7:1]\n");
+  const std::vector<AskedRow> rows = asked_rows(all);
+  for (const char* label : meanings) {
+    Series series;
+    for (const double asked : accuracies) {
+      std::ostringstream title;
+      title << "asked " << asked;
+      add_estimates(all, label, asked, series.add("with points pt 7 ps 0.3", title.str()));
+    }
+    if (has(rows, label)) {
+      script << "set title 'accuracy of " << label << "'\n";
+      series.plot(script, "x with lines lc 'black' title 'as estimated', x/10 with lines dt 2 lc "
+                          "'black' title 'a tenth'");
     }
   }
-  series.plot(script, "x with lines lc 'black' title 'as estimated', x/10 with lines dt 2 lc "
-                      "'black' title 'a tenth'");
-  plot.draw(path, 700, 600);
+  script << "unset multiplot\n";
+  plot.draw(path, 1300, 600);
 }
 
 /// Whether a model meets 10 % of pmax and approach of a wheel.
 bool is_enough(const Measured& measured, const std::string& model, std::size_t side) {
   return std::any_of(measured.runs.begin(), measured.runs.end(), [&](const Run& run) {
-    return run.way.label == model && run.cold[side].controlled() <= 0.1;
+    return run.way.label == model && is_within(run.errors[side], 0.1);
   });
 }
 
@@ -174,9 +205,9 @@ void draw_models(const std::vector<Measured>& all, const std::filesystem::path& 
         if (run.way.label != label) {
           continue;
         }
-        for (const WheelError& error : run.cold) {
-          points << error.validity.value_or(0.0) << ' ' << std::max(error.pmax, least_shown)
-                 << '\n';
+        for (const WheelError& error : run.errors) {
+          points << error.validity.value_or(0.0) << ' '
+                 << std::max(error.of(Quantity::pmax), least_shown) << '\n';
         }
       }
     }
@@ -195,8 +226,8 @@ void draw_models(const std::vector<Measured>& all, const std::filesystem::path& 
                      : is_enough(measured, "kik-piotrowski", side) ? quick
                                                                    : half_space;
       // Seen from the left wheel: the right one moves the other way.
-      points << (side == 0 ? 1.0 : -1.0) * measured.scene.number_or("pose.lateral", 0.0) << ' '
-             << measured.scene.number_or("load.vertical", 80000.0) << '\n';
+      points << (side == 0 ? 1.0 : -1.0) * measured.scene.settings.number_or("pose.lateral", 0.0)
+             << ' ' << load_of(measured.scene.settings, side) << '\n';
     }
   }
   winners.plot(script);
@@ -206,11 +237,14 @@ void draw_models(const std::vector<Measured>& all, const std::filesystem::path& 
 
 } // namespace
 
-void draw_pictures(const std::vector<Measured>& all, const std::filesystem::path& folder) {
+void draw_pictures(const std::vector<Measured>& all, const std::filesystem::path& folder,
+                   bool with_models) {
   draw_work_precision(all, folder / "tradeoff_work_precision.png");
   draw_asked(all, folder / "tradeoff_asked.png");
   draw_estimate(all, folder / "tradeoff_estimate.png");
-  draw_models(all, folder / "tradeoff_models.png");
+  if (with_models) {
+    draw_models(all, folder / "tradeoff_models.png");
+  }
 }
 
 } // namespace tradeoff

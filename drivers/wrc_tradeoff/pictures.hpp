@@ -10,7 +10,8 @@
 namespace tradeoff {
 
 /// Writes tradeoff_work_precision.png, tradeoff_asked.png, tradeoff_estimate.png and
-/// tradeoff_models.png into a folder that exists.
-void draw_pictures(const std::vector<Measured>& all, const std::filesystem::path& folder);
+/// tradeoff_models.png (with models measured) into a folder that exists.
+void draw_pictures(const std::vector<Measured>& all, const std::filesystem::path& folder,
+                   bool with_models);
 
 } // namespace tradeoff

@@ -9,7 +9,7 @@
 namespace tradeoff {
 namespace {
 
-/// Calls `take(measured, run, wheel index, cold or warm error)` for each wheel of a way.
+/// Calls `take(measured, run, wheel index, error)` for each wheel of a way.
 template <class Take>
 void for_each_wheel(const std::vector<Measured>& all, const std::string& label, double accuracy,
                     Take take) {
@@ -17,8 +17,7 @@ void for_each_wheel(const std::vector<Measured>& all, const std::string& label, 
     for (const Run& run : measured.runs) {
       if (run.way.label == label && run.way.accuracy == accuracy) {
         for (std::size_t side = 0; side < 2; ++side) {
-          take(measured, run, side, run.cold[side], true);
-          take(measured, run, side, run.warm[side], false);
+          take(measured, run, side, run.errors[side]);
         }
       }
     }
@@ -29,66 +28,97 @@ double share(double part, double whole) {
   return whole > 0.0 ? part / whole : 0.0;
 }
 
+AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, double asked) {
+  AskedRow row{label, asked};
+  std::vector<double> errors;
+  std::vector<double> ratios;
+  std::vector<double> times;
+  double met = 0.0;
+  double bounded = 0.0;
+  double told = 0.0;
+  for_each_wheel(
+      all, label, asked,
+      [&](const Measured& measured, const Run& run, std::size_t side, const WheelError& wheel) {
+        const double error = wheel.controlled(label);
+        const double estimate = wheel.estimate.value_or(0.0);
+        errors.push_back(error);
+        ratios.push_back(estimate / error);
+        times.push_back(run.time_ms);
+        bounded += estimate >= error ? 1.0 : 0.0;
+        if (error <= asked) {
+          met += 1.0;
+          return;
+        }
+        told += estimate > asked ? 1.0 : 0.0;
+        const WheelError& doubt = measured.truth_uncertainty[side];
+        row.doubtful += doubt.counted(wheel.largest(label)) > 0.5 * error ? 1 : 0;
+      });
+  const auto count = static_cast<double>(errors.size());
+  row.samples = static_cast<int>(errors.size());
+  row.met = share(met, count);
+  row.median_error = median(errors);
+  row.error_95 = quantile(errors, 0.95);
+  row.error_99 = quantile(errors, 0.99);
+  row.worst = quantile(errors, 1.0) / asked;
+  row.bounded = share(bounded, count);
+  row.median_estimate = median(ratios);
+  row.told = share(told, count - met);
+  row.median_ms = median(times);
+  return row;
+}
+
 } // namespace
 
 std::vector<AskedRow> asked_rows(const std::vector<Measured>& all) {
   std::vector<AskedRow> rows;
-  for (const char* label : {"auto", "double"}) {
+  for (const char* label : asked_labels) {
     for (const double asked : accuracies) {
-      std::vector<double> errors;
-      std::vector<double> ratios;
-      std::vector<double> warm;
-      std::vector<double> cold;
-      double met = 0.0;
-      double bounded = 0.0;
-      double told = 0.0;
-      for_each_wheel(all, label, asked,
-                     [&](const Measured&, const Run& run, std::size_t side, const WheelError& error,
-                         bool is_cold) {
-                       const double both = error.controlled();
-                       errors.push_back(both);
-                       met += both <= asked ? 1.0 : 0.0;
-                       const double estimate = error.estimate.value_or(0.0);
-                       bounded += estimate >= both ? 1.0 : 0.0;
-                       ratios.push_back(estimate / both);
-                       told += both > asked && estimate > asked ? 1.0 : 0.0;
-                       if (is_cold && side == 0) {
-                         warm.push_back(run.warm_ms);
-                         cold.push_back(run.cold_ms);
-                       }
-                     });
-      const auto count = static_cast<double>(errors.size());
-      rows.push_back({label, asked, static_cast<int>(errors.size()), share(met, count),
-                      median(errors), quantile(errors, 0.95), quantile(errors, 0.99),
-                      quantile(errors, 1.0), share(bounded, count), median(ratios),
-                      share(told, count - met), median(warm), median(cold)});
+      const AskedRow row = asked_row(all, label, asked);
+      if (row.samples > 0) {
+        rows.push_back(row);
+      }
     }
   }
   return rows;
 }
 
+std::string name_of(Quantity quantity) {
+  const std::string name = quantity_names[static_cast<std::size_t>(quantity)];
+  return quantity == Quantity::area ? "a tenth of " + name : name;
+}
+
+double counted_95(const std::vector<Measured>& all, const AskedRow& row, Quantity quantity) {
+  std::vector<double> errors;
+  for_each_wheel(all, row.label, row.asked,
+                 [&](const Measured&, const Run&, std::size_t, const WheelError& wheel) {
+                   errors.push_back(wheel.counted(quantity));
+                 });
+  return quantile(errors, 0.95);
+}
+
 std::vector<Miss> misses(const std::vector<Measured>& all) {
   std::vector<Miss> list;
-  for (const char* label : {"auto", "double"}) {
-    for (const double asked : accuracies) {
-      for_each_wheel(all, label, asked,
-                     [&](const Measured& measured, const Run&, std::size_t side,
-                         const WheelError& error, bool is_cold) {
-                       if (error.controlled() > asked) {
-                         list.push_back({measured.scene.text(), measured.scene.group,
-                                         side == 0 ? "left" : "right", is_cold ? "cold" : "warm",
-                                         label, error.warnings, asked, error.pmax, error.approach,
-                                         error.estimate.value_or(0.0),
-                                         measured.truth_uncertainty[side]});
-                       }
-                     });
-    }
+  for (const AskedRow& row : asked_rows(all)) {
+    for_each_wheel(
+        all, row.label, row.asked,
+        [&](const Measured& measured, const Run&, std::size_t side, const WheelError& wheel) {
+          const Quantity worst = wheel.largest(row.label);
+          if (wheel.counted(worst) > row.asked) {
+            list.push_back({measured.scene.settings.options(), side == 0 ? "left" : "right",
+                            row.label, name_of(worst), wheel.warnings, row.asked,
+                            wheel.counted(worst), wheel.estimate.value_or(0.0),
+                            measured.truth_uncertainty[side].counted(worst)});
+          }
+        });
   }
   std::stable_sort(list.begin(), list.end(), [](const Miss& one, const Miss& other) {
-    return std::max(one.pmax, one.approach) / one.asked >
-           std::max(other.pmax, other.approach) / other.asked;
+    return one.error / one.asked > other.error / other.asked;
   });
   return list;
+}
+
+bool is_within(const WheelError& error, double limit) {
+  return std::max(error.of(Quantity::pmax), error.of(Quantity::depth)) <= limit;
 }
 
 std::vector<ModelRow> model_rows(const std::vector<Measured>& all) {
@@ -106,17 +136,17 @@ std::vector<ModelRow> model_rows(const std::vector<Measured>& all) {
       std::vector<double> approach;
       std::vector<double> times;
       double within = 0.0;
-      for_each_wheel(
-          all, label, 0.0,
-          [&](const Measured&, const Run& run, std::size_t, const WheelError& error, bool is_cold) {
-            const double validity = error.validity.value_or(0.0);
-            if (is_cold && validity >= row.validity_from && validity < row.validity_to) {
-              pmax.push_back(error.pmax);
-              approach.push_back(error.approach);
-              times.push_back(run.warm_ms);
-              within += error.controlled() <= 0.1 ? 1.0 : 0.0;
-            }
-          });
+      for_each_wheel(all, label, 0.0,
+                     [&](const Measured&, const Run& run, std::size_t, const WheelError& error) {
+                       const double validity = error.validity.value_or(0.0);
+                       if (validity < row.validity_from || validity >= row.validity_to) {
+                         return;
+                       }
+                       pmax.push_back(error.of(Quantity::pmax));
+                       approach.push_back(error.of(Quantity::depth));
+                       times.push_back(run.time_ms);
+                       within += is_within(error, 0.1) ? 1.0 : 0.0;
+                     });
       row.samples = static_cast<int>(pmax.size());
       row.median_pmax = median(pmax);
       row.pmax_95 = quantile(pmax, 0.95);
@@ -124,7 +154,7 @@ std::vector<ModelRow> model_rows(const std::vector<Measured>& all) {
       row.median_approach = median(approach);
       row.approach_95 = quantile(approach, 0.95);
       row.within_10 = share(within, static_cast<double>(pmax.size()));
-      row.median_warm_ms = median(times);
+      row.median_ms = median(times);
       rows.push_back(row);
     }
   }
@@ -140,15 +170,16 @@ std::vector<HandRow> hand_rows(const std::vector<Measured>& all) {
       double best = std::numeric_limits<double>::infinity();
       double automatic = 0.0;
       for (const Run& run : measured.runs) {
-        const double error = std::max(run.warm[0].controlled(), run.warm[1].controlled());
+        const double error =
+            std::max(run.errors[0].controlled("pressures"), run.errors[1].controlled("pressures"));
         if (run.way.label == "grid" && error <= asked) {
-          best = std::min(best, run.warm_ms);
+          best = std::min(best, run.time_ms);
         }
-        if (run.way.label == "auto" && run.way.accuracy == asked) {
-          automatic = run.warm_ms;
+        if (run.way.label == "pressures" && run.way.accuracy == asked) {
+          automatic = run.time_ms;
         }
       }
-      if (std::isfinite(best)) {
+      if (std::isfinite(best) && automatic > 0.0) {
         ratios.push_back(automatic / best);
         within += automatic <= 1.5 * best ? 1.0 : 0.0;
       }

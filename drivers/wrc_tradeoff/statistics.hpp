@@ -1,41 +1,53 @@
 /// What the measurements of all scenes say together.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "support/statistics.hpp"
+#include "wrc_tradeoff/errors.hpp"
 
 namespace tradeoff {
 
 struct Measured;
 
+/// Ways whose accuracy is asked.
+inline constexpr std::array asked_labels{"forces", "pressures", "double"};
+
 using driver::median;
 using driver::quantile;
 
-/// Of an accuracy asked, over all wheels, cold and warm.
+/// Of an accuracy asked, over all wheels.
 struct AskedRow {
   std::string label; ///< of the way
   double asked = 0.0;
   int samples = 0;
-  double met = 0.0; ///< share with pmax and approach within the accuracy
+  double met = 0.0; ///< share with all that the accuracy is of within it
   double median_error = 0.0;
   double error_95 = 0.0;
   double error_99 = 0.0;
-  double worst = 0.0;
+  double worst = 0.0;           ///< error over accuracy
   double bounded = 0.0;         ///< share of estimates that are no less than the error
   double median_estimate = 0.0; ///< over the error
   double told = 0.0;            ///< share of misses of which a warning or the estimate told
-  double median_warm_ms = 0.0;
-  double median_cold_ms = 0.0;
+  int doubtful = 0;             ///< misses whose truth is uncertain by more than half the error
+  double median_ms = 0.0;
 };
 std::vector<AskedRow> asked_rows(const std::vector<Measured>& all);
 
+/// Of the row's wheels, one quantity's error as it counts, which 95 in 100 are below.
+double counted_95(const std::vector<Measured>& all, const AskedRow& row, Quantity quantity);
+/// As it counts.
+std::string name_of(Quantity quantity);
+
 /// A wheel's run beyond the accuracy asked.
 struct Miss {
-  std::string scene, group, side, state, label, warnings;
-  double asked = 0.0, pmax = 0.0, approach = 0.0, estimate = 0.0, truth_uncertainty = 0.0;
+  std::string options; ///< of wrc_case, to replay it
+  std::string side, label, quantity, warnings;
+  double asked = 0.0, error = 0.0, estimate = 0.0, truth_uncertainty = 0.0;
 };
+/// Worst first, by error over accuracy.
 std::vector<Miss> misses(const std::vector<Measured>& all);
 
 /// Of a model: errors of pmax and approach by validity.
@@ -46,15 +58,17 @@ struct ModelRow {
   double median_pmax = 0.0, pmax_95 = 0.0, worst_pmax = 0.0, median_approach = 0.0,
          approach_95 = 0.0;
   double within_10 = 0.0; ///< share with both errors below 10 %
-  double median_warm_ms = 0.0;
+  double median_ms = 0.0;
 };
+/// Whether pmax and depth are.
+bool is_within(const WheelError& error, double limit);
 std::vector<ModelRow> model_rows(const std::vector<Measured>& all);
 
-/// The automatic choice against the best grid by hand, of the scenes with grids.
+/// Accuracy of pressures against the best grid by hand, of the scenes with grids.
 struct HandRow {
   double asked = 0.0;
   int scenes = 0;            ///< with a grid that meets the accuracy
-  double median_ratio = 0.0; ///< time of auto over that of the best grid, warm
+  double median_ratio = 0.0; ///< time over that of the best grid
   double ratio_90 = 0.0;
   double within = 0.0; ///< share within 1.5 times
 };

@@ -425,66 +425,6 @@ TEST(Results, LoadAlongTheNormalIsThatOfTheMainPatch) {
   }
 }
 
-/// The rigid contact of the left wheel jumps from tread to flange root between 4.9 and 5 mm.
-TEST(Jump, IsToldWhenTheSameSolverGoesOverIt) {
-  const SolverPointer solver = make_solver();
-  const ScenePointer scene = make_small_scene();
-  wrc_scene* s = scene.get();
-  const auto solve_at = [&](double lateral) {
-    EXPECT_EQ(wrc_scene_set_number(s, "pose.lateral", lateral), WRC_OK);
-    EXPECT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK) << wrc_scene_error(s);
-    return number_of(s, "left.rigid_contact.s_wheel");
-  };
-  const auto warns = [s] {
-    for (std::int64_t i = 0; i < wrc_scene_text_count(s); ++i) {
-      const std::string name = wrc_scene_text_name(s, i);
-      const char* text = nullptr;
-      EXPECT_EQ(wrc_scene_text(s, name.c_str(), &text), WRC_OK);
-      if (name.starts_with("left.warnings.") && contains(text, "jumped")) {
-        return true;
-      }
-    }
-    return false;
-  };
-  const double before = solve_at(4.9);
-  EXPECT_EQ(number_of(s, "left.jump"), 0.0) << "there was no last solution";
-  const double after = solve_at(5.0);
-  EXPECT_LT(after, before - 5.0);
-  EXPECT_EQ(number_of(s, "left.jump"), after - before);
-  EXPECT_TRUE(warns());
-  EXPECT_EQ(number_of(s, "right.jump"), 0.0);
-  EXPECT_EQ(solve_at(5.0), after);
-  EXPECT_EQ(number_of(s, "left.jump"), 0.0) << "it has not moved";
-  EXPECT_FALSE(warns());
-  EXPECT_EQ(solve_at(4.9), before);
-  EXPECT_EQ(number_of(s, "left.jump"), before - after);
-  // Not after positions have been forgotten, nor between scenes by themselves.
-  EXPECT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
-  solve_at(5.0);
-  EXPECT_EQ(number_of(s, "left.jump"), 0.0);
-  ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 4.9), WRC_OK);
-  ASSERT_EQ(wrc_scene_solve(s), WRC_OK);
-  EXPECT_EQ(number_of(s, "left.jump"), 0.0);
-}
-
-TEST(Jump, IsNotToldWhenTheContactMoves) {
-  const SolverPointer solver = make_solver();
-  const ScenePointer scene = make_small_scene();
-  wrc_scene* s = scene.get();
-  for (const double step : {0.01, 0.1}) {
-    ASSERT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
-    double before = 0.0;
-    for (int i = 0; 2.0 + step * i < 4.0; ++i) {
-      ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 2.0 + step * i), WRC_OK);
-      ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK) << wrc_scene_error(s);
-      const double place = number_of(s, "left.rigid_contact.s_wheel");
-      EXPECT_EQ(number_of(s, "left.jump"), 0.0) << 2.0 + step * i << ": " << before << ' ' << place;
-      EXPECT_EQ(number_of(s, "right.jump"), 0.0) << 2.0 + step * i;
-      before = place;
-    }
-  }
-}
-
 TEST(Results, ATooSmallArrayIsLeftAloneAndTheLengthTold) {
   const ScenePointer scene = make_small_scene();
   ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);

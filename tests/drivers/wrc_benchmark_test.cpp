@@ -1,5 +1,7 @@
 /// wrc_benchmark as a process: the rows are complete and each time stands beside an error. Times
 /// themselves are not judged.
+#include <algorithm>
+
 #include "run_driver.hpp"
 
 namespace {
@@ -106,6 +108,48 @@ TEST_F(WrcBenchmark, VehicleStepsTellTheirSpread) {
   }
 }
 
+/// Rows are accuracies of forces and of pressures, loads and positions, for each pair of profiles.
+TEST_F(WrcBenchmark, ServiceTellsTheSpreadOfItsSteps) {
+  const json result = run_json(WRC_BENCHMARK_PROGRAM, "--case service --steps 4 --accuracy 1e-2");
+  const json& rows = result.at("rows");
+  ASSERT_EQ(rows.size(), 12U);
+  const char* const wheels[] = {"S1002", "LMA", "S1002"};
+  const char* const rails[] = {"60E1", "CHN60", "56E1"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const json& row = rows.at(i);
+    const bool loads = i % 2 == 0;
+    EXPECT_EQ(row.at("case"), "service");
+    EXPECT_EQ(row.at("wheel"), wheels[i / 4]);
+    EXPECT_EQ(row.at("rail"), rails[i / 4]);
+    EXPECT_EQ(row.at("accuracy"), 1e-2);
+    EXPECT_EQ(row.at("accuracy_of"), i % 4 < 2 ? "forces" : "pressures");
+    EXPECT_EQ(row.at("prescribed"), loads ? "load" : "position");
+    EXPECT_EQ(row.at("steps"), 4);
+    // What is prescribed has no error.
+    EXPECT_EQ(row.at("error_depth").is_null(), !loads);
+    EXPECT_EQ(row.at("error_normal_force").is_null(), loads);
+    const double force = row.at("error_force");
+    EXPECT_EQ(force, loads ? row.at("error_lateral_force").get<double>()
+                           : std::max(row.at("error_normal_force").get<double>(),
+                                      row.at("error_lateral_force").get<double>()));
+    // Steps near the centre, where contact is smooth.
+    constexpr double bound = 2e-2; // twice what is asked
+    EXPECT_GT(force, 0.0);
+    EXPECT_LT(force, bound);
+    EXPECT_LT(row.at(loads ? "error_depth" : "error_normal_force").get<double>(), bound);
+    EXPECT_GT(row.at("error_pmax").get<double>(), 0.0);
+    EXPECT_GE(row.at("solutions_mean").get<double>(), 1.0);
+    EXPECT_LE(row.at("solutions_mean"), row.at("solutions_max"));
+    EXPECT_GT(row.at("median_pairs").get<double>(), 0.0);
+    EXPECT_LE(row.at("median_pairs"), row.at("p99_pairs"));
+    EXPECT_LE(row.at("p99_pairs"), row.at("p999_pairs"));
+    EXPECT_LE(row.at("p999_pairs"), row.at("max_pairs"));
+    EXPECT_LE(row.at("mean_pairs"), row.at("max_pairs"));
+    EXPECT_DOUBLE_EQ(row.at("mean_pairs").get<double>(),
+                     row.at("mean_ms").get<double>() / row.at("fft_pair_ms").get<double>());
+  }
+}
+
 TEST_F(WrcBenchmark, ABatchIsEqualOnAnyNumberOfThreads) {
   const json result = run_json(WRC_BENCHMARK_PROGRAM, "--case batch --repeat 1");
   expect_complete(result);
@@ -140,8 +184,9 @@ TEST_F(WrcBenchmark, TableNamesMachineErrorsAndColumns) {
 TEST_F(WrcBenchmark, HelpTeaches) {
   const Outcome outcome = run(WRC_BENCHMARK_PROGRAM, "--help");
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* part : {"hertz-circle", "hertz-ellipse", "two-lobes", "table1", "manchester-5",
-                           "vehicle-step", "batch", "256x128", "Examples", "--repeat", "--json"}) {
+  for (const char* part :
+       {"hertz-circle", "hertz-ellipse", "two-lobes", "table1", "manchester-5", "vehicle-step",
+        "batch", "service", "256x128", "Examples", "--repeat", "--json"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
   }
 }

@@ -130,10 +130,9 @@ TEST_F(WrcCase, JsonListsEveryPatch) {
     EXPECT_TRUE(patch.at("grid").at(0).is_number_integer());
   }
   EXPECT_DOUBLE_EQ(side.at("normal_force").get<double>(), force);
-  for (const char* key : {"iterations", "convolutions", "solutions", "regrown"}) {
+  for (const char* key : {"iterations", "convolutions", "solutions"}) {
     EXPECT_TRUE(side.at(key).is_number_integer()) << key;
   }
-  EXPECT_EQ(side.at("jump"), 0.0);
   EXPECT_TRUE(side.at("centroid").at("y").is_number_float());
   EXPECT_TRUE(side.at("moment").at("x").is_number_float());
 }
@@ -189,7 +188,7 @@ TEST_F(WrcCase, CsvHasALineASide) {
     return std::count(line.begin(), line.end(), ',');
   };
   EXPECT_TRUE(head.starts_with("side,roll,vertical,patches,"));
-  for (const char* column : {"jump", "centroid.y", "moment.x", "convolutions", "solutions"}) {
+  for (const char* column : {"centroid.y", "moment.x", "convolutions", "solutions"}) {
     EXPECT_NE((head + ',').find(',' + std::string(column) + ','), std::string::npos) << column;
   }
   EXPECT_TRUE(left.starts_with("left,"));

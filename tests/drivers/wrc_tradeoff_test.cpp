@@ -13,7 +13,7 @@ TEST_F(WrcTradeoff, WritesTableCsvJsonAndPictures) {
     GTEST_SKIP() << "gnuplot is missing";
   }
   const Outcome outcome =
-      run(WRC_TRADEOFF_PROGRAM, "--scenes 2 --steps 1 --threads 2 --csv t.csv --json t.json "
+      run(WRC_TRADEOFF_PROGRAM, "--scenes 2 --repeats 1 --threads 2 --csv t.csv --json t.json "
                                 "--pictures .");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   EXPECT_NE(outcome.out.find("2 scenes, 0 of them without a solution"), std::string::npos)
@@ -28,28 +28,51 @@ TEST_F(WrcTradeoff, WritesTableCsvJsonAndPictures) {
   std::size_t runs = 0;
   for (const json& scene : whole.at("scenes")) {
     // Truth must be much better than what is measured against it.
-    EXPECT_LT(scene.at("truth").at("uncertainty").at(0), 1e-3);
+    EXPECT_LT(scene.at("truth").at("uncertainty").at(0).at("pmax"), 1e-3);
     for (const json& each : scene.at("runs")) {
       ++runs;
       const bool models = each.at("way") == "hertz" || each.at("way") == "kik-piotrowski";
-      const json& error = each.at("cold").at(0);
+      const json& error = each.at("errors").at(0);
       EXPECT_EQ(error.contains("validity"), models);
       EXPECT_EQ(error.contains("estimate"), !models);
-      EXPECT_GT(each.at("warm_ms"), 0.0);
-      if (each.at("way") == "auto") {
+      EXPECT_GT(each.at("ms"), 0.0);
+      if (each.at("way") == "pressures" || each.at("way") == "forces") {
+        for (const char* name : {"depth", "normal_force", "lateral_force", "centre_lateral",
+                                 "centre_longitudinal", "moment"}) {
+          EXPECT_LT(error.at(name), 3.0 * each.at("accuracy").get<double>()) << name;
+        }
+      }
+      if (each.at("way") == "pressures") {
         EXPECT_LT(error.at("pmax"), 3.0 * each.at("accuracy").get<double>());
       }
     }
   }
-  // A line for each wheel, cold and warm, and one of names.
-  EXPECT_EQ(static_cast<std::size_t>(line_count(read("t.csv"))), 4 * runs + 1);
+  // A line for each wheel, and one of names.
+  EXPECT_EQ(static_cast<std::size_t>(line_count(read("t.csv"))), 2 * runs + 1);
   for (const json& row : whole.at("asked")) {
-    EXPECT_EQ(row.at("wheels"), 8);
+    EXPECT_EQ(row.at("wheels"), 4);
+  }
+}
+
+TEST_F(WrcTradeoff, SolvesRandomScenesForOneMeaning) {
+  const Outcome outcome =
+      run(WRC_TRADEOFF_PROGRAM, "--random 2 --accuracy-of forces --repeats 1 --json t.json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const json whole = json::parse(read("t.json"));
+  ASSERT_EQ(whole.at("scenes").size(), 2U);
+  EXPECT_EQ(whole.at("asked").size(), 6U);
+  for (const json& scene : whole.at("scenes")) {
+    EXPECT_TRUE(scene.at("options").get<std::string>().starts_with("--set wheelset.wheel="));
+    for (const json& each : scene.at("runs")) {
+      EXPECT_EQ(each.at("way"), "forces");
+    }
   }
 }
 
 TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
   run(WRC_TRADEOFF_PROGRAM, "--scenes 0").expect_refusal({"--scenes"});
+  run(WRC_TRADEOFF_PROGRAM, "--random 2 --scenes 2").expect_refusal({"--random"});
+  run(WRC_TRADEOFF_PROGRAM, "--accuracy-of area").expect_refusal({"--accuracy-of"});
   run(WRC_TRADEOFF_PROGRAM, "--pictures nowhere").expect_refusal({"nowhere"});
 }
 

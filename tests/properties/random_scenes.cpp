@@ -51,7 +51,7 @@ std::string checked(const DrawnScene& scene, const Outcome& outcome, long index)
   static const std::array<Check, 6> checks{
       check_mirror,    [](const DrawnScene& s, const Outcome&) { return check_units(s); },
       check_stiffness, check_monotony,
-      check_warm,      check_batch};
+      check_solver,    check_batch};
   std::string wrong = check_status(outcome);
   if (!wrong.empty() || !outcome.has_results()) {
     return wrong;

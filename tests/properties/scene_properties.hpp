@@ -22,7 +22,7 @@ std::string check_stiffness(const DrawnScene& scene, const Outcome& outcome);
 std::string check_monotony(const DrawnScene& scene, const Outcome& outcome);
 /// After another scene the solver gives the same within the accuracy, and once positions are
 /// forgotten bit for bit the same.
-std::string check_warm(const DrawnScene& scene, const Outcome& outcome);
+std::string check_solver(const DrawnScene& scene, const Outcome& outcome);
 /// Among others in a batch on two threads, bit for bit the same.
 std::string check_batch(const DrawnScene& scene, const Outcome& outcome);
 

@@ -1,5 +1,4 @@
 /// The DC-FFT product against the dense sum over all pairs of elements.
-#include "mechanics/displacement_bound.hpp"
 #include "mechanics/displacement_operator.hpp"
 
 #include <cmath>
@@ -64,40 +63,6 @@ TEST(DisplacementOperator, EqualsTheDenseSum) {
         for (std::size_t index = 0; index < found.size(); ++index) {
           ASSERT_NEAR(found[index] / expected[index], 1.0, relative_tolerance)
               << rows << " x " << columns << " aspect " << aspect << " element " << index;
-        }
-      }
-    }
-  }
-}
-
-/// At the elements' centres, near and far from the loaded ones.
-TEST(DisplacementAt, EqualsTheOperator) {
-  constexpr double largest_error = 3e-5; // one far coefficient is off by 1e-4 at the most
-  for (const auto& [rows, columns] :
-       {std::pair<std::size_t, std::size_t>{1, 1}, {1, 60}, {70, 1}, {31, 90}, {90, 45}}) {
-    for (const double aspect : {1.0 / 200.0, 0.4, 1.0, 2.5, 100.0}) {
-      const Grid grid{rows, columns, 0.1, 0.1 * aspect, -3.0, 4.0};
-      std::vector<double> pressure = random_pressure(grid.element_count());
-      // One half without pressure, so that places far away from all of it are among them.
-      std::fill_n(pressure.begin(), pressure.size() / 2, 0.0);
-      for (const Elements elements : {Elements::constant, Elements::smooth}) {
-        std::vector<double> expected(pressure.size());
-        DisplacementOperator(grid, modulus, elements).apply(pressure, expected);
-        for (std::size_t index = 0; index < pressure.size(); index += 1 + pressure.size() / 40) {
-          const double found = displacement_at(
-              grid, pressure, modulus, grid.longitudinal(index % grid.longitudinal_count),
-              grid.lateral(index / grid.longitudinal_count), elements);
-          ASSERT_NEAR(found / expected[index], 1.0, largest_error)
-              << rows << " x " << columns << " aspect " << aspect << " element " << index;
-          if (elements == Elements::constant) {
-            const double bound = DisplacementBound(grid, pressure, modulus)
-                                     .closer_at(grid.longitudinal(index % grid.longitudinal_count),
-                                                grid.lateral(index / grid.longitudinal_count));
-            ASSERT_LE(bound, expected[index]);
-            if (aspect > 0.1 && aspect < 10.0) { // worst for an element by itself
-              ASSERT_GE(bound, 0.6 * expected[index]);
-            }
-          }
         }
       }
     }

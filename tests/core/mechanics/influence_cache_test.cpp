@@ -143,7 +143,7 @@ TYPED_TEST(SpectrumTest, IsPositive) {
   }
 }
 
-TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrTrimmed) {
+TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrDropped) {
   InfluenceCache warm;
   // A larger table than needed, from another call.
   warm.table({1.5}, 200, 150);
@@ -151,7 +151,8 @@ TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrTrimmed) {
   const auto first_inverse = warm.inverse_spectrum<TypeParam>({1.5}, 48, 64);
   EXPECT_EQ(warm.spectrum<TypeParam>({1.5}, 48, 64).get(), first.get()) << "kept";
   warm.spectrum<TypeParam>({0.1}, 30, 30);
-  warm.trim(0, warm.now());
+  warm.drop_unused();
+  warm.drop_unused();
   const auto again = warm.spectrum<TypeParam>({1.5}, 48, 64);
   EXPECT_NE(again.get(), first.get()) << "dropped; the first one is still held here";
   expect_same_bits(*again, *first);
@@ -161,24 +162,15 @@ TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrTrimmed) {
   expect_same_bits(*fresh.inverse_spectrum<TypeParam>({1.5}, 48, 64), *first_inverse);
 }
 
-TEST(InfluenceCache, TrimDropsWhatWasUsedLongestAgo) {
+TEST(InfluenceCache, DropsWhatWasNotAskedForSinceTheLastTime) {
   InfluenceCache cache;
-  const auto old = cache.spectrum<double>({1.0}, 32, 32);
-  const auto recent = cache.spectrum<double>({2.0}, 32, 32);
-  cache.spectrum<double>({1.0}, 32, 32);
-  // Room for one spectrum: 17 columns of 32 values, but not for the tables beside it.
-  cache.trim(17 * 32 * sizeof(double) + 64, cache.now());
-  EXPECT_EQ(cache.spectrum<double>({1.0}, 32, 32).get(), old.get());
-  EXPECT_NE(cache.spectrum<double>({2.0}, 32, 32).get(), recent.get());
-  // What is in use stays whatever there is room for.
-  const std::uint64_t start = cache.now();
-  const auto in_use = cache.spectrum<double>({1.0}, 32, 32);
-  cache.trim(0, start);
-  EXPECT_EQ(cache.spectrum<double>({1.0}, 32, 32).get(), in_use.get());
-  // Enough room: nothing is dropped.
-  const auto kept = cache.spectrum<double>({2.0}, 32, 32);
-  cache.trim(std::size_t{1} << 30, cache.now());
-  EXPECT_EQ(cache.spectrum<double>({2.0}, 32, 32).get(), kept.get());
+  const auto first = cache.spectrum<double>({1.0}, 32, 32);
+  const auto second = cache.spectrum<double>({2.0}, 32, 32);
+  cache.drop_unused();
+  EXPECT_EQ(cache.spectrum<double>({1.0}, 32, 32).get(), first.get()) << "asked for before";
+  cache.drop_unused();
+  EXPECT_EQ(cache.spectrum<double>({1.0}, 32, 32).get(), first.get());
+  EXPECT_NE(cache.spectrum<double>({2.0}, 32, 32).get(), second.get());
 }
 
 } // namespace

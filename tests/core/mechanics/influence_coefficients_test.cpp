@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +108,73 @@ TEST(InfluenceCoefficients, JoinSmoothlyWhereTheExpansionTakesOver) {
            inside);
       // Times the distance the integral changes only by the quadrupole, 2e-9/16^2 of it here.
       EXPECT_NEAR(ratio, 1.0, 2.0 * relative_tolerance) << aspect << " " << angle;
+    }
+  }
+}
+
+/// What the header promises: rounding times the distance in elements, which is in the thousands for
+/// the longest ones, and the error of the expansion.
+double tolerance_at(double x, double y, double aspect) {
+  return 4.0 * std::numeric_limits<double>::epsilon() *
+             (1.0 + std::hypot(x, y) / std::fmin(1.0, aspect)) +
+         3e-13;
+}
+
+/// The coefficient of a smooth element from those of constant ones, as the header has it.
+long double smooth_reference(long double x, long double y, long double a, long double b) {
+  const long double here = reference(x, y, a, b);
+  return here - (reference(x - a, y, a, b) + reference(x + a, y, a, b) + reference(x, y - b, a, b) +
+                 reference(x, y + b, a, b) - 4.0L * here) /
+                    24.0L;
+}
+
+TEST(InfluenceCoefficients, TablesEqualTheReference) {
+  constexpr std::size_t near_columns = 40;
+  for (const double aspect : aspect_ratios) {
+    // Longer than the near field along one of the sides.
+    const std::size_t columns = aspect > 1.0 ? static_cast<std::size_t>(18.0 * aspect) : 20;
+    const std::size_t rows = aspect < 1.0 ? static_cast<std::size_t>(18.0 / aspect) : 20;
+    std::vector<double> constant(rows * columns);
+    std::vector<double> smooth(rows * columns);
+    fill_influence_table({aspect, Elements::constant}, rows, columns, constant);
+    fill_influence_table({aspect, Elements::smooth}, rows, columns, smooth);
+    for (std::size_t row = 0; row < rows; row += row < near_columns ? 1 : 101) {
+      for (std::size_t column = 0; column < columns; column += column < near_columns ? 1 : 101) {
+        const auto x = static_cast<long double>(column);
+        const long double y = static_cast<long double>(row) * static_cast<long double>(aspect);
+        const auto expected = static_cast<double>(reference(x, y, 1.0L, aspect));
+        const auto expected_smooth = static_cast<double>(smooth_reference(x, y, 1.0L, aspect));
+        const std::size_t index = row * columns + column;
+        // The sum of the weights of smooth elements, 7/6 and four times 1/24, is 4/3.
+        const double tolerance =
+            tolerance_at(static_cast<double>(x), static_cast<double>(y), aspect);
+        ASSERT_NEAR(constant[index] / expected, 1.0, tolerance)
+            << row << ", " << column << ", aspect " << aspect;
+        ASSERT_NEAR(smooth[index] / expected_smooth, 1.0, 4.0 / 3.0 * tolerance)
+            << row << ", " << column << ", aspect " << aspect;
+      }
+    }
+  }
+}
+
+TEST(InfluenceCoefficients, TablesEqualTheIntegral) {
+  constexpr std::size_t size = 40;
+  // Another order of rounding: some units of it times the distance in elements.
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon() * size;
+  std::vector<double> constant(size * size);
+  std::vector<double> smooth(size * size);
+  for (double aspect = 1.0 / 200.0; aspect <= 100.0; aspect *= 1.37) {
+    fill_influence_table({aspect, Elements::constant}, size, size, constant);
+    fill_influence_table({aspect, Elements::smooth}, size, size, smooth);
+    for (std::size_t index = 0; index < size * size; ++index) {
+      const auto x = static_cast<double>(index % size);
+      const double y = static_cast<double>(index / size) * aspect;
+      ASSERT_NEAR(constant[index] / influence_integral(x, y, 1.0, aspect), 1.0, rounding)
+          << x << ", " << y << ", aspect " << aspect;
+      const double expected =
+          influence_coefficient(x, y, 1.0, aspect, 1.0 / std::numbers::pi, Elements::smooth);
+      ASSERT_NEAR(smooth[index] / expected, 1.0, rounding)
+          << x << ", " << y << ", aspect " << aspect;
     }
   }
 }

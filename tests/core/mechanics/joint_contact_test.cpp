@@ -22,7 +22,7 @@ struct OwnedPatch {
   std::vector<double> distance;
   double share = 1.0;
 
-  [[nodiscard]] PatchGap gap() const { return {grid, distance, share, {}}; }
+  [[nodiscard]] PatchGap gap() const { return {grid, distance, share}; }
 };
 
 /// A body over a patch that touches `offset` mm (along the normal) after the first one.
@@ -136,7 +136,7 @@ TEST(JointContact, OnePatchIsTheSingleProblem) {
   for (const ContactCase& example : contact_cases(50, 40, 1.0)) {
     const NormalSolution single =
         solver.solve(with_load(example.grid, example.distance, case_load, 1e-6));
-    const PatchGap gap{example.grid, example.distance, 1.0, {}};
+    const PatchGap gap{example.grid, example.distance, 1.0};
     const JointSolution joint = solver.solve(joint_with_load({gap}, case_load, 1e-6));
     EXPECT_EQ(single.pressure, joint.patches[0].pressure) << example.name;
     EXPECT_EQ(single.approach, joint.approach) << example.name;

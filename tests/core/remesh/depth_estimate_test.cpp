@@ -41,10 +41,12 @@ TEST(DepthEstimate, CountsEveryPatch) {
   constexpr double depth = 0.12;
   const ContactPatches found = find_contact_patches(corner, depth);
   ASSERT_EQ(found.patches.size(), 2u);
+  const auto on_flank = [&](const auto& place) {
+    return place.wheel.position.y < found.patches[0].territory_last;
+  };
   ContactScan crown_only = corner;
-  std::erase_if(crown_only.samples, [&](const DistanceSample& sample) {
-    return sample.wheel.position.y < found.patches[0].territory_last;
-  });
+  std::erase_if(crown_only.samples, on_flank);
+  std::erase_if(crown_only.candidates, on_flank);
   for (const LoadDirection direction : {LoadDirection::vertical, LoadDirection::main_normal}) {
     const double one = estimate_load(crown_only, modulus, depth, direction);
     const double both = estimate_load(corner, modulus, depth, direction);

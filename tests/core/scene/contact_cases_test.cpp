@@ -84,7 +84,7 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   for (const PatchResult* patch : solved_patches(side)) {
     const Grid grid = equal_grid(patch->grid, element);
     distances.push_back(sample_undeformed_distance(pair, patch->frame, grid));
-    gaps.push_back({grid, {}, patch->share, std::nullopt});
+    gaps.push_back({grid, {}, patch->share});
   }
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     gaps[k].undeformed_distance = distances[k];

@@ -14,15 +14,15 @@ SideRequest loaded(double load) {
 }
 
 /// One patch of one element under pressure, overlapping by so much.
-Trial trial_with(double overlap) {
-  Trial trial;
-  PatchTrial& patch = trial.patches.emplace_back();
+GridSolution solution_with(double overlap) {
+  GridSolution solution;
+  PatchOnGrid& patch = solution.patches.emplace_back();
   patch.grid = {1, 1, 1.0, 1.0, 0.0, 0.0};
   patch.share = 1.0;
   patch.distance = {-overlap};
   patch.pressure = {1.0};
   patch.contact = summarise_pressure(patch.grid, patch.pressure);
-  return trial;
+  return solution;
 }
 
 TEST(DepthChecks, ADepthOfBodiesThatDoNotFaceEachOtherIsRefused) {
@@ -43,11 +43,11 @@ TEST(DepthChecks, ADepthOfBodiesThatDoNotFaceEachOtherIsRefused) {
   EXPECT_NO_THROW(check_depth_found(prescribed, 1002.5));
 }
 
-TEST(DepthChecks, OnlyTrialsInContactAreUnsettled) {
+TEST(DepthChecks, ASolutionThatIsGivenUpIsNotConverged) {
   std::vector<std::string> warnings;
-  Trial trial = trial_with(0.1);
-  mark_unsettled(trial, 21, warnings);
-  EXPECT_EQ(trial.stop_reason, StopReason::iteration_limit);
+  GridSolution solution = solution_with(0.1);
+  mark_unsettled(solution, 21, warnings);
+  EXPECT_EQ(solution.stop_reason, StopReason::iteration_limit);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("not settled"), std::string::npos);
   EXPECT_NE(warnings[0].find("21 solutions"), std::string::npos);
@@ -63,8 +63,8 @@ struct RoundedElement {
   double accuracy = 1e-3;
 
   [[nodiscard]] std::vector<std::string> warnings() const {
-    Trial trial = trial_with(overlap);
-    PatchTrial& patch = trial.patches.front();
+    GridSolution solution = solution_with(overlap);
+    PatchOnGrid& patch = solution.patches.front();
     patch.frame = tangent_frame({0.0, 750.0, 0.0}, angle);
     patch.grid = {1, 1, side, side, 0.0, 0.0};
     patch.pressure = {pressure};
@@ -73,7 +73,7 @@ struct RoundedElement {
     request.combined_modulus = 1e5;
     request.accuracy = accuracy;
     std::vector<std::string> warnings;
-    warn_of_rounding(trial, request, radius, warnings);
+    warn_of_rounding(solution, request, radius, warnings);
     return warnings;
   }
   [[nodiscard]] bool warned() const { return !warnings().empty(); }

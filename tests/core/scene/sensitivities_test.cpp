@@ -65,8 +65,7 @@ public:
     request.vertical_load = wheel_load;
     request.grid = {{56, 40}};
     NormalSolver solver;
-    SideMemory memory;
-    const SideSolution solution = solve_side(wheel_, rail_, equilibrium, request, solver, memory);
+    const SideSolution solution = solve_side(wheel_, rail_, equilibrium, request, solver);
     ASSERT_TRUE(solution.in_contact);
     vertical = solution.vertical;
     for (const PatchSolution& patch : solution.patches) {

@@ -35,14 +35,10 @@ TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
   const double depth = solve_scene(scene).left->depth;
   for (const auto& grid : {std::array<std::size_t, 2>{10, 2}, {2, 10}, {1, 1}, {2, 2}, {1, 40}}) {
     scene.grid = grid;
-    SceneSolver solver;
-    for (const bool warm : {false, true}) {
-      const SideResult side = *solver.solve(scene).left;
-      // Contact touches every edge: the area must not run after it.
-      EXPECT_NEAR(std::log2(side.depth / depth), 0.0, 1.0) << grid[0] << " x " << grid[1];
-      EXPECT_NEAR(side.force.z, 80000.0, 1e-6 * 80000.0);
-      EXPECT_FALSE(side.warnings.empty()) << warm;
-    }
+    const SideResult side = *solve_scene(scene).left;
+    EXPECT_NEAR(std::log2(side.depth / depth), 0.0, 1.0) << grid[0] << " x " << grid[1];
+    EXPECT_NEAR(side.force.z, 80000.0, 1e-6 * 80000.0);
+    EXPECT_FALSE(side.warnings.empty());
   }
 }
 

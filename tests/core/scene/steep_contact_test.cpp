@@ -57,8 +57,7 @@ struct SphereOnPlane {
     request.grid = {{64, 64}};
     request.tolerance = 1e-9;
     NormalSolver solver;
-    SideMemory memory;
-    const SideSolution solution = solve_side(wheel, rail, equilibrium, request, solver, memory);
+    const SideSolution solution = solve_side(wheel, rail, equilibrium, request, solver);
     EXPECT_EQ(solution.patches.size(), 1u);
     EXPECT_TRUE(solution.warnings.empty());
     const PatchSolution& patch = solution.patches.at(0);

@@ -1,4 +1,4 @@
-// Sweeps of load and lateral position: nothing fails, nothing jumps unless it is told.
+// Sweeps of load and lateral position: nothing fails, nothing jumps.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -38,10 +38,8 @@ constexpr double lateral_force_rate = 0.3;
 constexpr double normal_force_rate = 0.08;
 constexpr double pressure_rate = 1.8;
 
-/// Goes through the loads from the first to the last and solves each by itself or from the one
-/// before.
-void sweep_load(Scene scene, double first, double last, double step, bool warm,
-                double jumps_in_accuracies) {
+/// Goes through the loads from the first to the last.
+void sweep_load(Scene scene, double first, double last, double step, double jumps_in_accuracies) {
   SceneSolver solver;
   std::optional<SideResult> before;
   const double change = std::log1p(step);
@@ -50,7 +48,7 @@ void sweep_load(Scene scene, double first, double last, double step, bool warm,
   for (double load = first; load <= last; load *= 1.0 + step) {
     SCOPED_TRACE(load);
     scene.left_load = scene.right_load = load;
-    SceneResult result = warm ? solver.solve(scene) : solve_scene(scene);
+    SceneResult result = solver.solve(scene);
     const SideResult& side = *result.left;
     EXPECT_NEAR(side.force.z, load, force_tolerance * load);
     EXPECT_EQ(side.stop_reason, StopReason::tolerance_met);
@@ -70,53 +68,32 @@ void sweep_load(Scene scene, double first, double last, double step, bool warm,
   }
 }
 
-class LoadSweep : public testing::TestWithParam<std::tuple<std::string, bool, bool>> {};
+class LoadSweep : public testing::TestWithParam<std::tuple<std::string, bool>> {};
 
 TEST_P(LoadSweep, MeetsTheForceAndGoesOnSteadily) {
-  const auto [rail, solve_roll, warm] = GetParam();
+  const auto [rail, solve_roll] = GetParam();
   Scene scene = two_lobes(rail, solve_roll);
   scene.accuracy = 3e-3;
-  sweep_load(scene, 500.0, 160e3, 0.04, warm, 2.0);
+  sweep_load(scene, 500.0, 160e3, 0.04, 2.0);
 }
 
 TEST_P(LoadSweep, MeetsTheForceAndGoesOnSteadilyOnAGivenGrid) {
-  const auto [rail, solve_roll, warm] = GetParam();
+  const auto [rail, solve_roll] = GetParam();
   Scene scene = two_lobes(rail, solve_roll);
   scene.grid = {{64, 32}};
   scene.accuracy = 1e-2; // what this grid gives
-  sweep_load(scene, 500.0, 160e3, 0.04, warm, 2.0);
+  sweep_load(scene, 500.0, 160e3, 0.04, 2.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rails, LoadSweep,
                          testing::Combine(testing::Values(std::string("UIC60-Manchester"),
                                                           std::string("60E1")),
-                                          testing::Bool(), testing::Bool()));
+                                          testing::Bool()));
 
 TEST(LoadSweeps, PatchesAreBornAndJoinWithoutAJump) {
   Scene scene = two_lobes("UIC60-Manchester", true);
-  for (const bool warm : {false, true}) {
-    sweep_load(scene, 8480.0, 8510.0, 5e-4, warm, 2.0);   // born at 8490 N
-    sweep_load(scene, 25230.0, 25310.0, 5e-4, warm, 2.0); // joined at 25270 N
-  }
-}
-
-TEST(LoadSweeps, PatchesThatAreJoiningAreTheSameFromBelowAndFromAbove) {
-  Scene scene = two_lobes("UIC60-Manchester", true);
-  for (const double load : {24.2e3, 24.5e3, 24.8e3}) {
-    SCOPED_TRACE(load);
-    scene.left_load = load;
-    const SceneResult alone = solve_scene(scene);
-    for (const double neighbour : {0.97, 1.03}) {
-      SceneSolver solver;
-      scene.left_load = neighbour * load;
-      solver.solve(scene);
-      scene.left_load = load;
-      const SceneResult result = solver.solve(scene);
-      EXPECT_NEAR(result.left->depth, alone.left->depth, 2.0 * scene.accuracy * alone.left->depth);
-      EXPECT_NEAR(result.left->pmax, alone.left->pmax, 2.0 * scene.accuracy * alone.left->pmax);
-      EXPECT_NEAR(result.left->patches.at(0).closeness, alone.left->patches.at(0).closeness, 0.03);
-    }
-  }
+  sweep_load(scene, 8480.0, 8510.0, 5e-4, 2.0);   // born at 8490 N
+  sweep_load(scene, 25230.0, 25310.0, 5e-4, 2.0); // joined at 25270 N
 }
 
 Scene scene_of(const std::string& wheel, const std::string& rail) {
@@ -133,15 +110,12 @@ Scene scene_of(const std::string& wheel, const std::string& rail) {
 
 class LateralSweep : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
-TEST_P(LateralSweep, FailsNowhereAndTellsEveryJump) {
+TEST_P(LateralSweep, FailsNowhere) {
   constexpr int half_count = 100;
   constexpr double step = 0.1;
-  constexpr double certain_jump = 2.5; // mm; without a jump up to 2.0 were measured in a step
-  constexpr double least_jump = 1.0;
   Scene scene = scene_of(GetParam().first, GetParam().second);
   scene.accuracy = 1e-2;
   SceneSolver solver;
-  std::optional<SceneResult> before;
   int not_reached = 0;
   int solutions = 0;
   for (int i = -half_count; i <= half_count; ++i) {
@@ -156,23 +130,12 @@ TEST_P(LateralSweep, FailsNowhereAndTellsEveryJump) {
       for (const std::string& warning : here.warnings) {
         not_reached += warning.find("not reached") != std::string::npos ? 1 : 0;
       }
-      if (before) {
-        const double moved = here.rigid_contact.s_wheel - (*before.*side)->rigid_contact.s_wheel;
-        if (std::abs(moved) > certain_jump) {
-          EXPECT_NE(here.jump, 0.0) << moved;
-        }
-        if (here.jump != 0.0) {
-          EXPECT_GT(std::abs(moved), least_jump);
-        }
-      }
     }
-    before = std::move(result);
   }
   // Ridges that a curvature jump of the profiles presses into the rail.
   EXPECT_LE(not_reached, 4);
-  // One solution a wheel where nothing has changed much, three where errors are estimated anew: 2.6
-  // in the mean.
-  EXPECT_LE(5 * solutions, 26 * (2 * half_count + 1));
+  // A coarse one and the final one, more on steep contacts and where errors were underestimated.
+  EXPECT_LE(solutions, 2.5 * 2 * (2 * half_count + 1));
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, LateralSweep,
@@ -222,8 +185,8 @@ TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
 }
 
 TEST(Costs, AGivenGridIsSolvedOnceOrTwice) {
-  // A coarse solution or two settle the depth; the final grid is solved at the depth they give, and
-  // once more if that was not near enough.
+  // A coarse solution finds the depth; the final grid is solved there, and once more if that was
+  // not near enough.
   int more = 0;
   int count = 0;
   Scene scene = two_lobes("60E1", false);
@@ -231,7 +194,7 @@ TEST(Costs, AGivenGridIsSolvedOnceOrTwice) {
   for (double load = 500.0; load < 160e3; load *= 1.04) {
     scene.left_load = load;
     const SceneResult result = solve_scene(scene);
-    more += result.left->solutions - result.left->regrown > 4 ? 1 : 0;
+    more += result.left->solutions > 3 ? 1 : 0;
     ++count;
   }
   EXPECT_LE(more, count / 20 + 1);

@@ -1,0 +1,64 @@
+#include "scene/grid_solution.hpp"
+
+#include <algorithm>
+
+#include "reductions.hpp"
+
+namespace wrc {
+
+double PatchOnGrid::overlap(double approach) const {
+  const double least = least_of(distance.data(), distance.size());
+  const auto index = static_cast<std::size_t>(std::find(distance.begin(), distance.end(), least) -
+                                              distance.begin());
+  const std::size_t columns_of_grid = grid.longitudinal_count;
+  const std::size_t row = index / columns_of_grid;
+  const std::size_t column = index % columns_of_grid;
+  double deepest = least;
+  const auto deepen = [&](double before, double after) {
+    const double curvature = before - 2.0 * least + after;
+    if (curvature > 0.0) {
+      deepest -= (after - before) * (after - before) / (8.0 * curvature);
+    }
+  };
+  if (row > 0 && row + 1 < grid.lateral_count) {
+    deepen(distance[index - columns_of_grid], distance[index + columns_of_grid]);
+  }
+  if (column > 0 && column + 1 < columns_of_grid) {
+    deepen(distance[index - 1], distance[index + 1]);
+  }
+  return share * approach - deepest;
+}
+
+bool GridSolution::no_contact() const {
+  return std::all_of(patches.begin(), patches.end(),
+                     [](const PatchOnGrid& patch) { return patch.no_contact(); });
+}
+
+bool GridSolution::has_close_patches() const {
+  return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; }) ||
+         std::any_of(patches.begin(), patches.end(), [](const PatchOnGrid& patch) {
+           return patch.place.angle != patch.place.own_angle;
+         });
+}
+
+double GridSolution::peak_pressure() const {
+  double peak = 0.0;
+  for (const PatchOnGrid& patch : patches) {
+    peak = std::max(peak, patch.contact.peak_pressure);
+  }
+  return peak;
+}
+
+double GridSolution::normal_force() const {
+  double sum = 0.0;
+  for (const PatchOnGrid& patch : patches) {
+    sum += patch.normal_force;
+  }
+  return sum;
+}
+
+double GridSolution::weight(const PatchOnGrid& patch) const {
+  return patch.contact.peak_pressure / peak_pressure();
+}
+
+} // namespace wrc

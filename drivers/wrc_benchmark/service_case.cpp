@@ -1,0 +1,286 @@
+#include "wrc_benchmark/service_case.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <numeric>
+
+#include "support/numbers.hpp"
+#include "support/scene.hpp"
+#include "wrc_benchmark/timing.hpp"
+
+namespace benchmark {
+namespace {
+
+constexpr std::array<const char*, 2> side_names{"left", "right"};
+
+/// Profiles and the dimensions that go with them, those of wrc_tradeoff.
+struct Pairing {
+  const char* wheel;
+  const char* rail;
+  double back_to_back;
+  double radius;
+  double gauge_height;
+};
+
+constexpr std::array pairings{Pairing{"S1002", "60E1", 1360.0, 460.0, 14.0},
+                              Pairing{"LMA", "CHN60", 1353.0, 430.0, 16.0},
+                              Pairing{"S1002", "56E1", 1360.0, 460.0, 14.0}};
+
+enum class Prescribed { load, position };
+
+/// What changes from step to step; of two values the left wheel's is first.
+struct Step {
+  double lateral = 0.0;
+  double yaw = 0.0;
+  std::array<double, 2> load{};
+  double roll = 0.0;
+  std::array<double, 2> height{}; ///< of the wheelset's centre, at which the wheel bears its load
+};
+
+/// Hunting, with irregularities and changing loads of other wavelengths on top, so that no step
+/// resembles the one before. Steps of 40 mm: 1 ms at 40 m/s.
+Step step_at(int index) {
+  constexpr double distance = 40.0;
+  constexpr double wavelength = 8000.0;
+  constexpr double amplitude = 6.5;
+  constexpr double mean_load = 80000.0;
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double x = distance * index;
+  Step step;
+  step.lateral = amplitude * std::sin(turn * x / wavelength) + 0.3 * std::sin(turn * x / 1370.0) +
+                 0.05 * std::sin(turn * x / 310.0);
+  step.yaw = turn / wavelength * amplitude * std::cos(turn * x / wavelength);
+  const double left =
+      mean_load * (1.0 + 0.2 * std::sin(turn * x / 900.0) + 0.05 * std::sin(turn * x / 210.0));
+  step.load = {left, 2.0 * mean_load - left};
+  return step;
+}
+
+/// Of one wheel.
+struct WheelResult {
+  double depth = 0.0;
+  double normal_force = 0.0;
+  double lateral_force = 0.0;
+  double vertical_force = 0.0;
+  double pmax = 0.0;
+  double solutions = 0.0;
+  double error_estimate = 0.0; ///< 0 if there is none
+};
+
+/// Goes from step to step with one handle. If positions are prescribed each wheel is a scene of its
+/// own: both are pressed in by different depths, so that they need different heights.
+class Wheelset {
+public:
+  Wheelset(const Pairing& pair, Prescribed prescribed, double accuracy,
+           const std::string& accuracy_of)
+      : prescribed_(prescribed), scenes_(prescribed == Prescribed::load ? 1 : 2) {
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      driver::Scene& scene = scenes_[i];
+      scene.set("wheelset.wheel", std::string(pair.wheel));
+      scene.set("track.rail", std::string(pair.rail));
+      scene.set("wheelset.back_to_back", pair.back_to_back);
+      scene.set("wheelset.radius", pair.radius);
+      scene.set("track.gauge_height", pair.gauge_height);
+      scene.set("solve.accuracy", accuracy);
+      scene.set("solve.accuracy_of", accuracy_of);
+      scene.set("solve.side", prescribed == Prescribed::load ? "both" : side_names.at(i));
+    }
+  }
+
+  /// This is what is timed. A solution that has not converged is judged like any other.
+  void solve(const Step& step) {
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      set(step, i);
+      solver_.solve(scenes_[i]);
+    }
+  }
+
+  /// As if there had been no step before.
+  void solve_alone(const Step& step) { solve(step); }
+
+  [[nodiscard]] std::array<WheelResult, 2> results() const {
+    std::array<WheelResult, 2> results;
+    for (std::size_t side = 0; side < results.size(); ++side) {
+      results.at(side) = {number(side, "depth"),
+                          number(side, "normal_force"),
+                          number(side, "lateral_force"),
+                          number(side, "vertical_force"),
+                          number(side, "pmax"),
+                          number(side, "solutions"),
+                          scene_of(side).number_or(result_name(side, "error_estimate"), 0.0)};
+    }
+    return results;
+  }
+
+  /// Where the solution stands.
+  [[nodiscard]] double roll() const { return scenes_.front().number("roll"); }
+  [[nodiscard]] double height(std::size_t side) const {
+    return number(side, "vertical") - number(side, "depth");
+  }
+
+private:
+  void set(const Step& step, std::size_t index) {
+    driver::Scene& scene = scenes_[index];
+    scene.set("pose.lateral", step.lateral);
+    scene.set("pose.yaw", step.yaw);
+    if (prescribed_ == Prescribed::load) {
+      scene.set("load.left", step.load[0]);
+      scene.set("load.right", step.load[1]);
+    } else {
+      scene.set("pose.roll", step.roll);
+      scene.set("pose.vertical", step.height.at(index));
+    }
+  }
+
+  [[nodiscard]] const driver::Scene& scene_of(std::size_t side) const {
+    return scenes_[scenes_.size() == 1 ? 0 : side];
+  }
+  [[nodiscard]] static std::string result_name(std::size_t side, const std::string& name) {
+    return std::string(side_names.at(side)) + '.' + name;
+  }
+  [[nodiscard]] double number(std::size_t side, const std::string& name) const {
+    return scene_of(side).number(result_name(side, name));
+  }
+
+  Prescribed prescribed_;
+  std::vector<driver::Scene> scenes_;
+  driver::Solver solver_;
+};
+
+/// The way of one pair of profiles, with what is true at the steps that are judged.
+struct Run {
+  Pairing pair;
+  std::vector<Step> steps; ///< the first one is the cold start
+  std::size_t judging_stride = 1;
+  std::array<std::vector<std::array<WheelResult, 2>>, 2> truth; ///< by Prescribed
+
+  [[nodiscard]] bool is_judged(std::size_t index) const {
+    return index > 0 && (index - 1) % judging_stride == 0;
+  }
+};
+
+/// Positions are those of loads solved at the default accuracy, the same for all rows, so that
+/// rows of a position can be compared with each other.
+std::vector<Step> make_steps(const Pairing& pair, int count) {
+  constexpr double accuracy = 1e-3;
+  Wheelset wheelset(pair, Prescribed::load, accuracy, "pressures");
+  std::vector<Step> steps;
+  for (int i = 0; i <= count; ++i) {
+    Step step = step_at(i);
+    wheelset.solve_alone(step);
+    step.roll = wheelset.roll();
+    step.height = {wheelset.height(0), wheelset.height(1)};
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+Run make_run(const Pairing& pair, int count) {
+  constexpr std::size_t judged = 40;
+  constexpr double finest = 1e-5;
+  Run run{pair, make_steps(pair, count), 1, {}};
+  run.judging_stride = std::max<std::size_t>(1, static_cast<std::size_t>(count) / judged);
+  for (const Prescribed prescribed : {Prescribed::load, Prescribed::position}) {
+    Wheelset wheelset(pair, prescribed, finest, "pressures");
+    for (std::size_t i = 0; i < run.steps.size(); ++i) {
+      if (run.is_judged(i)) {
+        wheelset.solve_alone(run.steps[i]);
+        run.truth.at(static_cast<std::size_t>(prescribed)).push_back(wheelset.results());
+      }
+    }
+  }
+  return run;
+}
+
+/// The greatest of all steps counts.
+void judge(const std::array<WheelResult, 2>& results, const std::array<WheelResult, 2>& truths,
+           Prescribed prescribed, ServiceRow::Errors& errors) {
+  const auto relative = [](double value, double truth) { return std::abs(value / truth - 1.0); };
+  for (std::size_t side = 0; side < results.size(); ++side) {
+    const WheelResult& result = results.at(side);
+    const WheelResult& truth = truths.at(side);
+    errors.pmax = std::max(errors.pmax, relative(result.pmax, truth.pmax));
+    const double lateral_force =
+        std::abs(result.lateral_force - truth.lateral_force) / truth.vertical_force;
+    errors.lateral_force = std::max(errors.lateral_force, lateral_force);
+    if (prescribed == Prescribed::load) {
+      errors.depth = std::max(errors.depth.value_or(0.0), relative(result.depth, truth.depth));
+    } else {
+      errors.normal_force = std::max(errors.normal_force.value_or(0.0),
+                                     relative(result.normal_force, truth.normal_force));
+    }
+  }
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
+                       const std::string& accuracy_of) {
+  Wheelset wheelset(run.pair, prescribed, accuracy, accuracy_of);
+  wheelset.solve(run.steps.front()); // reads profiles, makes plans
+  ServiceRow row;
+  std::vector<double> times;
+  std::vector<double> solutions;
+  auto truth = run.truth.at(static_cast<std::size_t>(prescribed)).begin();
+  for (std::size_t i = 1; i < run.steps.size(); ++i) {
+    ProcessorStopwatch watch;
+    wheelset.solve(run.steps[i]);
+    times.push_back(watch.lap());
+    const auto results = wheelset.results();
+    solutions.insert(solutions.end(), {results[0].solutions, results[1].solutions});
+    if (run.is_judged(i)) {
+      judge(results, *truth++, prescribed, row.errors);
+    }
+  }
+  for (const auto& results : run.truth.at(static_cast<std::size_t>(prescribed))) {
+    for (const WheelResult& result : results) {
+      row.reference_estimate = std::max(row.reference_estimate, result.error_estimate);
+    }
+  }
+  row.wheel = run.pair.wheel;
+  row.rail = run.pair.rail;
+  row.accuracy_of = accuracy_of;
+  row.prescribed = prescribed == Prescribed::load ? "load" : "position";
+  row.accuracy = accuracy;
+  row.steps = static_cast<int>(times.size());
+  row.solutions_mean = mean(solutions);
+  row.solutions_max = quantile(solutions, 1.0);
+  row.times = {mean(times), median(times), quantile(times, 0.99), quantile(times, 0.999),
+               quantile(times, 1.0)};
+  return row;
+}
+
+} // namespace
+
+std::vector<ServiceRow> measure_service(const ServicePlan& plan) {
+  Yardstick yardstick{GridSize()};
+  std::vector<ServiceRow> rows;
+  for (const Pairing& pair : pairings) {
+    const std::string name = std::string(pair.wheel) + " on " + pair.rail;
+    std::cerr << "wrc_benchmark: service, " << name << ", positions and true results ...\n";
+    const Run run = make_run(pair, plan.steps);
+    for (const double accuracy : plan.accuracies) {
+      for (const char* accuracy_of : {"forces", "pressures"}) {
+        for (const Prescribed prescribed : {Prescribed::load, Prescribed::position}) {
+          yardstick.sample_undisturbed();
+          rows.push_back(measure_row(run, prescribed, accuracy, accuracy_of));
+          std::cerr << "wrc_benchmark: service, " << name << ", " << accuracy << " of "
+                    << accuracy_of << ", " << rows.back().prescribed << ": "
+                    << driver::fixed(rows.back().times.mean, 3) << " ms a step\n";
+          yardstick.sample_undisturbed();
+        }
+      }
+    }
+  }
+  for (ServiceRow& row : rows) {
+    row.fft_pair_ms = yardstick.milliseconds();
+  }
+  return rows;
+}
+
+} // namespace benchmark
