@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "remesh/depth_estimate.hpp"
+#include "scene/crest_rows.hpp"
 #include "scene/depth_checks.hpp"
 #include "scene/resolution.hpp"
 #include "scene/side_plan.hpp"
@@ -37,6 +38,8 @@ constexpr double smooth_load_share = 1e-2;
 constexpr double smooth_position_share = 3e-3;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
 constexpr double accuracy_rounding_share = 0.25;
+/// Most rows that the curvature of profiles asks for: a kink asks for any number, in vain.
+constexpr double most_predicted_rows = 480.0;
 /// Beyond so many rows the search for contact gives up.
 constexpr std::size_t most_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
@@ -83,6 +86,7 @@ private:
     return request_.grid ? ElementCounts{(*request_.grid)[0], (*request_.grid)[1]}
                          : counts_for_forces(goal_);
   }
+  [[nodiscard]] std::vector<ElementCounts> final_counts(const GridSolution& coarse) const;
   GridSolution solve_coarsely(double depth);
   GridSolution solve_from(double depth);
   /// `peak_before`: largest pressure of the solution that depth and counts follow from, if any.
@@ -274,6 +278,23 @@ GridSolution SideSolver::solve_coarsely(double depth) {
   return solution;
 }
 
+/// For the crests that the coarse solution shows, and for those that the profiles have.
+std::vector<ElementCounts> SideSolver::final_counts(const GridSolution& coarse) const {
+  std::vector<ElementCounts> counts = counts_for_pressures(coarse, goal_);
+  const double error = crest_error_for(goal_) * coarse.peak_pressure();
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const PatchOnGrid& patch = coarse.patches[k];
+    if (!patch.no_contact() && !patch.contact.touches_edge.any()) {
+      const double step = row_step_for_crests(patch, wheel_, rail_, request_.combined_modulus,
+                                              coarse.peak_pressure(), error);
+      const double width = static_cast<double>(patch.grid.lateral_count) * patch.grid.lateral_step;
+      const double rows = std::min(std::ceil(width / step), most_predicted_rows);
+      counts[k].lateral = std::max(counts[k].lateral, static_cast<std::size_t>(rows));
+    }
+  }
+  return counts;
+}
+
 GridSolution SideSolver::solve_finally(double depth, std::vector<ElementCounts> counts,
                                        std::optional<double> peak_before) {
   for (int attempt = 1;; ++attempt) {
@@ -312,8 +333,7 @@ GridSolution SideSolver::solve_from(double depth) {
     throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
   }
   return solve_finally(next_depth(coarse),
-                       counts_are_known ? std::vector{known_counts()}
-                                        : counts_for_pressures(coarse, goal_),
+                       counts_are_known ? std::vector{known_counts()} : final_counts(coarse),
                        coarse.peak_pressure());
 }
 

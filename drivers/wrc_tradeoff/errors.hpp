@@ -44,7 +44,7 @@ struct WheelError {
   [[nodiscard]] double of(Quantity quantity) const {
     return values[static_cast<std::size_t>(quantity)];
   }
-  /// As it counts against an accuracy: a tenth of the area's, infinite if it is no number.
+  /// As it counts against an accuracy: a fortieth of the area's, infinite if it is no number.
   [[nodiscard]] double counted(Quantity quantity) const;
   /// The quantity that is furthest off among those that an accuracy of this meaning, "forces" or
   /// another way's, is of: all but pmax, or all.
