@@ -20,8 +20,7 @@ std::string check_units(const DrawnScene& scene);
 std::string check_stiffness(const DrawnScene& scene, const Outcome& outcome);
 /// More load, more depth; more depth, more force.
 std::string check_monotony(const DrawnScene& scene, const Outcome& outcome);
-/// After another scene the solver gives the same within the accuracy, and once positions are
-/// forgotten bit for bit the same.
+/// After another scene the solver gives the same bits.
 std::string check_solver(const DrawnScene& scene, const Outcome& outcome);
 /// Among others in a batch on two threads, bit for bit the same.
 std::string check_batch(const DrawnScene& scene, const Outcome& outcome);
