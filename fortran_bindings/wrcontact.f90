@@ -152,7 +152,7 @@ module wrcontact
     procedure :: create => solver_create
     !> solve(scene): as scene%solve(), faster when the scene has changed little.
     procedure :: solve => solver_solve
-    !> forget(profiles): positions; with profiles=.true. also everything else.
+    !> forget(profiles): with profiles=.true. everything that is kept; else nothing.
     procedure :: forget => solver_forget
     generic :: assignment(=) => share
     procedure, private :: share => solver_share

@@ -40,7 +40,7 @@ c
 c   WRCSOL(HANDLE, IERR)                   solves a scene or normal
 c   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
 c                                          scene with what is kept
-c   WRCFOR(SOLVER, MODE, IERR)             forgets: 0 positions, 1 all
+c   WRCFOR(SOLVER, MODE, IERR)             forgets: 1 all, 0 nothing
 c
 c   WRCNUM(HANDLE, NAME, VALUE, IERR)      a result of a scene or normal
 c   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text, also of a profile

@@ -84,14 +84,6 @@ PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const Cont
   return area;
 }
 
-BoundaryEdges edges_at_boundary(const PlaneArea& area, const ContactPatch& patch,
-                                const RailSurface& rail, const ContactFrame& frame) {
-  return {std::isfinite(patch.territory_first) &&
-              area.lateral_first <= lateral_at(patch.territory_first, rail, frame),
-          std::isfinite(patch.territory_last) &&
-              area.lateral_last >= lateral_at(patch.territory_last, rail, frame)};
-}
-
 PlaneArea within_territory(const PlaneArea& area, const ContactPatch& patch,
                            const RailSurface& rail, const ContactFrame& frame) {
   PlaneArea inside = area;

@@ -107,13 +107,6 @@ double closeness_of(double separation, double angle_difference);
 
 /// The rectangle that holds a patch's penetration, seen along the frame's normal.
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame);
-/// Which of an area's edges lie on the boundary to a neighbour's territory.
-struct BoundaryEdges {
-  bool lateral_first = false;
-  bool lateral_last = false;
-};
-BoundaryEdges edges_at_boundary(const PlaneArea& area, const ContactPatch& patch,
-                                const RailSurface& rail, const ContactFrame& frame);
 /// The part of an area that lies in the patch's territory; never turned inside out.
 PlaneArea within_territory(const PlaneArea& area, const ContactPatch& patch,
                            const RailSurface& rail, const ContactFrame& frame);

@@ -32,13 +32,14 @@ Line sample_line(const PatchOnGrid& patch, const WheelSurface& wheel, const Rail
   const auto last = static_cast<double>(patch.contact.box.lateral_last) + 0.5;
   const double begin = grid.lateral_first + first * grid.lateral_step;
   const auto count = static_cast<std::size_t>((last - first) * grid.lateral_step / spacing);
+  const std::vector<double> peaks = patch.row_peaks();
   Line line;
   line.curvature_sums.push_back(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     const double lateral = begin + spacing * static_cast<double>(i);
     const double y = patch.frame.origin.y + cosine * lateral;
     const double s = patch.place.mean_s + (y - patch.place.mean_y);
-    // Both profiles' heights grow towards the other body on the rail, away from it on the wheel.
+    // Heights of both profiles grow towards the other body.
     const double curvature =
         -(rail.graph().heights().at(y).second + wheel.graph().heights().at(s).second) * cosine *
         cosine * cosine;
@@ -46,8 +47,7 @@ Line sample_line(const PatchOnGrid& patch, const WheelSurface& wheel, const Rail
     const auto row = static_cast<std::size_t>(
         std::clamp((lateral - grid.lateral_first) / grid.lateral_step + 0.5, 0.0,
                    static_cast<double>(grid.lateral_count - 1)));
-    const double* values = patch.pressure.data() + row * grid.longitudinal_count;
-    line.pressure.push_back(*std::max_element(values, values + grid.longitudinal_count));
+    line.pressure.push_back(peaks[row]);
   }
   return line;
 }

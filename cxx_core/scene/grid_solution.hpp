@@ -36,6 +36,8 @@ struct PatchOnGrid {
   [[nodiscard]] double columns() const {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
+  /// Largest pressure of each row, MPa.
+  [[nodiscard]] std::vector<double> row_peaks() const;
   /// Deepest overlap of the undeformed bodies along the normal at an approach from the depth
   /// sampled, by parabolas through the least distance and its neighbours.
   [[nodiscard]] double overlap(double approach) const;
@@ -57,7 +59,6 @@ struct GridSolution {
   /// Planes or interactions that follow from how close patches are, and so from the depth.
   [[nodiscard]] bool has_close_patches() const;
   [[nodiscard]] double peak_pressure() const;
-  [[nodiscard]] double normal_force() const;
   /// Largest pressure of a patch over that of the wheel.
   [[nodiscard]] double weight(const PatchOnGrid& patch) const;
 };

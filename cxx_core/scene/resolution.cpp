@@ -24,8 +24,6 @@ constexpr double force_by_depth = 1.5;
 constexpr double crest_rows = 40.0;
 /// Pressures are computed to this at least: with fewer rows crests are missed by chance.
 constexpr double coarsest_accuracy = 1e-2;
-/// Most rows for crests: what is narrower is told by the estimate.
-constexpr double most_rows = 1200.0;
 /// The error of a lower crest may lift it above the highest one by this many times as much.
 constexpr double lower_crest_weight = 4.0;
 /// Shares of the accuracy for which elements across and along the rail are chosen; some of it is
@@ -136,12 +134,9 @@ double valley_beside(const std::vector<double>& tops, std::size_t top, std::ptrd
 }
 
 std::vector<Crest> crests_of(const PatchOnGrid& patch) {
-  const std::size_t columns = patch.grid.longitudinal_count;
-  std::vector<double> tops(patch.grid.lateral_count + 2, 0.0);
-  for (std::size_t row = 0; row < patch.grid.lateral_count; ++row) {
-    const double* values = patch.pressure.data() + row * columns;
-    tops[row + 1] = *std::max_element(values, values + columns);
-  }
+  std::vector<double> tops = patch.row_peaks();
+  tops.insert(tops.begin(), 0.0);
+  tops.push_back(0.0);
   std::vector<Crest> crests;
   for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
     if (tops[i] > 0.0 && tops[i] >= tops[i - 1] && tops[i] >= tops[i + 1]) {
@@ -254,7 +249,7 @@ std::vector<ElementCounts> counts_for_pressures(const GridSolution& coarse,
     }
     const double rows = crest_refinement(patch, highest, accuracy, crest_law(coarse.elements)) *
                         static_cast<double>(patch.grid.lateral_count);
-    wanted.lateral = std::max(least.lateral, whole(std::min(rows, most_rows)));
+    wanted.lateral = std::max(least.lateral, std::min(whole(rows), most_rows));
     const double error = longitudinal_share * accuracy / coarse.weight(patch);
     const double columns =
         longitudinal_law(coarse.elements, slenderness(patch)).elements_for(error) /
@@ -269,16 +264,16 @@ std::vector<ElementCounts> finer_counts(const GridSolution& solution, const Accu
   bool finer = false;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const Grid& grid = solution.patches[k].grid;
-    const auto refined = [&finer](std::size_t wanted, std::size_t before, double most) {
-      if (wanted <= before || static_cast<double>(before) >= most) {
+    const auto refined = [&finer](std::size_t wanted, std::size_t before) {
+      if (wanted <= before || before >= most_rows) {
         return before;
       }
       finer = true;
-      const double least = least_refinement * static_cast<double>(before);
-      return whole(std::min(std::max(static_cast<double>(wanted), least), most));
+      const std::size_t least = whole(least_refinement * static_cast<double>(before));
+      return std::min(std::max(wanted, least), most_rows);
     };
-    counts[k].lateral = refined(counts[k].lateral, grid.lateral_count, most_rows);
-    counts[k].longitudinal = refined(counts[k].longitudinal, grid.longitudinal_count, most_rows);
+    counts[k].lateral = refined(counts[k].lateral, grid.lateral_count);
+    counts[k].longitudinal = refined(counts[k].longitudinal, grid.longitudinal_count);
   }
   return finer ? counts : std::vector<ElementCounts>{};
 }

@@ -36,6 +36,9 @@ struct ElementCounts {
   std::size_t longitudinal = 0;
 };
 
+/// Beyond so many rows nothing is refined.
+inline constexpr std::size_t most_rows = 1200;
+
 /// What a solution is to be accurate in, and how.
 struct AccuracyGoal {
   AccuracyOf of = AccuracyOf::pressures;

@@ -40,8 +40,6 @@ constexpr double smooth_position_share = 3e-3;
 constexpr double accuracy_rounding_share = 0.25;
 /// Most rows that the curvature of profiles asks for: a kink asks for any number, in vain.
 constexpr double most_predicted_rows = 480.0;
-/// Beyond so many rows the search for contact gives up.
-constexpr std::size_t most_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;

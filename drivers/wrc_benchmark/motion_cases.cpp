@@ -98,7 +98,7 @@ Times times_of(const driver::Scene& scene, double total) {
   return times;
 }
 
-/// The paper's method takes a second a step and gains next to nothing from the step before, so that
+/// The paper's method takes a second a step, so that
 /// it goes through every other judged step only.
 Row run(const Motion& motion, const std::string& method, double accuracy,
         const std::vector<std::vector<double>>& true_pmax) {
