@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "remesh/depth_estimate.hpp"
+#include "scene/peak_section.hpp"
 
 namespace wrc {
 namespace {
@@ -23,14 +24,17 @@ constexpr double noise_response = 0.9069;
 constexpr double table_difference = 2e-12;
 
 /// By how much the rounding of positions may change a patch's largest pressure, MPa.
-double pressure_rounding(const PatchOnGrid& patch, double combined_modulus, double wheel_radius) {
+double pressure_rounding(const PatchOnGrid& patch, const SideRequest& request,
+                         double wheel_radius) {
   const double rounding = coordinate_deviation * std::numeric_limits<double>::epsilon();
   const double angle = patch.frame.angle();
   const double radial = rounding * wheel_radius * std::cos(angle);
   const double lateral = rounding * patch.frame.origin.y * std::sin(angle);
-  const double gradient = std::hypot(radial / patch.grid.longitudinal_step,
-                                     std::hypot(radial, lateral) / patch.grid.lateral_step);
-  return pressure_deviations * noise_response * combined_modulus * gradient;
+  const double strips = request.accuracy_of == AccuracyOf::pressures ? strips_per_row : 1.0;
+  const double gradient =
+      std::hypot(radial / patch.grid.longitudinal_step,
+                 std::hypot(radial, lateral) / (patch.grid.lateral_step / strips));
+  return pressure_deviations * noise_response * request.combined_modulus * gradient;
 }
 
 } // namespace
@@ -87,8 +91,7 @@ void warn_of_rounding(const GridSolution& solution, const SideRequest& request, 
   for (const PatchOnGrid& patch : solution.patches) {
     if (!patch.no_contact()) {
       overlap = std::max(overlap, patch.overlap(solution.approach));
-      pressure =
-          std::max(pressure, pressure_rounding(patch, request.combined_modulus, wheel_radius));
+      pressure = std::max(pressure, pressure_rounding(patch, request, wheel_radius));
     }
   }
   if (!(overlap > 0.0)) {

@@ -7,6 +7,7 @@
 /// distances of the wave number k has pressures E* k / 2 times as high; over all waves that a grid
 /// with elements of h_x (along) and h_y (across) knows, the pressures scatter by
 ///   s_p = pi / (2 sqrt(3)) E* sqrt(d_r^2 / h_x^2 + (d_r^2 + d_y^2) / h_y^2).
+/// Where the peak is taken from a section (peak_section.hpp), h_y is the width of its strips.
 /// This is absolute: relative to pmax it grows with the number of elements across the contact and
 /// falls with 1/overlap. The halves are assumed, from the safe side: fields of distance show 0.2
 /// (from element to element) to 0.36 (from row to row). Errors of pmax were below s_p in 82 and

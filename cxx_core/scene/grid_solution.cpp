@@ -29,16 +29,6 @@ double PatchOnGrid::overlap(double approach) const {
   return share * approach - deepest;
 }
 
-std::vector<double> PatchOnGrid::row_peaks() const {
-  std::vector<double> peaks;
-  for (auto row = pressure.begin(); row != pressure.end();) {
-    const auto next = row + static_cast<std::ptrdiff_t>(grid.longitudinal_count);
-    peaks.push_back(*std::max_element(row, next));
-    row = next;
-  }
-  return peaks;
-}
-
 bool GridSolution::no_contact() const {
   return std::all_of(patches.begin(), patches.end(),
                      [](const PatchOnGrid& patch) { return patch.no_contact(); });

@@ -25,19 +25,14 @@ struct PatchOnGrid {
   std::vector<double> distance;
   std::vector<double> pressure;
   double normal_force = 0.0;
-  PressureRegion contact; ///< all elements under pressure together
+  PressureRegion contact;  ///< all elements under pressure together
+  double peak_error = 0.0; ///< of a peak from a section (peak_section.hpp), MPa
 
   [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
-  /// Elements across the contact.
-  [[nodiscard]] double rows() const {
-    return static_cast<double>(contact.box.lateral_last - contact.box.lateral_first + 1);
-  }
   /// Elements along the contact.
   [[nodiscard]] double columns() const {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
-  /// Largest pressure of each row, MPa.
-  [[nodiscard]] std::vector<double> row_peaks() const;
   /// Deepest overlap of the undeformed bodies along the normal at an approach from the depth
   /// sampled, by parabolas through the least distance and its neighbours.
   [[nodiscard]] double overlap(double approach) const;

@@ -6,8 +6,8 @@
 
 #include "error.hpp"
 #include "remesh/depth_estimate.hpp"
-#include "scene/crest_rows.hpp"
 #include "scene/depth_checks.hpp"
+#include "scene/peak_section.hpp"
 #include "scene/resolution.hpp"
 #include "scene/side_plan.hpp"
 
@@ -38,8 +38,10 @@ constexpr double smooth_load_share = 1e-2;
 constexpr double smooth_position_share = 3e-3;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
 constexpr double accuracy_rounding_share = 0.25;
-/// Most rows that the curvature of profiles asks for: a kink asks for any number, in vain.
-constexpr double most_predicted_rows = 480.0;
+/// Rows for crests that the first final solution shows, as a multiple of its own.
+constexpr std::size_t most_refinement = 4;
+/// Coarse grids are refined to so many rows at most, until one finds contact.
+constexpr std::size_t most_coarse_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;
@@ -56,7 +58,7 @@ public:
              const SideRequest& request, NormalSolver& solver)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request),
         solver_(solver), goal_{request.accuracy_of, request.accuracy,
-                               request.position_is_prescribed()},
+                               request.position_is_prescribed(), request.elements},
         planner_(rail, equilibrium, request) {}
 
   SideSolution solve();
@@ -64,11 +66,11 @@ public:
 private:
   [[nodiscard]] double first_depth() const;
   /// Planes, grids and undeformed distances at a depth; no pressures yet.
-  GridSolution sample(const SidePlan& plan, const std::vector<ElementCounts>& counts);
+  GridSolution sample(const SidePlan& plan, const ElementCounts& counts);
   /// Which patches interact, and where they lie in their mean plane; none if none do.
   [[nodiscard]] std::optional<PatchInteraction> interaction_of(const SidePlan& plan,
                                                                GridSolution& solution) const;
-  GridSolution solve_at(double depth, const std::vector<ElementCounts>& counts, double tolerance);
+  GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance);
   JointSolution solve_joint(const JointProblem& problem);
   /// The depth that a solution asks for is another one than that of its planes and distances.
   [[nodiscard]] bool moves_on(const GridSolution& solution) const;
@@ -79,17 +81,14 @@ private:
                : std::max(solution.next_depth, least_depth_left * solution.depth);
   }
   [[nodiscard]] double tolerance() const;
-  /// Of a grid given by hand, or for forces.
-  [[nodiscard]] ElementCounts known_counts() const {
+  [[nodiscard]] ElementCounts final_counts() const {
     return request_.grid ? ElementCounts{(*request_.grid)[0], (*request_.grid)[1]}
-                         : counts_for_forces(goal_);
+                         : counts_for(goal_);
   }
-  [[nodiscard]] std::vector<ElementCounts> final_counts(const GridSolution& coarse) const;
   GridSolution solve_coarsely(double depth);
   GridSolution solve_from(double depth);
-  /// `peak_before`: largest pressure of the solution that depth and counts follow from, if any.
-  GridSolution solve_finally(double depth, std::vector<ElementCounts> counts,
-                             std::optional<double> peak_before);
+  GridSolution solve_finally(double depth);
+  void find_peaks(GridSolution& solution) const;
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
   void take(GridSolution solution);
@@ -153,7 +152,7 @@ JointSolution SideSolver::solve_joint(const JointProblem& problem) {
   return solution;
 }
 
-GridSolution SideSolver::sample(const SidePlan& plan, const std::vector<ElementCounts>& counts) {
+GridSolution SideSolver::sample(const SidePlan& plan, const ElementCounts& counts) {
   GridSolution solution;
   solution.elements = request_.elements;
   solution.depth = plan.depth;
@@ -164,11 +163,10 @@ GridSolution SideSolver::sample(const SidePlan& plan, const std::vector<ElementC
   const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
   for (std::size_t k = 0; k < plan.patches.size(); ++k) {
     const PlannedPatch& planned = plan.patches[k];
-    const ElementCounts& count = counts[std::min(k, counts.size() - 1)];
     PatchOnGrid& patch = solution.patches.emplace_back();
     patch.place = planned.place;
     patch.frame = planned.frame;
-    patch.grid = grid_over(planned.area, count.lateral, count.longitudinal);
+    patch.grid = grid_over(planned.area, counts.lateral, counts.longitudinal);
     // Rounding may lift the product of two unit vectors above 1.
     patch.share = request_.normal_load ? std::min(dot(patch.frame.normal, main_frame.normal), 1.0)
                                        : patch.frame.normal.z;
@@ -203,9 +201,7 @@ std::optional<PatchInteraction> SideSolver::interaction_of(const SidePlan& plan,
   return any ? std::optional(std::move(interaction)) : std::nullopt;
 }
 
-/// `counts`: of each patch; those beyond the last one are as that.
-GridSolution SideSolver::solve_at(double depth, const std::vector<ElementCounts>& counts,
-                                  double tolerance) {
+GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, double tolerance) {
   const auto plan_start = Clock::now();
   const SidePlan plan = planner_.plan(depth);
   result_.times.remesh += seconds_since(plan_start);
@@ -266,35 +262,32 @@ bool SideSolver::moves_on(const GridSolution& solution) const {
 
 /// One solution on few elements, on more only where contact falls between them.
 GridSolution SideSolver::solve_coarsely(double depth) {
-  ElementCounts counts =
-      coarse_counts(request_.grid ? AccuracyGoal{AccuracyOf::forces, coarse_accuracy} : goal_);
-  GridSolution solution = solve_at(depth, {counts}, coarse_tolerance);
-  while (solution.no_contact() && counts.lateral < most_rows) {
+  ElementCounts counts = coarse_counts(request_.grid ? coarse_accuracy : request_.accuracy);
+  GridSolution solution = solve_at(depth, counts, coarse_tolerance);
+  while (solution.no_contact() && counts.lateral < most_coarse_rows) {
     counts = {2 * counts.lateral, 2 * counts.longitudinal};
-    solution = solve_at(depth, {counts}, coarse_tolerance);
+    solution = solve_at(depth, counts, coarse_tolerance);
   }
   return solution;
 }
 
-/// For the crests that the coarse solution shows, and for those that the profiles have.
-std::vector<ElementCounts> SideSolver::final_counts(const GridSolution& coarse) const {
-  std::vector<ElementCounts> counts = counts_for_pressures(coarse, goal_);
-  const double error = crest_error_for(goal_) * coarse.peak_pressure();
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    const PatchOnGrid& patch = coarse.patches[k];
-    if (!patch.no_contact() && !patch.contact.touches_edge.any()) {
-      const double step = row_step_for_crests(patch, wheel_, rail_, request_.combined_modulus,
-                                              coarse.peak_pressure(), error);
-      const double width = static_cast<double>(patch.grid.lateral_count) * patch.grid.lateral_step;
-      const double rows = std::min(std::ceil(width / step), most_predicted_rows);
-      counts[k].lateral = std::max(counts[k].lateral, static_cast<std::size_t>(rows));
+/// Pressures at the depth of a solution, between its elements.
+void SideSolver::find_peaks(GridSolution& solution) const {
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
+  for (PatchOnGrid& patch : solution.patches) {
+    if (!patch.no_contact()) {
+      const PeakInSection peak =
+          peak_in_section(patch, solution.elements, pair, patch.share * solution.approach,
+                          request_.combined_modulus, tolerance());
+      patch.contact.peak_pressure = peak.pressure;
+      patch.peak_error = peak.error;
     }
   }
-  return counts;
 }
 
-GridSolution SideSolver::solve_finally(double depth, std::vector<ElementCounts> counts,
-                                       std::optional<double> peak_before) {
+GridSolution SideSolver::solve_finally(double depth) {
+  ElementCounts counts = final_counts();
+  const std::size_t most_rows = request_.grid ? 0 : most_refinement * counts.lateral;
   for (int attempt = 1;; ++attempt) {
     GridSolution solution = solve_at(depth, counts, tolerance());
     if (solution.no_contact() || attempt == final_limit) {
@@ -305,34 +298,28 @@ GridSolution SideSolver::solve_finally(double depth, std::vector<ElementCounts> 
       depth = next_depth(solution);
       continue;
     }
-    const double peak = solution.peak_pressure();
-    result_.error_estimate = estimate_error(solution, goal_, peak_before.value_or(peak));
-    peak_before = peak;
-    if (request_.grid || request_.accuracy_of == AccuracyOf::forces ||
-        *result_.error_estimate <= request_.accuracy) {
+    if (request_.accuracy_of == AccuracyOf::pressures) {
+      find_peaks(solution);
+    }
+    result_.error_estimate = estimate_error(solution, goal_);
+    if (request_.accuracy_of == AccuracyOf::forces ||
+        *result_.error_estimate <= request_.accuracy || counts.lateral >= most_rows) {
       return solution;
     }
-    counts = finer_counts(solution, goal_);
-    if (counts.empty()) {
-      return solution;
-    }
+    counts.lateral *= 2; // for a crest
   }
 }
 
-/// A coarse solution finds the depth, and the crests that pressures have; where neither is needed,
-/// the final one is the only one.
+/// A coarse solution finds the depth; where it is prescribed, the final one is the only one.
 GridSolution SideSolver::solve_from(double depth) {
-  const bool counts_are_known = request_.grid || request_.accuracy_of == AccuracyOf::forces;
-  if (request_.position_is_prescribed() && counts_are_known) {
-    return solve_finally(depth, {known_counts()}, std::nullopt);
+  if (request_.position_is_prescribed()) {
+    return solve_finally(depth);
   }
   const GridSolution coarse = solve_coarsely(depth);
   if (coarse.no_contact()) {
     throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
   }
-  return solve_finally(next_depth(coarse),
-                       counts_are_known ? std::vector{known_counts()} : final_counts(coarse),
-                       coarse.peak_pressure());
+  return solve_finally(next_depth(coarse));
 }
 
 std::string edge_warning(const PatchOnGrid& patch) {
@@ -475,7 +462,7 @@ void SideSolver::take(GridSolution solution) {
 
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution SideSolver::sample_only(double depth) {
-  GridSolution solution = sample(planner_.plan(depth), {known_counts()});
+  GridSolution solution = sample(planner_.plan(depth), final_counts());
   for (PatchOnGrid& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }

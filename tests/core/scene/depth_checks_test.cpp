@@ -61,6 +61,7 @@ struct RoundedElement {
   double angle = 0.0;
   double overlap = 1.0;
   double accuracy = 1e-3;
+  AccuracyOf accuracy_of = AccuracyOf::forces;
 
   [[nodiscard]] std::vector<std::string> warnings() const {
     GridSolution solution = solution_with(overlap);
@@ -72,6 +73,7 @@ struct RoundedElement {
     SideRequest request;
     request.combined_modulus = 1e5;
     request.accuracy = accuracy;
+    request.accuracy_of = accuracy_of;
     std::vector<std::string> warnings;
     warn_of_rounding(solution, request, radius, warnings);
     return warnings;
@@ -89,6 +91,13 @@ TEST(DepthChecks, RoundingIsFeltInThePressuresOfSmallElements) {
   EXPECT_FALSE((RoundedElement{.side = 1e-6, .pressure = 13.2}.warned()));
   EXPECT_TRUE((RoundedElement{.pressure = 14.1, .radius = 5000.0}.warned()));
   EXPECT_FALSE((RoundedElement{.pressure = 14.3, .radius = 5000.0}.warned()));
+}
+
+TEST(DepthChecks, RoundingIsFeltMoreInTheStripsOfASection) {
+  // As above, but sqrt(1 + 4^2) in place of sqrt(2).
+  const AccuracyOf pressures = AccuracyOf::pressures;
+  EXPECT_TRUE((RoundedElement{.pressure = 3.81, .accuracy_of = pressures}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 3.83, .accuracy_of = pressures}.warned()));
 }
 
 TEST(DepthChecks, OnSteepContactLateralCoordinatesAreFelt) {

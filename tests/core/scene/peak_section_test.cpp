@@ -1,0 +1,60 @@
+// Largest pressures from a section that is finer than the grid.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scene/solve_scene.hpp"
+
+namespace wrc::test {
+namespace {
+
+double pmax_of(Scene scene, AccuracyOf accuracy_of) {
+  scene.side = SideChoice::left;
+  scene.accuracy_of = accuracy_of;
+  return solve_scene(scene).left->pmax;
+}
+
+double truth_of(Scene scene) {
+  scene.accuracy = 1e-4;
+  return pmax_of(scene, AccuracyOf::pressures);
+}
+
+/// A lobe of three rows beside another contact: its crest is 1534 MPa, of which the grid has 1213.
+Scene narrow_lobe() {
+  Scene scene;
+  scene.rail = "54E1";
+  scene.lateral = 4.23077;
+  scene.yaw = 0.008356;
+  scene.left_load = scene.right_load = 44196.6;
+  return scene;
+}
+
+TEST(PeakSection, FindsTheCrestOfALobeOfAFewRows) {
+  Scene scene = narrow_lobe();
+  const double truth = truth_of(scene);
+  scene.grid = {{36, 17}};
+  EXPECT_GT(std::abs(pmax_of(scene, AccuracyOf::forces) / truth - 1.0), 0.1);
+  EXPECT_LT(std::abs(pmax_of(scene, AccuracyOf::pressures) / truth - 1.0), 0.02);
+}
+
+/// The pressure of a rolling contact without jumps of curvature is as smooth as a semi-ellipse.
+TEST(PeakSection, LeavesSmoothPressuresAsTheyAre) {
+  Scene scene;
+  scene.lateral = -3.0;
+  scene.grid = {{128, 64}};
+  const double fitted = pmax_of(scene, AccuracyOf::forces);
+  EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), fitted, 1e-3 * fitted);
+}
+
+TEST(PeakSection, ServesBothKindsOfElements) {
+  Scene scene = narrow_lobe();
+  const double truth = truth_of(scene);
+  scene.grid = {{72, 33}};
+  for (const Elements elements : {Elements::constant, Elements::smooth}) {
+    scene.elements = elements;
+    EXPECT_LT(std::abs(pmax_of(scene, AccuracyOf::pressures) / truth - 1.0), 0.02);
+  }
+}
+
+} // namespace
+} // namespace wrc::test
