@@ -9,15 +9,8 @@ namespace {
 
 /// Rows over the penetration for an accuracy of 1e-2, and the power by which they grow: the fewest
 /// with which 99.5 of 100 wheels meet accuracies from 1e-1 to 3e-4 (`wrc_tradeoff`).
-struct RowsLaw {
-  double at_one_percent;
-  double exponent;
-  [[nodiscard]] double rows_for(double accuracy) const {
-    return at_one_percent * std::pow(1e-2 / accuracy, exponent);
-  }
-};
-constexpr RowsLaw rows_for_forces{21.0, 0.35};
-constexpr RowsLaw rows_for_pressures{22.0, 0.42};
+constexpr double rows_at_one_percent = 21.0;
+constexpr double rows_exponent = 0.35;
 constexpr double columns_by_rows = 0.45;
 /// The fewest that still hold a patch.
 constexpr double least_rows = 10.0;
@@ -41,38 +34,34 @@ double error_factor(const AccuracyGoal& goal) {
 
 /// From experience, and so that the law is below the accuracy.
 double rows_for(double accuracy) {
-  return std::max({rows_for_forces.rows_for(accuracy),
+  return std::max({rows_at_one_percent * std::pow(1e-2 / accuracy, rows_exponent),
                    std::sqrt(error_of_one_row / (share_of_rows * accuracy)), least_rows});
 }
 
-ElementCounts counts_with(double rows, double columns) {
-  return {whole(rows), whole(std::max(columns, least_columns))};
+ElementCounts counts_with(double rows) {
+  return {whole(rows), whole(std::max(columns_by_rows * rows, least_columns))};
 }
 
 } // namespace
 
 ElementCounts counts_for(const AccuracyGoal& goal) {
-  const double rows = rows_for(goal.accuracy / error_factor(goal));
-  const double of_pressures =
-      goal.of == AccuracyOf::pressures ? rows_for_pressures.rows_for(goal.accuracy) : 0.0;
-  return counts_with(std::max(rows, of_pressures), columns_by_rows * rows);
+  return counts_with(rows_for(goal.accuracy / error_factor(goal)));
 }
 
 ElementCounts coarse_counts(double accuracy) {
-  const double rows = std::max(0.5 * rows_for(accuracy), least_rows);
-  return counts_with(rows, columns_by_rows * rows);
+  return counts_with(std::max(0.5 * rows_for(accuracy), least_rows));
 }
 
-double estimate_error(const GridSolution& solution, const AccuracyGoal& goal) {
+ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal) {
   double rows = std::numeric_limits<double>::infinity();
-  double peak_error = 0.0;
+  double bound = 0.0;
   for (const PatchOnGrid& patch : solution.patches) {
     rows = std::min({rows, static_cast<double>(patch.grid.lateral_count),
                      static_cast<double>(patch.grid.longitudinal_count) / columns_by_rows});
-    peak_error = std::max(peak_error, patch.contact.peak_pressure + patch.peak_error);
+    bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }
-  return error_factor(goal) * error_of_one_row / (rows * rows) +
-         peak_error / solution.peak_pressure() - 1.0 + solution.pressure_error;
+  return {error_factor(goal) * error_of_one_row / (rows * rows) + solution.pressure_error,
+          bound / solution.peak_pressure() - 1.0};
 }
 
 } // namespace wrc

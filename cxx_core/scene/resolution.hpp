@@ -16,7 +16,6 @@
 
 #include <cstddef>
 
-#include "scene/accuracy_of.hpp"
 #include "scene/grid_solution.hpp"
 
 namespace wrc {
@@ -28,7 +27,6 @@ struct ElementCounts {
 
 /// What a solution is to be accurate in, and how.
 struct AccuracyGoal {
-  AccuracyOf of = AccuracyOf::pressures;
   double accuracy = 1e-3;
   bool position_is_prescribed = false;
   Elements elements = Elements::smooth;
@@ -38,7 +36,12 @@ ElementCounts counts_for(const AccuracyGoal& goal);
 /// Of the solution before the final one, which finds the depth for a load.
 ElementCounts coarse_counts(double accuracy);
 
-/// Relative error of what the accuracy is of.
-double estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
+/// Relative errors of what the accuracy is of.
+struct ErrorEstimate {
+  double grid = 0.0;  ///< by the law, and what the iteration has left
+  double crest = 0.0; ///< what a section has not resolved
+  [[nodiscard]] double total() const { return grid + crest; }
+};
+ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 
 } // namespace wrc

@@ -38,8 +38,8 @@ constexpr double smooth_load_share = 1e-2;
 constexpr double smooth_position_share = 3e-3;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
 constexpr double accuracy_rounding_share = 0.25;
-/// Rows for crests that the first final solution shows, as a multiple of its own.
-constexpr std::size_t most_refinement = 4;
+/// Rows for crests that the first final solution shows, as a multiple of its own, at most.
+constexpr double most_refinement = 4.0;
 /// Coarse grids are refined to so many rows at most, until one finds contact.
 constexpr std::size_t most_coarse_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
@@ -57,8 +57,8 @@ public:
   SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
              const SideRequest& request, NormalSolver& solver)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request),
-        solver_(solver), goal_{request.accuracy_of, request.accuracy,
-                               request.position_is_prescribed(), request.elements},
+        solver_(solver), goal_{request.accuracy, request.position_is_prescribed(),
+                               request.elements},
         planner_(rail, equilibrium, request) {}
 
   SideSolution solve();
@@ -287,7 +287,7 @@ void SideSolver::find_peaks(GridSolution& solution) const {
 
 GridSolution SideSolver::solve_finally(double depth) {
   ElementCounts counts = final_counts();
-  const std::size_t most_rows = request_.grid ? 0 : most_refinement * counts.lateral;
+  bool refined = false;
   for (int attempt = 1;; ++attempt) {
     GridSolution solution = solve_at(depth, counts, tolerance());
     if (solution.no_contact() || attempt == final_limit) {
@@ -301,12 +301,15 @@ GridSolution SideSolver::solve_finally(double depth) {
     if (request_.accuracy_of == AccuracyOf::pressures) {
       find_peaks(solution);
     }
-    result_.error_estimate = estimate_error(solution, goal_);
-    if (request_.accuracy_of == AccuracyOf::forces ||
-        *result_.error_estimate <= request_.accuracy || counts.lateral >= most_rows) {
+    const ErrorEstimate error = estimate_error(solution, goal_);
+    result_.error_estimate = error.total();
+    const double permitted = request_.accuracy - error.grid; // for crests
+    if (error.crest <= permitted || request_.grid || refined) {
       return solution;
     }
-    counts.lateral *= 2; // for a crest
+    const double times = std::min(error.crest / std::max(permitted, 0.0), most_refinement);
+    counts.lateral = static_cast<std::size_t>(times * static_cast<double>(counts.lateral));
+    refined = true;
   }
 }
 
