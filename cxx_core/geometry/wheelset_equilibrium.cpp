@@ -41,19 +41,17 @@ public:
 
   /// Root of min d_left - min d_right; both sides have then been scanned there. Odd under the
   /// mirror, so that mirrored scenes give -roll.
-  double solve(double start) {
-    double roll = start > -largest_roll && start < largest_roll ? start : 0.0;
+  double solve() {
+    double roll = 0.0;
     std::optional<double> standing; // a roll with both wheels over their rails
     bool off_the_rail = false;
     for (int iteration = 1; iteration <= iteration_limit; ++iteration) {
       const Pose pose{lateral_, yaw_, roll};
-      if (!scan_both(pose, standing.has_value() || roll != 0.0)) {
+      if (!scan_both(pose, standing.has_value())) {
         // Large wheels roll off their rails long before the limit: back to where both stood.
         off_the_rail = true;
-        if (standing) {
-          (roll < *standing ? low_ : high_) = roll;
-        }
-        roll = standing ? 0.5 * (roll + *standing) : 0.0;
+        (roll < *standing ? low_ : high_) = roll;
+        roll = 0.5 * (roll + *standing);
         continue;
       }
       standing = roll;
@@ -167,7 +165,7 @@ WheelsetEquilibrium find_equilibrium(const WheelSurface& wheel, const RailSurfac
     result.roll = *request.roll;
   } else {
     RollSearch search(left, right, request.lateral, request.yaw);
-    result.roll = search.solve(request.start_roll.value_or(0.0));
+    result.roll = search.solve();
   }
   const Pose pose{request.lateral, request.yaw, result.roll};
   const auto settle_side = [&](SideSearch& search, const Pose& side_pose) {

@@ -37,9 +37,6 @@ struct EquilibriumRequest {
   double lateral = 0.0;
   double yaw = 0.0;
   std::optional<double> roll; ///< prescribed; solved if not set
-  /// Where the search for the roll starts, rad; 0 if not set. It
-  /// decides nothing but the time taken (and which of several solutions is found, if there are).
-  std::optional<double> start_roll;
   bool left = true; ///< sides asked for; a solved roll needs both all the same
   bool right = true;
   double near_tolerance = 0.1; ///< mm

@@ -24,10 +24,6 @@ constexpr int stagnation_window = 60;
 /// so many elements.
 constexpr std::size_t most_single_cuts = 128;
 constexpr double elements_per_cut = 16.0;
-/// A box whose max|z| is below this share of what ends the iteration waits for the others.
-constexpr double rest_share = 0.3;
-/// By how much an iteration must lessen the error for that.
-constexpr double rest_progress = 0.7;
 /// By which share the pressures of one box may shrink or grow in an iteration. Where the least
 /// energy lies beyond, all go the same part of the way, which keeps the load; where that would be
 /// less than the least part, a step of the same length in all boxes is taken.
@@ -123,11 +119,7 @@ template <typename Real> void ProjectedCg<Real>::respond() {
   ++convolutions_;
   for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
     Fields& fields = *fields_[k];
-    if (fields.rests) {
-      std::fill_n(fields.response.data(), request_->boxes[k].count(), Real{0});
-    } else {
-      fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
-    }
+    fields.convolution.apply(fields.direction.data(), fields.response.data(), workspace_);
   }
 }
 
@@ -214,10 +206,6 @@ template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
 template <typename Real> void ProjectedCg<Real>::gather_change(std::size_t k) {
   const IterationBox& box = request_->boxes[k];
   Fields& fields = *fields_[k];
-  if (fields.rests) {
-    std::fill(load_change_[k].begin(), load_change_[k].end(), 0.0);
-    return;
-  }
   form_change(box.pressure.data(), fields.direction.data(), fields.step, fields.correction.data(),
               box.count());
   request_->coupling->gather(k, fields.correction.data(), load_change_);
@@ -444,13 +432,10 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     double largest_z = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       const double shift = z_mean * boxes[k].share;
-      double& largest = fields_[k]->largest_z;
-      largest = sums_[k].contacts > 0.0
-                    ? std::max(sums_[k].largest_z - shift, shift - sums_[k].least_z)
-                    : 0.0;
-      largest_z = std::max(largest_z, largest);
+      if (sums_[k].contacts > 0.0) {
+        largest_z = std::max({largest_z, sums_[k].largest_z - shift, shift - sums_[k].least_z});
+      }
     }
-    const double last_error = outcome.error;
     outcome.error = outcome.largest_pressure > 0.0 ? largest_z / outcome.largest_pressure
                                                    : (largest_z > 0.0 ? 1.0 : 0.0);
     if (outcome.error < best_error) {
@@ -478,10 +463,6 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
       return outcome;
     }
 
-    // A box rests only while the others get on: they may be waiting for the approach that its
-    // residual would lead to.
-    const bool others_get_on = outcome.error < rest_progress * last_error;
-    const double rest_limit = rest_share * request.tolerance * outcome.largest_pressure;
     // z, taken off its mean, need not lead to less energy far from the answer; r does.
     const bool plain = idle >= 2;
     double mean = z_mean;
@@ -495,23 +476,16 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     double v_sum = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
-      fields.rests = count > 1 && others_get_on && fields.largest_z <= rest_limit;
       const double shift = z_mean * boxes[k].share;
       const double z_r = sums_[k].z_r - shift * sums_[k].r;
       const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
-      fields.beta = fields.last_z_r > 0.0 && !fields.rests
-                        ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r)
-                        : 0.0;
-      fields.last_z_r = fields.rests || plain ? 0.0 : z_r;
+      fields.beta = fields.last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r) : 0.0;
+      fields.last_z_r = plain ? 0.0 : z_r;
       v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
     }
     const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
-      if (fields.rests) {
-        std::fill_n(fields.direction.data(), boxes[k].count(), Real{0});
-        continue;
-      }
       form_direction(plain ? fields.residual.data() : fields.correction.data(),
                      fields.direction.data(), fields.contact.data(), fields.beta,
                      (mean + v_mean) * boxes[k].share, boxes[k].count());

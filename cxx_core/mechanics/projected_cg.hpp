@@ -117,8 +117,6 @@ private:
     AlignedArray<Real> response;   ///< K v; also the input of a fresh u = K p
     AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
     double cut = 0.0;              ///< number of pressures below 0
-    bool rests = false;            ///< v = 0
-    double largest_z = 0.0;        ///< max|z|
     double beta = 0.0;
     double last_z_r = 0.0;       ///< <z, r> of the iteration before; 0: the next direction is z
     double step = 0.0;           ///< along v, and ...

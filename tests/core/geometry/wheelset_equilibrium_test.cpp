@@ -98,28 +98,6 @@ TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
   EXPECT_EQ(compared, 6);
 }
 
-TEST(WheelsetEquilibrium, StartRollChangesNothingButTheTime) {
-  // Also a start from which the contact has to jump, as it does between lateral = 5 and 5.5.
-  const Pair pair = s1002_on("60E1");
-  for (const double lateral : {-6.0, -5.0, 0.0, 2.5, 4.75, 5.0, 5.25, 5.5, 7.0}) {
-    for (const double yaw : {0.0, 0.02}) {
-      EquilibriumRequest request;
-      request.lateral = lateral;
-      request.yaw = yaw;
-      const auto cold = find_equilibrium(pair.wheel, pair.rail, request);
-      for (const double start : {cold.roll, cold.roll + 1e-5, -2e-3, 5e-3, 0.1, 7.0}) {
-        request.start_roll = start;
-        const auto warm = find_equilibrium(pair.wheel, pair.rail, request);
-        // Both distances are 1500 mm times the roll: to least_distance_tolerance and better.
-        EXPECT_NEAR(warm.roll, cold.roll, 1e-14) << lateral << ' ' << yaw << ' ' << start;
-        EXPECT_NEAR(warm.vertical, cold.vertical, least_distance_tolerance);
-        ASSERT_EQ(warm.left->scan.candidates.size(), cold.left->scan.candidates.size());
-        EXPECT_EQ(warm.left->scan.samples.size(), cold.left->scan.samples.size());
-      }
-    }
-  }
-}
-
 TEST(WheelsetEquilibrium, LargeWheelsDoNotRollOffTheRailsInSearchOfTheRoll) {
   // A roll of 0.1 rad, half the limit, moves a contact by 0.1 radii: off the rail.
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
