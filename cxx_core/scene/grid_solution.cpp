@@ -53,4 +53,33 @@ double GridSolution::weight(const PatchOnGrid& patch) const {
   return patch.contact.peak_pressure / peak_pressure();
 }
 
+std::vector<PlanePatches> GridSolution::patches_by_plane(bool solved) const {
+  std::vector<PlanePatches> planes;
+  bool begins = true;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchOnGrid& patch = patches[k];
+    begins = begins || !patch.place.with_last;
+    if (solved && patch.no_contact()) {
+      continue;
+    }
+    if (begins) {
+      planes.emplace_back();
+    }
+    begins = false;
+    planes.back().patches.push_back(k);
+    planes.back().normal_force += patch.normal_force;
+  }
+  for (PlanePatches& plane : planes) {
+    std::stable_sort(plane.patches.begin(), plane.patches.end(),
+                     [this](std::size_t one, std::size_t other) {
+                       return patches[one].normal_force > patches[other].normal_force;
+                     });
+  }
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const PlanePatches& one, const PlanePatches& other) {
+                     return one.normal_force > other.normal_force;
+                   });
+  return planes;
+}
+
 } // namespace wrc

@@ -38,6 +38,12 @@ struct PatchOnGrid {
   [[nodiscard]] double overlap(double approach) const;
 };
 
+/// Patches that share a plane.
+struct PlanePatches {
+  std::vector<std::size_t> patches; ///< of a solution, largest normal force first
+  double normal_force = 0.0;
+};
+
 struct GridSolution {
   Elements elements = Elements::smooth;
   double depth = 0.0;               ///< at which distances were sampled
@@ -54,6 +60,8 @@ struct GridSolution {
   /// Planes or interactions that follow from how close patches are, and so from the depth.
   [[nodiscard]] bool has_close_patches() const;
   [[nodiscard]] double peak_pressure() const;
+  /// Largest normal force first; without the patches that do not touch, if there are pressures.
+  [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;
   /// Largest pressure of a patch over that of the wheel.
   [[nodiscard]] double weight(const PatchOnGrid& patch) const;
 };

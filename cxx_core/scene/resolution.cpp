@@ -10,7 +10,7 @@ namespace {
 /// Rows over the penetration for an accuracy of 1e-2, and the power by which they grow: the fewest
 /// with which 99.5 of 100 wheels meet accuracies from 1e-1 to 3e-4 (`wrc_tradeoff`).
 constexpr double rows_at_one_percent = 21.0;
-constexpr double rows_exponent = 0.35;
+constexpr double rows_exponent = 0.37;
 constexpr double columns_by_rows = 0.45;
 /// The fewest that still hold a patch.
 constexpr double least_rows = 10.0;
@@ -21,7 +21,7 @@ constexpr double error_of_one_row = 1.5;
 constexpr double force_by_depth = 1.5;
 constexpr double constant_elements_error = 3.0;
 /// Of the accuracy, what rows may leave; the rest is for the iteration.
-constexpr double share_of_rows = 0.75;
+constexpr double share_of_rows = 0.7;
 
 std::size_t whole(double count) {
   return static_cast<std::size_t>(std::ceil(count));

@@ -38,7 +38,9 @@ constexpr double smooth_load_share = 1e-2;
 constexpr double smooth_position_share = 3e-3;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
 constexpr double accuracy_rounding_share = 0.25;
-/// Rows for crests that the first final solution shows, as a multiple of its own, at most.
+/// Rows for a crest that a section has not resolved, as a multiple of those before, at most: at a
+/// kink no number of rows resolves it. The error of a crest falls with the power of 1 to 2 of the
+/// rows, so as many times as many rows suffice as the error is too large.
 constexpr double most_refinement = 4.0;
 /// Coarse grids are refined to so many rows at most, until one finds contact.
 constexpr std::size_t most_coarse_rows = 1200;
@@ -88,7 +90,7 @@ private:
   GridSolution solve_coarsely(double depth);
   GridSolution solve_from(double depth);
   GridSolution solve_finally(double depth);
-  void find_peaks(GridSolution& solution) const;
+  void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
   void take(GridSolution solution);
@@ -271,8 +273,9 @@ GridSolution SideSolver::solve_coarsely(double depth) {
   return solution;
 }
 
-/// Pressures at the depth of a solution, between its elements.
-void SideSolver::find_peaks(GridSolution& solution) const {
+/// Largest pressures between the elements of a solution.
+void SideSolver::find_peaks(GridSolution& solution) {
+  const auto start = Clock::now();
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
   for (PatchOnGrid& patch : solution.patches) {
     if (!patch.no_contact()) {
@@ -283,6 +286,7 @@ void SideSolver::find_peaks(GridSolution& solution) const {
       patch.peak_error = peak.error;
     }
   }
+  result_.times.mechanics += seconds_since(start);
 }
 
 GridSolution SideSolver::solve_finally(double depth) {
@@ -304,10 +308,10 @@ GridSolution SideSolver::solve_finally(double depth) {
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
     const double permitted = request_.accuracy - error.grid; // for crests
-    if (error.crest <= permitted || request_.grid || refined) {
+    if (error.crest <= permitted || permitted <= 0.0 || request_.grid || refined) {
       return solution;
     }
-    const double times = std::min(error.crest / std::max(permitted, 0.0), most_refinement);
+    const double times = std::min(error.crest / permitted, most_refinement);
     counts.lateral = static_cast<std::size_t>(times * static_cast<double>(counts.lateral));
     refined = true;
   }
@@ -378,43 +382,6 @@ void SideSolver::warn_about(const GridSolution& solution) {
   }
 }
 
-/// Patches that share a plane.
-struct PlanePatches {
-  std::vector<std::size_t> patches; ///< of a solution, largest normal force first
-  double normal_force = 0.0;
-};
-
-/// Largest normal force first; without the patches that do not touch, if there are pressures.
-std::vector<PlanePatches> patches_by_plane(const GridSolution& solution, bool solved) {
-  std::vector<PlanePatches> planes;
-  bool begins = true;
-  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
-    const PatchOnGrid& patch = solution.patches[k];
-    begins = begins || !patch.place.with_last;
-    if (solved && patch.no_contact()) {
-      continue;
-    }
-    if (begins) {
-      planes.emplace_back();
-    }
-    begins = false;
-    planes.back().patches.push_back(k);
-    planes.back().normal_force += patch.normal_force;
-  }
-  for (PlanePatches& plane : planes) {
-    std::stable_sort(plane.patches.begin(), plane.patches.end(),
-                     [&solution](std::size_t one, std::size_t other) {
-                       return solution.patches[one].normal_force >
-                              solution.patches[other].normal_force;
-                     });
-  }
-  std::stable_sort(planes.begin(), planes.end(),
-                   [](const PlanePatches& one, const PlanePatches& other) {
-                     return one.normal_force > other.normal_force;
-                   });
-  return planes;
-}
-
 void SideSolver::take(GridSolution solution) {
   result_.in_contact = !result_.solved || !solution.no_contact();
   result_.depth = solution.depth;
@@ -430,7 +397,7 @@ void SideSolver::take(GridSolution solution) {
   if (!request_.position_is_prescribed()) {
     result_.load = request_.load();
   }
-  const std::vector<PlanePatches> planes = patches_by_plane(solution, result_.solved);
+  const std::vector<PlanePatches> planes = solution.patches_by_plane(result_.solved);
   std::vector<std::size_t> order;
   for (const PlanePatches& plane : planes) {
     order.insert(order.end(), plane.patches.begin(), plane.patches.end());
