@@ -20,6 +20,8 @@ constexpr double least_columns = 8.0;
 constexpr double error_of_one_row = 1.5;
 constexpr double force_by_depth = 1.5;
 constexpr double constant_elements_error = 3.0;
+/// Share of a grid that contact fills as a rule.
+constexpr double usual_fill = 0.32;
 /// Of the accuracy, what rows may leave; the rest is for the iteration.
 constexpr double share_of_rows = 0.7;
 
@@ -56,8 +58,13 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
   double rows = std::numeric_limits<double>::infinity();
   double bound = 0.0;
   for (const PatchOnGrid& patch : solution.patches) {
-    rows = std::min({rows, static_cast<double>(patch.grid.lateral_count),
-                     static_cast<double>(patch.grid.longitudinal_count) / columns_by_rows});
+    if (!patch.no_contact()) {
+      const double columns = static_cast<double>(patch.grid.longitudinal_count) / columns_by_rows;
+      const double filled =
+          static_cast<double>(patch.contact.element_count) / (usual_fill * columns_by_rows);
+      rows = std::min(
+          {rows, static_cast<double>(patch.grid.lateral_count), columns, std::sqrt(filled)});
+    }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }
   return {error_factor(goal) * error_of_one_row / (rows * rows) + solution.pressure_error,

@@ -5,11 +5,13 @@
 /// continuous in the scene. With n rows and at least 0.45 n columns, depth, forces and centre of
 /// pressure have an error below 1.5/n^2 in 95 to 99 of 100 wheels, half of them a third of it or
 /// more; the force at a prescribed position 1.5 times as much, since it goes with the depth to the
-/// power of 1.5. Two grids compared tell no more about a single wheel (docs/accuracy.md). The
-/// largest pressure, taken from a finer section (peak_section.hpp), has the same error and that of
-/// its crest besides. The area of contact is not counted: it is right to about forty accuracies.
-/// Averages of the gap over elements in place of its values at their centres were tried: errors of
-/// pmax are 5 to 10 times as large in the median, and no smaller in the tail.
+/// power of 1.5. Where contact fills less of the grid than usual (flange contact with much yaw), n
+/// is that of as many elements under pressure. Two grids compared tell no more about a single wheel
+/// (docs/accuracy.md). The largest pressure, taken from a finer section (peak_section.hpp), has the
+/// same error and that of its crest besides. The area of contact is not counted: it is right to
+/// about forty accuracies. Averages of the gap over elements in place of its values at their
+/// centres were tried: errors of pmax are 5 to 10 times as large in the median, and no smaller in
+/// the tail.
 /// Units: none. Thread rule: pure functions. Not known here: errors of planes and of the
 /// half-space.
 #pragma once
