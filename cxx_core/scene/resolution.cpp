@@ -25,6 +25,11 @@ constexpr double usual_fill = 0.32;
 /// Of the accuracy, what rows may leave; the rest is for the iteration.
 constexpr double share_of_rows = 0.7;
 
+/// Elements each way that an estimate above the accuracy takes, as a multiple of those before, at
+/// most: at a kink no number of rows resolves a crest. The error of a crest falls with the power
+/// of 1 to 2 of the rows, so as many times as many rows suffice as the error is too large.
+constexpr double most_refinement = 4.0;
+
 std::size_t whole(double count) {
   return static_cast<std::size_t>(std::ceil(count));
 }
@@ -69,6 +74,18 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
   }
   return {error_factor(goal) * error_of_one_row / (rows * rows) + solution.pressure_error,
           bound / solution.peak_pressure() - 1.0};
+}
+
+ElementCounts refined_counts(const ElementCounts& counts, const ErrorEstimate& error,
+                             double accuracy) {
+  const auto times = [](double factor, std::size_t count) {
+    return whole(std::min(factor, most_refinement) * static_cast<double>(count));
+  };
+  if (error.grid >= accuracy) {
+    const double factor = std::sqrt(error.grid / (share_of_rows * accuracy));
+    return {times(factor, counts.lateral), times(factor, counts.longitudinal)};
+  }
+  return {times(error.crest / (accuracy - error.grid), counts.lateral), counts.longitudinal};
 }
 
 } // namespace wrc

@@ -46,4 +46,9 @@ struct ErrorEstimate {
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 
+/// For a solution whose error is above the accuracy: more elements each way where contact fills
+/// little of its grid, or else more rows for the crest.
+ElementCounts refined_counts(const ElementCounts& counts, const ErrorEstimate& error,
+                             double accuracy);
+
 } // namespace wrc

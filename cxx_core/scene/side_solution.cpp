@@ -38,10 +38,6 @@ constexpr double smooth_load_share = 1e-2;
 constexpr double smooth_position_share = 3e-3;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
 constexpr double accuracy_rounding_share = 0.25;
-/// Rows for a crest that a section has not resolved, as a multiple of those before, at most: at a
-/// kink no number of rows resolves it. The error of a crest falls with the power of 1 to 2 of the
-/// rows, so as many times as many rows suffice as the error is too large.
-constexpr double most_refinement = 4.0;
 /// Coarse grids are refined to so many rows at most, until one finds contact.
 constexpr std::size_t most_coarse_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
@@ -307,12 +303,10 @@ GridSolution SideSolver::solve_finally(double depth) {
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
-    const double permitted = request_.accuracy - error.grid; // for crests
-    if (error.crest <= permitted || permitted <= 0.0 || request_.grid || refined) {
+    if (error.total() <= request_.accuracy || request_.grid || refined) {
       return solution;
     }
-    const double times = std::min(error.crest / permitted, most_refinement);
-    counts.lateral = static_cast<std::size_t>(times * static_cast<double>(counts.lateral));
+    counts = refined_counts(counts, error, request_.accuracy);
     refined = true;
   }
 }
