@@ -79,6 +79,7 @@ struct ContactPatch {
   /// neighbour, infinite on the outside.
   double territory_first = -std::numeric_limits<double>::infinity();
   double territory_last = std::numeric_limits<double>::infinity();
+  int lobes = 1;          ///< joined in it
   bool with_last = false; ///< shares its plane with the patch before: both are one contact
 
   /// Whether the deepest place of another patch, at another depth, lies in this one.

@@ -15,9 +15,9 @@ constexpr double virtual_penetration_share = 0.55;
 /// Narrower contacts are taken for lines of this axis ratio.
 constexpr double least_axis_ratio = 1e-4;
 /// The depth to a load is a start for coarse solutions. One per cent would be near enough, but
-/// where the search ends would show in forces by 5e-6 of the load. Depths outside the limits, mm,
-/// are not searched.
-constexpr double depth_accuracy = 1e-4;
+/// where the search ends would show in forces, of a load found to 1e-4 by 2e-6 of it. Depths
+/// outside the limits, mm, are not searched.
+constexpr double depth_accuracy = 1e-6;
 constexpr double first_depth = 0.05;
 constexpr double smallest_depth = 1e-300;
 constexpr double largest_depth_factor = 1e4;
@@ -51,41 +51,43 @@ double estimate_load(const ContactScan& scan, double combined_modulus, double de
 double estimate_depth(const ContactScan& scan, double combined_modulus, double load_asked,
                       LoadDirection direction) {
   // The load grows about with the power 1.5 of the depth: steps by that power until the load is
-  // bracketed, then a secant in logarithms, with a bisection now and then since the load may jump.
-  struct Loaded {
+  // bracketed, then regula falsi (Illinois) in logarithms. The load may jump.
+  struct Tried {
     double depth;
-    double load;
+    double excess; ///< logarithm of the load over the one asked for
   };
-  std::optional<Loaded> low;
-  std::optional<Loaded> high;
+  std::optional<Tried> low;
+  std::optional<Tried> high;
+  bool was_low = false;
   double depth = first_depth;
   for (int iteration = 1; iteration <= depth_iterations; ++iteration) {
     const double load = estimate_load(scan, combined_modulus, depth, direction);
-    if (std::abs(load - load_asked) <= depth_accuracy * load_asked) {
+    const double excess = std::log(load / load_asked);
+    if (std::abs(excess) <= depth_accuracy) {
       break;
     }
-    (load < load_asked ? low : high) = Loaded{depth, load};
+    const bool is_low = excess < 0.0;
+    (is_low ? low : high) = Tried{depth, excess};
     if (!low || !high) {
-      const double factor = std::cbrt(load_asked / load);
-      depth *= std::clamp(factor * factor, 1.0 / largest_depth_factor, largest_depth_factor);
+      depth *=
+          std::clamp(std::exp(-excess / 1.5), 1.0 / largest_depth_factor, largest_depth_factor);
       if (depth >= greatest_depth && low) {
         return greatest_depth;
       }
       if (depth <= smallest_depth) {
         return smallest_depth;
       }
-      continue;
+    } else {
+      const double ratio = high->depth / low->depth;
+      if (ratio <= 1.0 + depth_accuracy) {
+        return std::sqrt(low->depth * high->depth);
+      }
+      if (iteration > 2 && is_low == was_low) {
+        (is_low ? high : low)->excess *= 0.5;
+      }
+      depth = low->depth * std::pow(ratio, low->excess / (low->excess - high->excess));
     }
-    const double ratio = high->depth / low->depth;
-    if (ratio <= 1.0 + depth_accuracy) {
-      return std::sqrt(low->depth * high->depth);
-    }
-    const double share =
-        iteration % 4 == 0
-            ? 0.5
-            : std::clamp(std::log(load_asked / low->load) / std::log(high->load / low->load), 0.1,
-                         0.9);
-    depth = low->depth * std::pow(ratio, share);
+    was_low = is_low;
   }
   return depth;
 }

@@ -119,10 +119,12 @@ template <class Real> struct Lobe {
   Real angle;
   Real width;            ///< along the tangent
   Real penetration_next; ///< least one towards the next lobe; 0 if they are apart
+  int joined = 1;        ///< lobes in it
 
   /// Takes in the next one.
   void join(const Lobe& next) {
     last_place = next.last_place;
+    joined += next.joined;
     if (next.y_first < y_first) {
       y_first = next.y_first;
       z_first = next.z_first;
@@ -560,6 +562,7 @@ private:
 
   ContactPatch patch_of(const Lobe<Real>& lobe) const {
     ContactPatch patch;
+    patch.lobes = lobe.joined;
     patch.y_first = value_of(lobe.y_first);
     patch.y_last = value_of(lobe.y_last);
     patch.x_first = value_of(lobe.x_first);

@@ -112,6 +112,8 @@ constexpr std::array patch_numbers{
     Number<PatchResult>{"radii.1", length, [](const PatchResult& p) { return p.radius_lateral; }},
     Number<PatchResult>{"closeness", pure, [](const PatchResult& p) { return p.closeness; }},
     Number<PatchResult>{"regions", pure, regions_of_patch},
+    Number<PatchResult>{"lobes", pure,
+                        [](const PatchResult& p) { return static_cast<double>(p.lobes); }},
     Number<PatchResult>{"fill", pure, [](const PatchResult& p) { return p.fill; }},
     Number<PatchResult>{
         "grid.0", pure,

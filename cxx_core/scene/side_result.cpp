@@ -83,6 +83,7 @@ PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined
   }
   result.fill =
       static_cast<double>(contact.element_count) / static_cast<double>(patch.grid.element_count());
+  result.lobes = patch.place.lobes;
   result.grid = patch.grid;
   result.frame = patch.frame;
   result.undeformed_distance = std::move(patch.undeformed_distance);
@@ -100,9 +101,11 @@ PatchResult contact_of(std::span<PatchSolution> patches, const PosedPair& pair,
   }
   PatchResult result = patch_of(united(patches, pair.rail), pair, combined_modulus, side);
   double under_pressure = 0.0;
+  result.lobes = 0;
   for (PatchSolution& patch : patches) {
     const PatchResult& part =
         result.parts.emplace_back(patch_of(std::move(patch), pair, combined_modulus, side));
+    result.lobes += part.lobes;
     under_pressure +=
         part.fill * static_cast<double>(part.grid.element_count()) * part.grid.element_area();
   }

@@ -47,6 +47,7 @@ struct PatchResult {
   double radius_longitudinal = 0.0; ///< of curvature, of the Hertzian bodies with these semi-axes
   double radius_lateral = 0.0;
   double fill = 0.0; ///< share of the elements under pressure
+  int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
   Grid grid;
   /// What fields are computed from when they are asked for; left-hand frame of the side.
   ContactFrame frame;

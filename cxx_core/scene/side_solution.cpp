@@ -34,10 +34,10 @@ constexpr double vertical_convention_limit = 0.15;
 /// of the accuracy: at a prescribed position the iteration's error is seen in them at once, with
 /// the load prescribed only in how patches share it.
 constexpr double iteration_share = 0.2;
-constexpr double smooth_load_share = 1e-2;
+constexpr double smooth_load_share = 2e-2;
 constexpr double smooth_position_share = 3e-3;
 /// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
-constexpr double accuracy_rounding_share = 0.25;
+constexpr double accuracy_rounding_share = 0.5;
 /// Coarse grids are refined to so many rows at most, until one finds contact.
 constexpr std::size_t most_coarse_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the

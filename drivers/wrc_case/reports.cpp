@@ -210,8 +210,8 @@ void print_texts(const Scene& scene, std::ostream& out) {
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array<const char*, 6> counts{".iterations", ".convolutions", ".solutions",
-                                              ".regions",    ".grid.0",       ".grid.1"};
+  constexpr std::array<const char*, 7> counts{
+      ".iterations", ".convolutions", ".solutions", ".regions", ".lobes", ".grid.0", ".grid.1"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }

@@ -38,6 +38,7 @@ constexpr std::array units{
     Unit{".grid", "1"},
     Unit{"closeness", "1"},
     Unit{"regions", "1"},
+    Unit{"lobes", "1"},
     Unit{"count", "1"},
     Unit{"iterations", "1"},
     Unit{"convolutions", "1"},

@@ -33,6 +33,7 @@ void add_entries(const wrcontact::Scene& scene, const std::string& list, const s
     }
     const std::string name = told + ' ' + std::to_string(count);
     facts[name + " grid"] = grid_of(scene, entry);
+    facts[name + " lobes"] = std::to_string(static_cast<long>(scene.number(entry + ".lobes")));
     for (const char* index : {"0", "1"}) {
       const std::string size = entry + ".element_size." + index;
       if (scene.has_number(size)) {
