@@ -77,6 +77,22 @@ CurvePoint CurveGraph::at_lateral(double lateral, double& arc) const {
   return point;
 }
 
+double CurveGraph::sharpest_ridge(double lateral_first, double lateral_last) const {
+  double sharpest = 0.0;
+  for (std::size_t node = 1; node < piece_count(); ++node) {
+    if (laterals_[node] < lateral_first || laterals_[node] > lateral_last) {
+      continue;
+    }
+    const std::size_t piece = pieces_.first + node;
+    const CurvePoint before =
+        curve_.at(piece - 1, curve_.starts()[piece] - curve_.starts()[piece - 1]);
+    const CurvePoint after = curve_.at(piece, 0.0);
+    sharpest = std::max(sharpest, before.tangent_height * after.tangent_lateral -
+                                      before.tangent_lateral * after.tangent_height);
+  }
+  return std::asin(std::min(sharpest, 1.0));
+}
+
 double arc_of_highest_point(const Curve& curve) {
   std::size_t best = 0;
   for (std::size_t piece = 1; piece < curve.piece_count(); ++piece) {

@@ -39,6 +39,9 @@ public:
   [[nodiscard]] CurvePoint at_lateral(double lateral) const;
   /// The same, also telling the arc length.
   [[nodiscard]] CurvePoint at_lateral(double lateral, double& arc) const;
+  /// The largest angle, rad, by which the curve turns downwards between two pieces that meet over a
+  /// stretch: 0 unless there is a ridge.
+  [[nodiscard]] double sharpest_ridge(double lateral_first, double lateral_last) const;
 
 private:
   struct Pieces {

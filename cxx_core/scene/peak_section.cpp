@@ -76,6 +76,23 @@ double top_of_row(const PatchOnGrid& patch, std::size_t row) {
   return *top + (inside ? above_value(*(top - 1), *top, *(top + 1)) : 0.0);
 }
 
+/// What a ridge of the profiles adds to the largest pressure with every strip e times narrower
+/// (Johnson, Contact Mechanics, 1985, eq. 5.28: a wedge's pressure has no limit), where it lies
+/// under the pressures or within two rows of them.
+double growth_at_ridge(const PatchOnGrid& patch, const PosedPair& pair, double combined_modulus,
+                       double lateral_first, double lateral_last) {
+  const auto y = [&](double lateral) {
+    return patch.frame.origin.y + patch.frame.lateral.y * lateral;
+  };
+  const auto s = [&](double lateral) {
+    return patch.place.deepest_s + (y(lateral) - patch.place.deepest_y) / std::cos(pair.pose.roll);
+  };
+  const double angle =
+      std::max(pair.rail.graph().sharpest_ridge(y(lateral_first), y(lateral_last)),
+               pair.wheel.graph().sharpest_ridge(s(lateral_first), s(lateral_last)));
+  return combined_modulus * angle / (2.0 * std::numbers::pi);
+}
+
 PeakInSection highest_of(const std::vector<double>& pressure) {
   const auto at = [&pressure](std::size_t i) { return i < pressure.size() ? pressure[i] : 0.0; };
   PeakInSection peak;
@@ -143,7 +160,9 @@ PeakInSection peak_in_section(const PatchOnGrid& patch, Elements elements, const
   fine =
       solve_strips({strips.lateral_step, length, combined_modulus, approach, distance, tolerance},
                    std::move(fine));
-  const PeakInSection peak = highest_of(fine);
+  PeakInSection peak = highest_of(fine);
+  peak.error += growth_at_ridge(patch, pair, combined_modulus, begin - grid.lateral_step,
+                                begin + width + grid.lateral_step);
   // No strip in contact: the overlap is lost in rounding.
   return peak.pressure > 0.0 ? peak : PeakInSection{patch.contact.peak_pressure, 0.0};
 }
