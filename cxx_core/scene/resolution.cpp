@@ -10,7 +10,7 @@ namespace {
 /// Rows over the penetration for an accuracy of 1e-2, and the power by which they grow: the fewest
 /// with which 99.5 of 100 wheels meet accuracies from 1e-1 to 3e-4 (`wrc_tradeoff`).
 constexpr double rows_at_one_percent = 21.0;
-constexpr double rows_exponent = 0.37;
+constexpr double rows_exponent = 0.355;
 constexpr double columns_by_rows = 0.45;
 /// The fewest that still hold a patch.
 constexpr double least_rows = 10.0;
