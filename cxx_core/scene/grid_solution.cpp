@@ -34,13 +34,6 @@ bool GridSolution::no_contact() const {
                      [](const PatchOnGrid& patch) { return patch.no_contact(); });
 }
 
-bool GridSolution::has_close_patches() const {
-  return std::any_of(links.begin(), links.end(), [](double link) { return link > 0.0; }) ||
-         std::any_of(patches.begin(), patches.end(), [](const PatchOnGrid& patch) {
-           return patch.place.angle != patch.place.own_angle;
-         });
-}
-
 double GridSolution::peak_pressure() const {
   double peak = 0.0;
   for (const PatchOnGrid& patch : patches) {

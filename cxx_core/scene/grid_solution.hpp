@@ -57,8 +57,6 @@ struct GridSolution {
   std::optional<double> left_out_s;            ///< see SidePlan
 
   [[nodiscard]] bool no_contact() const;
-  /// Planes or interactions that follow from how close patches are, and so from the depth.
-  [[nodiscard]] bool has_close_patches() const;
   [[nodiscard]] double peak_pressure() const;
   /// Largest normal force first; without the patches that do not touch, if there are pressures.
   [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;

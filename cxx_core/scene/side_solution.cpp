@@ -16,20 +16,19 @@ namespace {
 
 /// Accuracy whose elements the coarse solution before a grid given by hand has.
 constexpr double coarse_accuracy = 1e-2;
-/// Of the coarse solution: its depth is what the final one starts from, and that is to be a smooth
-/// function of the scene.
+/// Of coarse solutions: the depth that the final one starts from is to be a smooth function of the
+/// scene.
 constexpr double coarse_tolerance = 1e-4;
-/// Final solutions at another depth or on a finer grid before it gives up.
-constexpr int final_limit = 20;
+/// Solutions at other depths or on finer grids before it gives up.
+constexpr int most_attempts = 20;
 /// The least that a step leaves of the depth.
 constexpr double least_depth_left = 0.1;
-/// Steps to other depths that shrink by less than this in a step are not followed to their end.
+/// Where the step changes by less than this with the depth, the secant would lead astray.
 constexpr double least_rate = -0.1;
-/// A wheel that sinks by another share of its depth slides along the tangent by that times the sine
-/// of the contact angle, which changes pmax by a twentieth of it (0.8 to 1.9 % were measured for
-/// slides of 0.17 to 0.42 of the depth). Planes and interactions of patches that are close change
-/// with the depth about as much. This, in accuracies, is what remains.
-constexpr double greatest_slide = 1.0;
+/// Of forces, in accuracies: what coarse solutions leave to be done at most, and what planes and
+/// interactions of another depth may change in the final solution.
+constexpr double greatest_left = 0.05;
+constexpr double greatest_change = 0.5;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 constexpr double vertical_convention_limit = 0.15;
 /// Share of the accuracy that the iteration may take. Forces are to be smooth, too, to a thousandth
@@ -52,6 +51,29 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
+/// a half only.
+class DepthIteration {
+public:
+  [[nodiscard]] double next(double depth, double asked) {
+    const double step = asked - depth;
+    const double rate = last_step_ != 0.0 ? (step - last_step_) / (depth - last_depth_) : -1.0;
+    last_depth_ = depth;
+    last_step_ = step;
+    return rate < least_rate ? std::max(depth - step / rate, least_depth_left * depth) : asked;
+  }
+
+private:
+  double last_depth_ = 0.0;
+  double last_step_ = 0.0;
+};
+
+/// What planes and interactions of another depth change, as shares of the load.
+struct DepthChange {
+  double forces = 0.0;
+  double after_step = 0.0; ///< what a solution at that depth would find still to be changed
+};
+
 class SideSolver {
 public:
   SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
@@ -72,9 +94,7 @@ private:
                                                                GridSolution& solution) const;
   GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance);
   JointSolution solve_joint(const JointProblem& problem);
-  /// Whether a step to another depth than that of its planes and distances would be seen in a
-  /// solution.
-  [[nodiscard]] bool moves_on(const GridSolution& solution, double step) const;
+  [[nodiscard]] DepthChange change_at(double depth, const GridSolution& solution) const;
   [[nodiscard]] double next_depth(const GridSolution& solution) const {
     // Not above the first touch, where there is nothing to sample.
     return request_.position_is_prescribed()
@@ -86,8 +106,7 @@ private:
     return request_.grid ? ElementCounts{(*request_.grid)[0], (*request_.grid)[1]}
                          : counts_for(goal_);
   }
-  GridSolution solve_coarsely(double depth);
-  GridSolution solve_from(double depth);
+  double find_depth(double depth);
   GridSolution solve_finally(double depth);
   void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
@@ -247,28 +266,68 @@ GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, dou
   return solution;
 }
 
-bool SideSolver::moves_on(const GridSolution& solution, double step) const {
-  if (request_.position_is_prescribed()) {
-    return false;
+/// A wheel that sinks along a plane under the angle a slides along it by sin(a) of the step, and
+/// distances then change by that times the angle to the plane: of a step, at most tan(a) times the
+/// turn of the rail within the patch is still to be done after it.
+DepthChange SideSolver::change_at(double depth, const GridSolution& solution) const {
+  DepthChange change;
+  if (depth == solution.depth) {
+    return change; // a prescribed position
   }
-  double slide = solution.has_close_patches() ? 1.0 : 0.0;
-  for (const PatchOnGrid& patch : solution.patches) {
-    if (!patch.no_contact()) {
-      slide = std::max(slide, solution.weight(patch) * std::abs(std::sin(patch.frame.angle())));
+  const SidePlan plan = planner_.plan(depth);
+  const auto add = [&](double forces, double left) {
+    change.forces = std::max(change.forces, forces);
+    change.after_step = std::max(change.after_step, forces * left);
+  };
+  for (const PlannedPatch& there : plan.patches) {
+    const ContactPatch& place = there.place;
+    const auto here =
+        std::find_if(solution.patches.begin(), solution.patches.end(),
+                     [&](const PatchOnGrid& patch) { return patch.place.holds(place); });
+    if (here == solution.patches.end()) {
+      add(place.share, 1.0);
+    } else {
+      const double angle = there.frame.angle();
+      add(place.share * std::abs(angle - here->frame.angle()),
+          std::abs(std::tan(angle) * (place.angle_last - place.angle_first)));
     }
   }
-  return slide * std::abs(step) > greatest_slide * request_.accuracy * solution.next_depth;
+  if (plan.found.links.size() == solution.links.size()) { // else patches join, or one is born
+    for (std::size_t k = 0; k < solution.links.size(); ++k) {
+      add(std::abs(plan.found.links[k] - solution.links[k]), 1.0);
+    }
+  }
+  return change;
 }
 
-/// One solution on few elements, on more only where contact falls between them.
-GridSolution SideSolver::solve_coarsely(double depth) {
+/// The depth for the load by solutions on few elements, on more only where contact falls between
+/// them. Each further one counts by how much the one before left to be done, so that the depth is a
+/// continuous function of the scene.
+double SideSolver::find_depth(double depth) {
   ElementCounts counts = coarse_counts(request_.grid ? coarse_accuracy : request_.accuracy);
   GridSolution solution = solve_at(depth, counts, coarse_tolerance);
   while (solution.no_contact() && counts.lateral < most_coarse_rows) {
     counts = {2 * counts.lateral, 2 * counts.longitudinal};
     solution = solve_at(depth, counts, coarse_tolerance);
   }
-  return solution;
+  double found = next_depth(solution);
+  double weight = 1.0;
+  DepthIteration iteration;
+  for (int attempt = 1; attempt < most_attempts && !solution.no_contact(); ++attempt) {
+    const double next = next_depth(solution);
+    const double left = change_at(next, solution).after_step / (greatest_left * request_.accuracy);
+    weight *= std::clamp(left - 1.0, 0.0, 1.0);
+    if (weight == 0.0) {
+      return found;
+    }
+    depth = iteration.next(depth, next);
+    solution = solve_at(depth, counts, coarse_tolerance);
+    found += weight * (next_depth(solution) - found);
+  }
+  if (solution.no_contact()) {
+    throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
+  }
+  return found;
 }
 
 /// Largest pressures between the elements of a solution.
@@ -287,50 +346,34 @@ void SideSolver::find_peaks(GridSolution& solution) {
   result_.times.mechanics += seconds_since(start);
 }
 
-/// The depth by the secant method where the plain iteration slides along a steep tangent: there
-/// its steps shrink to a half only.
+/// At the depth found, on more elements where the estimate asks for them.
 GridSolution SideSolver::solve_finally(double depth) {
   ElementCounts counts = final_counts();
-  bool refined = false;
-  double last_depth = 0.0;
-  double last_step = 0.0;
+  bool refined = request_.grid.has_value();
+  DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
     GridSolution solution = solve_at(depth, counts, tolerance());
-    if (solution.no_contact() || attempt == final_limit) {
+    if (solution.no_contact() || attempt == most_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
-    }
-    const double step = next_depth(solution) - depth;
-    const double rate = last_step != 0.0 ? (step - last_step) / (depth - last_depth) : -1.0;
-    last_depth = depth;
-    last_step = step;
-    if (moves_on(solution, step)) {
-      depth = std::max(depth + (rate < least_rate ? -step / rate : step), least_depth_left * depth);
-      continue;
     }
     if (request_.accuracy_of == AccuracyOf::pressures) {
       find_peaks(solution);
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
-    if (error.total() <= request_.accuracy || request_.grid || refined) {
+    const bool refines = !refined && error.total() > request_.accuracy;
+    const double next = next_depth(solution);
+    if (!refines && change_at(next, solution).forces <= greatest_change * request_.accuracy) {
       return solution;
     }
-    counts = refined_counts(counts, error, request_.accuracy);
-    refined = true;
+    depth = iteration.next(depth, next);
+    if (refines) {
+      counts = refined_counts(counts, error, request_.accuracy);
+      refined = true;
+      iteration = {};
+    }
   }
-}
-
-/// A coarse solution finds the depth; where it is prescribed, the final one is the only one.
-GridSolution SideSolver::solve_from(double depth) {
-  if (request_.position_is_prescribed()) {
-    return solve_finally(depth);
-  }
-  const GridSolution coarse = solve_coarsely(depth);
-  if (coarse.no_contact()) {
-    throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
-  }
-  return solve_finally(next_depth(coarse));
 }
 
 std::string edge_warning(const PatchOnGrid& patch) {
@@ -463,7 +506,8 @@ SideSolution SideSolver::solve() {
     take(sample_only(depth));
     return std::move(result_);
   }
-  GridSolution solution = solve_from(depth);
+  GridSolution solution =
+      solve_finally(request_.position_is_prescribed() ? depth : find_depth(depth));
   warn_about(solution);
   take(std::move(solution));
   return std::move(result_);
