@@ -37,8 +37,9 @@ constexpr double vertical_convention_limit = 0.15;
 constexpr double iteration_share = 0.2;
 constexpr double smooth_load_share = 2e-2;
 constexpr double smooth_position_share = 3e-3;
-/// Share of the iteration's tolerance that rounding may take: a twentieth of the accuracy.
-constexpr double accuracy_rounding_share = 0.5;
+/// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it averages
+/// out.
+constexpr double greatest_rounding = 0.1;
 /// Coarse grids are refined to so many rows at most, until one finds contact.
 constexpr std::size_t most_coarse_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
@@ -241,7 +242,7 @@ GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, dou
   }
   problem.tolerance = tolerance;
   if (!request_.grid) {
-    problem.rounding_share = accuracy_rounding_share;
+    problem.rounding_share = greatest_rounding * request_.accuracy / tolerance;
   }
   problem.maximum_iterations = request_.maximum_iterations;
   problem.elements = request_.elements;
