@@ -26,6 +26,9 @@ struct PatchGap {
   Grid grid;
   std::span<const double> undeformed_distance; ///< h per element centre, mm. Finite.
   double approach_share = 1.0;                 ///< s, in (0, 1]
+  /// To start from, MPa, on as many elements or on half of them each way, odd ones rounded up; none
+  /// or another number: by itself.
+  std::span<const double> start = {};
 };
 
 /// Where the patches lie in their mean plane, and how much of their interaction counts.

@@ -157,6 +157,7 @@ struct NormalSolver::State {
 
   void make_levels(const JointProblem& problem);
   void draw_start(std::size_t index);
+  [[nodiscard]] std::optional<std::size_t> take_start(const JointProblem& problem);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
   void displace_by_others(std::size_t k, const ElementBox& rectangle);
@@ -290,6 +291,33 @@ void NormalSolver::State::draw_start(std::size_t index) {
     }
   }
   approach = load ? height : approach;
+}
+
+/// The level that the pressures given to start from belong to, with these on it.
+std::optional<std::size_t> NormalSolver::State::take_start(const JointProblem& problem) {
+  const auto belong_to = [&](std::size_t index) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (index >= cascades[k].level_count ||
+          problem.patches[k].start.size() != cascades[k].levels[index].size.count()) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (const std::size_t index : {0, 1}) {
+    if (!belong_to(index)) {
+      continue;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::span<const double> start = problem.patches[k].start;
+      std::vector<double>& pressure = cascades[k].levels[index].pressure;
+      pressure.resize(start.size());
+      std::transform(start.begin(), start.end(), pressure.begin(),
+                     [this](double p) { return p / pressure_scale; });
+    }
+    return index;
+  }
+  return std::nullopt;
 }
 
 /// The box around a patch's pressures; without any, around its penetration at the last approach, or
@@ -561,13 +589,17 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   for (std::size_t k = 0; k < count; ++k) {
     level_count = std::max(level_count, cascades[k].level_count);
   }
-  draw_start(level_count - 1);
+  const std::optional<std::size_t> start = take_start(problem);
+  const std::size_t first = start ? std::max<std::size_t>(*start, 1) : level_count;
+  if (!start) {
+    draw_start(level_count - 1);
+  }
   IterationOutcome outcome;
-  for (std::size_t i = level_count; i-- > 0;) {
+  for (std::size_t i = first; i-- > 0;) {
     bool any_pressure = false;
     for (std::size_t k = 0; k < count; ++k) {
       Cascade& cascade = cascades[k];
-      if (i + 1 < cascade.level_count) {
+      if (i + 1 < cascade.level_count && i != start) {
         const Level& coarser = cascade.levels[i + 1];
         Level& level = cascade.levels[i];
         refine_pressure(coarser.size, coarser.pressure, level.size, level.pressure);
@@ -576,7 +608,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
       any_pressure = any_pressure || std::any_of(level.pressure.begin(), level.pressure.end(),
                                                  [](double p) { return p > 0.0; });
     }
-    if (i + 1 < level_count) {
+    if (start || i + 1 < level_count) {
       for (std::size_t k = 0; k < count && any_pressure; ++k) {
         choose_box(cascades[k], cascades[k].at(i));
       }

@@ -25,10 +25,11 @@ constexpr int most_attempts = 20;
 constexpr double least_depth_left = 0.1;
 /// Where the step changes by less than this with the depth, the secant would lead astray.
 constexpr double least_rate = -0.1;
-/// Of forces, in accuracies: what coarse solutions leave to be done at most, and what planes and
-/// interactions of another depth may change in the final solution.
-constexpr double greatest_left = 0.05;
-constexpr double greatest_change = 0.5;
+/// What may be left to be done of a relative change of distances, in accuracies: by coarse
+/// solutions, and by the final one. Slopes of forces follow from the depth found: with 0.2 in the
+/// final one they differ from sensitivities by 5 per cent under steep angles, with this by 1.
+constexpr double greatest_left = 0.2;
+constexpr double greatest_change = 0.02;
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 constexpr double vertical_convention_limit = 0.15;
 /// Share of the accuracy that the iteration may take. Forces are to be smooth, too, to a thousandth
@@ -37,8 +38,8 @@ constexpr double vertical_convention_limit = 0.15;
 constexpr double iteration_share = 0.2;
 constexpr double smooth_load_share = 2e-2;
 constexpr double smooth_position_share = 3e-3;
-/// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it averages
-/// out.
+/// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it
+/// averages out.
 constexpr double greatest_rounding = 0.1;
 /// Coarse grids are refined to so many rows at most, until one finds contact.
 constexpr std::size_t most_coarse_rows = 1200;
@@ -53,26 +54,26 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
-/// a half only.
+/// a half only. A step counts by how far what it changes exceeds a limit, from nothing at the limit
+/// to all at twice it: depths are continuous functions of the scene, whatever the number of steps.
 class DepthIteration {
 public:
-  [[nodiscard]] double next(double depth, double asked) {
+  /// `change`: in limits. None: there is nothing left to be done.
+  [[nodiscard]] std::optional<double> next(double depth, double asked, double change) {
+    if (!(change > 1.0)) {
+      return std::nullopt;
+    }
     const double step = asked - depth;
     const double rate = last_step_ != 0.0 ? (step - last_step_) / (depth - last_depth_) : -1.0;
     last_depth_ = depth;
     last_step_ = step;
-    return rate < least_rate ? std::max(depth - step / rate, least_depth_left * depth) : asked;
+    const double whole = rate < least_rate ? -step / rate : step;
+    return std::max(depth + std::min(2.0 - 2.0 / change, 1.0) * whole, least_depth_left * depth);
   }
 
 private:
   double last_depth_ = 0.0;
   double last_step_ = 0.0;
-};
-
-/// What planes and interactions of another depth change, as shares of the load.
-struct DepthChange {
-  double forces = 0.0;
-  double after_step = 0.0; ///< what a solution at that depth would find still to be changed
 };
 
 class SideSolver {
@@ -93,9 +94,12 @@ private:
   /// Which patches interact, and where they lie in their mean plane; none if none do.
   [[nodiscard]] std::optional<PatchInteraction> interaction_of(const SidePlan& plan,
                                                                GridSolution& solution) const;
-  GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance);
+  /// Starting from the pressures of `before`, at another depth or on fewer elements, if they fit.
+  GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance,
+                        const GridSolution* before);
   JointSolution solve_joint(const JointProblem& problem);
-  [[nodiscard]] DepthChange change_at(double depth, const GridSolution& solution) const;
+  /// Relative change of distances within patches, as a share of that of the depth.
+  [[nodiscard]] double sliding(const GridSolution& solution) const;
   [[nodiscard]] double next_depth(const GridSolution& solution) const {
     // Not above the first touch, where there is nothing to sample.
     return request_.position_is_prescribed()
@@ -107,8 +111,8 @@ private:
     return request_.grid ? ElementCounts{(*request_.grid)[0], (*request_.grid)[1]}
                          : counts_for(goal_);
   }
-  double find_depth(double depth);
-  GridSolution solve_finally(double depth);
+  GridSolution solve_coarsely(double depth);
+  GridSolution solve_finally(double depth, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
@@ -222,7 +226,8 @@ std::optional<PatchInteraction> SideSolver::interaction_of(const SidePlan& plan,
   return any ? std::optional(std::move(interaction)) : std::nullopt;
 }
 
-GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, double tolerance) {
+GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, double tolerance,
+                                  const GridSolution* before) {
   const auto plan_start = Clock::now();
   const SidePlan plan = planner_.plan(depth);
   result_.times.remesh += seconds_since(plan_start);
@@ -230,7 +235,10 @@ GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, dou
   const auto mechanics_start = Clock::now();
   std::vector<PatchGap> gaps;
   for (const PatchOnGrid& patch : solution.patches) {
-    gaps.push_back({patch.grid, patch.distance, patch.share});
+    PatchGap& gap = gaps.emplace_back(patch.grid, patch.distance, patch.share);
+    if (before != nullptr && before->patches.size() == solution.patches.size()) {
+      gap.start = before->patches[gaps.size() - 1].pressure;
+    }
   }
   JointProblem problem;
   problem.patches = gaps;
@@ -268,67 +276,49 @@ GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, dou
 }
 
 /// A wheel that sinks along a plane under the angle a slides along it by sin(a) of the step, and
-/// distances then change by that times the angle to the plane: of a step, at most tan(a) times the
-/// turn of the rail within the patch is still to be done after it.
-DepthChange SideSolver::change_at(double depth, const GridSolution& solution) const {
-  DepthChange change;
-  if (depth == solution.depth) {
-    return change; // a prescribed position
+/// distances then change by that times the angle to the plane: at most tan(a) times the turn of the
+/// rail within the patch, as shares of the step along the normal. Where interactions and planes
+/// follow from how close patches are, all may change with the depth.
+double SideSolver::sliding(const GridSolution& solution) const {
+  double most = 0.0;
+  for (const double link : solution.links) {
+    most = std::max(most, 4.0 * link * (1.0 - link));
   }
-  const SidePlan plan = planner_.plan(depth);
-  const auto add = [&](double forces, double left) {
-    change.forces = std::max(change.forces, forces);
-    change.after_step = std::max(change.after_step, forces * left);
-  };
-  for (const PlannedPatch& there : plan.patches) {
-    const ContactPatch& place = there.place;
-    const auto here =
-        std::find_if(solution.patches.begin(), solution.patches.end(),
-                     [&](const PatchOnGrid& patch) { return patch.place.holds(place); });
-    if (here == solution.patches.end()) {
-      add(place.share, 1.0);
-    } else {
-      const double angle = there.frame.angle();
-      add(place.share * std::abs(angle - here->frame.angle()),
-          std::abs(std::tan(angle) * (place.angle_last - place.angle_first)));
-    }
+  for (const PatchOnGrid& patch : solution.patches) {
+    const auto angle_at = [this](double y) {
+      return std::atan(rail_.graph().at_lateral(y).slope());
+    };
+    const double turn = angle_at(patch.place.y_last) - angle_at(patch.place.y_first);
+    most = std::max(most, patch.place.share * std::abs(std::tan(patch.frame.angle()) * turn));
   }
-  if (plan.found.links.size() == solution.links.size()) { // else patches join, or one is born
-    for (std::size_t k = 0; k < solution.links.size(); ++k) {
-      add(std::abs(plan.found.links[k] - solution.links[k]), 1.0);
-    }
-  }
-  return change;
+  return most;
 }
 
-/// The depth for the load by solutions on few elements, on more only where contact falls between
-/// them. Each further one counts by how much the one before left to be done, so that the depth is a
-/// continuous function of the scene.
-double SideSolver::find_depth(double depth) {
+/// Finds the depth for the load by solutions on few elements, on more only where contact falls
+/// between them.
+GridSolution SideSolver::solve_coarsely(double depth) {
   ElementCounts counts = coarse_counts(request_.grid ? coarse_accuracy : request_.accuracy);
-  GridSolution solution = solve_at(depth, counts, coarse_tolerance);
-  while (solution.no_contact() && counts.lateral < most_coarse_rows) {
-    counts = {2 * counts.lateral, 2 * counts.longitudinal};
-    solution = solve_at(depth, counts, coarse_tolerance);
-  }
-  double found = next_depth(solution);
-  double weight = 1.0;
   DepthIteration iteration;
-  for (int attempt = 1; attempt < most_attempts && !solution.no_contact(); ++attempt) {
-    const double next = next_depth(solution);
-    const double left = change_at(next, solution).after_step / (greatest_left * request_.accuracy);
-    weight *= std::clamp(left - 1.0, 0.0, 1.0);
-    if (weight == 0.0) {
-      return found;
+  std::optional<GridSolution> before;
+  for (int attempt = 1;; ++attempt) {
+    GridSolution solution = solve_at(depth, counts, coarse_tolerance, before ? &*before : nullptr);
+    if (solution.no_contact()) {
+      if (counts.lateral >= most_coarse_rows) {
+        throw Error(ErrorCode::internal,
+                    "no contact found at a depth of " + text_of(depth) + " mm");
+      }
+      counts = {2 * counts.lateral, 2 * counts.longitudinal};
+      continue;
     }
-    depth = iteration.next(depth, next);
-    solution = solve_at(depth, counts, coarse_tolerance);
-    found += weight * (next_depth(solution) - found);
+    const double asked = next_depth(solution);
+    const double left = std::abs(asked / depth - 1.0) * std::pow(sliding(solution), 2);
+    const auto next = iteration.next(depth, asked, left / (greatest_left * request_.accuracy));
+    if (!next || attempt >= most_attempts) {
+      return solution;
+    }
+    depth = *next;
+    before = std::move(solution);
   }
-  if (solution.no_contact()) {
-    throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
-  }
-  return found;
 }
 
 /// Largest pressures between the elements of a solution.
@@ -348,12 +338,12 @@ void SideSolver::find_peaks(GridSolution& solution) {
 }
 
 /// At the depth found, on more elements where the estimate asks for them.
-GridSolution SideSolver::solve_finally(double depth) {
+GridSolution SideSolver::solve_finally(double depth, std::optional<GridSolution> before) {
   ElementCounts counts = final_counts();
   bool refined = request_.grid.has_value();
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
-    GridSolution solution = solve_at(depth, counts, tolerance());
+    GridSolution solution = solve_at(depth, counts, tolerance(), before ? &*before : nullptr);
     if (solution.no_contact() || attempt == most_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
@@ -363,17 +353,20 @@ GridSolution SideSolver::solve_finally(double depth) {
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
+    const double asked = next_depth(solution);
+    const double change = std::abs(asked / depth - 1.0) * sliding(solution);
+    const auto next = iteration.next(depth, asked, change / (greatest_change * request_.accuracy));
     const bool refines = !refined && error.total() > request_.accuracy;
-    const double next = next_depth(solution);
-    if (!refines && change_at(next, solution).forces <= greatest_change * request_.accuracy) {
+    if (!next && !refines) {
       return solution;
     }
-    depth = iteration.next(depth, next);
+    depth = next.value_or(depth);
     if (refines) {
       counts = refined_counts(counts, error, request_.accuracy);
       refined = true;
       iteration = {};
     }
+    before = std::move(solution);
   }
 }
 
@@ -507,8 +500,12 @@ SideSolution SideSolver::solve() {
     take(sample_only(depth));
     return std::move(result_);
   }
-  GridSolution solution =
-      solve_finally(request_.position_is_prescribed() ? depth : find_depth(depth));
+  std::optional<GridSolution> coarse;
+  if (!request_.position_is_prescribed()) {
+    coarse = solve_coarsely(depth);
+  }
+  const double found = coarse ? next_depth(*coarse) : depth;
+  GridSolution solution = solve_finally(found, std::move(coarse));
   warn_about(solution);
   take(std::move(solution));
   return std::move(result_);
