@@ -20,8 +20,8 @@ constexpr double least_columns = 8.0;
 constexpr double error_of_one_row = 1.5;
 constexpr double force_by_depth = 1.5;
 constexpr double constant_elements_error = 3.0;
-/// Share of a grid that contact fills as a rule.
-constexpr double usual_fill = 0.32;
+/// Share of a grid's row that an ellipse fills in the mean whose axes are 0.7 of the grid's sides.
+constexpr double usual_share_of_row = 0.55;
 /// Of the accuracy, what rows may leave; the rest is for the iteration.
 constexpr double share_of_rows = 0.7;
 
@@ -47,6 +47,16 @@ double rows_for(double accuracy) {
                    std::sqrt(error_of_one_row / (share_of_rows * accuracy)), least_rows});
 }
 
+/// Columns of a grid over which contact would be spread as usual: where it lies askew in its grid,
+/// as on the flange with yaw, a row of it is short.
+double columns_in_use(const PatchOnGrid& patch) {
+  const IndexBox& box = patch.contact.box;
+  const auto rows = static_cast<double>(box.lateral_last - box.lateral_first + 1);
+  const double in_a_row = static_cast<double>(patch.contact.element_count) / rows;
+  return std::min(in_a_row / usual_share_of_row,
+                  static_cast<double>(patch.grid.longitudinal_count));
+}
+
 ElementCounts counts_with(double rows) {
   return {whole(rows), whole(std::max(columns_by_rows * rows, least_columns))};
 }
@@ -62,33 +72,36 @@ ElementCounts coarse_counts(double accuracy) {
 }
 
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal) {
-  double rows = std::numeric_limits<double>::infinity();
+  ErrorEstimate error;
   double bound = 0.0;
+  const auto law = [&](double rows) {
+    return error_factor(goal) * error_of_one_row / (rows * rows);
+  };
   for (const PatchOnGrid& patch : solution.patches) {
     if (!patch.no_contact()) {
-      const double columns = static_cast<double>(patch.grid.longitudinal_count) / columns_by_rows;
-      const double filled =
-          static_cast<double>(patch.contact.element_count) / (usual_fill * columns_by_rows);
-      rows = std::min(
-          {rows, static_cast<double>(patch.grid.lateral_count), columns, std::sqrt(filled)});
+      error.rows = std::max(error.rows, law(static_cast<double>(patch.grid.lateral_count)));
+      error.columns = std::max(error.columns, law(columns_in_use(patch) / columns_by_rows));
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }
-  return {error_factor(goal) * error_of_one_row / (rows * rows) + solution.pressure_error,
-          bound / solution.peak_pressure() - 1.0};
+  error.iteration = solution.pressure_error;
+  error.crest = bound / solution.peak_pressure() - 1.0;
+  return error;
 }
 
 ElementCounts refined_counts(const ElementCounts& counts, const ErrorEstimate& error,
                              double accuracy) {
   const auto times = [](double factor, std::size_t count) {
-    const double rounded = std::exp2(0.5 * std::ceil(2.0 * std::log2(factor)));
+    const double rounded = std::exp2(std::max(0.5 * std::ceil(2.0 * std::log2(factor)), 0.0));
     return whole(std::min(rounded, most_refinement) * static_cast<double>(count));
   };
-  if (error.grid >= accuracy) {
-    const double factor = std::sqrt(error.grid / (share_of_rows * accuracy));
-    return {times(factor, counts.lateral), times(factor, counts.longitudinal)};
-  }
-  return {times(error.crest / (accuracy - error.grid), counts.lateral), counts.longitudinal};
+  const auto by_law = [&](double of_count) {
+    return std::sqrt(of_count / (share_of_rows * accuracy));
+  };
+  const double of_grid = std::min(std::max(error.rows, error.columns), share_of_rows * accuracy);
+  const double by_crest = error.crest / (accuracy - of_grid - error.iteration);
+  return {times(std::max(by_law(error.rows), by_crest), counts.lateral),
+          times(by_law(error.columns), counts.longitudinal)};
 }
 
 } // namespace wrc

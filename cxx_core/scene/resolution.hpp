@@ -16,6 +16,7 @@
 /// half-space.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "scene/grid_solution.hpp"
@@ -40,14 +41,16 @@ ElementCounts coarse_counts(double accuracy);
 
 /// Relative errors of what the accuracy is of.
 struct ErrorEstimate {
-  double grid = 0.0;  ///< by the law, and what the iteration has left
-  double crest = 0.0; ///< what a section has not resolved
-  [[nodiscard]] double total() const { return grid + crest; }
+  double rows = 0.0;      ///< by the law
+  double columns = 0.0;   ///< by the law
+  double iteration = 0.0; ///< what it has left
+  double crest = 0.0;     ///< what a section has not resolved
+  [[nodiscard]] double total() const { return std::max(rows, columns) + iteration + crest; }
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 
-/// For a solution whose error is above the accuracy: more elements each way where contact fills
-/// little of its grid, or else more rows for the crest.
+/// For a solution whose error is above the accuracy: more rows or columns where these leave too
+/// much, and more rows for the crest.
 ElementCounts refined_counts(const ElementCounts& counts, const ErrorEstimate& error,
                              double accuracy);
 
