@@ -20,8 +20,8 @@ constexpr double least_columns = 8.0;
 constexpr double error_of_one_row = 1.5;
 constexpr double force_by_depth = 1.5;
 constexpr double constant_elements_error = 3.0;
-/// Share of a grid's row that an ellipse fills in the mean whose axes are 0.7 of the grid's sides.
-constexpr double usual_share_of_row = 0.55;
+/// Share of its grid that contact takes each way as a rule.
+constexpr double usual_share_of_row = 0.7;
 /// Of the accuracy, what rows may leave; the rest is for the iteration.
 constexpr double share_of_rows = 0.7;
 
@@ -47,14 +47,16 @@ double rows_for(double accuracy) {
                    std::sqrt(error_of_one_row / (share_of_rows * accuracy)), least_rows});
 }
 
-/// Columns of a grid over which contact would be spread as usual: where it lies askew in its grid,
-/// as on the flange with yaw, a row of it is short.
+/// Columns of a grid that contact would fill as usual: where it lies askew in its grid, as on the
+/// flange with yaw, its longest row is short.
 double columns_in_use(const PatchOnGrid& patch) {
-  const IndexBox& box = patch.contact.box;
-  const auto rows = static_cast<double>(box.lateral_last - box.lateral_first + 1);
-  const double in_a_row = static_cast<double>(patch.contact.element_count) / rows;
-  return std::min(in_a_row / usual_share_of_row,
-                  static_cast<double>(patch.grid.longitudinal_count));
+  const auto columns = static_cast<std::ptrdiff_t>(patch.grid.longitudinal_count);
+  std::ptrdiff_t longest = 0;
+  for (auto row = patch.pressure.begin(); row != patch.pressure.end(); row += columns) {
+    longest =
+        std::max(longest, std::count_if(row, row + columns, [](double p) { return p > 0.0; }));
+  }
+  return std::min(static_cast<double>(longest) / usual_share_of_row, static_cast<double>(columns));
 }
 
 ElementCounts counts_with(double rows) {
