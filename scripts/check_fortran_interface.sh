@@ -142,7 +142,7 @@ foreign=$(comm -13 "$work/header" "$work/f77")
 [ -z "$foreign" ] || fail "the F77 layer's interfaces are not those of the header: $foreign"
 
 # Constants: WRC_OK 0 in the header, wrc_ok = 0 in the module.
-grep -oE '^#define WRC_[A-Z_]+ [0-9]+' "$header" | tr 'A-Z' 'a-z' | sed 's/#define //' | sort > "$work/defines"
+grep -oE '^#define WRC_[A-Z_]+ [0-9]+' "$header" | tr '[:upper:]' '[:lower:]' | sed 's/#define //' | sort > "$work/defines"
 grep -oE 'parameter, public :: wrc_[a-z_]+ = [0-9]+' "$folder/wrcontact.f90" |
   sed 's/.*:: //; s/ = / /' | sort > "$work/parameters"
 diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/parameters" ||

@@ -8,15 +8,12 @@ cd "$(dirname "$0")/.."
 seconds=${1:?usage: scripts/fuzz.sh SECONDS [NAME ...]}
 shift
 names=("$@")
-options=(-DWRCONTACT_BUILD_DRIVERS=OFF)
 if [ ${#names[@]} = 0 ]; then
   names=(columns simpack miniprof)
-elif [[ " ${names[*]} " = *" scene_file "* ]]; then
-  options=(-DWRCONTACT_BUILD_DRIVERS=ON) # they read scene files
 fi
 mkdir -p build/fuzz
 cmake --preset clang -B build/fuzz -DWRCONTACT_BUILD_FUZZERS=ON -DWRCONTACT_BUILD_FORTRAN=OFF \
-  -DWRCONTACT_SANITIZE=address,undefined,fuzzer-no-link "${options[@]}" >/dev/null
+  -DWRCONTACT_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
 cmake --build build/fuzz --target "${names[@]/#/fuzz_}" >build/fuzz/build.log 2>&1 || {
   grep -E -A5 'error|FAILED' build/fuzz/build.log | head -n 60
   exit 1

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2034
 # The Debian packages the project needs, by purpose; sourced by the other scripts.
 build_packages=(
   cmake ninja-build pkg-config g++ gfortran
@@ -6,4 +7,7 @@ build_packages=(
   gnuplot-nox fonts-dejavu-core
   libnetcdf-dev libopenmpi-dev openmpi-bin
 )
-check_packages=(clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools)
+check_packages=(
+  git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
+  shellcheck codespell
+)
