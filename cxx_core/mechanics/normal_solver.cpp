@@ -304,7 +304,7 @@ std::optional<std::size_t> NormalSolver::State::take_start(const JointProblem& p
     }
     return true;
   };
-  for (const std::size_t index : {0, 1}) {
+  for (std::size_t index = 0; index < 2; ++index) {
     if (!belong_to(index)) {
       continue;
     }

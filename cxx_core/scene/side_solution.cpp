@@ -238,9 +238,9 @@ GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, dou
   const auto mechanics_start = Clock::now();
   std::vector<PatchGap> gaps;
   for (const PatchOnGrid& patch : solution.patches) {
-    PatchGap& gap = gaps.emplace_back(patch.grid, patch.distance, patch.share);
+    gaps.push_back({patch.grid, patch.distance, patch.share});
     if (before != nullptr && before->patches.size() == solution.patches.size()) {
-      gap.start = before->patches[gaps.size() - 1].pressure;
+      gaps.back().start = before->patches[gaps.size() - 1].pressure;
     }
   }
   JointProblem problem;
