@@ -25,6 +25,26 @@ double distance_at(std::span<const double> distance, const LevelSize& size, std:
   return value(row, column);
 }
 
+/// The two elements next to a place along a side of a grid, and their weights.
+struct Neighbours {
+  std::size_t before = 0;
+  std::size_t after = 0;
+  double of_before = 0.0;
+  double of_after = 0.0;
+};
+
+/// `steps`: from the first element's centre. No weights outside the grid.
+Neighbours neighbours_of(double steps, std::size_t count) {
+  const auto last = static_cast<double>(count - 1);
+  if (steps < -0.5 || steps > last + 0.5) {
+    return {};
+  }
+  const double inside = std::clamp(steps, 0.0, last);
+  const auto before = static_cast<std::size_t>(inside);
+  const double part = inside - static_cast<double>(before);
+  return {before, std::min(before + 1, count - 1), 1.0 - part, part};
+}
+
 } // namespace
 
 bool can_coarsen(const LevelSize& size, std::size_t coarsest) {
@@ -65,31 +85,30 @@ void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
   }
 }
 
-void refine_pressure(const LevelSize& coarse, std::span<const double> pressure,
-                     const LevelSize& fine, std::vector<double>& refined) {
+void refine_pressure(const Grid& coarse, std::span<const double> pressure, const Grid& fine,
+                     std::vector<double>& refined) {
   std::vector<double> squares;
-  square_and_continue(coarse, pressure, squares);
-  refined.assign(fine.count(), 0.0);
-  ElementBox box;
-  if (!find_pressure_box(coarse, pressure, 1, box)) {
-    return;
+  square_and_continue({coarse.lateral_count, coarse.longitudinal_count}, pressure, squares);
+  std::vector<Neighbours> columns(fine.longitudinal_count);
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const double steps =
+        (fine.longitudinal(j) - coarse.longitudinal_first) / coarse.longitudinal_step;
+    columns[j] = neighbours_of(steps, coarse.longitudinal_count);
   }
-  const std::size_t last_row = std::min(2 * box.last_row + 2, fine.rows);
-  const std::size_t last_column = std::min(2 * box.last_column + 2, fine.columns);
-  for (std::size_t i = 2 * box.first_row; i < last_row; ++i) {
-    // The centre of a finer element lies a quarter of a coarser one from its centre.
-    const std::size_t near_row = i / 2;
-    const std::size_t far_row = i % 2 == 0 ? (near_row > 0 ? near_row - 1 : near_row)
-                                           : std::min(near_row + 1, coarse.rows - 1);
-    const double* near = squares.data() + near_row * coarse.columns;
-    const double* far = squares.data() + far_row * coarse.columns;
-    double* values = refined.data() + i * fine.columns;
-    for (std::size_t j = 2 * box.first_column; j < last_column; ++j) {
-      const std::size_t near_column = j / 2;
-      const std::size_t far_column = j % 2 == 0 ? (near_column > 0 ? near_column - 1 : near_column)
-                                                : std::min(near_column + 1, coarse.columns - 1);
-      const double square = 0.5625 * near[near_column] + 0.1875 * near[far_column] +
-                            0.1875 * far[near_column] + 0.0625 * far[far_column];
+  refined.resize(fine.element_count());
+  for (std::size_t i = 0; i < fine.lateral_count; ++i) {
+    const double steps = (fine.lateral(i) - coarse.lateral_first) / coarse.lateral_step;
+    const Neighbours row = neighbours_of(steps, coarse.lateral_count);
+    const double* before = squares.data() + row.before * coarse.longitudinal_count;
+    const double* after = squares.data() + row.after * coarse.longitudinal_count;
+    double* values = refined.data() + i * fine.longitudinal_count;
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      const Neighbours& column = columns[j];
+      const double square =
+          row.of_before *
+              (column.of_before * before[column.before] + column.of_after * before[column.after]) +
+          row.of_after *
+              (column.of_before * after[column.before] + column.of_after * after[column.after]);
       values[j] = std::sqrt(std::max(0.0, square));
     }
   }

@@ -26,9 +26,9 @@ LevelSize coarser_size(const LevelSize& size);
 void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
                       std::vector<double>& coarse);
 
-/// Pressures on the finer grid; both grids as of coarser_size.
-void refine_pressure(const LevelSize& coarse, std::span<const double> pressure,
-                     const LevelSize& fine, std::vector<double>& refined);
+/// Pressures on another grid in the same plane; none outside the one they are given on.
+void refine_pressure(const Grid& coarse, std::span<const double> pressure, const Grid& fine,
+                     std::vector<double>& refined);
 
 /// A rectangle of elements; last row and column included.
 struct ElementBox {

@@ -26,9 +26,7 @@ struct PatchGap {
   Grid grid;
   std::span<const double> undeformed_distance; ///< h per element centre, mm. Finite.
   double approach_share = 1.0;                 ///< s, in (0, 1]
-  /// To start from, MPa, on as many elements or on half of them each way, odd ones rounded up; none
-  /// or another number: by itself.
-  std::span<const double> start = {};
+  std::span<const double> start = {};          ///< pressures to start from, MPa; none: by itself
 };
 
 /// Where the patches lie in their mean plane, and how much of their interaction counts.

@@ -157,7 +157,7 @@ struct NormalSolver::State {
 
   void make_levels(const JointProblem& problem);
   void draw_start(std::size_t index);
-  [[nodiscard]] std::optional<std::size_t> take_start(const JointProblem& problem);
+  bool take_start(const JointProblem& problem);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
   void displace_by_others(std::size_t k, const ElementBox& rectangle);
@@ -293,31 +293,20 @@ void NormalSolver::State::draw_start(std::size_t index) {
   approach = load ? height : approach;
 }
 
-/// The level that the pressures given to start from belong to, with these on it.
-std::optional<std::size_t> NormalSolver::State::take_start(const JointProblem& problem) {
-  const auto belong_to = [&](std::size_t index) {
-    for (std::size_t k = 0; k < count; ++k) {
-      if (index >= cascades[k].level_count ||
-          problem.patches[k].start.size() != cascades[k].levels[index].size.count()) {
-        return false;
-      }
-    }
-    return true;
-  };
-  for (std::size_t index = 0; index < 2; ++index) {
-    if (!belong_to(index)) {
-      continue;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::span<const double> start = problem.patches[k].start;
-      std::vector<double>& pressure = cascades[k].levels[index].pressure;
-      pressure.resize(start.size());
-      std::transform(start.begin(), start.end(), pressure.begin(),
-                     [this](double p) { return p / pressure_scale; });
-    }
-    return index;
+/// Pressures given to start from, if there are some for all patches.
+bool NormalSolver::State::take_start(const JointProblem& problem) {
+  const bool given =
+      std::all_of(problem.patches.begin(), problem.patches.end(), [](const PatchGap& patch) {
+        return patch.start.size() == patch.undeformed_distance.size();
+      });
+  for (std::size_t k = 0; k < count && given; ++k) {
+    const std::span<const double> start = problem.patches[k].start;
+    std::vector<double>& pressure = cascades[k].finest().pressure;
+    pressure.resize(start.size());
+    std::transform(start.begin(), start.end(), pressure.begin(),
+                   [this](double p) { return p / pressure_scale; });
   }
-  return std::nullopt;
+  return given;
 }
 
 /// The box around a patch's pressures; without any, around its penetration at the last approach, or
@@ -589,26 +578,25 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   for (std::size_t k = 0; k < count; ++k) {
     level_count = std::max(level_count, cascades[k].level_count);
   }
-  const std::optional<std::size_t> start = take_start(problem);
-  const std::size_t first = start ? std::max<std::size_t>(*start, 1) : level_count;
-  if (!start) {
+  const bool started = take_start(problem);
+  if (!started) {
     draw_start(level_count - 1);
   }
   IterationOutcome outcome;
-  for (std::size_t i = first; i-- > 0;) {
+  for (std::size_t i = started ? 1 : level_count; i-- > 0;) {
     bool any_pressure = false;
     for (std::size_t k = 0; k < count; ++k) {
       Cascade& cascade = cascades[k];
-      if (i + 1 < cascade.level_count && i != start) {
+      if (i + 1 < cascade.level_count && !started) {
         const Level& coarser = cascade.levels[i + 1];
         Level& level = cascade.levels[i];
-        refine_pressure(coarser.size, coarser.pressure, level.size, level.pressure);
+        refine_pressure(coarser.grid, coarser.pressure, level.grid, level.pressure);
       }
       const Level& level = cascade.at(i);
       any_pressure = any_pressure || std::any_of(level.pressure.begin(), level.pressure.end(),
                                                  [](double p) { return p > 0.0; });
     }
-    if (start || i + 1 < level_count) {
+    if (started || i + 1 < level_count) {
       for (std::size_t k = 0; k < count && any_pressure; ++k) {
         choose_box(cascades[k], cascades[k].at(i));
       }

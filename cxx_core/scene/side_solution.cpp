@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "mechanics/cascade.hpp"
 #include "remesh/depth_estimate.hpp"
 #include "scene/depth_checks.hpp"
 #include "scene/peak_section.hpp"
@@ -79,6 +80,17 @@ private:
   double last_step_ = 0.0;
 };
 
+/// The pressures of `before` on the grid of a patch, whose plane is nearly the same.
+std::vector<double> pressure_at(const PatchOnGrid& patch, const PatchOnGrid& before) {
+  const Vector3 moved = before.frame.origin - patch.frame.origin;
+  Grid grid = before.grid;
+  grid.lateral_first += dot(moved, patch.frame.lateral);
+  grid.longitudinal_first += moved.x;
+  std::vector<double> pressure;
+  refine_pressure(grid, before.pressure, patch.grid, pressure);
+  return pressure;
+}
+
 class SideSolver {
 public:
   SideSolver(const WheelSurface& wheel, const RailSurface& rail, const SideEquilibrium& equilibrium,
@@ -97,7 +109,7 @@ private:
   /// Which patches interact, and where they lie in their mean plane; none if none do.
   [[nodiscard]] std::optional<PatchInteraction> interaction_of(const SidePlan& plan,
                                                                GridSolution& solution) const;
-  /// Starting from the pressures of `before`, at another depth or on fewer elements, if they fit.
+  /// Starting from the pressures of `before`, if that has as many patches.
   GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance,
                         const GridSolution* before);
   JointSolution solve_joint(const JointProblem& problem);
@@ -237,11 +249,13 @@ GridSolution SideSolver::solve_at(double depth, const ElementCounts& counts, dou
   GridSolution solution = sample(plan, counts);
   const auto mechanics_start = Clock::now();
   std::vector<PatchGap> gaps;
-  for (const PatchOnGrid& patch : solution.patches) {
-    gaps.push_back({patch.grid, patch.distance, patch.share});
-    if (before != nullptr && before->patches.size() == solution.patches.size()) {
-      gaps.back().start = before->patches[gaps.size() - 1].pressure;
+  const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
+  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
+    PatchOnGrid& patch = solution.patches[k];
+    if (starts) {
+      patch.pressure = pressure_at(patch, before->patches[k]);
     }
+    gaps.push_back({patch.grid, patch.distance, patch.share, patch.pressure});
   }
   JointProblem problem;
   problem.patches = gaps;

@@ -27,6 +27,17 @@ std::vector<double> sample(const LevelSize& size, double element, const Field& f
   return values;
 }
 
+Grid grid_of(const LevelSize& size, double element) {
+  return {size.rows, size.columns, element, element, 0.5 * element, 0.5 * element};
+}
+
+std::vector<double> refined_from(const LevelSize& coarse, const std::vector<double>& pressure,
+                                 const LevelSize& fine) {
+  std::vector<double> refined;
+  refine_pressure(grid_of(coarse, 2.0), pressure, grid_of(fine, 1.0), refined);
+  return refined;
+}
+
 constexpr LevelSize sizes[] = {{16, 34}, {17, 34}, {34, 17}, {17, 35}, {64, 33}};
 
 TEST(Cascade, GridsAreHalvedWhileItHelps) {
@@ -81,8 +92,7 @@ TEST(Cascade, LinearSquaresOfPressureStayLinear) {
     for (double& value : pressure) {
       value = std::sqrt(std::max(0.0, value));
     }
-    std::vector<double> refined;
-    refine_pressure(coarse, pressure, fine, refined);
+    const std::vector<double> refined = refined_from(coarse, pressure, fine);
     ASSERT_EQ(refined.size(), fine.count());
     const std::vector<double> expected = sample(fine, 1.0, square);
     for (std::size_t index = 0; index < refined.size(); ++index) {
@@ -100,13 +110,12 @@ TEST(Cascade, LinearSquaresOfPressureStayLinear) {
 TEST(Cascade, EvenPressureStaysEven) {
   for (const LevelSize& fine : sizes) {
     const LevelSize coarse = coarser_size(fine);
-    std::vector<double> refined;
-    refine_pressure(coarse, std::vector<double>(coarse.count(), 2.0), fine, refined);
-    for (const double value : refined) {
+    for (const double value :
+         refined_from(coarse, std::vector<double>(coarse.count(), 2.0), fine)) {
       ASSERT_NEAR(value, 2.0, rounding);
     }
-    refine_pressure(coarse, std::vector<double>(coarse.count(), 0.0), fine, refined);
-    EXPECT_EQ(refined, std::vector<double>(fine.count(), 0.0));
+    EXPECT_EQ(refined_from(coarse, std::vector<double>(coarse.count(), 0.0), fine),
+              std::vector<double>(fine.count(), 0.0));
   }
 }
 
@@ -116,8 +125,7 @@ TEST(Cascade, ASinglePressedElementIsNotLost) {
   for (const std::size_t place : {std::size_t{0}, std::size_t{5 * 20 + 7}, coarse.count() - 1}) {
     std::vector<double> pressure(coarse.count(), 0.0);
     pressure[place] = 4.0;
-    std::vector<double> refined;
-    refine_pressure(coarse, pressure, fine, refined);
+    const std::vector<double> refined = refined_from(coarse, pressure, fine);
     const std::size_t row = 2 * (place / coarse.columns);
     const std::size_t column = 2 * (place % coarse.columns);
     for (std::size_t index = 0; index < refined.size(); ++index) {
@@ -134,8 +142,7 @@ TEST(Cascade, RefinedPressuresOfAnEllipsoidAreClose) {
         std::max(0.0, 1.0 - std::pow((x - 32.0) / 20.0, 2) - std::pow((y - 32.0) / 15.0, 2)));
   };
   const LevelSize fine{64, 64};
-  std::vector<double> refined;
-  refine_pressure({32, 32}, sample({32, 32}, 2.0, hertz), fine, refined);
+  const std::vector<double> refined = refined_from({32, 32}, sample({32, 32}, 2.0, hertz), fine);
   const std::vector<double> expected = sample(fine, 1.0, hertz);
   double worst_square = 0.0;
   for (std::size_t index = 0; index < refined.size(); ++index) {
@@ -146,6 +153,30 @@ TEST(Cascade, RefinedPressuresOfAnEllipsoidAreClose) {
   // h^2 f'' and has a weight of 7/16 at the most; both directions add up.
   constexpr double step = 2.0;
   EXPECT_LE(worst_square, (3.0 / 32.0 + 7.0 / 16.0) * step * step * (2.0 / 400.0 + 2.0 / 225.0));
+}
+
+TEST(Cascade, PressuresMoveToAnyGrid) {
+  // p^2 linear both ways: exact wherever it is interpolated, and nothing beyond the old grid.
+  const Field square = [](double x, double y) { return 60.0 + x - 0.5 * y; };
+  const LevelSize old{20, 16};
+  std::vector<double> pressure = sample(old, 2.0, square);
+  for (double& value : pressure) {
+    value = std::sqrt(value);
+  }
+  const Grid finer{31, 70, 0.7, 0.6, 3.3, -1.1};
+  std::vector<double> moved;
+  refine_pressure(grid_of(old, 2.0), pressure, finer, moved);
+  for (std::size_t row = 0; row < finer.lateral_count; ++row) {
+    for (std::size_t column = 0; column < finer.longitudinal_count; ++column) {
+      const double x = finer.longitudinal(column);
+      const double value = moved[row * finer.longitudinal_count + column];
+      if (x < 0.0 || x > 32.0) {
+        ASSERT_EQ(value, 0.0);
+      } else if (x >= 1.0 && x <= 31.0) {
+        ASSERT_NEAR(value * value, square(x, finer.lateral(row)), 1e3 * rounding);
+      }
+    }
+  }
 }
 
 TEST(Cascade, BoxesHoldAllPressure) {
