@@ -5,8 +5,8 @@
 
 namespace wrc {
 
-CoupledBox coupled_box(const Grid& grid, const PatchInteraction::Place& place,
-                       const ElementBox& box) {
+Grid grid_in_mean_plane(const Grid& grid, const PatchInteraction::Place& place,
+                        const ElementBox& box) {
   return {box.rows(),
           box.columns(),
           grid.lateral_step,
@@ -28,12 +28,13 @@ std::vector<CoupledInfluence::Box> CoupledInfluence::boxes_of(std::span<const So
   return boxes;
 }
 
-std::vector<CoupledBox> CoupledInfluence::coupled_boxes(std::span<const SolvedPatch> patches,
-                                                        const PatchInteraction& interaction,
-                                                        const std::vector<Box>& boxes) {
-  std::vector<CoupledBox> coupled;
+std::vector<Grid> CoupledInfluence::coupled_boxes(std::span<const SolvedPatch> patches,
+                                                  const PatchInteraction& interaction,
+                                                  const std::vector<Box>& boxes) {
+  std::vector<Grid> coupled;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    coupled.push_back(coupled_box(patches[k].grid, interaction.places[k], boxes[k].elements));
+    coupled.push_back(
+        grid_in_mean_plane(patches[k].grid, interaction.places[k], boxes[k].elements));
   }
   return coupled;
 }

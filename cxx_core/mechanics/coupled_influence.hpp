@@ -17,8 +17,8 @@
 namespace wrc {
 
 /// A box of a patch's elements in the mean plane.
-CoupledBox coupled_box(const Grid& grid, const PatchInteraction::Place& place,
-                       const ElementBox& box);
+Grid grid_in_mean_plane(const Grid& grid, const PatchInteraction::Place& place,
+                        const ElementBox& box);
 
 class CoupledInfluence : public PatchInfluence {
 public:
@@ -41,9 +41,9 @@ private:
       return (elements.first_row + row) * size.columns + elements.first_column;
     }
   };
-  static std::vector<CoupledBox> coupled_boxes(std::span<const SolvedPatch> patches,
-                                               const PatchInteraction& interaction,
-                                               const std::vector<Box>& boxes);
+  static std::vector<Grid> coupled_boxes(std::span<const SolvedPatch> patches,
+                                         const PatchInteraction& interaction,
+                                         const std::vector<Box>& boxes);
   static std::vector<Box> boxes_of(std::span<const SolvedPatch> patches, double combined_modulus);
 
   std::vector<Box> boxes_;

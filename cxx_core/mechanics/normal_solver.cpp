@@ -10,7 +10,6 @@
 #include "mechanics/coupled_influence.hpp"
 #include "mechanics/projected_cg.hpp"
 #include "reductions.hpp"
-#include "vector_clones.hpp"
 
 namespace wrc {
 
@@ -24,9 +23,6 @@ constexpr std::size_t coarsest_of_one = 32;
 constexpr std::size_t coarsest_of_several = 24;
 /// Elements around the pressures found on the coarser grid.
 constexpr std::size_t box_margin = 2;
-/// How far from its centre an element's pressure is taken to act at most, in elements, for the
-/// least displacement that it can cause: smooth elements reach over half of their neighbours.
-constexpr double element_reach = 1.0;
 /// The free step leaves an error of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts
 /// up to 1.9 (at loose tolerances): less than 1 is needed for the tolerance to hold.
 constexpr double stop_share = 0.75;
@@ -40,9 +36,6 @@ constexpr double double_overlap = 1e-13;
 /// tolerance, but no less than this.
 constexpr double coupling_share = 0.03;
 constexpr double least_coupling_error = 1e-5;
-/// Share of the least displacement by other patches that is counted on: interpolation between
-/// nodes, and their distance from each other where boxes meet (patch_coupling.hpp), leave more.
-constexpr double least_share_by_others = 0.95;
 /// Share of elements below the distance from which the first pressures are drawn.
 constexpr double start_quantile = 0.3;
 /// One grid of a patch's cascade, in its own unit of length.
@@ -106,6 +99,17 @@ void draw_pressure(Level& level, double height) {
   }
 }
 
+/// The box around all that overlaps at an approach: contact cannot lie outside. False if nothing
+/// does.
+bool find_penetration_box(const Level& level, double approach, std::size_t margin,
+                          ElementBox& box) {
+  std::vector<double> depth(level.distance.size());
+  const double reach = level.share * approach;
+  std::transform(level.distance.begin(), level.distance.end(), depth.begin(),
+                 [reach](double distance) { return reach - distance; });
+  return find_pressure_box(level.size, depth, margin, box);
+}
+
 ElementBox whole(const LevelSize& size) {
   return {0, size.rows - 1, 0, size.columns - 1};
 }
@@ -138,16 +142,6 @@ ElementBox grown(const ElementBox& box, const ReachedSides& reached, const Level
   return larger;
 }
 
-/// Number of entries of a row that are below a limit.
-WRC_VECTOR_CLONES double count_below(const double* values, double limit, std::size_t count) {
-  double below = 0.0;
-#pragma omp simd reduction(+ : below)
-  for (std::size_t i = 0; i < count; ++i) {
-    below += values[i] < limit ? 1.0 : 0.0;
-  }
-  return below;
-}
-
 } // namespace
 
 struct NormalSolver::State {
@@ -161,8 +155,6 @@ struct NormalSolver::State {
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
   void displace_by_others(std::size_t k, const ElementBox& rectangle);
-  [[nodiscard]] double least_by_others(std::size_t k) const;
-  [[nodiscard]] ElementBox outside_candidates(const Cascade& cascade, double opened);
   std::optional<ElementBox> box_with_missed_contact(std::size_t k, double tolerance);
   template <typename Real>
   void displace(const Cascade& cascade, const ElementBox& rectangle,
@@ -186,7 +178,6 @@ struct NormalSolver::State {
   double approach_scale = 0.0; ///< mm
   std::vector<IterationBox> boxes;
   std::vector<double> exterior_out;
-  std::vector<double> column_reach;
 };
 
 /// Without dimensions: lengths in longitudinal steps of each grid, u = K p, approach in that of the
@@ -315,13 +306,10 @@ void NormalSolver::State::choose_box(Cascade& cascade, Level& level) const {
   if (find_pressure_box(level.size, level.pressure, box_margin, cascade.box)) {
     return;
   }
-  std::vector<double> depth(level.distance.size());
-  const double reach = level.share * approach;
-  std::transform(level.distance.begin(), level.distance.end(), depth.begin(),
-                 [reach](double distance) { return reach - distance; });
-  if (!find_pressure_box(level.size, depth, box_margin, cascade.box)) {
-    *std::max_element(depth.begin(), depth.end()) = 1.0;
-    find_pressure_box(level.size, depth, box_margin, cascade.box);
+  if (!find_penetration_box(level, approach, box_margin, cascade.box)) {
+    const double nearest = std::max(0.0, least_of(level.distance.data(), level.distance.size()));
+    const double just_touching = (nearest * (1.0 + 1e-12) + 1e-300) / level.share;
+    find_penetration_box(level, just_touching, box_margin, cascade.box);
   }
 }
 
@@ -330,7 +318,7 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
                                                   JointSolution& solution) {
   while (true) {
     boxes.resize(count);
-    std::vector<CoupledBox> coupled;
+    std::vector<Grid> coupled;
     for (std::size_t k = 0; k < count; ++k) {
       Cascade& cascade = cascades[k];
       const Level& level = cascade.at(index);
@@ -350,7 +338,7 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
       request.pressure = cascade.box_pressure;
       request.distance = cascade.box_distance;
       if (interaction != nullptr) {
-        coupled.push_back(coupled_box(level.grid, interaction->places[k], box));
+        coupled.push_back(grid_in_mean_plane(level.grid, interaction->places[k], box));
       }
     }
     std::optional<PatchCoupling> coupling;
@@ -404,11 +392,11 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
 /// Adds what the other patches displace to the displacements on a rectangle of a patch's finest
 /// grid.
 void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& rectangle) {
-  std::vector<CoupledBox> coupled;
+  std::vector<Grid> coupled;
   std::vector<double> closeness(count * count);
   for (std::size_t l = 0; l < count; ++l) {
-    coupled.push_back(coupled_box(cascades[l].finest().grid, interaction->places[l],
-                                  l == k ? rectangle : cascades[l].box));
+    coupled.push_back(grid_in_mean_plane(cascades[l].finest().grid, interaction->places[l],
+                                         l == k ? rectangle : cascades[l].box));
     closeness[k * count + l] = closeness[l * count + k] = interaction->closeness[k * count + l];
   }
   PatchCoupling coupling(std::move(coupled), closeness);
@@ -422,76 +410,7 @@ void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& re
   coupling.add_others(field, k, exterior_out.data());
 }
 
-/// A bound of the same from below, anywhere on the patch's finest grid: their loads at the farthest
-/// place.
-double NormalSolver::State::least_by_others(std::size_t k) const {
-  if (interaction == nullptr) {
-    return 0.0;
-  }
-  const Level& level = cascades[k].levels.front();
-  const CoupledBox here = coupled_box(level.grid, interaction->places[k], whole(level.size));
-  double sum = 0.0;
-  for (std::size_t l = 0; l < count; ++l) {
-    const double closeness = l == k ? 0.0 : interaction->closeness[k * count + l];
-    if (closeness > 0.0) {
-      const Grid& grid = cascades[l].levels.front().grid;
-      const double distance =
-          farthest_apart(here, coupled_box(grid, interaction->places[l], cascades[l].box));
-      sum += closeness * sum_of(cascades[l].box_pressure) * grid.element_area() / distance;
-    }
-  }
-  return least_share_by_others * sum / level.grid.longitudinal_step;
-}
-
-/// The rectangle of those elements outside the box that the load does not keep apart for sure, with
-/// nothing in it (first_row > last_row) if there is none. Displacements are positive, and at least
-/// those of a patch's whole load at the farthest place of its box, so most elements need no
-/// displacement of their own. `opened`: the approach,
-/// less what the other patches displace.
-ElementBox NormalSolver::State::outside_candidates(const Cascade& cascade, double opened) {
-  const Level& level = cascade.levels.front();
-  const LevelSize& size = level.size;
-  const ElementBox& box = cascade.box;
-  const double aspect = cascade.kernel.aspect;
-  const double box_load = sum_of(cascade.box_pressure) * aspect;
-  const auto farthest = [](std::size_t place, std::size_t first, std::size_t last) {
-    const double before = static_cast<double>(last) - static_cast<double>(place);
-    const double after = static_cast<double>(place) - static_cast<double>(first);
-    return std::max(before, after) + element_reach;
-  };
-  // Squares of the reach along the rail, by column; the longest is that of the outer columns.
-  column_reach.resize(size.columns);
-  for (std::size_t column = 0; column < size.columns; ++column) {
-    const double reach = farthest(column, box.first_column, box.last_column);
-    column_reach[column] = reach * reach;
-  }
-  const double longest_column = std::max(column_reach.front(), column_reach.back());
-  ElementBox candidates{size.rows, 0, size.columns, 0};
-  for (std::size_t row = 0; row < size.rows; ++row) {
-    const double* distance = level.distance.data() + row * size.columns;
-    const double row_reach = aspect * farthest(row, box.first_row, box.last_row);
-    const double row_square = row_reach * row_reach;
-    if (count_below(distance, opened - box_load / std::sqrt(row_square + longest_column),
-                    size.columns) == 0.0) {
-      continue;
-    }
-    const bool row_in_box = row >= box.first_row && row <= box.last_row;
-    for (std::size_t column = 0; column < size.columns; ++column) {
-      if (row_in_box && column == box.first_column) {
-        column = box.last_column;
-        continue;
-      }
-      const double penetration = opened - distance[column];
-      if (penetration > 0.0 &&
-          penetration * penetration * (row_square + column_reach[column]) > box_load * box_load) {
-        include(candidates, {row, row, column, column});
-      }
-    }
-  }
-  return candidates;
-}
-
-/// Looks for overlap outside the box: the box enlarged by it, or none.
+/// Looks for overlap outside the box, within the penetration: the box enlarged by it, or none.
 std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size_t k,
                                                                        double tolerance) {
   Cascade& cascade = cascades[k];
@@ -499,16 +418,12 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   const LevelSize& size = level.size;
   const ElementBox& box = cascade.box;
   const double opened = level.share * approach;
-  // What the others displace takes that much off the approach at least; what more, is found out
-  // only where that is not enough.
-  const double opened_by_others = opened - least_by_others(k);
-  const ElementBox candidates = outside_candidates(cascade, opened_by_others);
-  if (candidates.first_row > candidates.last_row) {
+  ElementBox rectangle = box;
+  find_penetration_box(level, approach, 0, rectangle);
+  include(rectangle, box);
+  if (rectangle.rows() * rectangle.columns() == box.rows() * box.columns()) {
     return std::nullopt;
   }
-
-  ElementBox rectangle = box;
-  include(rectangle, candidates);
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
   const double permitted =
       0.5 * tolerance * largest_pressure * cache.table(cascade.kernel, 1, 1)->row(0)[0];
@@ -542,7 +457,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
     }
     return larger;
   };
-  std::optional<ElementBox> larger = box_with_overlap(opened_by_others - overlap);
+  std::optional<ElementBox> larger = box_with_overlap(opened - overlap);
   if (larger && interaction != nullptr) {
     displace_by_others(k, rectangle);
     larger = box_with_overlap(opened - overlap);

@@ -31,21 +31,17 @@ struct Interval {
   [[nodiscard]] double last() const { return first + length; }
 };
 
-Interval lateral_of(const CoupledBox& box) {
-  return {box.lateral_first, extent(box.rows, box.lateral_step)};
+Interval lateral_of(const Grid& box) {
+  return {box.lateral_first, extent(box.lateral_count, box.lateral_step)};
 }
 
-Interval longitudinal_of(const CoupledBox& box) {
-  return {box.longitudinal_first, extent(box.columns, box.longitudinal_step)};
+Interval longitudinal_of(const Grid& box) {
+  return {box.longitudinal_first, extent(box.longitudinal_count, box.longitudinal_step)};
 }
 
 /// 0 if they overlap.
 double between(const Interval& one, const Interval& other) {
   return std::max({0.0, other.first - one.last(), one.first - other.last()});
-}
-
-double farthest(const Interval& one, const Interval& other) {
-  return std::max(other.last() - one.first, one.last() - other.first);
 }
 
 /// ln rho along one direction of a box: its half length, and how far the other box lies beyond it
@@ -55,14 +51,14 @@ double convergence(double half, double beyond, double beside) {
                     : std::numeric_limits<double>::infinity();
 }
 
-double half_diagonal(const CoupledBox& box) {
+double half_diagonal(const Grid& box) {
   return std::hypot(lateral_of(box).half(), longitudinal_of(box).half());
 }
 
 /// Between the loads of two boxes: that of their middles, or half of the longer diagonal where long
 /// boxes lie close beside each other, or on each other; that of one element is no less than its
 /// diagonal.
-double typical_distance(const CoupledBox& one, const CoupledBox& other) {
+double typical_distance(const Grid& one, const Grid& other) {
   const double middles =
       std::hypot(lateral_of(one).middle() - lateral_of(other).middle(),
                  longitudinal_of(one).middle() - longitudinal_of(other).middle());
@@ -191,11 +187,6 @@ WRC_VECTOR_CLONES void fill_link(double closeness, double square, double along,
 
 } // namespace
 
-double farthest_apart(const CoupledBox& one, const CoupledBox& other) {
-  return std::hypot(farthest(lateral_of(one), lateral_of(other)),
-                    farthest(longitudinal_of(one), longitudinal_of(other)));
-}
-
 PatchCoupling::Axis PatchCoupling::make_axis(std::size_t elements, double step, double convergence,
                                              double error) {
   Axis axis;
@@ -255,12 +246,12 @@ PatchCoupling::Link PatchCoupling::make_link(std::size_t one, std::size_t other,
   return link;
 }
 
-PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<double>& closeness,
+PatchCoupling::PatchCoupling(std::vector<Grid> boxes, const std::vector<double>& closeness,
                              double error)
     : boxes_(std::move(boxes)) {
   const std::size_t count = boxes_.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const CoupledBox& box = boxes_[k];
+    const Grid& box = boxes_[k];
     double by_rows = std::numeric_limits<double>::infinity();
     double by_columns = by_rows;
     for (std::size_t l = 0; l < count; ++l) {
@@ -273,8 +264,8 @@ PatchCoupling::PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<do
       }
     }
     Nodes nodes;
-    nodes.rows = make_axis(box.rows, box.lateral_step, by_rows, error);
-    nodes.columns = make_axis(box.columns, box.longitudinal_step, by_columns, error);
+    nodes.rows = make_axis(box.lateral_count, box.lateral_step, by_rows, error);
+    nodes.columns = make_axis(box.longitudinal_count, box.longitudinal_step, by_columns, error);
     nodes_.push_back(std::move(nodes));
   }
   rough_links_.resize(count * count);
@@ -308,8 +299,8 @@ NodeField PatchCoupling::field() const {
 template <typename Real>
 void PatchCoupling::gather(std::size_t box, const Real* pressure, NodeLoads& loads) {
   const Nodes& nodes = nodes_[box];
-  const std::size_t rows = boxes_[box].rows;
-  const std::size_t columns = boxes_[box].columns;
+  const std::size_t rows = boxes_[box].lateral_count;
+  const std::size_t columns = boxes_[box].longitudinal_count;
   const std::size_t node_columns = nodes.columns.nodes();
   const double area = boxes_[box].lateral_step * boxes_[box].longitudinal_step;
   std::vector<Real>& line = lines<Real>();
@@ -365,8 +356,8 @@ void PatchCoupling::add_others(const NodeField& field, std::size_t box, double* 
 template <typename Real>
 void PatchCoupling::add(std::size_t box, const std::vector<double>& nodes, double* displacement) {
   const Nodes& here = nodes_[box];
-  const std::size_t rows = boxes_[box].rows;
-  const std::size_t columns = boxes_[box].columns;
+  const std::size_t rows = boxes_[box].lateral_count;
+  const std::size_t columns = boxes_[box].longitudinal_count;
   const std::size_t node_rows = here.rows.nodes();
   const std::size_t node_columns = here.columns.nodes();
   const double unit = 1.0 / boxes_[box].longitudinal_step;

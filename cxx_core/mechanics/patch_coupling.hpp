@@ -23,20 +23,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "remesh/grid.hpp"
+
 namespace wrc {
-
-/// A box of elements in the mean plane.
-struct CoupledBox {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  double lateral_step = 0.0;
-  double longitudinal_step = 0.0;
-  double lateral_first = 0.0; ///< centre of the first element
-  double longitudinal_first = 0.0;
-};
-
-/// Largest distance between an element's centre of one box and one of the other.
-double farthest_apart(const CoupledBox& one, const CoupledBox& other);
 
 /// By box: pressures as loads at its nodes.
 using NodeLoads = std::vector<std::vector<double>>;
@@ -52,8 +41,7 @@ class PatchCoupling {
 public:
   /// `closeness`: boxes x boxes, row by row, symmetric; 0 leaves a pair out. `error`: that of the
   /// interpolation, relative to the displacement.
-  PatchCoupling(std::vector<CoupledBox> boxes, const std::vector<double>& closeness,
-                double error = 1e-5);
+  PatchCoupling(std::vector<Grid> boxes, const std::vector<double>& closeness, double error = 1e-5);
 
   /// Without loads.
   [[nodiscard]] NodeField field() const;
@@ -114,7 +102,7 @@ private:
     return box * boxes_.size() + other;
   }
 
-  std::vector<CoupledBox> boxes_;
+  std::vector<Grid> boxes_;
   std::vector<Nodes> nodes_;
   std::vector<Link> links_;
   std::vector<double> rough_links_; ///< [box * boxes + other]: c / r, 0 if not coupled

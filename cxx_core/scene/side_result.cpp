@@ -238,7 +238,7 @@ void add_displacement_by_others(const SideResult& side, std::span<const PatchRes
   const PatchInteraction& interaction = *side.details.interaction;
   std::vector<LevelSize> sizes;
   std::vector<ElementBox> rectangles;
-  std::vector<CoupledBox> boxes;
+  std::vector<Grid> boxes;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
     sizes.push_back({patch.grid.lateral_count, patch.grid.longitudinal_count});
@@ -250,7 +250,7 @@ void add_displacement_by_others(const SideResult& side, std::span<const PatchRes
     }
     ElementBox& rectangle = rectangles.emplace_back();
     find_pressure_box(sizes[k], touched, 0, rectangle);
-    boxes.push_back(coupled_box(patch.grid, interaction.places[k], rectangle));
+    boxes.push_back(grid_in_mean_plane(patch.grid, interaction.places[k], rectangle));
   }
   PatchCoupling coupling(boxes, interaction.closeness);
   NodeField field = coupling.field();
@@ -261,7 +261,7 @@ void add_displacement_by_others(const SideResult& side, std::span<const PatchRes
   }
   coupling.transfer(field);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    inside.assign(boxes[k].rows * boxes[k].columns, 0.0);
+    inside.assign(boxes[k].lateral_count * boxes[k].longitudinal_count, 0.0);
     coupling.add_others(field, k, inside.data());
     std::vector<double> others(displacements[k].size(), 0.0);
     put_box(sizes[k], rectangles[k], inside, others);
