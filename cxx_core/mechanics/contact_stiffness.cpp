@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "error.hpp"
-#include "vector_clones.hpp"
+#include "base/error.hpp"
+#include "base/vector_clones.hpp"
 
 namespace wrc {
 
@@ -17,10 +17,10 @@ namespace {
 constexpr int stagnation_window = 60;
 /// Less is not aimed at: the residual that the iteration carries along would go on falling, the
 /// true one would not.
-constexpr double least_tolerance = 1e-14;
+constexpr double min_tolerance = 1e-14;
 /// What an answer adds to those kept is not worth keeping below this share of its energy: it would
 /// consist of rounding.
-constexpr double least_new_energy = 1e-20;
+constexpr double min_new_energy = 1e-20;
 
 WRC_VECTOR_CLONES double product(const double* first, const double* second, std::size_t count) {
   double sum = 0.0;
@@ -238,7 +238,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
   std::vector<double> left(residual, residual + count);
 
   StiffnessOutcome outcome;
-  const double square = std::max(tolerance * tolerance, least_tolerance * least_tolerance);
+  const double square = std::max(tolerance * tolerance, min_tolerance * min_tolerance);
   double gained_energy = 0.0;
   double last_z_r = 0.0;
   double least_z_r = std::numeric_limits<double>::infinity();
@@ -253,7 +253,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
       best_iteration = outcome.iterations;
     }
     if (z_r <= square * whole) {
-      if (z_r > 0.0 && tolerance < least_tolerance) {
+      if (z_r > 0.0 && tolerance < min_tolerance) {
         outcome.stop_reason = StopReason::stagnation;
       }
       break;
@@ -280,7 +280,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
     gained_energy += step * z_r;
   }
   add_multiple(1.0, gained, force, count);
-  if (gained_energy > least_new_energy * (energy + gained_energy)) {
+  if (gained_energy > min_new_energy * (energy + gained_energy)) {
     add_multiple(-1.0, residual, left.data(), count); // what the forces gained displace
     const double scale = 1.0 / std::sqrt(product(gained, left.data(), count));
     if (std::isfinite(scale)) {

@@ -29,7 +29,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/box_convolution.hpp"
+#include "half_space/box_convolution.hpp"
 #include "mechanics/cascade.hpp"
 #include "mechanics/normal_contact.hpp"
 

@@ -8,9 +8,8 @@
 /// approach and F the vertical load. The conditions are those of least energy, so the shares in
 /// gap and load are the same.
 /// Patches are half-spaces of their own, u = A_k p. Elastic interaction: with `coupling` the
-/// patches also lie in one mean plane, and u_k gains closeness[k, l] times what the pressures of
-/// patch l cause there (patch_coupling.hpp).
-/// Units mm, N, MPa. Thread rule: plain values.
+/// patches also lie in one mean plane, and u_k gains coupling_weight[k, l] times what the pressures
+/// of patch l cause there (patch_coupling.hpp). Units mm, N, MPa. Thread rule: plain values.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +35,8 @@ struct PatchInteraction {
     double longitudinal = 0.0;
   };
   std::vector<Place> places;
-  std::vector<double> closeness; ///< count x count, symmetric, 0 to 1; the diagonal is not used
+  std::vector<double>
+      coupling_weight; ///< count x count, symmetric, 0 to 1; the diagonal is not used
 };
 
 struct JointProblem {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/influence_coefficients.hpp"
-#include "remesh/grid.hpp"
+#include "base/grid.hpp"
+#include "half_space/influence_coefficients.hpp"
 
 namespace wrc {
 
@@ -22,7 +22,7 @@ struct NormalProblem {
   Grid grid;
   /// Undeformed distance h per element centre, mm; may be negative. Finite.
   std::span<const double> undeformed_distance;
-  double combined_modulus = 0.0; ///< E*, MPa (mechanics/material.hpp)
+  double combined_modulus = 0.0; ///< E*, MPa (half_space/material.hpp)
   /// Exactly one of these two is set.
   std::optional<double> normal_load; ///< Q in N, >= 0
   std::optional<double> approach;    ///< mm

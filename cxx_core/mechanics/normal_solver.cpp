@@ -6,10 +6,10 @@
 #include <numbers>
 #include <optional>
 
+#include "base/reductions.hpp"
 #include "mechanics/cascade.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "mechanics/projected_cg.hpp"
-#include "reductions.hpp"
 
 namespace wrc {
 
@@ -35,13 +35,13 @@ constexpr double double_overlap = 1e-13;
 /// Error that interpolation may have in what patches displace at each other: a share of the
 /// tolerance, but no less than this.
 constexpr double coupling_share = 0.03;
-constexpr double least_coupling_error = 1e-5;
+constexpr double min_coupling_error = 1e-5;
 /// Share of elements below the distance from which the first pressures are drawn.
 constexpr double start_quantile = 0.3;
 /// One grid of a patch's cascade, in its own unit of length.
 struct Level {
   LevelSize size;
-  Grid grid; ///< in mm
+  Grid grid; ///< in mm, from the finest level's first element
   std::vector<double> distance;
   std::vector<double> pressure;
   double share = 1.0;  ///< of the approach, in this level's unit
@@ -52,6 +52,7 @@ struct Level {
 /// Grids of one patch, finest first, and the box worked on.
 struct Cascade {
   InfluenceKernel kernel;
+  PatchInteraction::Place place; ///< of the finest level's first element in the mean plane
   std::vector<Level> levels;
   std::size_t level_count = 0; ///< of the levels, those of this problem
   ElementBox box;
@@ -123,9 +124,9 @@ void include(ElementBox& box, const ElementBox& other) {
 
 /// Moves the sides that contact has reached outwards.
 ElementBox grown(const ElementBox& box, const ReachedSides& reached, const LevelSize& size) {
-  constexpr std::size_t least_growth = 4;
-  const std::size_t by_rows = std::max(least_growth, box.rows() / 4);
-  const std::size_t by_columns = std::max(least_growth, box.columns() / 4);
+  constexpr std::size_t min_growth = 4;
+  const std::size_t by_rows = std::max(min_growth, box.rows() / 4);
+  const std::size_t by_columns = std::max(min_growth, box.columns() / 4);
   ElementBox larger = box;
   if (reached.first_row) {
     larger.first_row -= std::min(larger.first_row, by_rows);
@@ -150,7 +151,7 @@ struct NormalSolver::State {
         double_iteration(cache) {}
 
   void make_levels(const JointProblem& problem);
-  void draw_start(std::size_t index);
+  void draw_initial_pressure(std::size_t index);
   bool take_start(const JointProblem& problem);
   void choose_box(Cascade& cascade, Level& level) const;
   IterationOutcome solve_level(std::size_t index, double tolerance, JointSolution& solution);
@@ -196,6 +197,12 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
     cascades[k].kernel = {shared_aspect(patch.grid.lateral_step / patch.grid.longitudinal_step),
                           problem.elements};
     finest.grid = patch.grid;
+    finest.grid.lateral_first = 0.0;
+    finest.grid.longitudinal_first = 0.0;
+    if (interaction != nullptr) {
+      cascades[k].place = {interaction->places[k].lateral + patch.grid.lateral_first,
+                           interaction->places[k].longitudinal + patch.grid.longitudinal_first};
+    }
     finest.share = patch.approach_share * (step / patch.grid.longitudinal_step);
     finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);
     elements += finest.load_weight() * static_cast<double>(patch.grid.element_count());
@@ -261,7 +268,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
 
 /// First pressures on grid `index` of all patches. With the approach given the first residual tells
 /// where contact is.
-void NormalSolver::State::draw_start(std::size_t index) {
+void NormalSolver::State::draw_initial_pressure(std::size_t index) {
   double height = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < count && load; ++k) {
     height = std::min(height, start_height(cascades[k].at(index)));
@@ -338,13 +345,13 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, double tole
       request.pressure = cascade.box_pressure;
       request.distance = cascade.box_distance;
       if (interaction != nullptr) {
-        coupled.push_back(grid_in_mean_plane(level.grid, interaction->places[k], box));
+        coupled.push_back(grid_in_mean_plane(level.grid, cascade.place, box));
       }
     }
     std::optional<PatchCoupling> coupling;
     if (interaction != nullptr) {
-      coupling.emplace(std::move(coupled), interaction->closeness,
-                       std::clamp(coupling_share * tolerance, least_coupling_error, 1.0));
+      coupling.emplace(std::move(coupled), interaction->coupling_weight,
+                       std::clamp(coupling_share * tolerance, min_coupling_error, 1.0));
     }
     IterationRequest request;
     request.boxes = boxes;
@@ -393,13 +400,14 @@ void NormalSolver::State::displace(const Cascade& cascade, const ElementBox& rec
 /// grid.
 void NormalSolver::State::displace_by_others(std::size_t k, const ElementBox& rectangle) {
   std::vector<Grid> coupled;
-  std::vector<double> closeness(count * count);
+  std::vector<double> coupling_weight(count * count);
   for (std::size_t l = 0; l < count; ++l) {
-    coupled.push_back(grid_in_mean_plane(cascades[l].finest().grid, interaction->places[l],
+    coupled.push_back(grid_in_mean_plane(cascades[l].finest().grid, cascades[l].place,
                                          l == k ? rectangle : cascades[l].box));
-    closeness[k * count + l] = closeness[l * count + k] = interaction->closeness[k * count + l];
+    coupling_weight[k * count + l] = coupling_weight[l * count + k] =
+        interaction->coupling_weight[k * count + l];
   }
-  PatchCoupling coupling(std::move(coupled), closeness);
+  PatchCoupling coupling(std::move(coupled), coupling_weight);
   NodeField field = coupling.field();
   for (std::size_t l = 0; l < count; ++l) {
     if (l != k) {
@@ -417,7 +425,7 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   const Level& level = cascade.finest();
   const LevelSize& size = level.size;
   const ElementBox& box = cascade.box;
-  const double opened = level.share * approach;
+  const double approach_here = level.share * approach;
   ElementBox rectangle = box;
   find_penetration_box(level, approach, 0, rectangle);
   include(rectangle, box);
@@ -427,11 +435,11 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
   // An element left out lacks about overlap / K[0, 0] of pressure; u is nowhere above the approach.
   const double permitted =
       0.5 * tolerance * largest_pressure * cache.table(cascade.kernel, 1, 1)->row(0)[0];
-  double overlap = missed_overlap * opened;
+  double overlap = missed_overlap * approach_here;
   if (overlap <= permitted) {
     displace(cascade, rectangle, single_iteration.workspace());
   } else {
-    overlap = std::max(permitted, double_overlap * opened);
+    overlap = std::max(permitted, double_overlap * approach_here);
     displace(cascade, rectangle, double_iteration.workspace());
   }
   const auto box_with_overlap = [&](double limit) {
@@ -457,10 +465,10 @@ std::optional<ElementBox> NormalSolver::State::box_with_missed_contact(std::size
     }
     return larger;
   };
-  std::optional<ElementBox> larger = box_with_overlap(opened - overlap);
+  std::optional<ElementBox> larger = box_with_overlap(approach_here - overlap);
   if (larger && interaction != nullptr) {
     displace_by_others(k, rectangle);
-    larger = box_with_overlap(opened - overlap);
+    larger = box_with_overlap(approach_here - overlap);
   }
   return larger;
 }
@@ -495,7 +503,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   }
   const bool started = take_start(problem);
   if (!started) {
-    draw_start(level_count - 1);
+    draw_initial_pressure(level_count - 1);
   }
   IterationOutcome outcome;
   for (std::size_t i = started ? 1 : level_count; i-- > 0;) {
@@ -516,7 +524,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
         choose_box(cascades[k], cascades[k].at(i));
       }
       if (!any_pressure) {
-        draw_start(i); // the coarser grid has lost the contact
+        draw_initial_pressure(i); // the coarser grid has lost the contact
       }
     }
     const double tolerance = i > 0 ? std::max(coarse_tolerance, stop_share * problem.tolerance)

@@ -22,7 +22,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/displacement_operator.hpp"
+#include "half_space/displacement_operator.hpp"
 
 namespace wrc {
 

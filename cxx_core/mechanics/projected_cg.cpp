@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reductions.hpp"
+#include "base/reductions.hpp"
 
 namespace wrc {
 
@@ -22,14 +22,14 @@ constexpr double drift_exponent = 1.15;
 constexpr int stagnation_window = 60;
 /// Pressures whose displacements are added up one by one: about as many as cost a convolution of
 /// so many elements.
-constexpr std::size_t most_single_cuts = 128;
+constexpr std::size_t max_single_cuts = 128;
 constexpr double elements_per_cut = 16.0;
 /// By which share the pressures of one box may shrink or grow in an iteration. Where the least
 /// energy lies beyond, all go the same part of the way, which keeps the load; where that would be
 /// less than the least part, a step of the same length in all boxes is taken.
-constexpr double most_shrinking = 0.5;
-constexpr double most_growth = 1.0;
-constexpr double least_part = 0.1;
+constexpr double max_shrinking = 0.5;
+constexpr double max_growth = 1.0;
+constexpr double min_part = 0.1;
 
 void scale_pressures(std::span<const IterationBox> boxes, double factor) {
   for (const IterationBox& box : boxes) {
@@ -156,9 +156,9 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   double part = found ? 1.0 : 0.0;
   for (std::size_t k = 0; k < count && found; ++k) {
     const double growth = joint_step_.growth(k);
-    part = std::min(part, (growth < 0.0 ? most_shrinking : most_growth) / std::abs(growth));
+    part = std::min(part, (growth < 0.0 ? max_shrinking : max_growth) / std::abs(growth));
   }
-  if (part >= least_part) {
+  if (part >= min_part) {
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
       fields.factor = 1.0 + part * joint_step_.growth(k);
@@ -251,20 +251,20 @@ void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields
 }
 
 /// Sets negative pressures to 0 and takes their displacement out of u.
-template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
+template <typename Real> void ProjectedCg<Real>::clip_negative(std::size_t k) {
   const IterationBox& box = request_->boxes[k];
   Fields& fields = *fields_[k];
   double* pressure = box.pressure.data();
   const double most = static_cast<double>(box.count()) / elements_per_cut;
-  const bool one_by_one = fields.cut <= std::min(most, static_cast<double>(most_single_cuts));
+  const bool one_by_one = fields.cut <= std::min(most, static_cast<double>(max_single_cuts));
   if (one_by_one) {
     struct Cut {
       std::size_t row;
       std::size_t column;
     };
-    std::array<Cut, most_single_cuts> cuts{};
-    std::array<Real, most_single_cuts> pressures{};
-    std::array<const Real*, most_single_cuts> kernels{};
+    std::array<Cut, max_single_cuts> cuts{};
+    std::array<Real, max_single_cuts> pressures{};
+    std::array<const Real*, max_single_cuts> kernels{};
     std::size_t cut_count = 0;
     for (std::size_t i = 0; i < box.rows; ++i) {
       double* row = pressure + i * box.columns;
@@ -305,7 +305,7 @@ template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
 }
 
 /// p = max(0, p + z): z estimates the error, so this removes most of what is left of it.
-template <typename Real> void ProjectedCg<Real>::take_free_step(double z_mean) {
+template <typename Real> void ProjectedCg<Real>::final_correction(double z_mean) {
   const auto boxes = request_->boxes;
   double load = 0.0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -459,7 +459,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     if (met || stuck || outcome.iterations >= request.maximum_iterations) {
       outcome.stop_reason = met ? StopReason::tolerance_met
                                 : (stuck ? StopReason::stagnation : StopReason::iteration_limit);
-      take_free_step(z_mean);
+      final_correction(z_mean);
       return outcome;
     }
 
@@ -518,7 +518,7 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
         gather_change(k);
       }
       if (fields_[k]->cut > 0.0) {
-        cut_negative(k);
+        clip_negative(k);
       }
     }
     const double kept_load = load_given ? *request.load / load : 1.0;

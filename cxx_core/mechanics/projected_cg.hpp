@@ -37,10 +37,10 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/box_convolution.hpp"
+#include "half_space/box_convolution.hpp"
+#include "half_space/patch_coupling.hpp"
 #include "mechanics/joint_step.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "mechanics/patch_coupling.hpp"
 #include "mechanics/projected_cg_loops.hpp"
 
 namespace wrc {
@@ -130,11 +130,11 @@ private:
   void respond();
   void choose_steps();
   void add_coupled_energies();
-  void cut_negative(std::size_t k);
+  void clip_negative(std::size_t k);
   void gather_change(std::size_t k);
   void advance_coupling();
   void mirror_influence(const IterationBox& box, Fields& fields);
-  void take_free_step(double z_mean);
+  void final_correction(double z_mean);
 
   /// h of a box, and with coupling what the other boxes displace there.
   [[nodiscard]] const double* distance_of(std::size_t k) const {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "mechanics/influence_coefficients.hpp"
-#include "vector_clones.hpp"
+#include "base/vector_clones.hpp"
+#include "half_space/influence_coefficients.hpp"
 
 namespace wrc {
 namespace {

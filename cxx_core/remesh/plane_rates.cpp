@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "remesh/patch_finder.hpp"
-#include "remesh/value_with_rates.hpp"
+#include "base/value_with_rates.hpp"
+#include "patches/patch_finder.hpp"
 
 namespace wrc {
 namespace {

@@ -52,7 +52,7 @@ std::optional<double> RailRay::solve(double longitudinal, double lateral) {
     const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
     const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
     // Places that are no numbers are met by no ray either.
-    if (!(facing >= least_facing_cosine) || !std::isfinite(offset)) {
+    if (!(facing >= min_facing_cosine) || !std::isfinite(offset)) {
       return std::nullopt;
     }
     const double step = std::clamp(offset / facing, -largest_step, largest_step);
@@ -109,7 +109,7 @@ std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
     const double excess = 0.5 * (body.x * body.x + (body.z - rho) * (body.z + rho));
     const double derivative =
         body.x * normal_.x + body.z * normal_.z - rho * profile.slope * normal_.y;
-    if (!(derivative < -least_facing_cosine * rho)) {
+    if (!(derivative < -min_facing_cosine * rho)) {
       return std::nullopt;
     }
     const double step = std::clamp(-excess / derivative, -largest_step, largest_step);

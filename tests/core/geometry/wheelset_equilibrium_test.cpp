@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "error.hpp"
-#include "geometry/brute_force.hpp"
+#include "base/error.hpp"
+#include "support/brute_force.hpp"
 
 namespace wrc::test {
 namespace {
