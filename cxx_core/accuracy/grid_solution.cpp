@@ -6,10 +6,11 @@
 
 namespace wrc {
 
-double PatchOnGrid::overlap(double approach) const {
-  const double least = least_of(distance.data(), distance.size());
-  const auto index = static_cast<std::size_t>(std::find(distance.begin(), distance.end(), least) -
-                                              distance.begin());
+double Patch::overlap(double shared_approach) const {
+  const double least = least_of(undeformed_distance.data(), undeformed_distance.size());
+  const auto index = static_cast<std::size_t>(
+      std::find(undeformed_distance.begin(), undeformed_distance.end(), least) -
+      undeformed_distance.begin());
   const std::size_t columns_of_grid = grid.longitudinal_count;
   const std::size_t row = index / columns_of_grid;
   const std::size_t column = index % columns_of_grid;
@@ -21,28 +22,29 @@ double PatchOnGrid::overlap(double approach) const {
     }
   };
   if (row > 0 && row + 1 < grid.lateral_count) {
-    deepen(distance[index - columns_of_grid], distance[index + columns_of_grid]);
+    deepen(undeformed_distance[index - columns_of_grid],
+           undeformed_distance[index + columns_of_grid]);
   }
   if (column > 0 && column + 1 < columns_of_grid) {
-    deepen(distance[index - 1], distance[index + 1]);
+    deepen(undeformed_distance[index - 1], undeformed_distance[index + 1]);
   }
-  return share * approach - deepest;
+  return approach_cosine * shared_approach - deepest;
 }
 
 bool GridSolution::no_contact() const {
   return std::all_of(patches.begin(), patches.end(),
-                     [](const PatchOnGrid& patch) { return patch.no_contact(); });
+                     [](const Patch& patch) { return patch.no_contact(); });
 }
 
 double GridSolution::peak_pressure() const {
   double peak = 0.0;
-  for (const PatchOnGrid& patch : patches) {
+  for (const Patch& patch : patches) {
     peak = std::max(peak, patch.contact.peak_pressure);
   }
   return peak;
 }
 
-double GridSolution::weight(const PatchOnGrid& patch) const {
+double GridSolution::weight(const Patch& patch) const {
   return patch.contact.peak_pressure / peak_pressure();
 }
 
@@ -50,8 +52,8 @@ std::vector<PlanePatches> GridSolution::patches_by_plane(bool solved) const {
   std::vector<PlanePatches> planes;
   bool begins = true;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    const PatchOnGrid& patch = patches[k];
-    begins = begins || !patch.place.shares_plane_with_previous;
+    const Patch& patch = patches[k];
+    begins = begins || !patch.penetration.shares_plane_with_previous;
     if (solved && patch.no_contact()) {
       continue;
     }

@@ -15,18 +15,21 @@
 
 namespace wrc {
 
-/// A patch's grid and its part of the solution.
-struct PatchOnGrid {
-  ContactPatch place;
+/// The record of a patch, from the plan to the result.
+struct Patch {
+  ContactPatch penetration;
   ContactFrame frame;
   Grid grid;
-  double share = 1.0;           ///< of the approach, along the patch's normal
+  double approach_cosine = 1.0; ///< share of the shared approach along the patch's normal
   double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
-  std::vector<double> distance;
-  std::vector<double> pressure;
+  std::vector<double> undeformed_distance;
+  std::vector<double> pressure; ///< empty: not solved yet
   double normal_force = 0.0;
-  PressureRegion contact;  ///< all elements under pressure together
-  double peak_error = 0.0; ///< of a peak from a section (peak_section.hpp), MPa
+  PressureRegion contact;     ///< all elements under pressure together
+  double peak_error = 0.0;    ///< of a peak from a section (peak_section.hpp), MPa
+  std::size_t plane = 0;      ///< patches of the same one are one contact
+  double approach = 0.0;      ///< deepest overlap of the undeformed bodies along the normal
+  std::optional<double> area; ///< of an approximate model, in closed form
 
   [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
   /// Elements along the contact.
@@ -35,7 +38,7 @@ struct PatchOnGrid {
   }
   /// Deepest overlap of the undeformed bodies along the normal at an approach from the depth
   /// sampled, by parabolas through the least distance and its neighbours.
-  [[nodiscard]] double overlap(double approach) const;
+  [[nodiscard]] double overlap(double shared_approach) const;
 };
 
 /// Patches that share a plane.
@@ -46,22 +49,24 @@ struct PlanePatches {
 
 struct GridSolution {
   Elements elements = Elements::smooth;
-  double depth = 0.0;               ///< at which distances were sampled
-  std::vector<PatchOnGrid> patches; ///< ordered by y
-  std::vector<double> links;        ///< coupling weight of each patch and the next
-  double approach = 0.0;            ///< answer to the joint problem, from that depth
-  double depth_found = 0.0;         ///< the depth that the solution asks for
+  double depth = 0.0;         ///< at which distances were sampled
+  std::vector<Patch> patches; ///< ordered by y
+  std::vector<double> links;  ///< coupling weight of each patch and the next
+  std::size_t main = 0;       ///< the patch that holds the first contact
+  double approach = 0.0;      ///< answer to the joint problem, from that depth
+  double depth_found = 0.0;   ///< the depth that the solution asks for
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
-  std::optional<double> left_out_s;            ///< see GridPlan
+  std::optional<double>
+      left_out_s; ///< the vertical convention leaves out a patch there, mm on the wheel
 
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] double peak_pressure() const;
   /// Largest normal force first; without the patches that do not touch, if there are pressures.
   [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;
   /// Largest pressure of a patch over that of the wheel.
-  [[nodiscard]] double weight(const PatchOnGrid& patch) const;
+  [[nodiscard]] double weight(const Patch& patch) const;
 };
 
 } // namespace wrc

@@ -67,7 +67,7 @@ struct Samples {
   }
 };
 
-double top_of_row(const PatchOnGrid& patch, std::size_t row) {
+double top_of_row(const Patch& patch, std::size_t row) {
   const std::size_t columns = patch.grid.longitudinal_count;
   const auto begin = patch.pressure.begin() + static_cast<std::ptrdiff_t>(row * columns);
   const auto end = begin + static_cast<std::ptrdiff_t>(columns);
@@ -79,13 +79,14 @@ double top_of_row(const PatchOnGrid& patch, std::size_t row) {
 /// What a ridge of the profiles adds to the largest pressure with every strip e times narrower
 /// (Johnson, Contact Mechanics, 1985, eq. 5.28: a wedge's pressure has no limit), where it lies
 /// under the pressures or within two rows of them.
-double growth_at_ridge(const PatchOnGrid& patch, const PosedPair& pair, double combined_modulus,
+double growth_at_ridge(const Patch& patch, const PosedPair& pair, double combined_modulus,
                        double lateral_first, double lateral_last) {
   const auto y = [&](double lateral) {
     return patch.frame.origin.y + patch.frame.lateral.y * lateral;
   };
   const auto s = [&](double lateral) {
-    return patch.place.deepest_s + (y(lateral) - patch.place.deepest_y) / std::cos(pair.pose.roll);
+    return patch.penetration.deepest_s +
+           (y(lateral) - patch.penetration.deepest_y) / std::cos(pair.pose.roll);
   };
   const double angle =
       std::max(pair.rail.graph().sharpest_ridge(y(lateral_first), y(lateral_last)),
@@ -113,7 +114,7 @@ PeakInSection highest_of(const std::vector<double>& pressure) {
 
 } // namespace
 
-PeakInSection peak_in_section(const PatchOnGrid& patch, Elements elements, const PosedPair& pair,
+PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
                               double approach, double combined_modulus, double tolerance) {
   const Grid& grid = patch.grid;
   const std::size_t columns = grid.longitudinal_count;
@@ -138,7 +139,8 @@ PeakInSection peak_in_section(const PatchOnGrid& patch, Elements elements, const
     if (pressure[row] > 0.0) {
       const double lateral = grid.lateral(row);
       pressures.add(lateral, pressure[row]);
-      smooth.add(lateral, approach - patch.distance[row * columns + column] - displacement[row]);
+      smooth.add(lateral,
+                 approach - patch.undeformed_distance[row * columns + column] - displacement[row]);
     }
   }
 

@@ -32,7 +32,7 @@ struct PeakInSection {
 
 /// Of a patch in contact. `approach`: along the normal, from the position sampled; `tolerance`: of
 /// the pressures, relative.
-PeakInSection peak_in_section(const PatchOnGrid& patch, Elements elements, const PosedPair& pair,
+PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
                               double approach, double combined_modulus, double tolerance);
 
 } // namespace wrc

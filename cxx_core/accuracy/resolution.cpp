@@ -49,7 +49,7 @@ double rows_for(double accuracy) {
 
 /// Columns of a grid that contact would fill as usual: where it lies askew in its grid, as on the
 /// flange with yaw, its longest row is short.
-double columns_in_use(const PatchOnGrid& patch) {
+double columns_in_use(const Patch& patch) {
   const auto columns = static_cast<std::ptrdiff_t>(patch.grid.longitudinal_count);
   std::ptrdiff_t longest = 0;
   for (auto row = patch.pressure.begin(); row != patch.pressure.end(); row += columns) {
@@ -79,7 +79,7 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
   const auto law = [&](double rows) {
     return error_factor(goal) * error_of_one_row / (rows * rows);
   };
-  for (const PatchOnGrid& patch : solution.patches) {
+  for (const Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
       error.rows = std::max(error.rows, law(static_cast<double>(patch.grid.lateral_count)));
       error.columns = std::max(error.columns, law(columns_in_use(patch) / columns_by_rows));

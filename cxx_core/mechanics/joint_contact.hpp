@@ -24,7 +24,7 @@ namespace wrc {
 struct PatchGap {
   Grid grid;
   std::span<const double> undeformed_distance; ///< h per element centre, mm. Finite.
-  double approach_share = 1.0;                 ///< s, in (0, 1]
+  double approach_cosine = 1.0;                ///< s, in (0, 1]
   std::span<const double> start = {};          ///< pressures to start from, MPa; none: by itself
 };
 
@@ -70,5 +70,8 @@ struct JointSolution {
 
 /// Throws Error(invalid_argument) for a problem outside its permitted ranges; names the argument.
 void check_problem(const JointProblem& problem);
+
+/// The paper's method (mechanics/normal_contact.hpp) for a problem of one patch.
+JointSolution solve_with_polonsky_keer(const JointProblem& problem);
 
 } // namespace wrc

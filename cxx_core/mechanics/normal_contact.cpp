@@ -125,8 +125,8 @@ void check_problem(const JointProblem& problem) {
   for (const PatchGap& patch : problem.patches) {
     check_grid(patch.grid);
     check_distances(patch.undeformed_distance, patch.grid);
-    if (!(patch.approach_share > 0.0 && patch.approach_share <= 1.0)) {
-      throw_invalid_argument("approach_share", patch.approach_share,
+    if (!(patch.approach_cosine > 0.0 && patch.approach_cosine <= 1.0)) {
+      throw_invalid_argument("approach_cosine", patch.approach_cosine,
                              "must be greater than 0 and at most 1");
     }
   }

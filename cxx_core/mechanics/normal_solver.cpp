@@ -203,7 +203,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
       cascades[k].place = {interaction->places[k].lateral + patch.grid.lateral_first,
                            interaction->places[k].longitudinal + patch.grid.longitudinal_first};
     }
-    finest.share = patch.approach_share * (step / patch.grid.longitudinal_step);
+    finest.share = patch.approach_cosine * (step / patch.grid.longitudinal_step);
     finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);
     elements += finest.load_weight() * static_cast<double>(patch.grid.element_count());
   }
@@ -243,7 +243,7 @@ void NormalSolver::State::make_levels(const JointProblem& problem) {
     finest.size = {patch.grid.lateral_count, patch.grid.longitudinal_count};
     finest.distance.resize(patch.grid.element_count());
     const double unit = approach_scale * (patch.grid.longitudinal_step / step);
-    const double least = least_approach * patch.approach_share;
+    const double least = least_approach * patch.approach_cosine;
     const double limit = 4.0 * farthest * finest.share;
     std::transform(patch.undeformed_distance.begin(), patch.undeformed_distance.end(),
                    finest.distance.begin(),
@@ -481,7 +481,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   for (const PatchGap& patch : problem.patches) {
     const double least =
         least_of(patch.undeformed_distance.data(), patch.undeformed_distance.size());
-    least_approach = std::min(least_approach, least / patch.approach_share);
+    least_approach = std::min(least_approach, least / patch.approach_cosine);
   }
   JointSolution solution;
   solution.patches.resize(count);

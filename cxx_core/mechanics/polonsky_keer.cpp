@@ -16,6 +16,7 @@
 /// Inside, lengths are counted in longitudinal steps, the modulus is 1 and pressures are of the
 /// order of 1, so that the units and the size of a problem do not matter.
 
+#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 
 #include <algorithm>
@@ -378,6 +379,31 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
   if (solution.stop_reason == StopReason::tolerance_met && error > problem.tolerance) {
     solution.stop_reason = StopReason::stagnation;
   }
+  return solution;
+}
+
+JointSolution solve_with_polonsky_keer(const JointProblem& problem) {
+  const PatchGap& patch = problem.patches.front();
+  NormalProblem single;
+  single.grid = patch.grid;
+  single.undeformed_distance = patch.undeformed_distance;
+  single.combined_modulus = problem.combined_modulus;
+  if (problem.load) {
+    single.normal_load = *problem.load / patch.approach_cosine;
+  } else {
+    single.approach = *problem.approach * patch.approach_cosine;
+  }
+  single.tolerance = problem.tolerance;
+  single.maximum_iterations = problem.maximum_iterations;
+  single.elements = problem.elements;
+  NormalSolution solved = solve_with_polonsky_keer(single);
+  JointSolution solution;
+  solution.patches.push_back({std::move(solved.pressure), solved.normal_force});
+  solution.approach = solved.approach / patch.approach_cosine;
+  solution.iterations = solved.iterations;
+  solution.convolutions = solved.iterations;
+  solution.stop_reason = solved.stop_reason;
+  solution.pressure_error = solved.pressure_error;
   return solution;
 }
 

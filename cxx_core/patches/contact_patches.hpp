@@ -63,7 +63,7 @@ struct ContactPatch {
   double deepest = 0.0;        ///< largest vertical penetration
   double deepest_y = 0.0;      ///< its place in the track frame and ...
   double deepest_s = 0.0;      ///< ... on the wheel's profile
-  double share = 1.0;          ///< of the weight W of all patches of the wheel
+  double weight = 1.0;         ///< share of the weight W of all patches of the wheel
   double angle_unturned = 0.0; ///< of the rail's mean normal in this patch by itself
   double angle = 0.0;          ///< of its plane, turned towards close neighbours
   double mean_x = 0.0;         ///< mean place, weighted like the angle

@@ -237,7 +237,7 @@ public:
     result.links.reserve(lobes_.size());
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
       ContactPatch patch = patch_of(lobes_[k]);
-      patch.share = value_of(lobes_[k].moments.weight / weight);
+      patch.weight = value_of(lobes_[k].moments.weight / weight);
       if (k > 0) {
         const double border = 0.5 * (patch.y_first + result.patches.back().y_last);
         result.patches.back().limit_last = patch.limit_first = border;

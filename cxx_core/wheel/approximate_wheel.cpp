@@ -1,12 +1,12 @@
 #include "wheel/approximate_wheel.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "models/hertz.hpp"
 #include "models/patch_model.hpp"
 #include "patches/depth_estimate.hpp"
@@ -35,12 +35,6 @@ constexpr double good_validity = 0.8;
 /// The least of Hertz's lateral curvature, in longitudinal ones, that a first depth is taken from.
 constexpr double min_curvature_share = 1e-3;
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 class ApproximateWheel {
 public:
   ApproximateWheel(const WheelSurface& wheel, const RailSurface& rail,
@@ -61,8 +55,8 @@ private:
   /// Depth at which the patches found carry the load.
   [[nodiscard]] double depth_of_load(double start) const;
   void settle_depth();
-  void take_patches();
-  [[nodiscard]] PatchSolution taken(std::size_t patch, const ModelledPatch& modelled) const;
+  void publish_patches();
+  void sample(Patch& patch, const PatchModel& model, const ModelledPatch& modelled) const;
 
   const WheelSurface& wheel_;
   const RailSurface& rail_;
@@ -72,9 +66,8 @@ private:
   ContactStrips strips_;
   ModelWheel side_;
   double depth_ = 0.0;
-  ContactPatches found_;
+  GridSolution planned_;
   std::vector<std::unique_ptr<PatchModel>> models_;
-  std::vector<double> shares_; ///< of the normal force in the load
   WheelSolution result_;
 };
 
@@ -101,26 +94,30 @@ double ApproximateWheel::first_depth() const {
 }
 
 void ApproximateWheel::find_patches(double depth) {
-  const GridPlan plan = GridPlanner(rail_, equilibrium_, request_).plan(depth);
-  found_ = plan.found;
+  WheelRequest near_only = request_;
+  near_only.interaction = false; // models do not couple patches, but lose validity beside others
+  const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
+  planned_ = plan_grids(rail_, equilibrium_, near_only, depth, {counts[0], counts[1]});
   models_.clear();
-  shares_.clear();
-  for (const PlannedPatch& patch : plan.patches) {
+  for (const Patch& patch : planned_.patches) {
     models_.push_back(model_ == ApproximateModel::hertz
-                          ? make_hertz_patch(side_, patch.place)
-                          : make_kik_piotrowski_patch(side_, patch.place, patch.frame));
+                          ? make_hertz_patch(side_, patch.penetration)
+                          : make_kik_piotrowski_patch(side_, patch.penetration, patch.frame));
   }
-  const Vector3 main_normal = models_[found_.main]->frame().normal;
-  for (const auto& patch : models_) {
-    const Vector3 normal = patch->frame().normal;
-    shares_.push_back(request_.normal_load ? std::min(dot(normal, main_normal), 1.0) : normal.z);
+  const Vector3 main_normal = models_[planned_.main]->frame().normal;
+  for (std::size_t k = 0; k < models_.size(); ++k) {
+    Patch& patch = planned_.patches[k];
+    patch.frame = models_[k]->frame();
+    const Vector3 normal = patch.frame.normal;
+    patch.approach_cosine =
+        request_.normal_load ? std::min(dot(normal, main_normal), 1.0) : normal.z;
   }
 }
 
 double ApproximateWheel::load_at(double depth) const {
   double load = 0.0;
   for (std::size_t k = 0; k < models_.size(); ++k) {
-    load += shares_[k] * models_[k]->load(depth);
+    load += planned_.patches[k].approach_cosine * models_[k]->load(depth);
   }
   return load;
 }
@@ -174,54 +171,44 @@ void ApproximateWheel::settle_depth() {
                                 "found at another depth");
 }
 
-PatchSolution ApproximateWheel::taken(std::size_t patch, const ModelledPatch& modelled) const {
-  PatchSolution taken;
-  taken.place = found_.patches[patch];
-  taken.frame = models_[patch]->frame();
-  taken.share = shares_[patch];
-  for (std::size_t other = 0; other < models_.size(); ++other) {
-    if (other != patch) {
-      taken.coupling_weight = std::max(taken.coupling_weight, found_.coupling_weight(patch, other));
-    }
-  }
-  const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
-  taken.grid = grid_over(modelled.extent.widened(sampled_margin), counts[0], counts[1]);
-  taken.pressure = models_[patch]->sample(taken.grid);
+void ApproximateWheel::sample(Patch& patch, const PatchModel& model,
+                              const ModelledPatch& modelled) const {
+  patch.grid = grid_over(modelled.extent.widened(sampled_margin), patch.grid.lateral_count,
+                         patch.grid.longitudinal_count);
+  patch.pressure = model.sample(patch.grid);
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth_};
-  taken.undeformed_distance = sample_undeformed_distance(pair, taken.frame, taken.grid);
-  taken.normal_force = modelled.normal_force;
-  taken.approach = modelled.approach;
-  taken.area = modelled.area;
-  taken.contact.peak_pressure = modelled.peak_pressure;
-  for (const double pressure : taken.pressure) {
-    taken.contact.largest_element_pressure =
-        std::max(taken.contact.largest_element_pressure, pressure);
-    taken.contact.element_count += pressure > 0.0 ? 1 : 0;
+  patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
+  patch.normal_force = modelled.normal_force;
+  patch.approach = modelled.approach;
+  patch.area = modelled.area;
+  patch.contact.peak_pressure = modelled.peak_pressure;
+  for (const double pressure : patch.pressure) {
+    patch.contact.largest_element_pressure =
+        std::max(patch.contact.largest_element_pressure, pressure);
+    patch.contact.element_count += pressure > 0.0 ? 1 : 0;
   }
-  taken.contact.normal_force = modelled.normal_force;
-  taken.contact.centroid_longitudinal = modelled.centroid_longitudinal;
-  taken.contact.centroid_lateral = modelled.centroid_lateral;
-  taken.contact.semi_axis_longitudinal = modelled.semi_axis_longitudinal;
-  taken.contact.semi_axis_lateral = modelled.semi_axis_lateral;
-  return taken;
+  patch.contact.normal_force = modelled.normal_force;
+  patch.contact.centroid_longitudinal = modelled.centroid_longitudinal;
+  patch.contact.centroid_lateral = modelled.centroid_lateral;
+  patch.contact.semi_axis_longitudinal = modelled.semi_axis_longitudinal;
+  patch.contact.semi_axis_lateral = modelled.semi_axis_lateral;
 }
 
-void ApproximateWheel::take_patches() {
+void ApproximateWheel::publish_patches() {
   double validity = 1.0;
   for (std::size_t k = 0; k < models_.size(); ++k) {
     const ModelledPatch modelled = models_[k]->solve(depth_);
     if (!(modelled.normal_force > 0.0)) {
       continue;
     }
-    result_.patches.push_back(taken(k, modelled));
+    Patch& patch = result_.patches.emplace_back(std::move(planned_.patches[k]));
+    sample(patch, *models_[k], modelled);
     result_.peak_pressure = std::max(result_.peak_pressure, modelled.peak_pressure);
-    validity =
-        std::min(validity, modelled.validity * (1.0 - result_.patches.back().coupling_weight));
+    validity = std::min(validity, modelled.validity * (1.0 - patch.coupling_weight));
   }
-  std::stable_sort(result_.patches.begin(), result_.patches.end(),
-                   [](const PatchSolution& one, const PatchSolution& other) {
-                     return one.normal_force > other.normal_force;
-                   });
+  std::stable_sort(
+      result_.patches.begin(), result_.patches.end(),
+      [](const Patch& one, const Patch& other) { return one.normal_force > other.normal_force; });
   for (std::size_t k = 0; k < result_.patches.size(); ++k) {
     result_.patches[k].plane = k; // models do not couple patches
   }
@@ -233,13 +220,13 @@ void ApproximateWheel::take_patches() {
                                " on): pmax may be off by tens of per cent");
   }
   if (request_.interaction && result_.patches.size() > 1) {
-    result_.warnings.emplace_back("patches do not feel each other in this model");
+    result_.warnings.emplace_back("patches do not interact in this model");
   }
 }
 
 WheelSolution ApproximateWheel::solve() {
   result_.solved = true;
-  const auto start = Clock::now();
+  const Stopwatch watch;
   if (equilibrium_.scan.candidates.front().at_profile_end) {
     result_.warnings.emplace_back(
         "contact at the end of a profile, or where the rail turns upright");
@@ -258,8 +245,8 @@ WheelSolution ApproximateWheel::solve() {
   if (!request_.position_is_prescribed()) {
     result_.load = request_.load();
   }
-  take_patches();
-  result_.times.mechanics = seconds_since(start);
+  publish_patches();
+  result_.times.mechanics = watch.seconds();
   return std::move(result_);
 }
 

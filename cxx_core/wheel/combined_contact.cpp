@@ -111,8 +111,7 @@ Values averaged(const PatchResult& part, const PatchResult& whole) {
 }
 
 /// All pressures together, by their moments.
-PressureRegion combined_region(std::span<const PatchSolution> parts,
-                               std::span<const Shift> shifts) {
+PressureRegion combined_region(std::span<const Patch> parts, std::span<const Shift> shifts) {
   constexpr double square_share = 0.2; // <x^2> = a^2 / 5 (pressure/pressure_field.hpp)
   PressureRegion all;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -150,10 +149,10 @@ PressureRegion combined_region(std::span<const PatchSolution> parts,
 }
 
 /// One grid over the grids of all parts.
-Grid combined_grid(std::span<const PatchSolution> parts, std::span<const Shift> shifts) {
+Grid combined_grid(std::span<const Patch> parts, std::span<const Shift> shifts) {
   const auto peak = static_cast<std::size_t>(
       std::max_element(parts.begin(), parts.end(),
-                       [](const PatchSolution& one, const PatchSolution& other) {
+                       [](const Patch& one, const Patch& other) {
                          return one.contact.peak_pressure < other.contact.peak_pressure;
                        }) -
       parts.begin());
@@ -182,22 +181,23 @@ Grid combined_grid(std::span<const PatchSolution> parts, std::span<const Shift> 
 
 } // namespace
 
-PatchSolution combined(std::span<const PatchSolution> parts, const RailSurface& rail) {
-  PatchSolution whole;
-  double share = 0.0;
+Patch combined(std::span<const Patch> parts, const RailSurface& rail) {
+  Patch whole;
+  double weight = 0.0;
   Vector3 mean;
-  for (const PatchSolution& part : parts) {
-    share += part.place.share;
-    mean = mean + part.place.share * Vector3{part.place.mean_x, part.place.mean_y, 0.0};
+  for (const Patch& part : parts) {
+    weight += part.penetration.weight;
+    mean = mean +
+           part.penetration.weight * Vector3{part.penetration.mean_x, part.penetration.mean_y, 0.0};
     whole.normal_force += part.normal_force;
     whole.approach = std::max(whole.approach, part.approach);
   }
-  mean = (1.0 / share) * mean;
+  mean = (1.0 / weight) * mean;
   whole.frame = parts.front().frame;
   whole.frame.origin = {mean.x, mean.y, rail.graph().at_lateral(mean.y).height};
-  whole.share = parts.front().share;
+  whole.approach_cosine = parts.front().approach_cosine;
   std::vector<Shift> shifts;
-  for (const PatchSolution& part : parts) {
+  for (const Patch& part : parts) {
     shifts.push_back(shift_of(part.frame, whole.frame));
   }
   whole.contact = combined_region(parts, shifts);
@@ -245,11 +245,11 @@ std::vector<double> combined_displacement(const PatchResult& whole, const WheelD
          ++i) {
       double displacement = 0.0;
       for (std::size_t k = 0; k < whole.parts.size(); ++k) {
-        // Closeness is that of the weakest link between.
-        const double felt = k == nearest ? 1.0
-                                         : std::min(whole.parts[k].coupling_weight,
-                                                    whole.parts[nearest].coupling_weight);
-        displacement += felt * by_part[k][i];
+        // The weight is that of the weakest link between.
+        const double weight = k == nearest ? 1.0
+                                           : std::min(whole.parts[k].coupling_weight,
+                                                      whole.parts[nearest].coupling_weight);
+        displacement += weight * by_part[k][i];
       }
       values.push_back(displacement);
     }

@@ -22,7 +22,7 @@ namespace wrc {
 
 /// The whole, without fields and place of penetration. `parts`: at least one, largest normal force
 /// first, in parallel planes.
-PatchSolution combined(std::span<const PatchSolution> parts, const RailSurface& rail);
+Patch combined(std::span<const Patch> parts, const RailSurface& rail);
 
 /// Of a patch that has parts, on its grid: MPa, and mm.
 std::vector<double> combined_pressure(const PatchResult& whole);

@@ -24,8 +24,7 @@ constexpr double noise_response = 0.9069;
 constexpr double table_difference = 2e-12;
 
 /// By how much the rounding of positions may change a patch's largest pressure, MPa.
-double pressure_rounding(const PatchOnGrid& patch, const WheelRequest& request,
-                         double wheel_radius) {
+double pressure_rounding(const Patch& patch, const WheelRequest& request, double wheel_radius) {
   const double rounding = coordinate_deviation * std::numeric_limits<double>::epsilon();
   const double angle = patch.frame.angle();
   const double radial = rounding * wheel_radius * std::cos(angle);
@@ -87,7 +86,7 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
                       double wheel_radius, std::vector<std::string>& warnings) {
   double overlap = 0.0;
   double pressure = 0.0;
-  for (const PatchOnGrid& patch : solution.patches) {
+  for (const Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
       overlap = std::max(overlap, patch.overlap(solution.approach));
       pressure = std::max(pressure, pressure_rounding(patch, request, wheel_radius));

@@ -15,60 +15,58 @@ namespace wrc {
 namespace {
 
 /// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
-ContactPoint place_of(const ContactCandidate& candidate, const WheelSurface& wheel,
+ContactPoint point_of(const ContactCandidate& candidate, const WheelSurface& wheel,
                       const RailSurface& rail, double vertical, double side) {
-  ContactPoint place;
+  ContactPoint point;
   const Vector3 position = candidate.wheel.position;
   const double rail_z = position.z - candidate.distance;
-  place.x = position.x;
-  place.y = side * position.y;
-  place.z = rail_z;
-  place.angle = side * candidate.rail_angle;
-  place.s_wheel = candidate.wheel.lateral;
-  place.w_wheel = candidate.wheel.height;
-  place.wheel_angle = candidate.wheel.wheel_angle;
-  rail.to_profile_frame(position.y, rail_z, place.t_rail, place.v_rail);
-  place.rolling_radius = wheel.radius() + candidate.wheel.height;
-  place.distance = candidate.distance + vertical;
-  return place;
+  point.x = position.x;
+  point.y = side * position.y;
+  point.z = rail_z;
+  point.angle = side * candidate.rail_angle;
+  point.s_wheel = candidate.wheel.lateral;
+  point.w_wheel = candidate.wheel.height;
+  point.wheel_angle = candidate.wheel.wheel_angle;
+  rail.to_profile_frame(position.y, rail_z, point.t_rail, point.v_rail);
+  point.rolling_radius = wheel.radius() + candidate.wheel.height;
+  point.distance = candidate.distance + vertical;
+  return point;
 }
 
 /// Where the normal through a place of a patch's plane meets rail and wheel.
-ContactPoint place_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
+ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
                       double lateral, double side) {
   const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
-  ContactPoint place;
-  place.x = surface.rail.x;
-  place.y = side * surface.rail.y;
-  place.z = surface.rail.z;
-  place.angle = side * surface.rail_angle;
-  place.s_wheel = surface.wheel_lateral;
-  place.w_wheel = surface.wheel_height;
+  ContactPoint point;
+  point.x = surface.rail.x;
+  point.y = side * surface.rail.y;
+  point.z = surface.rail.z;
+  point.angle = side * surface.rail_angle;
+  point.s_wheel = surface.wheel_lateral;
+  point.w_wheel = surface.wheel_height;
   const Vector3 body =
       Rotation(pair.pose).to_body(surface.wheel - Vector3{0.0, pair.pose.lateral, pair.vertical});
-  place.wheel_angle = std::atan2(body.x, -body.z);
-  place.rolling_radius = pair.wheel.radius() + surface.wheel_height;
-  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, place.t_rail, place.v_rail);
-  return place;
+  point.wheel_angle = std::atan2(body.x, -body.z);
+  point.rolling_radius = pair.wheel.radius() + surface.wheel_height;
+  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, point.t_rail, point.v_rail);
+  return point;
 }
 
-Vector3 position_of(const ContactPoint& place) {
-  return {place.x, place.y, place.z};
+Vector3 position_of(const ContactPoint& point) {
+  return {point.x, point.y, point.z};
 }
 
-PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined_modulus,
-                     double side) {
+PatchResult patch_of(Patch solved, const PosedPair& pair, double combined_modulus, double side) {
   PatchResult result;
+  Patch& patch = result;
+  patch = std::move(solved);
   const PressureRegion& contact = patch.contact;
   result.pmax = contact.peak_pressure;
   result.pmax_element = contact.largest_element_pressure;
-  result.normal_force = patch.normal_force;
-  result.approach = patch.approach;
   result.angle = side * patch.frame.angle();
-  result.coupling_weight = patch.coupling_weight;
-  result.reference = place_on(pair, patch.frame, 0.0, 0.0, side);
+  result.reference = point_on(pair, patch.frame, 0.0, 0.0, side);
   result.centroid =
-      place_on(pair, patch.frame, contact.centroid_longitudinal, contact.centroid_lateral, side);
+      point_on(pair, patch.frame, contact.centroid_longitudinal, contact.centroid_lateral, side);
   const Vector3 normal{patch.frame.normal.x, side * patch.frame.normal.y, patch.frame.normal.z};
   result.force = patch.normal_force * normal;
   result.moment = cross(position_of(result.centroid) - position_of(result.reference), result.force);
@@ -83,26 +81,20 @@ PatchResult patch_of(PatchSolution patch, const PosedPair& pair, double combined
   }
   result.fill =
       static_cast<double>(contact.element_count) / static_cast<double>(patch.grid.element_count());
-  result.lobes = patch.place.lobes;
-  result.grid = patch.grid;
-  result.frame = patch.frame;
-  result.undeformed_distance = std::move(patch.undeformed_distance);
-  result.pressure = std::move(patch.pressure);
-  result.share = patch.share;
-  result.area = patch.area;
+  result.lobes = patch.penetration.lobes;
   return result;
 }
 
 /// The patches of one plane.
-PatchResult contact_of(std::span<PatchSolution> patches, const PosedPair& pair,
-                       double combined_modulus, double side) {
+PatchResult contact_of(std::span<Patch> patches, const PosedPair& pair, double combined_modulus,
+                       double side) {
   if (patches.size() == 1) {
     return patch_of(std::move(patches.front()), pair, combined_modulus, side);
   }
   PatchResult result = patch_of(combined(patches, pair.rail), pair, combined_modulus, side);
   double under_pressure = 0.0;
   result.lobes = 0;
-  for (PatchSolution& patch : patches) {
+  for (Patch& patch : patches) {
     const PatchResult& part =
         result.parts.emplace_back(patch_of(std::move(patch), pair, combined_modulus, side));
     result.lobes += part.lobes;
@@ -115,7 +107,7 @@ PatchResult contact_of(std::span<PatchSolution> patches, const PosedPair& pair,
 }
 
 /// The largest coupling weight of a run of patches to any other.
-double closeness_outside(const PatchInteraction& interaction, std::size_t first, std::size_t last) {
+double weight_outside(const PatchInteraction& interaction, std::size_t first, std::size_t last) {
   const std::size_t count = interaction.places.size();
   double coupling_weight = 0.0;
   for (std::size_t k = first; k < last; ++k) {
@@ -129,21 +121,21 @@ double closeness_outside(const PatchInteraction& interaction, std::size_t first,
 }
 
 /// Force-weighted mean.
-ContactPoint mean_place(const std::vector<PatchResult>& patches, double normal_force) {
+ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_force) {
   ContactPoint mean;
   for (const PatchResult& patch : patches) {
     const double weight = patch.normal_force / normal_force;
-    const ContactPoint& place = patch.centroid;
-    mean.x += weight * place.x;
-    mean.y += weight * place.y;
-    mean.z += weight * place.z;
-    mean.angle += weight * place.angle;
-    mean.s_wheel += weight * place.s_wheel;
-    mean.w_wheel += weight * place.w_wheel;
-    mean.wheel_angle += weight * place.wheel_angle;
-    mean.t_rail += weight * place.t_rail;
-    mean.v_rail += weight * place.v_rail;
-    mean.rolling_radius += weight * place.rolling_radius;
+    const ContactPoint& point = patch.centroid;
+    mean.x += weight * point.x;
+    mean.y += weight * point.y;
+    mean.z += weight * point.z;
+    mean.angle += weight * point.angle;
+    mean.s_wheel += weight * point.s_wheel;
+    mean.w_wheel += weight * point.w_wheel;
+    mean.wheel_angle += weight * point.wheel_angle;
+    mean.t_rail += weight * point.t_rail;
+    mean.v_rail += weight * point.v_rail;
+    mean.rolling_radius += weight * point.rolling_radius;
   }
   return mean;
 }
@@ -157,10 +149,10 @@ WheelResult make_wheel_result(WheelSolution solution,
   WheelResult result;
   result.vertical = equilibrium.vertical;
   const auto& candidates = equilibrium.scan.candidates;
-  result.rigid_contact = place_of(candidates.front(), *wheel, *rail, equilibrium.vertical, side);
+  result.rigid_contact = point_of(candidates.front(), *wheel, *rail, equilibrium.vertical, side);
   for (std::size_t i = 1; i < equilibrium.near_count; ++i) {
     result.near_contacts.push_back(
-        place_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
+        point_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
   }
   result.warnings = std::move(solution.warnings);
   result.details = {side,
@@ -200,7 +192,7 @@ WheelResult make_wheel_result(WheelSolution solution,
         return static_cast<std::size_t>(patch - solution.patches.begin());
       };
       made.coupling_weight =
-          closeness_outside(*result.details.interaction, index_of(first), index_of(last));
+          weight_outside(*result.details.interaction, index_of(first), index_of(last));
     }
     first = last;
     result.pmax_element = std::max(result.pmax_element, made.pmax_element);
@@ -212,7 +204,7 @@ WheelResult make_wheel_result(WheelSolution solution,
   result.angle = result.patches.front().angle;
   result.approach = result.patches.front().approach;
   if (result.solved) {
-    result.centroid = mean_place(result.patches, result.normal_force);
+    result.centroid = mean_point(result.patches, result.normal_force);
   }
   return result;
 }
@@ -244,7 +236,7 @@ void add_displacement_by_others(const WheelResult& side,
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
     sizes.push_back({patch.grid.lateral_count, patch.grid.longitudinal_count});
-    const double approach = patch.share * side.details.problem_approach;
+    const double approach = patch.approach_cosine * side.details.problem_approach;
     std::vector<double> touched = patch.pressure;
     for (std::size_t i = 0; i < touched.size(); ++i) {
       const double overlap = approach - patch.undeformed_distance[i] - displacements[k][i];
@@ -299,13 +291,13 @@ const Residuals& residuals_of(WheelResult& side) {
     problem.undeformed_distance = patch.undeformed_distance;
     problem.combined_modulus = side.details.combined_modulus;
     problem.elements = side.details.elements;
-    const double approach = patch.share * side.details.problem_approach;
+    const double approach = patch.approach_cosine * side.details.problem_approach;
     problem.approach = approach;
     const Residuals residuals =
         compute_residuals(problem, patch.pressure, displacements[k], approach);
     worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
     worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
-    load += patch.share * patch.normal_force;
+    load += patch.approach_cosine * patch.normal_force;
   }
   if (side.details.load && !side.patches.empty()) {
     worst.load_balance = std::abs(load - *side.details.load) / *side.details.load;

@@ -30,16 +30,13 @@ struct ContactPoint {
   double distance = 0.0;       ///< vertical, at the first touch; 0 for the first contact
 };
 
-/// A patch in its plane.
-struct PatchResult {
+/// A patch as it was solved (left-hand frame of the side), and what it is in the track frame.
+struct PatchResult : Patch {
   double pmax = 0.0;
   double pmax_element = 0.0; ///< largest element value
-  double normal_force = 0.0;
   Vector3 force;
-  Vector3 moment;               ///< about the contact reference
-  double approach = 0.0;        ///< deepest overlap of the undeformed bodies along the normal
-  double angle = 0.0;           ///< of the plane about x, > 0: rises to the left
-  double coupling_weight = 0.0; ///< largest one to another patch of this wheel
+  Vector3 moment;         ///< about the contact reference
+  double angle = 0.0;     ///< of the plane about x, > 0: rises to the left
   ContactPoint reference; ///< weighted mean place of penetration, through which the plane goes
   ContactPoint centroid;  ///< centre of pressure, on the rail's surface
   double semi_axis_longitudinal = 0.0;
@@ -48,18 +45,10 @@ struct PatchResult {
   double radius_lateral = 0.0;
   double fill = 0.0; ///< share of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
-  Grid grid;
-  /// What fields are computed from when they are asked for; left-hand frame of the side.
-  ContactFrame frame;
-  std::vector<double> undeformed_distance;
-  std::vector<double> pressure;
   /// Of several patches that share a plane, each as it was solved; else empty. All else is then
   /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are
   /// computed when they are asked for.
   std::vector<PatchResult> parts;
-  double share = 1.0; ///< of the joint problem's approach
-  /// Of an approximate model; that of a half-space solution is computed from the pressures.
-  std::optional<double> area;
 };
 
 /// What the fields of all patches have in common.

@@ -1,12 +1,12 @@
 #include "wheel/wheel_solution.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "mechanics/cascade.hpp"
 #include "patches/depth_estimate.hpp"
 #include "wheel/depth_checks.hpp"
@@ -51,12 +51,6 @@ constexpr std::size_t max_coarse_rows = 1200;
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
 /// a half only. A step counts by how far what it changes exceeds a limit, from nothing at the limit
 /// to all at twice it: depths are continuous functions of the scene, whatever the number of steps.
@@ -81,7 +75,7 @@ private:
 };
 
 /// The pressures of `before` on the grid of a patch, whose plane is nearly the same.
-std::vector<double> pressure_at(const PatchOnGrid& patch, const PatchOnGrid& before) {
+std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
   const Vector3 moved = before.frame.origin - patch.frame.origin;
   Grid grid = before.grid;
   grid.lateral_first += dot(moved, patch.frame.lateral);
@@ -97,22 +91,16 @@ public:
               const SideEquilibrium& equilibrium, const WheelRequest& request, NormalSolver& solver)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request),
         solver_(solver), goal_{request.accuracy, request.position_is_prescribed(),
-                               request.elements},
-        planner_(rail, equilibrium, request) {}
+                               request.elements} {}
 
   WheelSolution solve();
 
 private:
   [[nodiscard]] double first_depth() const;
-  /// Planes, grids and undeformed distances at a depth; no pressures yet.
-  GridSolution sample(const GridPlan& plan, const ElementCounts& counts);
-  /// Which patches interact, and where they lie in their mean plane; none if none do.
-  [[nodiscard]] std::optional<PatchInteraction> interaction_of(const GridPlan& plan,
-                                                               GridSolution& solution) const;
+  GridSolution sample(double depth, const ElementCounts& counts);
   /// Starting from the pressures of `before`, if that has as many patches.
   GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance,
                         const GridSolution* before);
-  JointSolution solve_joint(const JointProblem& problem);
   /// Relative change of distances within patches, as a share of that of the depth.
   [[nodiscard]] double sliding(const GridSolution& solution) const;
   [[nodiscard]] double depth_found(const GridSolution& solution) const {
@@ -131,7 +119,7 @@ private:
   void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
-  void take(GridSolution solution);
+  void publish(GridSolution solution);
 
   const WheelSurface& wheel_;
   const RailSurface& rail_;
@@ -139,7 +127,6 @@ private:
   const WheelRequest& request_;
   NormalSolver& solver_;
   AccuracyGoal goal_;
-  GridPlanner planner_;
   WheelSolution result_;
 };
 
@@ -163,101 +150,30 @@ double WheelSolver::tolerance() const {
          (request_.position_is_prescribed() ? smooth_position_share : smooth_load_share);
 }
 
-JointSolution WheelSolver::solve_joint(const JointProblem& problem) {
-  ++result_.solutions;
-  if (request_.solver == SolverChoice::standard || problem.patches.size() > 1) {
-    return solver_.solve(problem);
+/// The grids at a depth, with undeformed distances.
+GridSolution WheelSolver::sample(double depth, const ElementCounts& counts) {
+  const Stopwatch watch;
+  GridSolution solution = plan_grids(rail_, equilibrium_, request_, depth, counts);
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
+  for (Patch& patch : solution.patches) {
+    patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
   }
-  const PatchGap& patch = problem.patches.front();
-  NormalProblem single;
-  single.grid = patch.grid;
-  single.undeformed_distance = patch.undeformed_distance;
-  single.combined_modulus = problem.combined_modulus;
-  if (problem.load) {
-    single.normal_load = *problem.load / patch.approach_share;
-  } else {
-    single.approach = *problem.approach * patch.approach_share;
-  }
-  single.tolerance = problem.tolerance;
-  single.maximum_iterations = problem.maximum_iterations;
-  single.elements = problem.elements;
-  NormalSolution solved = solve_with_polonsky_keer(single);
-  JointSolution solution;
-  solution.patches.push_back({std::move(solved.pressure), solved.normal_force});
-  solution.approach = solved.approach / patch.approach_share;
-  solution.iterations = solved.iterations;
-  solution.convolutions = solved.iterations;
-  solution.stop_reason = solved.stop_reason;
-  solution.pressure_error = solved.pressure_error;
+  result_.times.remesh += watch.seconds();
   return solution;
-}
-
-GridSolution WheelSolver::sample(const GridPlan& plan, const ElementCounts& counts) {
-  GridSolution solution;
-  solution.elements = request_.elements;
-  solution.depth = plan.depth;
-  solution.links = plan.found.links;
-  solution.left_out_s = plan.left_out_s;
-  const auto remesh_start = Clock::now();
-  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - plan.depth};
-  const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
-  for (std::size_t k = 0; k < plan.patches.size(); ++k) {
-    const PlannedPatch& planned = plan.patches[k];
-    PatchOnGrid& patch = solution.patches.emplace_back();
-    patch.place = planned.place;
-    patch.frame = planned.frame;
-    patch.grid = grid_over(planned.area, counts.lateral, counts.longitudinal);
-    // Rounding may lift the product of two unit vectors above 1.
-    patch.share = request_.normal_load ? std::min(dot(patch.frame.normal, main_frame.normal), 1.0)
-                                       : patch.frame.normal.z;
-    patch.distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
-  }
-  result_.times.remesh += seconds_since(remesh_start);
-  return solution;
-}
-
-std::optional<PatchInteraction> WheelSolver::interaction_of(const GridPlan& plan,
-                                                            GridSolution& solution) const {
-  const std::size_t count = solution.patches.size();
-  PatchInteraction interaction;
-  bool any = false;
-  double across = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vector3 origin = solution.patches[k].frame.origin;
-    if (k > 0) {
-      const Vector3 step = origin - solution.patches[k - 1].frame.origin;
-      across += std::hypot(step.y, step.z);
-    }
-    interaction.places.push_back({across, origin.x});
-    for (std::size_t l = 0; l < count; ++l) {
-      const double coupling_weight =
-          k == l || request_.interaction ? 1.0 : plan.found.coupling_weight(k, l);
-      interaction.coupling_weight.push_back(coupling_weight);
-      if (k != l) {
-        any = any || coupling_weight > 0.0;
-        solution.patches[k].coupling_weight =
-            std::max(solution.patches[k].coupling_weight, coupling_weight);
-      }
-    }
-  }
-  return any ? std::optional(std::move(interaction)) : std::nullopt;
 }
 
 GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, double tolerance,
                                    const GridSolution* before) {
-  const auto plan_start = Clock::now();
-  const GridPlan plan = planner_.plan(depth);
-  result_.times.remesh += seconds_since(plan_start);
-  GridSolution solution = sample(plan, counts);
-  const auto mechanics_start = Clock::now();
+  GridSolution solution = sample(depth, counts);
+  const Stopwatch watch;
   std::vector<PatchGap> gaps;
   const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
-    PatchOnGrid& patch = solution.patches[k];
+    Patch& patch = solution.patches[k];
     if (starts) {
       patch.pressure = pressure_at(patch, before->patches[k]);
     }
-    gaps.push_back({patch.grid, patch.distance, patch.share, patch.pressure});
+    gaps.push_back({patch.grid, patch.undeformed_distance, patch.approach_cosine, patch.pressure});
   }
   JointProblem problem;
   problem.patches = gaps;
@@ -273,11 +189,13 @@ GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, do
   }
   problem.maximum_iterations = request_.maximum_iterations;
   problem.elements = request_.elements;
-  solution.interaction = interaction_of(plan, solution);
   problem.interaction = solution.interaction ? &*solution.interaction : nullptr;
-  JointSolution joint = solve_joint(problem);
+  ++result_.solutions;
+  JointSolution joint = request_.solver == SolverChoice::paper && problem.patches.size() == 1
+                            ? solve_with_polonsky_keer(problem)
+                            : solver_.solve(problem);
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
-    PatchOnGrid& patch = solution.patches[k];
+    Patch& patch = solution.patches[k];
     patch.pressure = std::move(joint.patches[k].pressure);
     patch.normal_force = joint.patches[k].normal_force;
     patch.contact = summarise_pressure(patch.grid, patch.pressure);
@@ -287,10 +205,9 @@ GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, do
   solution.approach = joint.approach;
   solution.stop_reason = joint.stop_reason;
   solution.pressure_error = joint.pressure_error;
-  const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
-  solution.depth_found =
-      depth + joint.approach / (request_.normal_load ? main_frame.normal.z : 1.0);
-  result_.times.mechanics += seconds_since(mechanics_start);
+  const double main_cosine = solution.patches[solution.main].frame.normal.z;
+  solution.depth_found = depth + joint.approach / (request_.normal_load ? main_cosine : 1.0);
+  result_.times.mechanics += watch.seconds();
   check_found_depth(request_, solution.depth_found); // before planes are turned there
   return solution;
 }
@@ -304,12 +221,12 @@ double WheelSolver::sliding(const GridSolution& solution) const {
   for (const double link : solution.links) {
     most = std::max(most, 4.0 * link * (1.0 - link));
   }
-  for (const PatchOnGrid& patch : solution.patches) {
+  for (const Patch& patch : solution.patches) {
     const auto angle_at = [this](double y) {
       return std::atan(rail_.graph().at_lateral(y).slope());
     };
-    const double turn = angle_at(patch.place.y_last) - angle_at(patch.place.y_first);
-    most = std::max(most, patch.place.share * std::abs(std::tan(patch.frame.angle()) * turn));
+    const double turn = angle_at(patch.penetration.y_last) - angle_at(patch.penetration.y_first);
+    most = std::max(most, patch.penetration.weight * std::abs(std::tan(patch.frame.angle()) * turn));
   }
   return most;
 }
@@ -343,18 +260,18 @@ GridSolution WheelSolver::solve_coarsely(double depth) {
 
 /// Largest pressures between the elements of a solution.
 void WheelSolver::find_peaks(GridSolution& solution) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
-  for (PatchOnGrid& patch : solution.patches) {
+  for (Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
       const PeakInSection peak =
-          peak_in_section(patch, solution.elements, pair, patch.share * solution.approach,
+          peak_in_section(patch, solution.elements, pair, patch.approach_cosine * solution.approach,
                           request_.combined_modulus, tolerance());
       patch.contact.peak_pressure = peak.pressure;
       patch.peak_error = peak.error;
     }
   }
-  result_.times.mechanics += seconds_since(start);
+  result_.times.mechanics += watch.seconds();
 }
 
 /// At the depth found, on more elements where the estimate asks for them.
@@ -393,10 +310,10 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
   }
 }
 
-std::string edge_warning(const PatchOnGrid& patch) {
+std::string edge_warning(const Patch& patch) {
   const EdgeContact& edge = patch.contact.touches_edge;
-  const bool at_neighbour = (edge.lateral_first && std::isfinite(patch.place.limit_first)) ||
-                            (edge.lateral_last && std::isfinite(patch.place.limit_last));
+  const bool at_neighbour = (edge.lateral_first && std::isfinite(patch.penetration.limit_first)) ||
+                            (edge.lateral_last && std::isfinite(patch.penetration.limit_last));
   return at_neighbour
              ? "contact reaches the boundary to the neighbouring patch"
              : "contact touches the edge of the grid: elements too large, or a patch just born";
@@ -412,19 +329,19 @@ void WheelSolver::warn_about(const GridSolution& solution) {
   if (request_.solver == SolverChoice::paper && solution.patches.size() > 1) {
     warnings.emplace_back("several patches: solved together by the default solver");
   }
-  for (const PatchOnGrid& patch : solution.patches) {
+  for (const Patch& patch : solution.patches) {
     if (patch.no_contact()) {
       continue;
     }
     if (patch.contact.touches_edge.any()) {
       warnings.emplace_back(edge_warning(patch));
     }
-    const double turn = std::max(std::abs(patch.place.angle_first - patch.frame.angle()),
-                                 std::abs(patch.place.angle_last - patch.frame.angle()));
+    const double turn = std::max(std::abs(patch.penetration.angle_first - patch.frame.angle()),
+                                 std::abs(patch.penetration.angle_last - patch.frame.angle()));
     if (request_.gap == GapConvention::vertical) {
-      if (std::abs(patch.place.angle_unturned) > vertical_convention_limit) {
+      if (std::abs(patch.penetration.angle_unturned) > vertical_convention_limit) {
         warnings.push_back("vertical distances at a contact angle of " +
-                           short_text_of(patch.place.angle_unturned) + " rad (good up to " +
+                           short_text_of(patch.penetration.angle_unturned) + " rad (good up to " +
                            text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
       }
     } else if (turn > planar_limit) {
@@ -446,7 +363,7 @@ void WheelSolver::warn_about(const GridSolution& solution) {
   }
 }
 
-void WheelSolver::take(GridSolution solution) {
+void WheelSolver::publish(GridSolution solution) {
   result_.in_contact = !result_.solved || !solution.no_contact();
   result_.depth = solution.depth;
   result_.approach = solution.approach;
@@ -467,38 +384,28 @@ void WheelSolver::take(GridSolution solution) {
     order.insert(order.end(), plane.patches.begin(), plane.patches.end());
   }
   if (solution.interaction) {
-    PatchInteraction& taken = result_.interaction.emplace();
+    PatchInteraction& reordered = result_.interaction.emplace();
     for (const std::size_t k : order) {
-      taken.places.push_back(solution.interaction->places[k]);
+      reordered.places.push_back(solution.interaction->places[k]);
       for (const std::size_t l : order) {
-        taken.coupling_weight.push_back(
+        reordered.coupling_weight.push_back(
             solution.interaction->coupling_weight[k * solution.patches.size() + l]);
       }
     }
   }
   for (std::size_t plane = 0; plane < planes.size(); ++plane) {
     for (const std::size_t k : planes[plane].patches) {
-      PatchOnGrid& patch = solution.patches[k];
-      PatchSolution& taken = result_.patches.emplace_back();
-      taken.plane = plane;
-      taken.approach = patch.overlap(solution.approach);
-      taken.place = patch.place;
-      taken.frame = patch.frame;
-      taken.grid = patch.grid;
-      taken.share = patch.share;
-      taken.coupling_weight = patch.coupling_weight;
-      taken.normal_force = patch.normal_force;
-      taken.contact = patch.contact;
-      taken.undeformed_distance = std::move(patch.distance);
-      taken.pressure = std::move(patch.pressure);
+      Patch& patch = result_.patches.emplace_back(std::move(solution.patches[k]));
+      patch.plane = plane;
+      patch.approach = patch.overlap(solution.approach);
     }
   }
 }
 
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
-  GridSolution solution = sample(planner_.plan(depth), final_counts());
-  for (PatchOnGrid& patch : solution.patches) {
+  GridSolution solution = sample(depth, final_counts());
+  for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }
   solution.depth_found = depth;
@@ -521,7 +428,7 @@ WheelSolution WheelSolver::solve() {
     return std::move(result_);
   }
   if (request_.until == Module::remesh) {
-    take(sample_only(depth));
+    publish(sample_only(depth));
     return std::move(result_);
   }
   std::optional<GridSolution> coarse;
@@ -531,7 +438,7 @@ WheelSolution WheelSolver::solve() {
   const double found = coarse ? depth_found(*coarse) : depth;
   GridSolution solution = solve_finally(found, std::move(coarse));
   warn_about(solution);
-  take(std::move(solution));
+  publish(std::move(solution));
   return std::move(result_);
 }
 

@@ -33,6 +33,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/grid_solution.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
 #include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_solver.hpp"
@@ -49,30 +50,12 @@ struct StageTimes {
   double mechanics = 0.0;
 };
 
-/// A patch in its plane.
-struct PatchSolution {
-  ContactPatch place;
-  std::size_t plane = 0; ///< patches of the same one are one contact
-  ContactFrame frame;
-  Grid grid;
-  double share = 1.0;           ///< of the approach
-  double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
-  std::vector<double> undeformed_distance;
-  std::vector<double> pressure;
-  double normal_force = 0.0;
-  PressureRegion contact; ///< all elements under pressure together
-  /// Along the normal, from where the bodies touch there: the deepest vertical penetration times
-  /// the cosine of the angle.
-  double approach = 0.0;
-  std::optional<double> area; ///< of an approximate model, in closed form
-};
-
 struct WheelSolution {
   bool in_contact = false;
   bool solved = false; ///< the mechanics have run
   /// With pressure only. By contact, the one with the largest normal force first; within a contact
   /// by force, too.
-  std::vector<PatchSolution> patches;
+  std::vector<Patch> patches;
   double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
   double depth = 0.0;         ///< vertical, from the first touch to that height
   double approach = 0.0;      ///< answer to the joint problem, from that height

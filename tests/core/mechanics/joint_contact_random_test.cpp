@@ -31,7 +31,7 @@ public:
       fill_distance(grid, k, width);
       PatchGap& gap = gaps_.emplace_back();
       gap.grid = grid;
-      gap.approach_share = even(0.4, 1.0);
+      gap.approach_cosine = even(0.4, 1.0);
       interaction_.places.push_back({beside + 0.5 * width, even(-1.0, 1.0)});
       // Apart enough for interpolation to be good to 1e-5.
       beside += width + std::max(width, length) * spread(0.6, 3.0);

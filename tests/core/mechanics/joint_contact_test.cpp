@@ -75,11 +75,11 @@ void expect_each_patch_solved(const JointProblem& problem, const JointSolution& 
                                    patch.undeformed_distance,
                                    problem.combined_modulus,
                                    {},
-                                   solution.approach * patch.approach_share,
+                                   solution.approach * patch.approach_cosine,
                                    exact_tolerance}));
     largest =
         std::max(largest, *std::max_element(alone[k].pressure.begin(), alone[k].pressure.end()));
-    load += patch.approach_share * solution.patches[k].normal_force;
+    load += patch.approach_cosine * solution.patches[k].normal_force;
   }
   for (std::size_t k = 0; k < problem.patches.size(); ++k) {
     double error = 0.0;
@@ -459,8 +459,8 @@ TEST(JointProblem, WhatIsWrongIsNamed) {
   interaction.places.resize(1);
   interaction.coupling_weight = {2.0};
   expect_named(coupled, "interaction.closeness");
-  gaps[0].approach_share = 0.0;
-  expect_named(joint_with_load(gaps, 1.0, 1e-3), "approach_share");
+  gaps[0].approach_cosine = 0.0;
+  expect_named(joint_with_load(gaps, 1.0, 1e-3), "approach_cosine");
 }
 
 } // namespace

@@ -84,7 +84,7 @@ void expect_sound(const ContactPatches& found) {
   double shares = 0.0;
   for (std::size_t k = 0; k < found.patches.size(); ++k) {
     const ContactPatch& patch = found.patches[k];
-    shares += patch.share;
+    shares += patch.weight;
     EXPECT_LE(patch.y_first, patch.contact_first);
     EXPECT_LE(patch.contact_first, patch.contact_last);
     EXPECT_LE(patch.contact_last, patch.y_last);
@@ -108,7 +108,7 @@ void expect_sound(const ContactPatches& found) {
 double mean_angle(const ContactPatches& found) {
   return std::accumulate(
       found.patches.begin(), found.patches.end(), 0.0,
-      [](double sum, const ContactPatch& patch) { return sum + patch.share * patch.angle; });
+      [](double sum, const ContactPatch& patch) { return sum + patch.weight * patch.angle; });
 }
 
 TEST(ContactPatches, ParabolasInClosedForm) {
@@ -129,7 +129,7 @@ TEST(ContactPatches, ParabolasInClosedForm) {
     EXPECT_NEAR(patch.angle, 0.0, 1e-4);
     EXPECT_NEAR(patch.mean_y, 752.5, 2e-2 * half_width + 1e-9);
     EXPECT_EQ(patch.deepest, depth);
-    EXPECT_EQ(patch.share, 1.0);
+    EXPECT_EQ(patch.weight, 1.0);
   }
 }
 
@@ -188,7 +188,7 @@ TEST(ContactPatches, LobesInOnePlaneByTheirDistance) {
   ASSERT_EQ(far.patches.size(), 2u);
   EXPECT_EQ(far.coupling_weight(0, 1), 0.0);
   EXPECT_NEAR(far.patches[0].limit_last, 16.2, 0.05);
-  EXPECT_NEAR(far.patches[0].share, 0.5, 0.02);
+  EXPECT_NEAR(far.patches[0].weight, 0.5, 0.02);
 }
 
 TEST(ContactPatches, TurnAndFeelEachOtherByTheirDistanceInMillimetres) {
@@ -213,7 +213,7 @@ TEST(ContactPatches, TurnAndFeelEachOtherByTheirDistanceInMillimetres) {
     const double apart = other.y_first - one.y_last;
     EXPECT_NEAR(apart, distance, nodes);
     const double turned = std::clamp(3.0 - apart / joining_distance, 0.0, 1.0);
-    const double mean = one.share * one.angle_unturned + other.share * other.angle_unturned;
+    const double mean = one.weight * one.angle_unturned + other.weight * other.angle_unturned;
     EXPECT_NEAR(one.angle, one.angle_unturned + turned * (mean - one.angle_unturned), 1e-4);
     EXPECT_NEAR(other.angle, other.angle_unturned + turned * (mean - other.angle_unturned), 1e-4);
     EXPECT_EQ(found.coupling_weight(0, 1), 0.0);
@@ -282,7 +282,7 @@ TEST(ContactPatches, ClosenessOfAChainIsThatOfItsWeakestLink) {
   // Turning moves planes together and leaves their weighted mean alone.
   double own = 0.0;
   for (const ContactPatch& patch : found.patches) {
-    own += patch.share * patch.angle_unturned;
+    own += patch.weight * patch.angle_unturned;
   }
   EXPECT_NEAR(mean_angle(found), own, 1e-5);
   EXPECT_GT(found.patches[0].angle, found.patches[0].angle_unturned);

@@ -84,7 +84,7 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   for (const PatchResult* patch : solved_patches(side)) {
     const Grid grid = equal_grid(patch->grid, element);
     distances.push_back(sample_undeformed_distance(pair, patch->frame, grid));
-    gaps.push_back({grid, {}, patch->share});
+    gaps.push_back({grid, {}, patch->approach_cosine});
   }
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     gaps[k].undeformed_distance = distances[k];
@@ -99,7 +99,7 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const std::vector<double>& pressure = solution.patches[k].pressure;
     told.push_back({*std::max_element(pressure.begin(), pressure.end()),
-                    gaps[k].approach_share * solution.approach -
+                    gaps[k].approach_cosine * solution.approach -
                         *std::min_element(distances[k].begin(), distances[k].end()),
                     solution.patches[k].normal_force});
   }

@@ -50,7 +50,7 @@ TEST(ApproximateWheel, HertzMeetsHertzForSmoothBodies) {
     const WheelSolution solution = solve_crossed_cylinders(ApproximateModel::hertz, load, 0.0);
     const HertzContact hertz = solve_hertz(1.0 / 460.0, 1.0 / 300.0, modulus, load);
     ASSERT_EQ(solution.patches.size(), 1u);
-    const PatchSolution& patch = solution.patches[0];
+    const Patch& patch = solution.patches[0];
     EXPECT_NEAR(solution.peak_pressure / hertz.peak_pressure, 1.0, 1e-9);
     EXPECT_NEAR(patch.approach / hertz.approach, 1.0, 1e-9);
     EXPECT_NEAR(patch.normal_force / load, 1.0, 1e-9);

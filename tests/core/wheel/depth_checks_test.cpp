@@ -16,10 +16,10 @@ WheelRequest loaded(double load) {
 /// One patch of one element under pressure, overlapping by so much.
 GridSolution solution_with(double overlap) {
   GridSolution solution;
-  PatchOnGrid& patch = solution.patches.emplace_back();
+  Patch& patch = solution.patches.emplace_back();
   patch.grid = {1, 1, 1.0, 1.0, 0.0, 0.0};
-  patch.share = 1.0;
-  patch.distance = {-overlap};
+  patch.approach_cosine = 1.0;
+  patch.undeformed_distance = {-overlap};
   patch.pressure = {1.0};
   patch.contact = summarise_pressure(patch.grid, patch.pressure);
   return solution;
@@ -65,7 +65,7 @@ struct RoundedElement {
 
   [[nodiscard]] std::vector<std::string> warnings() const {
     GridSolution solution = solution_with(overlap);
-    PatchOnGrid& patch = solution.patches.front();
+    Patch& patch = solution.patches.front();
     patch.frame = tangent_frame({0.0, 750.0, 0.0}, angle);
     patch.grid = {1, 1, side, side, 0.0, 0.0};
     patch.pressure = {pressure};

@@ -68,7 +68,7 @@ public:
     const WheelSolution solution = solve_wheel(wheel_, rail_, equilibrium, request, solver);
     ASSERT_TRUE(solution.in_contact);
     vertical = solution.vertical;
-    for (const PatchSolution& patch : solution.patches) {
+    for (const Patch& patch : solution.patches) {
       patches.push_back({patch.frame, patch.grid, {}, {}});
     }
     solve();

@@ -60,7 +60,7 @@ struct SphereOnPlane {
     const WheelSolution solution = solve_wheel(wheel, rail, equilibrium, request, solver);
     EXPECT_EQ(solution.patches.size(), 1u);
     EXPECT_TRUE(solution.warnings.empty());
-    const PatchSolution& patch = solution.patches.at(0);
+    const Patch& patch = solution.patches.at(0);
     EXPECT_NEAR(patch.frame.angle(), angle, 1e-10);
     return {patch.normal_force, solution.peak_pressure, contact_area(patch.grid, patch.pressure),
             patch.grid.lateral_step};

@@ -81,7 +81,7 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
     request.tolerance = 1e-6;
     const WheelSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
     double force = 0.0;
-    for (const PatchSolution& patch : solution.patches) {
+    for (const Patch& patch : solution.patches) {
       std::vector<double> displacement(patch.grid.element_count());
       DisplacementOperator(patch.grid, modulus, request.elements)
           .apply(patch.pressure, displacement);
@@ -90,8 +90,8 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
       const double gap_tolerance = 1e-6 * largest;
       for (std::size_t i = 0; i < patch.grid.element_count(); ++i) {
         const double pressure = patch.pressure[i];
-        const double gap =
-            patch.undeformed_distance[i] + displacement[i] - patch.share * solution.approach;
+        const double gap = patch.undeformed_distance[i] + displacement[i] -
+                           patch.approach_cosine * solution.approach;
         EXPECT_GE(pressure, 0.0);
         EXPECT_GE(gap, -1.01 * gap_tolerance - 1e-4 * largest * (pressure == 0.0));
         if (pressure > 0.0) {
@@ -107,7 +107,7 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
 
 double vertical_force_of(const WheelSolution& solution) {
   double force = 0.0;
-  for (const PatchSolution& patch : solution.patches) {
+  for (const Patch& patch : solution.patches) {
     force += patch.normal_force * patch.frame.normal.z;
   }
   return force;
@@ -161,14 +161,14 @@ TEST(WheelSolution, TwoLobesUnderNearlyTheSameAngleArePartsOfOnePatch) {
   request.vertical_load = 80000.0;
   const WheelSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
   ASSERT_EQ(solution.patches.size(), 1u);
-  const PatchSolution& patch = solution.patches[0];
+  const Patch& patch = solution.patches[0];
   EXPECT_EQ(pressure_regions(patch.grid, patch.pressure).size(), 2u);
 }
 
 /// Place across the track and force.
 std::vector<std::pair<double, double>> lobes_of(const WheelSolution& solution) {
   std::vector<std::pair<double, double>> lobes;
-  for (const PatchSolution& patch : solution.patches) {
+  for (const Patch& patch : solution.patches) {
     for (const PressureRegion& region : pressure_regions(patch.grid, patch.pressure)) {
       lobes.emplace_back(patch.frame.to_track(0.0, region.centroid_lateral, 0.0).y,
                          region.normal_force);
