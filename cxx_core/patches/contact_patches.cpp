@@ -11,7 +11,7 @@ namespace {
 /// Places as the scan has them.
 struct PlainPlaces {
   using Real = double;
-  using Place = patch_finding::Place<double>;
+  using Place = patch_finding::LocusSample<double>;
 
   [[nodiscard]] Place place_of(const DistanceSample& sample, double limit) const {
     const Vector3& at = sample.wheel.position;

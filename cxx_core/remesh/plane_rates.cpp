@@ -26,7 +26,7 @@ constexpr double kink_sine = 1e-6;
 class MovingPlaces {
 public:
   using Real = Rated;
-  using Place = patch_finding::Place<Rated>;
+  using Place = patch_finding::LocusSample<Rated>;
 
   MovingPlaces(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
       : wheel_(wheel), rail_(rail.graph().heights()), sin_yaw_(std::sin(pose.yaw)),
