@@ -4,20 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "accuracy/constants.hpp"
 #include "mechanics/strip_contact.hpp"
 
 namespace wrc {
 namespace {
-
-/// Strips as long as that displace their middle as a semi-elliptic pressure over the contact does:
-/// 2/e, since the integral of (sqrt(1 - t^2) - 1)/t from 0 to 1 is ln 2 - 1.
-constexpr double length_share = 2.0 / std::numbers::e;
-/// Mean of a smooth pressure over an element, and its value at the centre: their difference in
-/// second differences (Taylor).
-constexpr double mean_over_element = 1.0 / 24.0;
-/// Error of a crest, in second differences of the strips at its top: together with the law of
-/// resolution.hpp it bounds 95 to 100 of 100 errors of pmax (`wrc_tradeoff`).
-constexpr double error_by_second_difference = 0.06;
 
 double second_difference(const std::vector<double>& values, std::size_t i) {
   const double before = i > 0 ? values[i - 1] : 0.0;
@@ -119,7 +110,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
   const Grid& grid = patch.grid;
   const std::size_t columns = grid.longitudinal_count;
   const std::size_t column = patch.contact.largest_element % columns;
-  const double length = length_share * patch.columns() * grid.longitudinal_step;
+  const double length = strip_length_share * patch.columns() * grid.longitudinal_step;
 
   std::vector<double> pressure;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {

@@ -17,13 +17,11 @@
 /// Not known here: crests of lobes that touch away from the column of the largest pressure.
 #pragma once
 
+#include "accuracy/constants.hpp"
 #include "accuracy/grid_solution.hpp"
 #include "remesh/undeformed_distance.hpp"
 
 namespace wrc {
-
-/// 8 in place of 4 make errors of pmax a tenth smaller (600 wheels, 99 %), 1 no section at all.
-inline constexpr double strips_per_row = 4.0;
 
 struct PeakInSection {
   double pressure = 0.0; ///< largest, MPa

@@ -4,33 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "accuracy/constants.hpp"
+
 namespace wrc {
 namespace {
-
-/// Rows over the penetration for an accuracy of 1e-2, and the power by which they grow: the fewest
-/// with which 99.5 of 100 wheels meet accuracies from 1e-1 to 3e-4 (`wrc_tradeoff`).
-constexpr double rows_at_one_percent = 21.0;
-constexpr double rows_exponent = 0.355;
-constexpr double columns_by_rows = 0.45;
-/// The fewest that still hold a patch.
-constexpr double min_rows = 10.0;
-constexpr double min_columns = 8.0;
-/// The law of the header, of what it is larger, and how much worse elements of constant pressure
-/// are.
-constexpr double error_of_one_row = 1.5;
-constexpr double force_by_depth = 1.5;
-constexpr double constant_elements_error = 3.0;
-/// Share of its grid that contact takes each way as a rule.
-constexpr double usual_share_of_row = 0.7;
-/// Of the accuracy, what rows may leave; the rest is for the iteration.
-constexpr double share_of_rows = 0.7;
-
-/// Elements each way that an estimate above the accuracy takes, as a multiple of those before, at
-/// most: at a kink no number of rows resolves a crest. The error of a crest falls with the power
-/// of 1 to 2 of the rows, so as many times as many rows suffice as the error is too large. Rounded
-/// up to powers of the root of 2: numbers of elements that followed each step of the scene would
-/// make forces jump in each.
-constexpr double max_refinement = 4.0;
 
 std::size_t whole(double count) {
   return static_cast<std::size_t>(std::ceil(count));

@@ -8,19 +8,11 @@
 
 #include "base/error.hpp"
 #include "base/vector_clones.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Iterations without a smaller error after which no more is to be had.
-constexpr int stagnation_window = 60;
-/// Less is not aimed at: the residual that the iteration carries along would go on falling, the
-/// true one would not.
-constexpr double min_tolerance = 1e-14;
-/// What an answer adds to those kept is not worth keeping below this share of its energy: it would
-/// consist of rounding.
-constexpr double min_new_energy = 1e-20;
 
 WRC_VECTOR_CLONES double product(const double* first, const double* second, std::size_t count) {
   double sum = 0.0;
@@ -238,7 +230,8 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
   std::vector<double> left(residual, residual + count);
 
   StiffnessOutcome outcome;
-  const double square = std::max(tolerance * tolerance, min_tolerance * min_tolerance);
+  const double square =
+      std::max(tolerance * tolerance, min_stiffness_tolerance * min_stiffness_tolerance);
   double gained_energy = 0.0;
   double last_z_r = 0.0;
   double least_z_r = std::numeric_limits<double>::infinity();
@@ -253,12 +246,12 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
       best_iteration = outcome.iterations;
     }
     if (z_r <= square * whole) {
-      if (z_r > 0.0 && tolerance < min_tolerance) {
+      if (z_r > 0.0 && tolerance < min_stiffness_tolerance) {
         outcome.stop_reason = StopReason::stagnation;
       }
       break;
     }
-    if (outcome.iterations - best_iteration >= stagnation_window) {
+    if (outcome.iterations - best_iteration >= stiffness_stagnation_window) {
       outcome.stop_reason = StopReason::stagnation;
       break;
     }

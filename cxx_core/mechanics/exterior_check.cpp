@@ -2,19 +2,11 @@
 
 #include <algorithm>
 
+#include "mechanics/constants.hpp"
 #include "mechanics/coupled_influence.hpp"
 
 namespace wrc {
 namespace {
-
-/// Elements around the overlap found.
-constexpr std::size_t box_margin = 2;
-/// Overlap outside the rectangle that counts as contact left out, as a share of the approach: a
-/// little above the rounding of single precision. Where the tolerance asks for less, double
-/// precision is used.
-constexpr double missed_overlap = 5e-7;
-/// The same for double precision.
-constexpr double double_overlap = 1e-13;
 
 void include(ElementBox& box, const ElementBox& other) {
   box.first_row = std::min(box.first_row, other.first_row);

@@ -4,15 +4,11 @@
 #include <array>
 
 #include "base/reductions.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/projected_cg_loops.hpp"
 
 namespace wrc {
 namespace {
-
-/// Pressures whose displacements are added up one by one: about as many as cost a convolution of
-/// so many elements.
-constexpr std::size_t max_single_cuts = 128;
-constexpr double elements_per_cut = 16.0;
 
 /// K for all offsets of columns, so that around any element it is read in one direction.
 template <typename Real>

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/reductions.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "mechanics/exterior_check.hpp"
 #include "mechanics/projected_cg.hpp"
@@ -14,23 +15,10 @@ namespace wrc {
 
 namespace {
 
-/// Error of p at which a coarser grid is left: what refining adds is about as much.
-constexpr double coarse_tolerance = 1e-2;
-/// Elements around the pressures found on the coarser grid.
-constexpr std::size_t box_margin = 2;
-/// The free step leaves an error of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts
-/// up to 1.9 (at loose tolerances): less than 1 is needed for the tolerance to hold.
-constexpr double stop_share = 0.75;
-/// Error that interpolation may have in what patches displace at each other: a share of the
-/// tolerance, but no less than this.
-constexpr double coupling_share = 0.03;
-constexpr double min_coupling_error = 1e-5;
-
 /// Moves the sides that contact has reached outwards.
 ElementBox grown(const ElementBox& box, const ReachedSides& reached, const LevelSize& size) {
-  constexpr std::size_t min_growth = 4;
-  const std::size_t by_rows = std::max(min_growth, box.rows() / 4);
-  const std::size_t by_columns = std::max(min_growth, box.columns() / 4);
+  const std::size_t by_rows = std::max(min_box_growth, box.rows() / box_growth_divisor);
+  const std::size_t by_columns = std::max(min_box_growth, box.columns() / box_growth_divisor);
   ElementBox larger = box;
   if (reached.first_row) {
     larger.first_row -= std::min(larger.first_row, by_rows);
@@ -210,7 +198,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
     refine(i, started);
     limits.tolerance = stop_share * problem.tolerance;
     if (i > 0) {
-      limits.tolerance = std::max(coarse_tolerance, limits.tolerance);
+      limits.tolerance = std::max(coarse_level_tolerance, limits.tolerance);
     }
     do {
       outcome = solve_level(i, limits, solution);

@@ -5,26 +5,11 @@
 #include <limits>
 
 #include "base/reductions.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Rounding in u stands for an error of p relative to the largest p, of about this much times
-/// N^1.15, N elements along the rectangle's longer side: the ratio of the operator's extreme
-/// eigenvalues grows with it. Measured with directions in single precision: 8.9e-6 for 78 elements,
-/// 2.6e-5 for 156, 6.1e-5 for 306, 1.4e-4 for 614, 2.9e-4 for 1228.
-constexpr double single_drift = 8.5e-8;
-constexpr double double_drift = 2e-16;
-constexpr double drift_exponent = 1.15;
-/// Iterations without a smaller error after which no more is to be had.
-constexpr int stagnation_window = 60;
-/// By which share the pressures of one box may shrink or grow in an iteration. Where the least
-/// energy lies beyond, all go the same part of the way, which keeps the load; where that would be
-/// less than the least part, a step of the same length in all boxes is taken.
-constexpr double max_shrinking = 0.5;
-constexpr double max_growth = 1.0;
-constexpr double min_part = 0.1;
 
 void scale_pressures(std::span<const IterationBox> boxes, double factor) {
   for (const IterationBox& box : boxes) {
@@ -129,9 +114,10 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   double part = found ? 1.0 : 0.0;
   for (std::size_t k = 0; k < count && found; ++k) {
     const double growth = joint_step_.growth(k);
-    part = std::min(part, (growth < 0.0 ? max_shrinking : max_growth) / std::abs(growth));
+    part = std::min(part, (growth < 0.0 ? max_joint_step_shrinking : max_joint_step_growth) /
+                              std::abs(growth));
   }
-  if (part >= min_part) {
+  if (part >= min_joint_step_part) {
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
       fields.factor = 1.0 + part * joint_step_.growth(k);
@@ -228,7 +214,7 @@ template <typename Real> void ProjectedCg<Real>::final_correction(double z_mean)
 }
 
 template <typename Real> bool ProjectedCg<Real>::Progress::stuck() const {
-  return outcome.iterations - best_iteration >= stagnation_window;
+  return outcome.iterations - best_iteration >= cg_stagnation_window;
 }
 
 template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>::begin() {

@@ -6,16 +6,10 @@
 #include <numbers>
 
 #include "base/reductions.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Longest side of the coarsest grid: of one patch, and of each of several, which together would
-/// have more elements there than one.
-constexpr std::size_t coarsest_of_one = 32;
-constexpr std::size_t coarsest_of_several = 24;
-/// Share of elements below the distance from which the first pressures are drawn.
-constexpr double start_quantile = 0.3;
 
 double sum_of(const std::vector<double>& values) {
   return wrc::sum_of(values.data(), values.size());

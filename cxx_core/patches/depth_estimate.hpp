@@ -9,11 +9,9 @@
 #pragma once
 
 #include "geometry/contact_search.hpp"
+#include "patches/constants.hpp"
 
 namespace wrc {
-
-/// Depth beyond which profiles no longer say what meets what, mm: about twice that of a flange.
-constexpr double max_depth = 50.0;
 
 enum class LoadDirection {
   vertical,   ///< sum of cos(angle) N

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/contact_search.hpp"
+#include "patches/constants.hpp"
 
 namespace wrc::patch_finding {
 
@@ -27,13 +28,6 @@ using std::sqrt;
 inline double value_of(double value) {
   return value;
 }
-
-/// By how much a top between two nodes may exceed the penetration of both, mm: 0.5 mm of a circle
-/// of 1 mm radius.
-inline constexpr double max_top_excess = 0.05;
-
-/// Places of the wheel's profile that are no farther apart are one, mm.
-inline constexpr double same_place = 1e-6;
 
 /// A sample of the locus.
 template <class Real> struct LocusSample {

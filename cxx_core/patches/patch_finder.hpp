@@ -13,26 +13,13 @@
 #include <limits>
 #include <vector>
 
+#include "patches/constants.hpp"
 #include "patches/contact_patches.hpp"
 #include "patches/locus_samples.hpp"
 #include "patches/penetration_lobes.hpp"
 
 namespace wrc::patch_finding {
 
-/// Limits of separation for lobes in one plane: joined below the first, strangers above the second.
-inline constexpr double join_separation = 0.1;
-inline constexpr double apart_separation = 0.5;
-/// The same for lobes whose planes differ by the greater angle or more: joined only where there is
-/// hardly a valley (rough profiles have many), strangers once they are apart.
-inline constexpr double steep_join_separation = -0.9;
-inline constexpr double steep_apart_separation = 0.0;
-/// From the one angle to the other the limits move, rad. Tilting two lobes by half the lesser angle
-/// changes distances by 1 - cos = 0.5 %, by half the greater one 1 %.
-inline constexpr double same_plane_angle = 0.2;
-inline constexpr double other_plane_angle = 0.3;
-/// Penetration below this share of the deepest is outside contact (Kik & Piotrowski: the virtual
-/// penetration is 0.55 of the approach).
-inline constexpr double outside_contact_share = 0.45;
 template <class Real> Real smoothstep(const Real& t) {
   const Real inside = std::clamp(t, Real(0.0), Real(1.0));
   return inside * inside * (3.0 - 2.0 * inside);
@@ -47,8 +34,8 @@ template <class Real> Real turned_apart(const Real& angle_difference) {
 /// 1 or more: joined, 0 or less: strangers.
 template <class Real> Real affinity(const Real& separation, const Real& angle_difference) {
   const Real turned = turned_apart(angle_difference);
-  const Real join = lerp(Real(join_separation), Real(steep_join_separation), turned);
-  const Real apart = lerp(Real(apart_separation), Real(steep_apart_separation), turned);
+  const Real join = lerp(Real(joined_below), Real(steep_joined_below), turned);
+  const Real apart = lerp(Real(apart_above), Real(steep_apart_above), turned);
   return (apart - separation) / (apart - join);
 }
 

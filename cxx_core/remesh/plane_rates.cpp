@@ -6,6 +6,7 @@
 
 #include "base/value_with_rates.hpp"
 #include "patches/patch_finder.hpp"
+#include "remesh/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -19,9 +20,6 @@ constexpr std::size_t along = 3;
 
 using ByPlace = WithRates<4>;
 using Rated = WithRates<motion_count>;
-
-/// Sine of the angle between both tangents above which a contact stands at a kink.
-constexpr double kink_sine = 1e-6;
 
 class MovingPlaces {
 public:

@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "base/vector_clones.hpp"
+#include "remesh/constants.hpp"
 #include "remesh/surface_rays.hpp"
 
 namespace wrc {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int max_steps = 5;
 
 /// The tangent of a profile; for a surface of revolution its height is the radius.
 struct Tangent {
@@ -214,7 +214,7 @@ bool RaySurface::meet(const RowOfRays& rays, double lateral) {
         0.5 * second * rays.normal.y * rays.normal.y + (radius_ ? 0.5 / tangent.height : 0.0);
     double error = 0.5 * second * farthest * farthest / facing;
     int steps = 0;
-    while (steps < max_steps && (steps == 0 || error > 0.1 * ray_error)) {
+    while (steps < max_ray_steps && (steps == 0 || error > 0.1 * ray_error)) {
       error = half_curvature * error * error / facing;
       ++steps;
     }

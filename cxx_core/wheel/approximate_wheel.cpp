@@ -10,30 +10,12 @@
 #include "models/hertz.hpp"
 #include "models/patch_model.hpp"
 #include "patches/depth_estimate.hpp"
+#include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
 #include "wheel/grid_plan.hpp"
 
 namespace wrc {
 namespace {
-
-/// Elements of the grid on which pressures are sampled, and the room around the contact in shares
-/// of it.
-constexpr std::size_t sampled_count = 32;
-constexpr double sampled_margin = 1.0 / 32.0;
-/// Share of the load to which the depth is found.
-constexpr double load_accuracy = 1e-10;
-constexpr int load_steps = 80;
-/// Every so many steps the bracket is halved, should a secant be caught on one side of it.
-constexpr int bisection_interval = 8;
-/// Change of the depth that leaves patches and planes as they are: planes turn by less than its
-/// share of the contact angles' spread.
-constexpr double settled_share = 1e-3;
-constexpr int settling_steps = 20;
-/// Validity below which a warning is due: from there on errors of pmax reach tens of per cent in
-/// both models (docs/accuracy.md).
-constexpr double good_validity = 0.8;
-/// The least of Hertz's lateral curvature, in longitudinal ones, that a first depth is taken from.
-constexpr double min_curvature_share = 1e-3;
 
 class ApproximateWheel {
 public:

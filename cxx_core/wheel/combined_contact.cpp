@@ -6,14 +6,12 @@
 
 #include "half_space/displacement_operator.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "wheel/constants.hpp"
 
 namespace wrc {
 namespace {
 
 using Values = std::vector<double>;
-
-/// Elements of the whole, in those of all parts.
-constexpr std::size_t max_elements_ratio = 16;
 
 /// One direction of a grid.
 struct Cells {

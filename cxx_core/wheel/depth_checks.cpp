@@ -7,21 +7,10 @@
 #include "accuracy/peak_section.hpp"
 #include "base/error.hpp"
 #include "patches/depth_estimate.hpp"
+#include "wheel/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Depth that positions can just tell apart, mm: their rounding, 1e-13 mm, is 1e-4 of it. On steel
-/// it takes about 2e-7 N.
-constexpr double min_depth = 1e-9;
-/// Standard deviation of a coordinate that some sums and products have rounded, in roundings.
-constexpr double coordinate_deviation = 0.5;
-/// Standard deviations that the largest pressure may be off by: 99 per cent keep to two.
-constexpr double pressure_deviations = 2.0;
-/// pi / (2 sqrt(3)): of pressures to white noise of the distances, law of the header.
-constexpr double noise_response = 0.9069;
-/// What the tables of heights, told to 1e-12 mm, may add to the overlap: wheel and rail each.
-constexpr double table_difference = 2e-12;
 
 /// By how much the rounding of positions may change a patch's largest pressure, MPa.
 double pressure_rounding(const Patch& patch, const WheelRequest& request, double wheel_radius) {

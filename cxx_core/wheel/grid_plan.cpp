@@ -4,15 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "wheel/constants.hpp"
+
 namespace wrc {
 namespace {
-
-/// In the vertical convention all that lies within these limits of the main patch shares its grid.
-constexpr double same_plane_angle = 0.2;
-constexpr double same_plane_distance = 20.0; // mm
-/// Room around a patch's penetration, as a share of it: the scan knows its ends by parabolas
-/// between nodes only.
-constexpr double penetration_margin = 0.05;
 
 /// Both in one plane; the weights of both count.
 ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
@@ -45,8 +40,8 @@ ContactPatches in_one_plane(const ContactPatches& found, std::optional<double>& 
   ContactPatch all = main;
   for (const ContactPatch& patch : found.patches) {
     const double apart = std::max(patch.y_first - main.y_last, main.y_first - patch.y_last);
-    if (apart > same_plane_distance ||
-        std::abs(patch.angle_unturned - main.angle_unturned) > same_plane_angle) {
+    if (apart > one_grid_distance ||
+        std::abs(patch.angle_unturned - main.angle_unturned) > one_grid_angle) {
       left_out_s = patch.deepest_s;
     } else if (patch.deepest_y != main.deepest_y) {
       all = joined(all, patch);

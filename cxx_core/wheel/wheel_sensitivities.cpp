@@ -8,12 +8,10 @@
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "remesh/plane_rates.hpp"
+#include "wheel/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Of the linear solutions. What the rates neglect is more.
-constexpr double tolerance = 1e-4;
 
 /// The planes of a side as they were found, once more.
 struct Planes {
@@ -86,7 +84,7 @@ WheelRates compute_rates(const WheelResult& side) {
   SensitivityRequest request;
   request.combined_modulus = details.combined_modulus;
   request.elements = details.elements;
-  request.tolerance = tolerance;
+  request.tolerance = sensitivity_tolerance;
   request.roll_moment = false;
   std::optional<CoupledInfluence> influence;
   if (details.interaction) {

@@ -9,47 +9,12 @@
 #include "base/stopwatch.hpp"
 #include "mechanics/cascade.hpp"
 #include "patches/depth_estimate.hpp"
+#include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
 #include "wheel/grid_plan.hpp"
 
 namespace wrc {
 namespace {
-
-/// Accuracy whose elements the coarse solution before a grid given by hand has.
-constexpr double coarse_accuracy = 1e-2;
-/// Of coarse solutions: the depth that the final one starts from is to be a smooth function of the
-/// scene.
-constexpr double coarse_tolerance = 1e-4;
-/// Solutions at other depths or on finer grids before it gives up.
-constexpr int max_attempts = 20;
-/// The least that a step leaves of the depth.
-constexpr double min_depth_ratio = 0.1;
-/// Where the step changes by less than this with the depth, the secant would lead astray.
-constexpr double min_rate = -0.1;
-/// What may be left to be done of a relative change of distances, in accuracies: by coarse
-/// solutions, and by the final one. Slopes of forces follow from the depth found: with 0.2 in the
-/// final one they differ from sensitivities by 5 per cent under steep angles, with 0.02 by 1, and
-/// with 0.01 kinks in the depth that elements of the coarse grid leave show by 1e-6 of the load.
-constexpr double max_left = 0.2;
-constexpr double max_change = 0.01;
-/// Where the rows of a crest make solutions dear, and for pmax alone.
-constexpr double max_change_for_crests = 0.5;
-/// Contact angle above which distances along the wheelset's axis mislead, rad.
-constexpr double vertical_convention_limit = 0.15;
-/// Share of the accuracy that the iteration may take. Forces are to be smooth, too, to a thousandth
-/// of the accuracy: at a prescribed position the iteration's error is seen in them at once, with
-/// the load prescribed only in how patches share it.
-constexpr double iteration_share = 0.2;
-constexpr double smooth_load_share = 2e-2;
-constexpr double smooth_position_share = 3e-3;
-/// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it
-/// averages out.
-constexpr double max_rounding = 0.1;
-/// Coarse grids are refined to so many rows at most, until one finds contact.
-constexpr std::size_t max_coarse_rows = 1200;
-/// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
-/// share of the normal that is then taken for vertical is wrong by 2 per cent there.
-constexpr double planar_limit = 0.2;
 
 /// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
 /// a half only. A step counts by how far what it changes exceeds a limit, from nothing at the limit
@@ -226,7 +191,8 @@ double WheelSolver::sliding(const GridSolution& solution) const {
       return std::atan(rail_.graph().at_lateral(y).slope());
     };
     const double turn = angle_at(patch.penetration.y_last) - angle_at(patch.penetration.y_first);
-    most = std::max(most, patch.penetration.weight * std::abs(std::tan(patch.frame.angle()) * turn));
+    most =
+        std::max(most, patch.penetration.weight * std::abs(std::tan(patch.frame.angle()) * turn));
   }
   return most;
 }
@@ -249,7 +215,7 @@ GridSolution WheelSolver::solve_coarsely(double depth) {
     }
     const double asked = depth_found(solution);
     const double left = std::abs(asked / depth - 1.0) * std::pow(sliding(solution), 2);
-    const auto next = iteration.next(depth, asked, left / (max_left * request_.accuracy));
+    const auto next = iteration.next(depth, asked, left / (max_coarse_change * request_.accuracy));
     if (!next || attempt >= max_attempts) {
       return solution;
     }
