@@ -105,6 +105,8 @@ private:
   void displace(const Group& group, const double* force, double* displacement);
   void precondition(const Group& group, const double* residual, double* correction);
   void add_influence(const double* force, double* displacement);
+  static void keep_answer(Group& group, std::vector<double> forces,
+                          std::vector<double> displacements);
   StiffnessOutcome solve_group(Group& group, double tolerance, int maximum_iterations);
 
   InfluenceCache& cache_;
