@@ -44,10 +44,6 @@ double GridSolution::peak_pressure() const {
   return peak;
 }
 
-double GridSolution::weight(const Patch& patch) const {
-  return patch.contact.peak_pressure / peak_pressure();
-}
-
 std::vector<PlanePatches> GridSolution::patches_by_plane(bool solved) const {
   std::vector<PlanePatches> planes;
   bool begins = true;

@@ -65,8 +65,6 @@ struct GridSolution {
   [[nodiscard]] double peak_pressure() const;
   /// Largest normal force first; without the patches that do not touch, if there are pressures.
   [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;
-  /// Largest pressure of a patch over that of the wheel.
-  [[nodiscard]] double weight(const Patch& patch) const;
 };
 
 } // namespace wrc

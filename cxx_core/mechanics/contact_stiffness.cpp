@@ -205,6 +205,20 @@ void ContactStiffness::precondition(const Group& group, const double* residual,
   multiply(contact_.data() + group.begin, correction + group.begin, group.count);
 }
 
+/// Keeps forces and what they displace, scaled to an energy of 1.
+void ContactStiffness::keep_answer(Group& group, std::vector<double> forces,
+                                   std::vector<double> displacements) {
+  const double scale = 1.0 / std::sqrt(product(forces.data(), displacements.data(), forces.size()));
+  if (std::isfinite(scale)) {
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      forces[i] *= scale;
+      displacements[i] *= scale;
+    }
+    group.forces.push_back(std::move(forces));
+    group.displacements.push_back(std::move(displacements));
+  }
+}
+
 /// The right-hand side comes in residual_, the answer goes to force_.
 StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
                                                int maximum_iterations) {
@@ -275,16 +289,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
   add_multiple(1.0, gained, force, count);
   if (gained_energy > min_new_energy * (energy + gained_energy)) {
     add_multiple(-1.0, residual, left.data(), count); // what the forces gained displace
-    const double scale = 1.0 / std::sqrt(product(gained, left.data(), count));
-    if (std::isfinite(scale)) {
-      std::vector<double> unit(gained, gained + count);
-      for (std::size_t i = 0; i < count; ++i) {
-        unit[i] *= scale;
-        left[i] *= scale;
-      }
-      group.forces.push_back(std::move(unit));
-      group.displacements.push_back(std::move(left));
-    }
+    keep_answer(group, {gained, gained + count}, std::move(left));
   }
   return outcome;
 }

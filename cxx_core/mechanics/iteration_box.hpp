@@ -13,7 +13,7 @@
 
 namespace wrc {
 
-/// One rectangle: what is asked there and where its fields are.
+/// One rectangle: the problem there and its fields.
 struct IterationBox {
   std::size_t rows = 0;
   std::size_t columns = 0;

@@ -51,7 +51,7 @@ struct JointProblem {
   double rounding_share = 0.1;
   int maximum_iterations = 5000;
   Elements elements = Elements::constant;
-  const PatchInteraction* interaction = nullptr; ///< none: the patches do not feel each other
+  const PatchInteraction* interaction = nullptr; ///< none: the patches do not interact
 };
 
 struct JointSolution {

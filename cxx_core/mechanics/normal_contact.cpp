@@ -85,7 +85,7 @@ void check_distances(std::span<const double> distance, const Grid& grid) {
   }
 }
 
-/// What is asked of any problem, whatever it calls the load.
+/// What holds for any problem, whatever it calls the load.
 template <typename Problem>
 void check_request(const Problem& problem, const std::optional<double>& load,
                    const std::string& load_name) {
@@ -150,14 +150,6 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
   DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
       .apply(pressure, displacement);
   return compute_residuals(problem, pressure, displacement, approach);
-}
-
-void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
-  solution.displacement.resize(solution.pressure.size());
-  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
-      .apply(solution.pressure, solution.displacement);
-  solution.residuals =
-      compute_residuals(problem, solution.pressure, solution.displacement, solution.approach);
 }
 
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,

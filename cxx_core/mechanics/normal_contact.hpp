@@ -74,9 +74,6 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach);
 
-/// Fills in displacement and residuals of a solution that lacks them, in double precision.
-void complete_solution(const NormalProblem& problem, NormalSolution& solution);
-
 /// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
 /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.
 NormalSolution solve_with_polonsky_keer(const NormalProblem& problem);

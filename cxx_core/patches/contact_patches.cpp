@@ -55,10 +55,6 @@ double ContactPatches::coupling_weight(std::size_t i, std::size_t j) const {
   return least;
 }
 
-double closeness_of(double separation, double angle_difference) {
-  return patch_finding::smoothstep(patch_finding::affinity(separation, angle_difference));
-}
-
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
                                     double joining_distance) {
   const PlainPlaces places;

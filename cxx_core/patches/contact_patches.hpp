@@ -23,7 +23,7 @@
 /// Where planes differ little, the distance d of the penetrations in the cross-section counts, too,
 /// with a joining distance d_j in mm, as in CONTACT (Vollebregt, User guide for CONTACT, where d_j,
 /// 2 d_j and 3 d_j are D_COMB, D_SEP and D_TURN): planes turn towards each other from 3 d_j on and
-/// are one from 2 d_j on; patches feel each other from 2 d_j on, in full from d_j on, all linearly.
+/// are one from 2 d_j on; patches interact from 2 d_j on, in full from d_j on, all linearly.
 /// Two in one plane are one contact, on grids of their own until they are joined. The greater share
 /// counts, by width or by distance.
 ///
@@ -103,9 +103,6 @@ struct ContactPatches {
 /// patches are close by their own widths alone.
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
                                     double joining_distance = 0.0);
-
-/// Of two lobes or patches: signed separation D and the difference of their angles.
-double closeness_of(double separation, double angle_difference);
 
 /// The rectangle that holds a patch's penetration, seen along the frame's normal.
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame);

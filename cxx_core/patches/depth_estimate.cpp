@@ -37,13 +37,13 @@ double estimate_load(const ContactScan& scan, double combined_modulus, double de
   return load;
 }
 
-double estimate_depth(const ContactScan& scan, double combined_modulus, double load_asked,
+double estimate_depth(const ContactScan& scan, double combined_modulus, double load_sought,
                       LoadDirection direction) {
   // The load grows about with the power 1.5 of the depth: steps by that power until the load is
   // bracketed, then regula falsi (Illinois) in logarithms. The load may jump.
   struct Tried {
     double depth;
-    double excess; ///< logarithm of the load over the one asked for
+    double excess; ///< logarithm of the load over the one sought
   };
   std::optional<Tried> low;
   std::optional<Tried> high;
@@ -51,7 +51,7 @@ double estimate_depth(const ContactScan& scan, double combined_modulus, double l
   double depth = first_searched_depth;
   for (int iteration = 1; iteration <= depth_iterations; ++iteration) {
     const double load = estimate_load(scan, combined_modulus, depth, direction);
-    const double excess = std::log(load / load_asked);
+    const double excess = std::log(load / load_sought);
     if (std::abs(excess) <= estimated_depth_accuracy) {
       break;
     }

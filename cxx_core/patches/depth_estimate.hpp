@@ -4,7 +4,7 @@
 /// axis ratio of its virtual penetration, the region in which penetration exceeds 0.45 of the
 /// patch's own deepest (Piotrowski & Kik 2008). With the deepest normal penetration d, the longer
 /// semi-axis a and the eccentricity e of the ellipse: N = 2/3 pi E* a d / K(e).
-/// The patches do not feel each other's displacement here.
+/// The patches do not interact here.
 /// Units mm, N, MPa. Thread rule: pure functions.
 #pragma once
 

@@ -31,7 +31,7 @@ template <class Real> Real turned_apart(const Real& angle_difference) {
                           (other_plane_angle - same_plane_angle));
 }
 
-/// 1 or more: joined, 0 or less: strangers.
+/// 1 or more: joined, 0 or less: independent.
 template <class Real> Real affinity(const Real& separation, const Real& angle_difference) {
   const Real turned = turned_apart(angle_difference);
   const Real join = lerp(Real(joined_below), Real(steep_joined_below), turned);

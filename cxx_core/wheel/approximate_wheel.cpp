@@ -107,8 +107,8 @@ double ApproximateWheel::load_at(double depth) const {
 /// The load goes about with the power 3/2 of the depth: a secant on its power 2/3, within a
 /// bracket.
 double ApproximateWheel::depth_of_load(double start) const {
-  const double asked = request_.load();
-  const double target = std::cbrt(asked * asked);
+  const double sought = request_.load();
+  const double target = std::cbrt(sought * sought);
   const auto excess_at = [&](double depth) {
     const double load = load_at(depth);
     return std::cbrt(load * load) - target;

@@ -72,7 +72,7 @@ inline constexpr double max_rounding = 0.1;
 inline constexpr std::size_t max_coarse_rows = 1200;
 
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad.
-/// origin: derived: the share of the normal that is then taken for vertical is wrong by 2 %
+/// origin: derived: the share of the normal then taken as vertical is wrong by 2 %
 /// there.
 inline constexpr double planar_limit = 0.2;
 

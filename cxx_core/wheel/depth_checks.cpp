@@ -33,7 +33,7 @@ bool is_in_contact(const WheelRequest& request, double depth, std::vector<std::s
       warnings.emplace_back("no contact at this height");
     } else if (request.load() > 0.0) {
       warnings.push_back("the load, " + text_of(request.load()) +
-                         " N, is taken for none: it presses wheel " +
+                         " N, is treated as zero load: it presses wheel " +
                          "and rail together by less than " + text_of(min_depth) + " mm");
     } else {
       warnings.emplace_back("no load");
@@ -87,9 +87,9 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
   const double error = std::max(pressure / solution.peak_pressure(), table_difference / overlap);
   if (error > request.accuracy) {
     // With as many elements across, elements grow with the root of the overlap, and pressures too.
-    warnings.push_back("wheel and rail overlap by " + short_text_of(overlap) + " mm only: below " +
+    warnings.push_back("wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +
                        short_text_of(overlap * error / request.accuracy) +
-                       " mm the rounding of positions is felt in the pressures, by more than the "
+                       " mm the rounding of positions changes the pressures by more than the "
                        "accuracy of " +
                        text_of(request.accuracy));
   }

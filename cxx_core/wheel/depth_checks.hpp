@@ -1,6 +1,6 @@
 /// Whether a side is in contact at the depth found, and what is said where it cannot be trusted.
 ///
-/// Rounding: places of the wheel are told to eps R, the rounding of its radius, and lateral
+/// Rounding: positions on the wheel are accurate to eps R, the rounding of its radius, and lateral
 /// coordinates to eps y. Of these a distance along the normal of a contact of angle a takes
 ///   d_r = eps R cos(a) / 2,  d_y = eps y sin(a) / 2  (standard deviations),
 /// d_r from element to element, d_y and another d_r from row to row. On a half-space a wave of
@@ -26,11 +26,11 @@
 namespace wrc {
 
 /// Whether there is contact at a depth found from the request. If not, a warning says why: loads
-/// too small to tell from none are taken for none. An absurd overlap throws
+/// too small to tell from zero are treated as zero. An absurd overlap throws
 /// Error(invalid_argument).
 bool is_in_contact(const WheelRequest& request, double depth, std::vector<std::string>& warnings);
 
-/// Throws Error(no_contact) if the depth that a load asked for in the end is no overlap of wheel
+/// Throws Error(no_contact) if the depth found for a load in the end is no overlap of wheel
 /// and rail. `depth` is vertical, from the first touch.
 void check_found_depth(const WheelRequest& request, double depth);
 
@@ -38,7 +38,8 @@ void check_found_depth(const WheelRequest& request, double depth);
 /// warning tells after how many solutions.
 void mark_unsettled(GridSolution& solution, int solutions, std::vector<std::string>& warnings);
 
-/// Warns of overlaps so small that the rounding of positions takes more than the accuracy asked.
+/// Warns of overlaps so small that the rounding of positions takes more than the requested
+/// accuracy.
 void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
                       double wheel_radius, std::vector<std::string>& warnings);
 

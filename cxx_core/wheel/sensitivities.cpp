@@ -100,7 +100,7 @@ private:
     return pressure;
   }
 
-  /// Patches that do not feel each other: one solution gives the forces' rates by all motions, one
+  /// Patches that do not interact: one solution gives the forces' rates by all motions, one
   /// more the moments'.
   void solve_by_force(WheelSensitivity& result) {
     Fields ones;

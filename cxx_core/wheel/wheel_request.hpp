@@ -1,4 +1,4 @@
-/// What is asked of one wheel on its rail.
+/// The request for one wheel on its rail.
 ///
 /// Units mm, N, MPa. Thread rule: plain values.
 #pragma once
@@ -29,7 +29,7 @@ struct WheelRequest {
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
   Elements elements = Elements::smooth;
-  bool interaction = false;      ///< patches feel each other in full, however far apart
+  bool interaction = false;      ///< patches interact in full, however far apart
   double joining_distance = 4.0; ///< mm, see patches/contact_patches.hpp
   int maximum_iterations = 5000;
   Module until = Module::mechanics; ///< the last one to run

@@ -1,4 +1,4 @@
-/// What one wheel's solution is for those who asked: places, forces, patches.
+/// The result of one wheel: points of contact, forces, patches.
 ///
 /// In the track frame (geometry/frames.hpp), both sides alike: results of the right side are those
 /// of a left one mirrored. Forces and moments are those of the rail on the wheel.
@@ -47,7 +47,7 @@ struct PatchResult : Patch {
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
   /// Of several patches that share a plane, each as it was solved; else empty. All else is then
   /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are
-  /// computed when they are asked for.
+  /// computed on request.
   std::vector<PatchResult> parts;
 };
 
@@ -96,8 +96,8 @@ struct WheelResult {
   int convolutions = 0;
   int solutions = 0;
   StopReason stop_reason = StopReason::tolerance_met;
-  std::optional<Residuals> residuals;      ///< once asked for, see residuals_of
-  std::optional<WheelRates> sensitivities; ///< once asked for, see sensitivities_of
+  std::optional<Residuals> residuals;      ///< on request, see residuals_of
+  std::optional<WheelRates> sensitivities; ///< on request, see sensitivities_of
   bool solved = false;                     ///< the mechanics have run
   std::vector<PatchResult> patches;        ///< largest normal force first
   std::vector<std::string> warnings;

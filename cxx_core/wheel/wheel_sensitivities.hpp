@@ -2,7 +2,7 @@
 ///
 /// The contact search and the patches are done again, with their rates (remesh/plane_rates.hpp), at
 /// the height at which the distance was sampled; forces at the height at which the pressures have
-/// the approach 0, which is the first touch less the depth solved for. Patches that feel each other
+/// the approach 0, which is the first touch less the depth solved for. Patches that interact
 /// do so here too, and by as much more or less as their coupling weight changes.
 /// Against central differences of whole solutions on 96 x 96 elements (each with planes, areas and
 /// grids of its own): up to 3e-3 of the largest rate, half of the cases below 1e-3. Where two

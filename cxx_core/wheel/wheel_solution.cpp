@@ -22,11 +22,11 @@ namespace {
 class DepthIteration {
 public:
   /// `change`: in limits. None: there is nothing left to be done.
-  [[nodiscard]] std::optional<double> next(double depth, double asked, double change) {
+  [[nodiscard]] std::optional<double> next(double depth, double found, double change) {
     if (!(change > 1.0)) {
       return std::nullopt;
     }
-    const double step = asked - depth;
+    const double step = found - depth;
     const double rate = last_step_ != 0.0 ? (step - last_step_) / (depth - last_depth_) : -1.0;
     last_depth_ = depth;
     last_step_ = step;
@@ -213,9 +213,9 @@ GridSolution WheelSolver::solve_coarsely(double depth) {
       counts = {2 * counts.lateral, 2 * counts.longitudinal};
       continue;
     }
-    const double asked = depth_found(solution);
-    const double left = std::abs(asked / depth - 1.0) * std::pow(sliding(solution), 2);
-    const auto next = iteration.next(depth, asked, left / (max_coarse_change * request_.accuracy));
+    const double found = depth_found(solution);
+    const double left = std::abs(found / depth - 1.0) * std::pow(sliding(solution), 2);
+    const auto next = iteration.next(depth, found, left / (max_coarse_change * request_.accuracy));
     if (!next || attempt >= max_attempts) {
       return solution;
     }
@@ -251,11 +251,11 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
     }
-    const double asked = depth_found(solution);
-    const double change = std::abs(asked / depth - 1.0) * sliding(solution);
+    const double found = depth_found(solution);
+    const double change = std::abs(found / depth - 1.0) * sliding(solution);
     const double limit =
         finer && request_.accuracy_of == AccuracyOf::pressures ? max_change_for_crests : max_change;
-    if (const auto next = iteration.next(depth, asked, change / (limit * request_.accuracy))) {
+    if (const auto next = iteration.next(depth, found, change / (limit * request_.accuracy))) {
       depth = *next;
       before = std::move(solution);
       continue;
@@ -271,7 +271,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     counts = refined_counts(counts, error, request_.accuracy);
     finer = true;
     iteration = {};
-    depth = asked;
+    depth = found;
     before = std::move(solution);
   }
 }

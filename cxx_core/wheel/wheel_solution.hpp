@@ -18,9 +18,9 @@
 /// crest that the section has not resolved. `solutions` counts them all.
 /// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
 /// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
-/// patch. Patches that are close turn their planes towards each other and feel each other in part
+/// patch. Patches that are close turn their planes towards each other and interact in part
 /// (contact_patches.hpp), so that nothing jumps when they become one contact or are joined on one
-/// grid; patches that are far apart do not feel each other unless `interaction` is set.
+/// grid; patches that are far apart do not interact unless `interaction` is set.
 /// A side may also stop after the geometry (no patches), or after the remesh: the patches of
 /// penetration at the depth estimated or prescribed, their grids and undeformed distances.
 /// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
@@ -64,7 +64,7 @@ struct WheelSolution {
   double combined_modulus = 0.0;
   Elements elements = Elements::constant;
   GapConvention gap = GapConvention::tangent;
-  std::optional<PatchInteraction> interaction; ///< none: the patches do not feel each other
+  std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
   double joining_distance = 0.0;               ///< mm, see patches/contact_patches.hpp
   double peak_pressure = 0.0;
   std::optional<double> error_estimate; ///< relative, of what the accuracy is of; none if not known

@@ -10,10 +10,16 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "patches/patch_finder.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {
+
+/// Of two lobes or patches: signed separation and the difference of their angles.
+double closeness_of(double separation, double angle_difference) {
+  return patch_finding::smoothstep(patch_finding::affinity(separation, angle_difference));
+}
 
 constexpr double wheel_radius = 460.0;
 

@@ -111,7 +111,7 @@ TEST(DepthChecks, AnOverlapBelowTheToleranceOfTheTablesIsTold) {
   EXPECT_FALSE((RoundedElement{.pressure = 1e9, .overlap = 2.1e-9}.warned()));
   const auto warnings = RoundedElement{.pressure = 1e9, .overlap = 1.0e-9}.warnings();
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("overlap by 1e-09 mm only: below 2e-09 mm"), std::string::npos)
+  EXPECT_NE(warnings[0].find("overlap by only 1e-09 mm: below 2e-09 mm"), std::string::npos)
       << warnings[0];
   EXPECT_NE(warnings[0].find("accuracy of 0.001"), std::string::npos) << warnings[0];
 }
