@@ -153,6 +153,8 @@ class Page:
         timed = [line for line in shown if line.startswith("Time")]  # stay as they are
         new = [timed.pop(0) if line.startswith("Time") and timed else line for line in printed]
         self.edits.append((*block.span(1), "\n".join(new) + "\n"))
+        if len(shown) == len(printed):  # no word of lines that agree
+            printed = [one if same_line(one, other) else other for one, other in zip(shown, printed)]
         difference = difflib.unified_diff(shown, printed, "shown", "printed", lineterm="", n=0)
         self.fail(begin, command + "\n" + "\n".join(difference))
 
