@@ -34,7 +34,7 @@ struct SceneResult {
   double vertical = 0.0; ///< height of the wheelset's centre at the first touch
   std::optional<double> rolling_radius_difference; ///< left - right; with both sides
   std::string model;
-  std::string solver;
+  SolverChoice solver = SolverChoice::standard;
   std::optional<WheelResult> left;
   std::optional<WheelResult> right;
   StageMilliseconds time;
