@@ -1,12 +1,12 @@
 #include "wheel/approximate_wheel.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/root_bracket.hpp"
+#include "base/stopwatch.hpp"
 #include "models/hertz.hpp"
 #include "models/patch_model.hpp"
 #include "patches/depth_estimate.hpp"
@@ -23,8 +23,6 @@ constexpr double sampled_margin = 1.0 / 32.0;
 /// Share of the load to which the depth is found.
 constexpr double load_accuracy = 1e-10;
 constexpr int load_steps = 80;
-/// Every so many steps the bracket is halved, should a secant be caught on one side of it.
-constexpr int bisection_interval = 8;
 /// Change of the depth that leaves patches and planes as they are: planes turn by less than its
 /// share of the contact angles' spread.
 constexpr double settled_share = 1e-3;
@@ -34,12 +32,6 @@ constexpr int settling_steps = 20;
 constexpr double good_validity = 0.8;
 /// The least of Hertz's lateral curvature, in longitudinal ones, that a first depth is taken from.
 constexpr double min_curvature_share = 1e-3;
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 class ApproximateWheel {
 public:
@@ -125,34 +117,31 @@ double ApproximateWheel::load_at(double depth) const {
   return load;
 }
 
-/// The load goes about with the power 3/2 of the depth: a secant on its power 2/3, within a
-/// bracket.
+/// The load goes about with the power 3/2 of the depth, so its power 2/3 is nearly linear: secants
+/// until the load is bracketed, then within the bracket.
 double ApproximateWheel::depth_of_load(double start) const {
-  const double asked = request_.load();
-  const double target = std::cbrt(asked * asked);
+  const double requested = request_.load();
+  const double target = std::cbrt(requested * requested);
   const auto excess_at = [&](double depth) {
     const double load = load_at(depth);
-    return std::cbrt(load * load) - target;
+    const double excess = std::cbrt(load * load) - target;
+    return std::abs(excess) <= load_accuracy * target ? 0.0 : excess;
   };
-  double low = 0.0;
-  double high = std::numeric_limits<double>::infinity();
-  double last = 0.0; // the place before, and its excess
-  double last_excess = -target;
-  double depth = start;
-  for (int step = 1; step <= load_steps; ++step) {
-    const double excess = excess_at(depth);
-    if (std::abs(excess) <= load_accuracy * target) {
-      break;
-    }
-    (excess < 0.0 ? low : high) = depth;
-    double next = depth - excess * (depth - last) / (excess - last_excess);
-    if (!(next > low && next < high) || step % bisection_interval == 0) {
-      next = std::isinf(high) ? 2.0 * low : 0.5 * (low + high);
-    }
-    last = std::exchange(depth, next);
-    last_excess = excess;
+  RootBracket::Point low{0.0, -target};
+  RootBracket::Point high{start, excess_at(start)};
+  for (int step = 1; step <= load_steps && high.value < 0.0; ++step) {
+    const double drawn =
+        high.place - high.value * (high.place - low.place) / (high.value - low.value);
+    low = high;
+    high.place = drawn > low.place && std::isfinite(drawn) ? drawn : 2.0 * low.place;
+    high.value = excess_at(high.place);
   }
-  return depth;
+  if (high.value <= 0.0) {
+    return high.place;
+  }
+  RootBracket bracket(low, high);
+  bracket.narrow(load_accuracy * high.place, excess_at);
+  return bracket.middle();
 }
 
 void ApproximateWheel::settle_depth() {
@@ -239,7 +228,7 @@ void ApproximateWheel::take_patches() {
 
 WheelSolution ApproximateWheel::solve() {
   result_.solved = true;
-  const auto start = Clock::now();
+  const Stopwatch stopwatch;
   if (equilibrium_.scan.candidates.front().at_profile_end) {
     result_.warnings.emplace_back(
         "contact at the end of a profile, or where the rail turns upright");
@@ -259,7 +248,7 @@ WheelSolution ApproximateWheel::solve() {
     result_.load = request_.load();
   }
   take_patches();
-  result_.times.mechanics = seconds_since(start);
+  result_.times.mechanics = stopwatch.seconds();
   return std::move(result_);
 }
 

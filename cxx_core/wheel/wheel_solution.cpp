@@ -1,12 +1,12 @@
 #include "wheel/wheel_solution.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "mechanics/cascade.hpp"
 #include "patches/depth_estimate.hpp"
 #include "wheel/depth_checks.hpp"
@@ -50,12 +50,6 @@ constexpr std::size_t max_coarse_rows = 1200;
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad: the
 /// share of the normal that is then taken for vertical is wrong by 2 per cent there.
 constexpr double planar_limit = 0.2;
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
 /// a half only. A step counts by how far what it changes exceeds a limit, from nothing at the limit
@@ -198,7 +192,7 @@ GridSolution WheelSolver::sample(const GridPlan& plan, const ElementCounts& coun
   solution.depth = plan.depth;
   solution.links = plan.found.links;
   solution.left_out_s = plan.left_out_s;
-  const auto remesh_start = Clock::now();
+  const Stopwatch remesh_time;
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - plan.depth};
   const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
   for (std::size_t k = 0; k < plan.patches.size(); ++k) {
@@ -212,7 +206,7 @@ GridSolution WheelSolver::sample(const GridPlan& plan, const ElementCounts& coun
                                        : patch.frame.normal.z;
     patch.distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
   }
-  result_.times.remesh += seconds_since(remesh_start);
+  result_.times.remesh += remesh_time.seconds();
   return solution;
 }
 
@@ -245,11 +239,11 @@ std::optional<PatchInteraction> WheelSolver::interaction_of(const GridPlan& plan
 
 GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, double tolerance,
                                    const GridSolution* before) {
-  const auto plan_start = Clock::now();
+  const Stopwatch plan_time;
   const GridPlan plan = planner_.plan(depth);
-  result_.times.remesh += seconds_since(plan_start);
+  result_.times.remesh += plan_time.seconds();
   GridSolution solution = sample(plan, counts);
-  const auto mechanics_start = Clock::now();
+  const Stopwatch mechanics_time;
   std::vector<PatchGap> gaps;
   const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
@@ -290,7 +284,7 @@ GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, do
   const ContactFrame& main_frame = plan.patches[plan.found.main].frame;
   solution.depth_found =
       depth + joint.approach / (request_.normal_load ? main_frame.normal.z : 1.0);
-  result_.times.mechanics += seconds_since(mechanics_start);
+  result_.times.mechanics += mechanics_time.seconds();
   check_found_depth(request_, solution.depth_found); // before planes are turned there
   return solution;
 }
@@ -343,7 +337,7 @@ GridSolution WheelSolver::solve_coarsely(double depth) {
 
 /// Largest pressures between the elements of a solution.
 void WheelSolver::find_peaks(GridSolution& solution) {
-  const auto start = Clock::now();
+  const Stopwatch stopwatch;
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
   for (PatchOnGrid& patch : solution.patches) {
     if (!patch.no_contact()) {
@@ -354,7 +348,7 @@ void WheelSolver::find_peaks(GridSolution& solution) {
       patch.peak_error = peak.error;
     }
   }
-  result_.times.mechanics += seconds_since(start);
+  result_.times.mechanics += stopwatch.seconds();
 }
 
 /// At the depth found, on more elements where the estimate asks for them.
