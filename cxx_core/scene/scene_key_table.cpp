@@ -46,7 +46,7 @@ Key number_key(KeyDescription description, Range range, Dimension dimension, Pla
   return key;
 }
 
-/// A word for each value of a place.
+/// A word for each value of an enumeration.
 template <class Value, class Place>
 Key word_key(KeyDescription description, std::vector<std::pair<std::string_view, Value>> words,
              Place place) {
@@ -69,7 +69,7 @@ Key word_key(KeyDescription description, std::vector<std::pair<std::string_view,
   return key;
 }
 
-/// The name of a profile, which takes the place of a profile given by hand.
+/// The name of a profile, which takes the place of a profile given by the program.
 Key profile_key(KeyDescription description, std::string Scene::*name,
                 std::shared_ptr<const Profile> Scene::*profile) {
   Key key;
@@ -79,7 +79,7 @@ Key profile_key(KeyDescription description, std::string Scene::*name,
     if (value.empty()) {
       return false;
     }
-    scene.*name = value; // may fail for want of memory: first
+    scene.*name = value; // first: it may run out of memory
     (scene.*profile).reset();
     return true;
   };
