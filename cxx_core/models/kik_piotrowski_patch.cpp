@@ -14,7 +14,8 @@ namespace wrc {
 namespace {
 
 /// Nodes of the quadrature over a region, or over its part to either side of the contact point.
-/// origin: measured: on Hertzian bodies 12 leave an error of 1e-5 of the load (models_test).
+/// origin: measured: on Hertzian bodies 12 leave an error of 1e-5 of the load (models_test); on
+/// standard profiles 24 change pmax by up to 0.7 %, far below the error of the model.
 constexpr int node_count = 12;
 /// Accuracy of the ends of penetration, relative to the distance between two nodes of the scan.
 /// origin: reasoned: far below the error of the quadrature, at two or three more evaluations.
