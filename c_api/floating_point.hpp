@@ -1,4 +1,4 @@
-/// The caller's floating-point environment is put aside during a call.
+/// The caller's floating-point environment is set aside during a call.
 ///
 /// Callers trap exceptions (-ffpe-trap), flush small numbers to zero (-ffast-math) or round
 /// differently; the library computes with the IEEE default whatever they do, and its own exception

@@ -66,7 +66,7 @@ private:
   std::unordered_map<std::uintptr_t, std::shared_ptr<Entry>> entries_;
 };
 
-/// An object in use by this call, or not to be had.
+/// An object in use by this call, or not available.
 template <class Object> class InUse {
 public:
   using Entry = typename HandleTable<Object>::Entry;

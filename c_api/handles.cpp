@@ -46,7 +46,7 @@ wrc_status copy_values(const double* from, std::size_t length, double* values,
   }
   require_pointer(values, "values");
   if (*count > capacity) {
-    error = "capacity = " + std::to_string(capacity) + ": needed are " + std::to_string(*count);
+    error = "capacity = " + std::to_string(capacity) + ": needed is " + std::to_string(*count);
     return WRC_TOO_SMALL;
   }
   std::copy_n(from, length, values);

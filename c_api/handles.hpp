@@ -25,14 +25,14 @@ namespace wrc {
 struct SceneObject {
   Scene scene;
   std::optional<SceneResult> result;
-  // Made of the result when they are first asked for.
+  // Made from the result when first requested.
   std::vector<std::string> number_names;
   std::vector<std::pair<std::string, std::string>> texts;
-  std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one asked for
-  std::string input_text; ///< the last text of an input asked for
+  std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one requested
+  std::string input_text; ///< the last text of an input requested
   std::string error;
 
-  /// Takes a new result in; returns the status that tells of it.
+  /// Takes a new result in; returns its status.
   wrc_status take_result(SceneResult&& new_result);
 };
 
@@ -47,11 +47,11 @@ struct ProfileObject {
   std::string error;
 };
 
-/// What was asked at the last solve of a wrc_normal, and what came out.
+/// The problem last solved by a wrc_normal, and its solution.
 struct NormalResult {
   std::shared_ptr<const std::vector<double>> distance; ///< what the problem's span refers to
   NormalProblem problem;
-  NormalSolution solution; ///< displacement: empty until it is asked for
+  NormalSolution solution; ///< displacement: empty until requested
   PressureRegion summary;
   std::optional<Residuals> residuals;
 };
@@ -188,7 +188,7 @@ template <class Handle> void destroy(Handle* handle) noexcept {
   try {
     HandleTable<Object<Handle>>::instance().remove(number_of_handle(handle));
   } catch (...) {
-    // A lock that cannot be had: the object stays.
+    // The lock failed: the object stays.
   }
 }
 

@@ -190,20 +190,20 @@ wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* 
   return wrc::guard(normal, [&](wrc::NormalObject& object) {
     wrc::require_pointer(key, "key");
     wrc::require_pointer(value, "value");
-    const std::string_view asked = key;
-    if (asked == "solver") {
+    const std::string_view requested = key;
+    if (requested == "solver") {
       object.paper_method = is_second(key, value, "default", "paper");
-    } else if (asked == "precision") {
+    } else if (requested == "precision") {
       const auto precision = is_second(key, value, "mixed", "double") ? wrc::Precision::double_only
                                                                       : wrc::Precision::mixed;
       if (precision != object.precision) {
         object.precision = precision;
         object.solver.reset();
       }
-    } else if (asked == "elements") {
+    } else if (requested == "elements") {
       object.elements = is_second(key, value, "smooth", "constant") ? wrc::Elements::constant
                                                                     : wrc::Elements::smooth;
-    } else if (asked == "planner") {
+    } else if (requested == "planner") {
       const auto rigor = is_second(key, value, "estimate", "measure") ? wrc::PlannerRigor::measure
                                                                       : wrc::PlannerRigor::estimate;
       if (rigor != object.rigor) {
@@ -276,13 +276,13 @@ wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values
                             int64_t* count) {
   return with_result(normal, [&](wrc::NormalObject& object, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
-    const std::string_view asked = name;
-    if (asked != "pressure" && asked != "displacement") {
+    const std::string_view requested = name;
+    if (requested != "pressure" && requested != "displacement") {
       refuse_name("field", name, "pressure, displacement");
     }
     const std::size_t length = result.solution.pressure.size();
     const double* from = result.solution.pressure.data();
-    if (asked == "displacement" && capacity >= static_cast<int64_t>(length)) {
+    if (requested == "displacement" && capacity >= static_cast<int64_t>(length)) {
       from = displacement_of(result).data();
     }
     return wrc::copy_values(from, length, values, capacity, count, object.error);

@@ -10,7 +10,7 @@ namespace {
 constexpr int64_t most_values = int64_t{1} << 28;
 constexpr int32_t most_repeats = 1000;
 
-/// Runs a body that belongs to no handle, so that only the status can tell of a failure.
+/// Runs a body that belongs to no handle, so that a failure shows in the status alone.
 template <class Body> wrc_status guard_process(Body&& body) noexcept {
   try {
     std::forward<Body>(body)();

@@ -153,18 +153,18 @@ wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char**
   return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    const std::string_view asked = name;
-    if (asked == "name") {
+    const std::string_view requested = name;
+    if (requested == "name") {
       *value = loaded.name.c_str();
-    } else if (asked == "title") {
+    } else if (requested == "title") {
       *value = loaded.title.c_str();
-    } else if (asked == "source") {
+    } else if (requested == "source") {
       *value = loaded.source.c_str();
-    } else if (asked == "confidence") {
+    } else if (requested == "confidence") {
       *value = loaded.confidence.c_str();
     } else {
       throw wrc::Error(wrc::ErrorCode::unknown_name,
-                       "no text of a profile is named \"" + std::string(asked) +
+                       "no text of a profile is named \"" + std::string(requested) +
                            "\"; there are name, title, source, confidence");
     }
     return WRC_OK;

@@ -4,7 +4,7 @@
 
 namespace {
 
-/// Names of the numbers at hand; none without a result.
+/// Names of the numbers available; none without a result.
 const std::vector<std::string>& number_names_of(wrc::SceneObject& scene) {
   static const std::vector<std::string> none;
   if (!scene.result) {

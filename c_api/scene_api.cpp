@@ -27,7 +27,7 @@ Type value_of_type(const wrc::Scene& scene, const char* key, const char* type) {
     return std::move(*found);
   }
   throw wrc::Error(wrc::ErrorCode::invalid_argument,
-                   std::string(key) + ": its value is no " + type);
+                   std::string(key) + ": its value is not a " + type);
 }
 
 } // namespace
@@ -60,7 +60,7 @@ wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const char* val
     wrc::require_pointer(value, "value");
     const wrc::Convention before = object.scene.convention;
     wrc::set_text(object.scene, key, value);
-    if (object.scene.convention != before) { // results at hand are told in the new one
+    if (object.scene.convention != before) { // present results are returned in the new one
       object.texts.clear();
       object.field.reset();
     }

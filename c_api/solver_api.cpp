@@ -11,7 +11,7 @@ constexpr int32_t most_threads = 1024;
 constexpr int64_t most_scenes = int64_t{1} << 24;
 using SceneInUse = std::unique_ptr<wrc::InUse<wrc::SceneObject>>;
 
-/// All scenes of a batch, or the status that tells why they cannot be had.
+/// All scenes of a batch, or the status that says why they are not available.
 wrc_status take_all(wrc_scene* const* scenes, int64_t count, std::vector<SceneInUse>& taken) {
   std::vector<wrc_scene*> ordered(scenes, scenes + count);
   std::sort(ordered.begin(), ordered.end());
@@ -107,7 +107,7 @@ wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t thre
                             results);
       }
     } catch (...) {
-      // Fewer threads than asked for: the same results, later.
+      // Fewer threads than requested: the same results, later.
     }
     solve_waiting(taken, next, shared, results);
     for (std::thread& other : others) {

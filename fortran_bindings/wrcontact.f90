@@ -10,14 +10,16 @@
 !>     call scene%solve()
 !>     print *, scene%number('left.pmax'), maxval(scene%field('left.pressure'))
 !>
-!> Errors: every procedure takes the optional arguments `stat` (one of the wrc_* constants, 0 if all
-!> went well) and `errmsg` (the text of a failure; untouched by success). Without `stat` a failure
-!> ends the program by `error stop` with the text. wrc_not_converged counts as a failure; results
-!> are there all the same for who asks for `stat`. After a failure numbers are not-a-number, texts
-!> empty and fields of no length.
-!> Assignment: after `a = b` both are the same object; it is destroyed with the last of them.
-!> Threads: one thread at a time for an object and all that were assigned from it.
-!> Fields of rank 2 are shaped (longitudinal, lateral), as the library keeps them.
+!> Errors: every procedure takes the optional arguments `stat` (one of the wrc_* constants, 0 on
+!> success) and `errmsg` (the text of a failure; unchanged on success). Without `stat` a failure
+!> ends the program with `error stop` and the text. wrc_not_converged counts as a failure, but with
+!> `stat` the results are available. After a failure numbers are NaN, texts empty and fields of
+!> length zero.
+!> Assignment: after `a = b` both refer to the same object, which is destroyed with the last of
+!> them.
+!> Threads: one thread at a time for an object and all objects assigned from it.
+!> Fields of rank 2 have the shape (longitudinal, lateral), the order in which the library keeps
+!> them.
 !> The module ships as source (this file and those it includes), since .mod files belong to one
 !> compiler and version.
 module wrcontact
@@ -51,7 +53,7 @@ module wrcontact
 
   integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4
 
-  !> What variables that were assigned to each other have in common.
+  !> Shared by variables that were assigned to each other.
   type :: shared_handle
     type(c_ptr) :: handle = c_null_ptr
     integer :: kind = 0
@@ -66,12 +68,12 @@ module wrcontact
     private
     type(shared_handle), pointer :: shared => null()
   contains
-    !> An empty profile; one held before is given up.
+    !> An empty profile; one held before is released.
     procedure :: create => profile_create
     !> load_standard(name): a built-in profile.
     procedure :: load_standard => profile_load_standard
     !> load_file(path, kind, mirror_lateral, mirror_height, strict, scale, smoothing_wavelength): all
-    !> but the path may be left out; see wrc_read_options in wrcontact.h.
+    !> arguments but the path are optional; see wrc_read_options in wrcontact.h.
     procedure :: load_file => profile_load_file
     !> set_points(name, kind, lateral, height) and the options of load_file.
     procedure :: set_points => profile_set_points
@@ -82,13 +84,13 @@ module wrcontact
     !> text(name): 'name', 'title', 'source', 'confidence'.
     procedure :: text => profile_text
     procedure :: correction_count => profile_correction_count
-    !> correction(i), i from 1: what was corrected while reading; empty past the end.
+    !> correction(i), i from 1: a correction made while reading; empty past the end.
     procedure :: correction => profile_correction
     !> Arc length, mm.
     procedure :: length => profile_length
     !> Arc lengths of the nodes, mm.
     procedure :: nodes => profile_nodes
-    !> at(arc, lateral, height, angle, curvature): the curve there; all but the arc may be left out.
+    !> at(arc, lateral, height, angle, curvature): the curve there; only the arc is required.
     procedure :: at => profile_at
     generic :: assignment(=) => share
     procedure, private :: share => profile_share
@@ -96,7 +98,7 @@ module wrcontact
     final :: profile_release
   end type contact_profile
 
-  !> What is asked, and its results.
+  !> The input of a scene, and its results.
   type :: contact_scene
     private
     type(shared_handle), pointer :: shared => null()
@@ -127,7 +129,7 @@ module wrcontact
     procedure :: field => scene_field
     !> field_2d(name): a field of a patch, shaped (longitudinal, lateral).
     procedure :: field_2d => scene_field_2d
-    !> Names of all results at hand: number_name(i), text_name(i), i from 1.
+    !> Names of all available results: number_name(i), text_name(i), i from 1.
     procedure :: number_count => scene_number_count
     procedure :: number_name => scene_number_name
     procedure :: text_count => scene_text_count
@@ -211,20 +213,20 @@ contains
     scene_key_count = int(wrc_scene_key_count())
   end function scene_key_count
 
-  !> What is told of a key of scenes; index from 1.
+  !> Description of a key of scenes; index from 1.
   subroutine scene_key(index, name, default_value, allowed, meaning, stat, errmsg)
     integer, intent(in) :: index
     character(:), allocatable, intent(out), optional :: name, default_value, allowed, meaning
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    type(c_ptr) :: told(4)
+    type(c_ptr) :: texts(4)
     integer(c_int32_t) :: status
-    told = c_null_ptr
-    status = wrc_scene_key(int(index, c_int64_t) - 1, told(1), told(2), told(3), told(4))
-    if (present(name)) name = fortran_text(told(1))
-    if (present(default_value)) default_value = fortran_text(told(2))
-    if (present(allowed)) allowed = fortran_text(told(3))
-    if (present(meaning)) meaning = fortran_text(told(4))
+    texts = c_null_ptr
+    status = wrc_scene_key(int(index, c_int64_t) - 1, texts(1), texts(2), texts(3), texts(4))
+    if (present(name)) name = fortran_text(texts(1))
+    if (present(default_value)) default_value = fortran_text(texts(2))
+    if (present(allowed)) allowed = fortran_text(texts(3))
+    if (present(meaning)) meaning = fortran_text(texts(4))
     call report(status, 'there is no such key of a scene', stat, errmsg)
   end subroutine scene_key
 
@@ -482,7 +484,7 @@ contains
       grid = nint([longitudinal, lateral], c_int64_t)
       if (status == wrc_ok .and. product(grid) /= count) then
         allocate (values(0, 0))
-        call report(int(wrc_invalid_argument, c_int32_t), trim(name)//' is not on a grid: take field', &
+        call report(int(wrc_invalid_argument, c_int32_t), trim(name)//' is not on a grid: use field', &
           stat, errmsg)
         return
       end if

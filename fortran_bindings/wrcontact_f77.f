@@ -5,7 +5,7 @@ c docs/fortran.md shows a complete program.
 c
 c   INTEGER*8 HANDLE         scene, solver, profile or normal contact
 c   REAL*8                   all numbers; mm, N, MPa, rad, y left, z up,
-c                            unless the scene's convention is another
+c                            unless the scene's convention differs
 c   CHARACTER*(*)            keys and texts; trailing blanks do not
 c                            count
 c   INTEGER                  counts, and IERR, always last, always set:
@@ -13,19 +13,19 @@ c                            0, or a status of wrcontact.h (1 invalid
 c                            argument, 2 unknown name, 3 file
 c                            unreadable, 4 file malformed, 5 no contact,
 c                            6 out of memory, 7 internal, 8 not
-c                            converged: results are there, 9 too small,
+c                            converged, with results, 9 too small,
 c                            10 no result, 11 busy)
 c
 c Keys, names of results and ranges: wrcontact.h, docs/results.md.
 c
 c Integers of the program may have 4 or 8 bytes (-fdefault-integer-8),
-c whatever this file is compiled with: WRCNEW is given KIND(0), to be
-c written just so, and marks the handle with it. A handle belongs to
-c program parts that were compiled with the same option.
+c whatever this file is compiled with: WRCNEW takes KIND(0), written
+c exactly so, and marks the handle with it. A handle may be used only
+c by program parts compiled with the same option.
 c
 c   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    makes a 'scene', 'solver',
 c                                          'profile' or 'normal'
-c   WRCDEL(HANDLE, IERR)                   gives it back, sets it to 0
+c   WRCDEL(HANDLE, IERR)                   destroys it, sets it to 0
 c   WRCERR(HANDLE, TEXT, IERR)             text of its last failure
 c   WRCVER(TEXT)                           version of the library
 c
@@ -46,7 +46,7 @@ c   WRCNUM(HANDLE, NAME, VALUE, IERR)      a result of a scene or normal
 c   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text, also of a profile
 c   WRCFLD(HANDLE, NAME, VALUES, LENV, N, IERR)
 c        a field: N values, longitudinal index fastest, if LENV is at
-c        least N; else nothing but N. LENV = 0 asks for N, without error
+c        least N; otherwise N only. LENV = 0 returns N, without error
 c
 c   WRCSTD(PROFIL, NAME, IERR)             a built-in profile
 c   WRCFIL(PROFIL, PATH, IERR)             a profile's file
@@ -57,7 +57,7 @@ c   WRCGRD(NORMAL, NLAT, NLON, DLAT, DLON, IERR)   grid
 c   WRCGAP(NORMAL, DIST, N, IERR)          undeformed distance at the
 c                                          element centres, as a field
 c
-c Numbers keep their values when a call fails; texts become blank.
+c If a call fails, numbers keep their values and texts become blank.
 
 c The C interface, and what the subroutines share.
       module wrcontact_f77_c
@@ -225,18 +225,18 @@ c     are 8, or 0 where the most significant ones come first.
       integer*8 handle
       character*(*) text
       integer*4 ierr(*), status
-      type(c_ptr) address, told
+      type(c_ptr) address, found
       integer kind, width
       call look(handle, 15, address, kind, width, status)
       if (status .ne. 0) then
         text = 'the handle was not made by WRCNEW with KIND(0)'
       else
-        told = c_null_ptr
-        if (kind .eq. scene_mark) told = wrc_scene_error(address)
-        if (kind .eq. solver_mark) told = wrc_solver_error(address)
-        if (kind .eq. profile_mark) told = wrc_profile_error(address)
-        if (kind .eq. normal_mark) told = wrc_normal_error(address)
-        call copy(told, text, status)
+        found = c_null_ptr
+        if (kind .eq. scene_mark) found = wrc_scene_error(address)
+        if (kind .eq. solver_mark) found = wrc_solver_error(address)
+        if (kind .eq. profile_mark) found = wrc_profile_error(address)
+        if (kind .eq. normal_mark) found = wrc_normal_error(address)
+        call copy(found, text, status)
       end if
       call finish(status, ierr, width)
       end
@@ -329,13 +329,13 @@ c     are 8, or 0 where the most significant ones come first.
       integer*8 scene
       character*(*) key, text
       integer*4 ierr(*), status
-      type(c_ptr) address, told
+      type(c_ptr) address, found
       integer kind, width
-      told = c_null_ptr
+      found = c_null_ptr
       call look(scene, scene_mark, address, kind, width, status)
       if (status .eq. 0) status = wrc_scene_get_text(address,
-     &  letters(key), told)
-      call copy(told, text, status)
+     &  letters(key), found)
+      call copy(found, text, status)
       call finish(status, ierr, width)
       end
 
@@ -440,21 +440,21 @@ c     are 8, or 0 where the most significant ones come first.
       integer*8 handle
       character*(*) name, text
       integer*4 ierr(*), status
-      type(c_ptr) address, told
+      type(c_ptr) address, found
       integer kind, width
-      told = c_null_ptr
+      found = c_null_ptr
       call look(handle, scene_mark + profile_mark + normal_mark,
      &  address, kind, width, status)
       if (status .eq. 0) then
         if (kind .eq. scene_mark) then
-          status = wrc_scene_text(address, letters(name), told)
+          status = wrc_scene_text(address, letters(name), found)
         else if (kind .eq. profile_mark) then
-          status = wrc_profile_text(address, letters(name), told)
+          status = wrc_profile_text(address, letters(name), found)
         else
-          status = wrc_normal_text(address, letters(name), told)
+          status = wrc_normal_text(address, letters(name), found)
         end if
       end if
-      call copy(told, text, status)
+      call copy(found, text, status)
       call finish(status, ierr, width)
       end
 

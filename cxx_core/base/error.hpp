@@ -17,7 +17,7 @@ enum class ErrorCode : std::int32_t {
   file_unreadable = 3,  ///< a file that cannot be approach here or read
   file_malformed = 4,   ///< a file whose content cannot be understood
   no_contact = 5,       ///< wheel and rail do not meet in the scene as posed
-  out_of_memory = 6,    ///< memory could not be had
+  out_of_memory = 6,    ///< memory could not be allocated
   internal = 7,         ///< a fault of the library itself
 };
 

@@ -1,4 +1,6 @@
-/// Wall time since a beginning, s.
+/// Wall time since a moment.
+///
+/// Thread rule: a plain value.
 #pragma once
 
 #include <chrono>
@@ -10,6 +12,7 @@ public:
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
   }
+  [[nodiscard]] double milliseconds() const { return 1e3 * seconds(); }
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -11,7 +11,7 @@ void write_file(const std::filesystem::path& path, const std::string& content) {
   std::error_code unknown;
   if (std::filesystem::exists(path, unknown) &&
       !std::filesystem::is_regular_file(path, unknown)) { // a device would become a file
-    throw Error(ErrorCode::file_unreadable, path.string() + ": is there and is no regular file");
+    throw Error(ErrorCode::file_unreadable, path.string() + ": exists and is not a regular file");
   }
   std::filesystem::path aside = path;
   aside += ".partial";

@@ -3,61 +3,22 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/root_bracket.hpp"
 
 namespace wrc {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A node of the scan can lie this much above the least place next to it: nodes are at most 0.5 mm
-/// apart, and relative curvatures up to 1 / (4 mm) are covered.
+/// How far a node of the scan can lie above the minimum next to it, mm.
+/// origin: derived: s^2 / (2 R) = 0.008 with nodes 0.5 mm apart, so s <= 0.25 mm, and relative
+/// curvatures 1 / R up to 1 / (4 mm).
 constexpr double scan_slack = 0.01;
-/// Places are found to this, mm of arc: the rounding of positions of some hundred mm, times ten.
+/// Accuracy of contact points along the profile, mm of arc.
+/// origin: derived: ten times the rounding of positions of 500 mm, 1e-13.
 constexpr double place_tolerance = 1e-12;
-/// Contacts this near to the end of a profile, mm of arc, are at its end.
+/// Contacts within this distance of the end of a profile, mm of arc, get a warning.
+/// origin: reasoned: far above place_tolerance and far below any element.
 constexpr double end_tolerance = 1e-6;
-
-/// A place with the value of the function whose sign changes.
-struct Valued {
-  double place;
-  double value;
-};
-
-/// Closes in on a change of sign between two places by the Illinois rule, with a bisection now and
-/// then; both keep the bracket, so that kinks are found too. `function` gives a value, or none to
-/// stop. If a zero is hit, both places are there.
-template <class Function> void close_in(Valued& low, Valued& high, const Function& function) {
-  double weighted_low = low.value;
-  double weighted_high = high.value;
-  int kept = 0;
-  for (int iteration = 0; iteration < 200 && std::abs(high.place - low.place) > place_tolerance;
-       ++iteration) {
-    const double bisected = 0.5 * (low.place + high.place);
-    const double drawn =
-        (low.place * weighted_high - high.place * weighted_low) / (weighted_high - weighted_low);
-    const bool within =
-        drawn > std::min(low.place, high.place) && drawn < std::max(low.place, high.place);
-    const double place = iteration % 8 == 7 || !within ? bisected : drawn;
-    const std::optional<double> value = function(place);
-    if (!value) {
-      break;
-    }
-    if (*value == 0.0) {
-      low = high = {place, 0.0};
-      return;
-    }
-    if ((*value < 0.0) == (low.value < 0.0)) {
-      low = {place, *value};
-      weighted_low = *value;
-      weighted_high = kept == -1 ? 0.5 * weighted_high : high.value;
-      kept = -1;
-    } else {
-      high = {place, *value};
-      weighted_high = *value;
-      weighted_low = kept == 1 ? 0.5 * weighted_low : low.value;
-      kept = 1;
-    }
-  }
-}
 
 } // namespace
 
@@ -110,13 +71,14 @@ double SideSearch::inside_by(std::size_t piece, double along) const {
 
 /// The last place towards `outside` at which wheel and rail still face each other.
 double SideSearch::edge_along(std::size_t piece, double inside, double outside) const {
-  Valued in{inside, inside_by(piece, inside)};
-  Valued out{outside, inside_by(piece, outside)};
+  const RootBracket::Point in{inside, inside_by(piece, inside)};
+  const RootBracket::Point out{outside, inside_by(piece, outside)};
   if (!(in.value > 0.0 && out.value < 0.0)) {
     return inside;
   }
-  close_in(in, out, [&](double along) { return std::optional(inside_by(piece, along)); });
-  return in.place;
+  RootBracket edge(in, out);
+  edge.narrow(place_tolerance, [&](double along) { return inside_by(piece, along); });
+  return edge.one();
 }
 
 /// Least distance on a part of a piece.
@@ -129,16 +91,15 @@ LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
   if (at_high.sine <= 0.0) {
     return {piece, high, at_high.distance};
   }
-  Valued below{low, at_low.sine};
-  Valued above{high, at_high.sine};
-  close_in(below, above, [&](double along) -> std::optional<double> {
+  RootBracket least({low, at_low.sine}, {high, at_high.sine});
+  least.narrow(place_tolerance, [&](double along) -> std::optional<double> {
     const Meeting meeting = meet(piece, along);
     return meeting.exists ? std::optional(meeting.sine) : std::nullopt;
   });
-  const double distance_below = meet(piece, below.place).distance;
-  const double distance_above = meet(piece, above.place).distance;
-  return distance_below <= distance_above ? LocusSpot{piece, below.place, distance_below}
-                                          : LocusSpot{piece, above.place, distance_above};
+  const double below = meet(piece, least.one()).distance;
+  const double above = meet(piece, least.other()).distance;
+  return below <= above ? LocusSpot{piece, least.one(), below}
+                        : LocusSpot{piece, least.other(), above};
 }
 
 /// Least distances next to a node that is lower than its neighbours: to its left, to its right, or
@@ -220,9 +181,9 @@ void SideSearch::scan(const Pose& pose) {
                 "wheel off the rail: no part of the wheel profile lies over the rail at "
                 "pose.lateral = " +
                     text_of(pose.lateral) + " mm, roll " + short_text_of(pose.roll) +
-                    " rad (of a left wheel; signs are the other way round for a right one); "
-                    "allowed are displacements and rolls that leave wheel and rail above each "
-                    "other, which track.gauge and wheelset.back_to_back decide");
+                    " rad (as for a left wheel; opposite signs for a right one); "
+                    "allowed are displacements and rolls at which the wheel is above the rail, "
+                    "which depends on track.gauge and wheelset.back_to_back");
   }
 }
 

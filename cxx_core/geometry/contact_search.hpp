@@ -58,7 +58,7 @@ public:
 
   /// Scans all nodes. Throws Error(no_contact) if no part of the wheel is over the rail.
   void scan(const Pose& pose);
-  /// The same, but tells whether there is such a part instead of throwing.
+  /// The same, but returns false instead of throwing.
   [[nodiscard]] bool try_scan(const Pose& pose);
   /// All locally least places of the pose scanned last that exceed the least one by no more than
   /// `near_tolerance` (mm, >= 0), least first.

@@ -8,8 +8,11 @@
 namespace wrc {
 namespace {
 
-/// Least d lateral / d arc that still counts as a graph: cos of 89.4 degrees.
+/// Smallest d lateral / d arc that still counts as a graph: the cosine of 89.4 degrees.
+/// origin: reasoned: no contact carries on so steep a flank, and the table of heights stays small
+/// (max_halvings in height_function.cpp is for slopes up to 100).
 constexpr double min_tangent_lateral = 0.01;
+/// origin: reasoned: within a piece Newton's method takes 3 to 5 steps; the limit ends a cycle.
 constexpr int newton_limit = 30;
 
 bool is_graph_piece(const Curve& curve, std::size_t piece) {
@@ -24,7 +27,7 @@ bool is_graph_piece(const Curve& curve, std::size_t piece) {
 CurveGraph::Pieces CurveGraph::grow(const Curve& curve, double seed_arc) {
   const std::size_t seed = curve.piece_at(seed_arc);
   if (!is_graph_piece(curve, seed)) {
-    throw_invalid_argument("profile", "lateral coordinate does not grow at its reference place",
+    throw_invalid_argument("profile", "lateral coordinate does not increase at its reference point",
                            "a profile that is not vertical there");
   }
   Pieces pieces{seed, seed};

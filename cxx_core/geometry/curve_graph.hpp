@@ -37,7 +37,7 @@ public:
   }
   /// The curve over a lateral coordinate, which is clamped to the graph's range.
   [[nodiscard]] CurvePoint at_lateral(double lateral) const;
-  /// The same, also telling the arc length.
+  /// The same, also returning the arc length.
   [[nodiscard]] CurvePoint at_lateral(double lateral, double& arc) const;
   /// The largest angle, rad, by which the curve turns downwards between two pieces that meet over a
   /// stretch: 0 unless there is a ridge.

@@ -6,7 +6,7 @@
 namespace wrc {
 namespace {
 
-/// Farther out than any rail: where the locus does not exist.
+/// Farther out than any rail: where the locus does not exist. (not a tuning constant)
 constexpr double nowhere = 1e30;
 
 struct Nodes {

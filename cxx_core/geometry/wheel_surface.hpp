@@ -60,7 +60,7 @@ struct LocusPose {
   explicit LocusPose(const Pose& pose) : LocusPose(pose, Rotation(pose)) {}
   LocusPose(const Pose& pose, const Rotation& rotation_of_pose);
 
-  /// Of a place with this slope of the profile; `exists` tells whether there is one.
+  /// Of a place with this slope of the profile; `exists`: whether there is one.
   [[nodiscard]] LocusAngle angle_at(double slope, bool& exists) const {
     const double c = slope * along;
     const double square = amplitude_square - c * c;

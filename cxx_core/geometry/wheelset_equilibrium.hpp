@@ -37,7 +37,7 @@ struct EquilibriumRequest {
   double lateral = 0.0;
   double yaw = 0.0;
   std::optional<double> roll; ///< prescribed; solved if not set
-  bool left = true;           ///< sides asked for; a solved roll needs both all the same
+  bool left = true;           ///< wheels to solve; a solved roll needs both in any case
   bool right = true;
   double near_tolerance = 0.1; ///< mm
 };

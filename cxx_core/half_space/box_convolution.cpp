@@ -9,8 +9,8 @@ namespace wrc {
 
 namespace {
 
-/// Rows that are transposed together, as pairs: eight single-precision complex values fill a cache
-/// line.
+/// Rows that are transposed together, as pairs.
+/// origin: derived: eight single-precision complex values fill a cache line of 64 bytes.
 constexpr std::size_t block_rows = 8;
 static_assert(block_rows / 2 == LineFft<float>::block_lines);
 
@@ -167,10 +167,21 @@ BoxConvolution<Real> BoxConvolution<Real>::inverse_periodic(std::size_t rows, st
   return result;
 }
 
+/// What the three steps of one convolution share. Rows in pairs are lines; `columns` holds the
+/// spectra of the rows, and then of the rows out, column by column.
+template <typename Real> struct BoxConvolution<Real>::Lines {
+  std::size_t length;          ///< of a line of rows
+  std::size_t spectral_length; ///< of it
+  std::size_t line_pitch;
+  std::size_t column_pitch;
+  Complex* lines;
+  Complex* spectral_lines;
+  Complex* columns;
+};
+
 template <typename Real>
 void BoxConvolution<Real>::apply(const Real* in, Real* out,
                                  ConvolutionWorkspace<Real>& workspace) const {
-  using Complex = std::complex<Real>;
   const std::size_t length = spectrum_->columns;
   const std::size_t spectral_length = length / 2 + 1;
   const std::size_t line_pitch = aligned_pitch<Complex>(length);
@@ -180,21 +191,27 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
   provide(workspace.lines, block_rows / 2 * line_pitch);
   provide(workspace.spectral_lines, block_rows / 2 * line_pitch);
   provide(workspace.columns, spectral_length * column_pitch);
-  const std::size_t group = column_fft_->best_count();
-  const std::size_t group_pitch = aligned_pitch<Complex>(spectrum_->rows);
-  provide(workspace.column_lines, group * group_pitch);
-  provide(workspace.column_spectra, group * group_pitch);
-  Complex* lines = workspace.lines.data();
-  Complex* spectral_lines = workspace.spectral_lines.data();
-  Complex* columns = workspace.columns.data();
+  const Lines lines{length,
+                    spectral_length,
+                    line_pitch,
+                    column_pitch,
+                    workspace.lines.data(),
+                    workspace.spectral_lines.data(),
+                    workspace.columns.data()};
+  transform_rows(in, lines);
+  convolve_columns(lines, workspace);
+  transform_rows_back(lines, out);
+}
 
+template <typename Real>
+void BoxConvolution<Real>::transform_rows(const Real* in, const Lines& to) const {
   for (std::size_t pair = 0; pair < block_rows / 2; ++pair) {
-    std::fill_n(lines + pair * line_pitch, length, Complex{});
+    std::fill_n(to.lines + pair * to.line_pitch, to.length, Complex{});
   }
   for (std::size_t first = 0; first < shape_.rows_in; first += block_rows) {
     const std::size_t end = std::min(first + block_rows, shape_.rows_in);
     for (std::size_t row = first; row < first + block_rows; row += 2) {
-      Complex* pair_line = lines + (row - first) / 2 * line_pitch;
+      Complex* pair_line = to.lines + (row - first) / 2 * to.line_pitch;
       if (row + 1 < end) {
         interleave(in + row * shape_.columns_in, in + (row + 1) * shape_.columns_in,
                    pairs_of(pair_line), shape_.columns_in);
@@ -205,21 +222,29 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
         }
       }
     }
-    row_fft_->forward(lines, spectral_lines, block_rows / 2);
-    scatter(pairs_of(spectral_lines), line_pitch, length, pairs_of(columns + first), column_pitch,
-            spectral_length);
+    row_fft_->forward(to.lines, to.spectral_lines, block_rows / 2);
+    scatter(pairs_of(to.spectral_lines), to.line_pitch, to.length, pairs_of(to.columns + first),
+            to.column_pitch, to.spectral_length);
   }
+}
 
+template <typename Real>
+void BoxConvolution<Real>::convolve_columns(const Lines& at,
+                                            ConvolutionWorkspace<Real>& workspace) const {
+  const std::size_t group = column_fft_->best_count();
+  const std::size_t group_pitch = aligned_pitch<Complex>(spectrum_->rows);
+  provide(workspace.column_lines, group * group_pitch);
+  provide(workspace.column_spectra, group * group_pitch);
   const std::size_t padded_rows = (shape_.rows_out + block_rows - 1) / block_rows * block_rows;
   // Displacements before the first pressure are found at the end of the period.
   const auto shift = static_cast<std::ptrdiff_t>(spectrum_->rows);
   const auto first_out = static_cast<std::size_t>((shape_.row_offset % shift + shift) % shift);
   const std::size_t rows_until_end = std::min(shape_.rows_out, spectrum_->rows - first_out);
-  for (std::size_t first = 0; first < spectral_length; first += group) {
-    const std::size_t count = std::min(group, spectral_length - first);
+  for (std::size_t first = 0; first < at.spectral_length; first += group) {
+    const std::size_t count = std::min(group, at.spectral_length - first);
     for (std::size_t k = 0; k < count; ++k) {
       Complex* line = workspace.column_lines.data() + k * group_pitch;
-      std::copy_n(columns + (first + k) * column_pitch, shape_.rows_in, line);
+      std::copy_n(at.columns + (first + k) * at.column_pitch, shape_.rows_in, line);
       std::fill(line + shape_.rows_in, line + spectrum_->rows, Complex{});
     }
     for (std::size_t k = count; k < group; ++k) { // a block that is not full
@@ -233,24 +258,27 @@ void BoxConvolution<Real>::apply(const Real* in, Real* out,
     column_fft_->backward(workspace.column_spectra.data(), workspace.column_lines.data(), count);
     for (std::size_t k = 0; k < count; ++k) {
       const Complex* line = workspace.column_lines.data() + k * group_pitch;
-      Complex* values = columns + (first + k) * column_pitch;
+      Complex* values = at.columns + (first + k) * at.column_pitch;
       std::copy_n(line + first_out, rows_until_end, values);
       std::copy_n(line, shape_.rows_out - rows_until_end, values + rows_until_end);
       // A row without partner is paired with nothing.
       std::fill(values + shape_.rows_out, values + padded_rows, Complex{});
     }
   }
+}
 
-  const auto period = static_cast<std::ptrdiff_t>(length);
+template <typename Real>
+void BoxConvolution<Real>::transform_rows_back(const Lines& from, Real* out) const {
+  const auto period = static_cast<std::ptrdiff_t>(from.length);
   const auto start = static_cast<std::size_t>((shape_.column_offset % period + period) % period);
-  const std::size_t until_end = std::min(shape_.columns_out, length - start);
+  const std::size_t until_end = std::min(shape_.columns_out, from.length - start);
   for (std::size_t first = 0; first < shape_.rows_out; first += block_rows) {
     const std::size_t last = std::min(first + block_rows, shape_.rows_out);
-    gather(pairs_of(columns + first), column_pitch, pairs_of(spectral_lines), line_pitch, length,
-           spectral_length);
-    row_fft_->backward(spectral_lines, lines, (last - first + 1) / 2);
+    gather(pairs_of(from.columns + first), from.column_pitch, pairs_of(from.spectral_lines),
+           from.line_pitch, from.length, from.spectral_length);
+    row_fft_->backward(from.spectral_lines, from.lines, (last - first + 1) / 2);
     for (std::size_t row = first; row < last; row += 2) {
-      const Complex* values = lines + (row - first) / 2 * line_pitch;
+      const Complex* values = from.lines + (row - first) / 2 * from.line_pitch;
       Real* target = out + row * shape_.columns_out;
       if (row + 1 < last) {
         Real* next = target + shape_.columns_out;

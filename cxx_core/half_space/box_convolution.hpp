@@ -3,7 +3,7 @@
 ///   out[i, j] = sum_{k, l} K[i + row_offset - k, j + column_offset - l] in[k, l]
 /// by transforms of lines: rows first, two at a time as one complex line, then columns, each
 /// multiplied with the kernel's spectrum and transformed back while it is in cache, then the rows
-/// asked for. A line's length is at least twice the largest offset + 1, which makes the convolution
+/// requested. A line's length is at least twice the largest offset + 1, which makes the convolution
 /// exact and linear (Liu, Wang & Liu, Wear 243 (2000) 101-111), or, for `periodic`, the rectangle
 /// itself. In units of influence_cache.hpp: lengths in longitudinal steps, u = K p. Errors are
 /// those of the precision, relative to the largest value. Knows nothing of gaps or contact. Thread
@@ -52,6 +52,13 @@ public:
   void apply(const Real* in, Real* out, ConvolutionWorkspace<Real>& workspace) const;
 
 private:
+  using Complex = std::complex<Real>;
+  struct Lines;
+
+  void transform_rows(const Real* in, const Lines& to) const;
+  void convolve_columns(const Lines& at, ConvolutionWorkspace<Real>& workspace) const;
+  void transform_rows_back(const Lines& from, Real* out) const;
+
   ConvolutionShape shape_;
   const LineFft<Real>* row_fft_ = nullptr;
   const LineFft<Real>* column_fft_ = nullptr;

@@ -5,7 +5,7 @@
 /// l <= columns/2; backward is its conjugate sum, so that backward(forward(f)) = rows columns f
 /// (FFTW 3 manual, "What FFTW Really Computes"). LineFft: of complex values in one dimension, in
 /// single or double precision, on lines of the caller's memory.
-/// Plans are made with the rigor asked for. With `estimate` they are the same on every call, unless
+/// Plans are made with the requested rigor. With `estimate` they are the same on every call, unless
 /// the process has loaded wisdom; with `measure` FFTW times several algorithms, once a length, and
 /// the last bits of results may differ from one process to the next.
 /// Thread rule: planning takes a lock shared by the whole process, since only FFTW's execute is
@@ -56,6 +56,7 @@ std::size_t fast_line_length(std::size_t least);
 /// Memory aligned for vector instructions; values are not initialised. At least one value.
 template <typename Value> class AlignedArray {
 public:
+  /// origin: derived: bytes of a cache line and of the widest vector register.
   static constexpr std::size_t alignment = 64;
 
   AlignedArray() = default;
@@ -85,7 +86,7 @@ template <typename Value> void provide(AlignedArray<Value>& array, std::size_t s
   }
 }
 
-/// Values a line takes in an array of lines, so that each starts on an aligned place.
+/// Values per line in an array of lines, so that each starts on an aligned place.
 template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length) {
   constexpr std::size_t unit = AlignedArray<Value>::alignment / sizeof(Value);
   return (length + unit - 1) / unit * unit;
@@ -99,9 +100,11 @@ template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length
 template <typename Real> class LineFft {
 public:
   using Complex = std::complex<Real>;
+  /// origin: derived: four single-precision complex values fill half a vector register of 64 bytes
+  /// and one of 32, so all instruction sets are served.
   static constexpr std::size_t block_lines = 4;
 
-  /// Throws Error(out_of_memory) when plans cannot be had.
+  /// Throws Error(out_of_memory) if plans cannot be made.
   LineFft(std::size_t length, PlannerRigor rigor);
   ~LineFft();
   LineFft(const LineFft&) = delete;
@@ -121,7 +124,7 @@ private:
 /// Buffers and plans of one size, aligned for vector instructions.
 class RealFft {
 public:
-  /// Throws Error(out_of_memory) when buffers or plans cannot be had.
+  /// Throws Error(out_of_memory) if there is no memory for buffers or plans.
   RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor = PlannerRigor::estimate);
   ~RealFft();
   RealFft(RealFft&&) noexcept;

@@ -55,7 +55,7 @@ template <typename Real> struct KernelSpectrum {
 /// different roundings share their influence coefficients.
 double shared_aspect(double aspect);
 
-/// Transforms of lines by their length, each made when it is first asked for.
+/// Transforms of lines by their length, each made when first needed.
 class LinePlans {
 public:
   explicit LinePlans(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
@@ -95,7 +95,7 @@ public:
     return spectrum_of<Real>({kernel, rows, columns, Content::inverse});
   }
 
-  /// Drops what was not asked for since the last call. To be called between solutions.
+  /// Drops what has not been used since the last call. To be called between solutions.
   void drop_unused();
 
 private:

@@ -152,6 +152,8 @@ WRC_VECTOR_CLONES void fill_far_row(const double* halves, double lateral_distanc
 }
 
 /// Weight of the second differences in the coefficients of smooth elements.
+/// origin: derived: the mean of a quadratic over an element exceeds its value at the centre by
+/// 1/24 of the second difference.
 constexpr double smoothing = 1.0 / 24.0;
 
 /// The coefficient of a smooth element, from that of a constant one and those of its neighbours

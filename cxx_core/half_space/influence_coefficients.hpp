@@ -33,6 +33,7 @@
 namespace wrc {
 
 /// From this distance on, in units of the element's longer side, the expansion is used.
+/// origin: derived: the expansion of order six is accurate to 3e-13 there, see above.
 inline constexpr double far_field_distance = 16.0;
 
 /// What the value of an element stands for.

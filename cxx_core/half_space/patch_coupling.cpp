@@ -14,7 +14,9 @@ namespace wrc {
 
 namespace {
 
-/// Nodes that the interpolation may take in either direction.
+/// Nodes of the interpolation in either direction.
+/// origin: reasoned: with 16 the error stays below 1.5 times the requested one unless boxes are
+/// nearly in touch (patch_coupling.hpp); fewer than 4 would not carry the moments of the loads.
 constexpr std::size_t min_nodes = 4;
 constexpr std::size_t max_nodes = 16;
 

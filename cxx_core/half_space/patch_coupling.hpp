@@ -11,7 +11,7 @@
 /// box lies beyond it and beside it. The error falls with the number of nodes n like rho^-n,
 /// ln rho = max(arcosh(1 + B/a), arsinh(S/a)) (Trefethen, Approximation Theory and Approximation
 /// Practice, 2013, theorem 8.2). n is taken from that, 16 at most: the error stays below 1.5 times
-/// the one asked for where boxes are farther apart than half their length along the gap, and is
+/// the requested one where boxes are farther apart than half their length along the gap, and is
 /// 2e-4 to 1e-2 of the displacement where they are nearly in touch. Where their distance is less
 /// than half of the mean distance of the nodes, r counts as if it were that.
 ///

@@ -10,6 +10,9 @@
 namespace wrc {
 namespace {
 
+/// Half of the nodes along a yawed strip.
+/// origin: reasoned: the rule carries the roots at both ends of the strip; as many nodes to each
+/// side as across the strips.
 constexpr std::size_t half_nodes = 12;
 
 /// The upper half of the nodes of the Gauss-Chebyshev rule of the second kind, as many below.

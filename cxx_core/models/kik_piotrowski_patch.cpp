@@ -6,18 +6,20 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/root_bracket.hpp"
 #include "models/kik_piotrowski.hpp"
 #include "models/patch_model.hpp"
 
 namespace wrc {
 namespace {
 
-/// Nodes of the quadrature over a region, or over its part to either side of the contact point. On
-/// Hertzian bodies 12 leave 1e-5 of the load.
+/// Nodes of the quadrature over a region, or over its part to either side of the contact point.
+/// origin: measured: on Hertzian bodies 12 leave an error of 1e-5 of the load (models_test); on
+/// standard profiles 24 change pmax by up to 0.7 %, far below the error of the model.
 constexpr int node_count = 12;
-/// Ends of penetration are found to this share of a stretch of the scan.
+/// Accuracy of the ends of penetration, relative to the distance between two nodes of the scan.
+/// origin: reasoned: far below the error of the quadrature, at two or three more evaluations.
 constexpr double end_accuracy = 1e-10;
-constexpr int end_steps = 60;
 
 struct GaussRule {
   std::array<double, node_count> place; ///< in (0, 1)
@@ -107,37 +109,21 @@ private:
   KikPiotrowskiContact virtual_;
 };
 
-/// Regula falsi (Illinois).
 double KikPiotrowskiPatch::end_between(double inside, double outside) const {
-  const double accuracy = end_accuracy * std::abs(outside - inside);
-  double in = left_over(inside);
-  double out = left_over(outside);
+  const double in = left_over(inside);
+  const double out = left_over(outside);
   if (!(in > 0.0)) {
     return inside;
   }
   if (!(out < 0.0)) {
     return outside;
   }
-  int side = 0;
-  for (int step = 0; step < end_steps && std::abs(outside - inside) > accuracy; ++step) {
-    const double middle = (inside * out - outside * in) / (out - in);
-    const double value = left_over(middle);
-    if (std::abs(value) <= end_accuracy * approach_) {
-      return middle;
-    }
-    if (value > 0.0) {
-      inside = middle;
-      in = value;
-      out = side > 0 ? 0.5 * out : out;
-      side = 1;
-    } else {
-      outside = middle;
-      out = value;
-      in = side < 0 ? 0.5 * in : in;
-      side = -1;
-    }
-  }
-  return 0.5 * (inside + outside);
+  RootBracket end({inside, in}, {outside, out});
+  end.narrow(end_accuracy * std::abs(outside - inside), [&](double s) {
+    const double rest = left_over(s);
+    return std::abs(rest) <= end_accuracy * approach_ ? 0.0 : rest;
+  });
+  return end.middle();
 }
 
 void KikPiotrowskiPatch::add_region(double from, double to, bool from_contact) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
+#include "base/root_bracket.hpp"
 #include "patches/constants.hpp"
 #include "patches/contact_patches.hpp"
 
@@ -40,42 +40,30 @@ double estimate_load(const ContactScan& scan, double combined_modulus, double de
 double estimate_depth(const ContactScan& scan, double combined_modulus, double load_sought,
                       LoadDirection direction) {
   // The load grows about with the power 1.5 of the depth: steps by that power until the load is
-  // bracketed, then regula falsi (Illinois) in logarithms. The load may jump.
-  struct Tried {
-    double depth;
-    double excess; ///< logarithm of the load over the one sought
+  // bracketed, then within the bracket, in logarithms. The load may jump.
+  const auto excess_at = [&](double depth) {
+    const double excess =
+        std::log(estimate_load(scan, combined_modulus, depth, direction) / load_sought);
+    return std::abs(excess) <= estimated_depth_accuracy ? 0.0 : excess;
   };
-  std::optional<Tried> low;
-  std::optional<Tried> high;
-  bool was_low = false;
   double depth = first_searched_depth;
-  for (int iteration = 1; iteration <= depth_iterations; ++iteration) {
-    const double load = estimate_load(scan, combined_modulus, depth, direction);
-    const double excess = std::log(load / load_sought);
-    if (std::abs(excess) <= estimated_depth_accuracy) {
-      break;
+  double excess = excess_at(depth);
+  for (int step = 1; step <= depth_iterations && excess != 0.0; ++step) {
+    const double factor = std::exp(-excess / 1.5);
+    const double next = depth * std::clamp(factor, 1.0 / max_depth_factor, max_depth_factor);
+    if (next >= max_depth || next <= min_searched_depth) {
+      return std::clamp(next, min_searched_depth, max_depth);
     }
-    const bool is_low = excess < 0.0;
-    (is_low ? low : high) = Tried{depth, excess};
-    if (!low || !high) {
-      depth *= std::clamp(std::exp(-excess / 1.5), 1.0 / max_depth_factor, max_depth_factor);
-      if (depth >= max_depth && low) {
-        return max_depth;
-      }
-      if (depth <= min_searched_depth) {
-        return min_searched_depth;
-      }
-    } else {
-      const double ratio = high->depth / low->depth;
-      if (ratio <= 1.0 + estimated_depth_accuracy) {
-        return std::sqrt(low->depth * high->depth);
-      }
-      if (iteration > 2 && is_low == was_low) {
-        (is_low ? high : low)->excess *= 0.5;
-      }
-      depth = low->depth * std::pow(ratio, low->excess / (low->excess - high->excess));
+    const double next_excess = excess_at(next);
+    if (excess * next_excess < 0.0) {
+      RootBracket bracket({std::log(depth), excess}, {std::log(next), next_excess},
+                          RootBracket::End::other);
+      bracket.narrow(estimated_depth_accuracy,
+                     [&](double logarithm) { return excess_at(std::exp(logarithm)); });
+      return std::exp(bracket.middle());
     }
-    was_low = is_low;
+    depth = next;
+    excess = next_excess;
   }
   return depth;
 }

@@ -193,21 +193,4 @@ PressureRegion summarise_pressure(const Grid& grid, std::span<const double> pres
   return sums.finish(grid, pressure);
 }
 
-EdgeContact edges_in_contact(const Grid& grid, std::span<const double> pressure) {
-  check_pressure_size(grid, pressure);
-  EdgeContact edges;
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    const std::span<const double> values =
-        pressure.subspan(row * grid.longitudinal_count, grid.longitudinal_count);
-    const bool any = std::any_of(values.begin(), values.end(), [](double p) { return p > 0.0; });
-    edges.lateral_first |= row == 0 && any;
-    edges.lateral_last |= row + 1 == grid.lateral_count && any;
-    if (!values.empty()) {
-      edges.longitudinal_first |= values.front() > 0.0;
-      edges.longitudinal_last |= values.back() > 0.0;
-    }
-  }
-  return edges;
-}
-
 } // namespace wrc

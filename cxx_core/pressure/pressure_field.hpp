@@ -66,7 +66,4 @@ std::vector<PressureRegion> pressure_regions(const Grid& grid, std::span<const d
 /// The same figures over all elements with pressure together.
 PressureRegion summarise_pressure(const Grid& grid, std::span<const double> pressure);
 
-/// The grid's edges that carry pressure.
-EdgeContact edges_in_contact(const Grid& grid, std::span<const double> pressure);
-
 } // namespace wrc

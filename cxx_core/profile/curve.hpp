@@ -7,7 +7,7 @@
 /// tangent and curvature at their ends (Farin, Curves and Surfaces for CAGD, 2002, ch. 7). The node
 /// distance is chosen by the builder so that the pieces reproduce the defining arcs and polynomials
 /// to 1e-11 mm. Between pieces the curve may have a kink, or a step as small as the rounding of a
-/// standard's coefficients (S1002: 1.2e-4 mm); both are kept unless without_steps is asked.
+/// standard's coefficients (S1002: 1.2e-4 mm); both are kept unless without_steps is used.
 ///
 /// Units mm. Frame: `lateral` positive to the field side, `height` as the profile defines it
 /// (wheel: positive towards larger radius; rail: positive upwards). The arc length grows with the

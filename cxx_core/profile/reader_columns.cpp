@@ -1,4 +1,4 @@
-/// Two-column text: lateral and height, one point a line. Signs and units are not defined by the
+/// Two-column text: lateral and height, one point per line. Signs and units are not defined by the
 /// format; they are settled by the common part of the readers.
 #include <algorithm>
 

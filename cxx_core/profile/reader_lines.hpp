@@ -68,6 +68,7 @@ std::string_view trimmed(std::string_view text);
 
 /// The words of a line, at most `max_words`; `count` goes on beyond.
 struct Words {
+  /// Of what is read (not a tuning constant).
   static constexpr std::size_t max_words = 16;
   std::array<std::string_view, max_words> word;
   std::size_t count = 0;

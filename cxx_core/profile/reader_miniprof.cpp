@@ -67,7 +67,7 @@ void read_header_line(Header& header, std::string_view line, std::size_t number,
     return; // the other keys do not change the points
   if (!header.keys.emplace(key).second)
     log.guess(std::string(key) + " stands again in line " + std::to_string(number) +
-                  ", the last one counts",
+                  ", the last one is used",
               "remove the others");
   if (key == "ColumnDef")
     read_columns_of(header, value, number, log);

@@ -16,7 +16,8 @@
 namespace wrc::reading {
 namespace {
 
-constexpr std::size_t deepest_nesting = 8;
+/// Of what is read (not a tuning constant).
+constexpr std::size_t max_nesting = 8;
 
 std::string_view without_comment(std::string_view line) {
   bool quoted = false;
@@ -70,9 +71,8 @@ private:
     constexpr std::string_view begin = ".begin";
     constexpr std::string_view end = ".end";
     if (line.ends_with(begin)) {
-      if (sections_.size() >= deepest_nesting)
-        log_.refuse(lines_.number(),
-                    "sections nested deeper than " + std::to_string(deepest_nesting));
+      if (sections_.size() >= max_nesting)
+        log_.refuse(lines_.number(), "sections nested deeper than " + std::to_string(max_nesting));
       if (in("spline") && line == "point.begin" && ++content_.point_sections == 2)
         log_.guess("points of several sections joined, the second begins in line " +
                        std::to_string(lines_.number()),
@@ -115,7 +115,7 @@ private:
       const double number = finite_number(value, lines_.number(), log_);
       if (!content_.number.insert_or_assign(std::string(key), number).second)
         log_.guess(std::string(key) + " stands again in line " + std::to_string(lines_.number()) +
-                       ", the last one counts",
+                       ", the last one is used",
                    "remove the others");
     } else if (!informative.contains(key)) {
       content_.unknown_keys.add(lines_.number());
@@ -158,7 +158,7 @@ public:
     mirror("mirror.z", 1, "height");
     if (flag("inversion")) {
       std::reverse(points_.begin(), points_.end());
-      log_.note("order reversed as inversion = 1 asks");
+      log_.note("order reversed as inversion = 1 requests");
     }
     to_millimetres();
   }
@@ -207,7 +207,7 @@ private:
       return;
     for (Position& point : points_)
       point[coordinate] = -point[coordinate];
-    log_.note(name + " mirrored as " + key + " = 1 asks");
+    log_.note(name + " mirrored as " + key + " = 1 requests");
   }
   void to_millimetres() {
     const double per_metre = value("units.len.f", 1.0);

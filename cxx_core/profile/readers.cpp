@@ -85,9 +85,9 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
   const std::optional<ProfileKind> by_content = raw.kind ? raw.kind : by_name;
   if (raw.kind && by_name && *raw.kind != *by_name)
     log.note("the header says " + std::string(name_of(*raw.kind)) + ", the extension " +
-             std::string(name_of(*by_name)) + "; the header counts");
+             std::string(name_of(*by_name)) + "; the header is used");
   if (options.kind && by_content && *options.kind != *by_content)
-    log.note("read as a " + std::string(name_of(*options.kind)) + " as asked; the file says " +
+    log.note("read as a " + std::string(name_of(*options.kind)) + " as requested; the file says " +
              std::string(name_of(*by_content)));
   return options.kind ? options.kind : by_content;
 }
@@ -98,7 +98,7 @@ void settle_units(std::vector<Position>& points, const ReadOptions& options, Log
   };
   if (options.scale && *options.scale != 1.0) {
     scale_points(points, *options.scale, *options.scale);
-    log.note("multiplied by " + text_of(*options.scale) + " to mm as asked");
+    log.note("multiplied by " + text_of(*options.scale) + " to mm as requested");
   }
   const double length = chord_length(points);
   if (!is_allowed(length)) {
@@ -107,11 +107,11 @@ void settle_units(std::vector<Position>& points, const ReadOptions& options, Log
       if (!options.scale && is_allowed(factor * length))
         guess = factor;
     if (guess == 1.0)
-      log.refuse("the points are " + text_of(length) + " mm long in all, allowed are " +
+      log.refuse("the points are " + text_of(length) + " mm long in total, allowed are " +
                  text_of(ReadLimits::min_length) + " to " + text_of(ReadLimits::max_length) +
                  " mm");
     log.guess("multiplied by " + text_of(guess) + ", since the points are " + text_of(length) +
-                  " long in all and 5 to 500 mm are allowed",
+                  " long in total and 5 to 500 mm are allowed",
               "state the scale");
     scale_points(points, guess, guess);
   }
@@ -168,18 +168,19 @@ void turn_to_frame(RawProfile& raw, ProfileKind kind, Log& log) {
   }
   if (kind == ProfileKind::rail ? raw.rail_height_down : raw.wheel_height_up) {
     scale_points(raw.points, 1.0, -1.0);
-    log.note(kind == ProfileKind::rail
-                 ? "height mirrored, the format counts a rail's height downwards"
-                 : "height mirrored, the format counts a wheel's height upwards in the track");
+    log.note(
+        kind == ProfileKind::rail
+            ? "height mirrored: in this format a rail's height is positive downwards"
+            : "height mirrored: in this format a wheel's height is positive upwards in the track");
   }
 }
 
-/// Step 3: the signs that were asked for, or else those that the shape shows.
+/// Step 3: the signs that were requested, or else those that the shape shows.
 void orient(std::vector<Position>& points, ProfileKind kind, const ReadOptions& options, Log& log) {
   if (options.mirror_height) {
     if (*options.mirror_height) {
       scale_points(points, 1.0, -1.0);
-      log.note("height mirrored as asked");
+      log.note("height mirrored as requested");
     }
   } else if (kind == ProfileKind::rail ? bulge(points) < 0.0 : flange_is_down(points)) {
     scale_points(points, 1.0, -1.0);
@@ -190,7 +191,7 @@ void orient(std::vector<Position>& points, ProfileKind kind, const ReadOptions& 
   if (options.mirror_lateral) {
     if (*options.mirror_lateral) {
       scale_points(points, -1.0, 1.0);
-      log.note("lateral mirrored as asked");
+      log.note("lateral mirrored as requested");
     }
   } else if (kind == ProfileKind::wheel && flange_is_outside(points)) {
     scale_points(points, -1.0, 1.0);
@@ -209,13 +210,13 @@ std::vector<Position> settle_points(RawProfile& raw, ProfileKind& kind, const Re
   settle_units(points, options, log);
   if (const std::size_t dropped = reading::drop_close_points(points, options.least_point_distance))
     log.note(std::to_string(dropped) + " points closer than " +
-             text_of(options.least_point_distance) + " mm to the one before dropped");
+             text_of(options.least_point_distance) + " mm to the previous one dropped");
   if (points.size() < ReadLimits::min_points)
     log.refuse(std::to_string(points.size()) + " different points, at least " +
                std::to_string(ReadLimits::min_points) + " are needed");
   kind = stated ? *stated : kind_by_shape(points);
   if (!stated)
-    log.guess("taken for a " + std::string(name_of(kind)) + " by its shape", "state the kind");
+    log.guess("treated as a " + std::string(name_of(kind)) + " by its shape", "state the kind");
   turn_to_frame(raw, kind, log);
   orient(points, kind, options, log);
   if (points.front()[0] > points.back()[0]) {
@@ -225,7 +226,7 @@ std::vector<Position> settle_points(RawProfile& raw, ProfileKind& kind, const Re
   return std::move(points);
 }
 
-/// Smooths if asked to, then joins the points. A fault there is one of the file's points.
+/// Smooths if requested, then joins the points. A fault there is one of the file's points.
 void join(Profile& profile, const ReadOptions& options, Log& log) {
   try {
     if (options.smoothing_wavelength > 0.0) {
@@ -286,7 +287,7 @@ std::string content_of(const std::filesystem::path& path) {
   }
   if (size > ReadLimits::file_bytes || content.size() > ReadLimits::file_bytes)
     refuse_file(path, "is larger than " + std::to_string(ReadLimits::file_bytes) +
-                          " bytes, which is the most allowed");
+                          " bytes, the maximum allowed");
   if (stream.bad())
     refuse_file(path, "cannot be read");
   return content;
@@ -302,8 +303,8 @@ ProfileFormat format_of(const std::filesystem::path& path) {
     return ProfileFormat::miniprof;
   if (extension == ".slcs" || extension == ".slcw")
     throw Error(ErrorCode::file_malformed,
-                path.string() + ": slices of a profile that varies are not supported, use one of "
-                                "the constant profiles they name");
+                path.string() + ": sliced (varying) profiles are not supported; use one of the "
+                                "constant profiles they name");
   return ProfileFormat::columns;
 }
 

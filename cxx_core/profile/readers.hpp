@@ -64,12 +64,12 @@ ProfileFormat format_of(const std::filesystem::path& path);
 /// options.
 ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The same from memory. `name` stands for the file name in messages; its extension tells the kind
+/// The same from memory. `name` stands for the file name in messages; its extension gives the kind
 /// if the content does not.
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
                              const ReadOptions& options = {});
 
-/// The same from points at hand, [lateral, height], in either order. Throws
+/// The same from points given by the caller, [lateral, height], in either order. Throws
 /// Error(invalid_argument).
 ReadResult profile_through(std::span<const Position> points, std::string_view name,
                            const ReadOptions& options);

@@ -59,9 +59,12 @@ struct Junction {
   double kink = 0.0; ///< rad by which the tangent turns, positive towards larger height
 };
 
-/// Largest distance between nodes, so that a scan over them meets every local minimum of a gap.
+/// Largest distance between nodes, mm, so that a scan over them meets every local minimum of a gap.
+/// origin: reasoned: below the narrowest contact strip of worn flanges, about 1 mm; scan_slack
+/// of geometry/contact_search.cpp follows from it.
 inline constexpr double max_node_distance = 0.5;
-/// Largest gap between neighbouring segments.
+/// Largest gap between neighbouring segments, mm.
+/// origin: reasoned: standards print coordinates to 1e-3 mm.
 inline constexpr double max_junction_gap = 1e-3;
 
 /// The curve of the segments. Throws Error(invalid_argument) naming the segment or the pair of

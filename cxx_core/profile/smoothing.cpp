@@ -16,6 +16,7 @@ void dpbsv_(const char* uplo, const int* n, const int* kd, const int* nrhs, doub
 namespace wrc {
 namespace {
 
+/// Of the matrix (not a tuning constant).
 constexpr int bandwidth = 2;
 constexpr int band_rows = bandwidth + 1;
 
@@ -113,8 +114,9 @@ std::vector<double> smooth_values(std::span<const double> abscissa, std::span<co
   dpbsv_(&upper, &order, &bandwidth, &right_sides, band.data(), &band_rows, second.data(), &order,
          &info);
   if (info != 0)
-    throw Error(ErrorCode::internal, "smoothing wavelength = " + text_of(wavelength) +
-                                         " mm: too long against the closest points");
+    throw Error(ErrorCode::internal,
+                "smoothing wavelength = " + text_of(wavelength) +
+                    " mm: too long relative to the spacing of the closest points");
 
   std::vector<double> smoothed(value.begin(), value.end());
   for (std::size_t j = 0; j < m; ++j) {

@@ -10,10 +10,17 @@
 namespace wrc {
 namespace {
 
+/// How often the knots follow the arc length of the spline through them.
+/// origin: reasoned: each pass squares the deviation of the parameter from the arc length.
 constexpr int reparametrisations = 2;
 /// Length along the spline per length of its parameter, which is close to 1 for a smooth line;
 /// below this the points turn back on themselves and the tangent is lost.
+/// origin: reasoned: any value well below 1 and above rounding.
 constexpr double min_speed = 0.01;
+/// Length of a curve in lengths of the chords of its points.
+/// origin: reasoned: curves through sensible points exceed their chords by a few per cent at most;
+/// those that swing do so by orders of magnitude.
+constexpr double max_detour = 2.0;
 
 /// Second derivatives at the knots of the not-a-knot cubic spline. The end conditions are
 /// eliminated from the first and last interior equation, which stays diagonally dominant.
@@ -142,12 +149,11 @@ std::vector<double> arc_lengths(const PlaneSpline& spline) {
 /// forth, or a wide gap among close ones, make the spline swing, the more so each time its
 /// parameter follows its length.
 void check_detour(double length, double chords) {
-  constexpr double longest_detour = 2.0;
-  if (!(length <= longest_detour * chords))
+  if (!(length <= max_detour * chords))
     throw_invalid_argument("length of the curve through the points", length,
-                           "at most " + text_of(longest_detour) + " times that of their chords, " +
+                           "at most " + text_of(max_detour) + " times that of their chords, " +
                                text_of(chords) +
-                               " mm: the points jump back and forth, or leave a wide gap");
+                               " mm: the points jump back and forth or leave a wide gap");
 }
 
 } // namespace
@@ -163,7 +169,7 @@ Curve curve_through(std::span<const Position> points) {
         knot.empty() ? 0.0 : std::hypot(point[0] - lateral.back(), point[1] - height.back());
     if (!std::isfinite(distance) || (!knot.empty() && !(distance > 0.0)))
       throw_invalid_argument("distance of point " + std::to_string(knot.size()) +
-                                 " from the one before",
+                                 " from the previous one",
                              distance, "a positive finite number, mm");
     knot.push_back(knot.empty() ? 0.0 : knot.back() + distance);
     lateral.push_back(point[0]);

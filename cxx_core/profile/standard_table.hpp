@@ -15,6 +15,7 @@ namespace wrc {
 
 struct TableSegment {
   enum class Type { line, arc, polynomial };
+  /// Of the tables (not a tuning constant).
   static constexpr std::size_t max_coefficients = 12;
 
   std::string_view label;

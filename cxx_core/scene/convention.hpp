@@ -1,4 +1,4 @@
-/// In which units and frame a scene's numbers are given and told.
+/// The units and frame in which a scene's numbers are given and returned.
 ///
 /// Inside, everything is in mm, N, MPa, rad in the track frame of geometry/frames.hpp (x forward,
 /// y left, z up). Outside it may be m, N, Pa, rad, and the frame turned by half a turn about x

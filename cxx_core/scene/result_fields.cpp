@@ -1,4 +1,4 @@
-// Fields of a patch and outlines of a side: computed when they are asked for.
+// Fields of a patch and outlines of a side: computed on request.
 #include <algorithm>
 #include <array>
 

@@ -56,13 +56,13 @@ constexpr std::array place_numbers{
     Number<ContactPoint>{"wheel_angle", pure, [](const ContactPoint& p) { return p.wheel_angle; }},
 };
 
-/// Told of a touch only; a patch has an angle of its own.
+/// Of a touch only; a patch has an angle of its own.
 constexpr std::array touch_numbers{
     Number<ContactPoint>{"angle", pure, [](const ContactPoint& p) { return p.angle; }},
     Number<ContactPoint>{"distance", length, [](const ContactPoint& p) { return p.distance; }},
 };
 
-/// Computed when it is asked for, unless a model has told it.
+/// Computed on request, unless a model has given it.
 double area_of_patch(const PatchResult& patch) {
   if (patch.parts.empty()) {
     return patch.area ? *patch.area : contact_area(patch.grid, patch.pressure);
@@ -163,7 +163,7 @@ constexpr std::array side_numbers{
                         [](const WheelResult& r) { return static_cast<double>(r.solutions); }},
 };
 
-/// Of the first patch, told for the side too.
+/// Of the first patch, also returned for the wheel.
 constexpr std::array<std::string_view, 5> first_patch_names{"fill", "grid.0", "grid.1",
                                                             "element_size.0", "element_size.1"};
 
@@ -389,7 +389,7 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
                                                              const Convention& convention) {
   std::vector<std::pair<std::string, std::string>> texts;
   texts.emplace_back("model", result.model);
-  texts.emplace_back("solver", result.solver);
+  texts.emplace_back("solver", name_of(result.solver));
   texts.emplace_back("units", name_of(convention.units));
   texts.emplace_back("frame", name_of(convention.frame));
   for (std::size_t i = 0; i < result.corrections.size(); ++i) {

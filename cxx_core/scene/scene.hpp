@@ -1,31 +1,34 @@
-/// A scene: everything that is asked, with the defaults of the paper's Table 1.
+/// A scene: everything that is requested, with the defaults of the paper's Table 1.
 ///
 /// Values are reached by the keys of a scene file (scene/scene_keys.hpp), which also hold their
 /// permitted ranges. Units mm, N, MPa, rad; track frame of geometry/frames.hpp.
 /// Thread rule: a plain value.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "accuracy/accuracy_of.hpp"
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
 #include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
-#include "patches/contact_frame.hpp"
 #include "profile/profile.hpp"
 #include "scene/convention.hpp"
-#include "wheel/module.hpp"
+#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 
 enum class SideChoice { both, left, right };
+enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
 
-struct Scene {
+/// As keys and results call it.
+constexpr std::string_view name_of(SolverChoice solver) {
+  return solver == SolverChoice::paper ? "paper" : "default";
+}
+
+struct Scene : WheelOptions {
   Convention convention; ///< of the numbers outside; those here are in mm, y left, z up
 
   TrackDimensions track;
@@ -51,21 +54,11 @@ struct Scene {
   std::optional<double> normal_load; ///< instead: force along the patch's normal, each wheel
 
   SideChoice side = SideChoice::both;
-  Module until = Module::mechanics; ///< the last one to run
-  GapConvention gap = GapConvention::tangent;
-  std::string model = "auto";
-  std::string solver = "default";
+  ModelRequest model = ModelRequest::automatic;
   std::optional<Elements> elements; ///< smooth, but constant with the paper's solver, if not set
-  AccuracyOf accuracy_of = AccuracyOf::pressures;
-  double accuracy = 1e-3;
-  std::optional<std::array<std::size_t, 2>> grid; ///< elements [lateral, longitudinal]
-  double tolerance = 1e-5;                        ///< of the pressures, relative
   PlannerRigor planner = PlannerRigor::estimate;
   Precision precision = Precision::mixed;
-  bool interaction = false; ///< elastic, between patches of a wheel however far apart
-  /// Patches closer than twice this share a plane, mm (patches/contact_patches.hpp).
-  double joining_distance = 4.0;
-  double near_tolerance = 0.1; ///< contacts listed as near: distance at the first touch, mm
+  double near_tolerance = 0.1; ///< contacts listed as near: distance at first touch, mm
   int threads = 1;
 
   Scene();

@@ -53,7 +53,7 @@ std::string lasting_name(const std::string& name, ProfileKind kind) {
              : fs::absolute(name).string();
 }
 
-/// Writes the points of a profile given by hand; returns the file's name.
+/// Writes the points of a profile given by the program; returns the file's name.
 std::string write_beside(const Profile& profile, const fs::path& scene_path) {
   const bool wheel = profile.kind == ProfileKind::wheel;
   fs::path path = scene_path;
@@ -63,7 +63,7 @@ std::string write_beside(const Profile& profile, const fs::path& scene_path) {
   options.kind = profile.kind;
   if (read_profile(path, options).profile.points != profile.points) {
     throw_invalid_argument(wheel ? "wheelset.wheel" : "track.rail", '"' + profile.name + '"',
-                           "its points do not read back as they are: give it as a file");
+                           "its points would not read back unchanged: give it as a file");
   }
   return path.filename().string();
 }
@@ -90,7 +90,7 @@ void write_scene(const Scene& scene, const fs::path& path) {
   for (const KeyDescription& key : scene_keys()) {
     const KeyValue value = key_value(lasting, key.name);
     if (std::holds_alternative<std::monostate>(value)) {
-      continue; // told by the keys of its two parts
+      continue; // the keys of its two parts hold it
     }
     const std::size_t dot = key.name.rfind('.');
     if (key.name.substr(0, dot) != table) {

@@ -2,9 +2,9 @@
 ///
 /// TOML, one table for the first part of a key: every key that has a value, in the order of
 /// scene_keys, numbers in mm, N, MPa, rad, y left, z up, with digits that read back as the same
-/// doubles. Profile files are named with their whole path. Profiles given by hand go into files of
-/// their points beside it, "<name>.wheel.txt" and "<name>.rail.txt".
-/// Thread rule: two writers of one path are the caller's to avoid.
+/// doubles. Profile files are named with their full path. Profiles given by the program go into
+/// files of their points beside it, "<name>.wheel.txt" and "<name>.rail.txt". Thread rule: the
+/// caller must not write one path from two threads.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 namespace wrc {
 
 /// Throws Error(file_unreadable) if a file cannot be written, and Error(invalid_argument) for a
-/// profile given by hand whose points do not read back as they are.
+/// profile given by the program whose points would not read back unchanged.
 void write_scene(const Scene& scene, const std::filesystem::path& path);
 
 } // namespace wrc

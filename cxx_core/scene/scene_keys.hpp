@@ -14,7 +14,7 @@
 
 namespace wrc {
 
-/// What is told of a key.
+/// What users are told about a key.
 struct KeyDescription {
   std::string_view name;          ///< for example "track.gauge"
   std::string_view default_value; ///< as it stands in a scene file
@@ -25,8 +25,8 @@ struct KeyDescription {
 /// All keys, in the order of a scene file.
 std::span<const KeyDescription> scene_keys();
 
-/// A value of a key: none if it is not set, or if no single value tells it (load.vertical with
-/// different loads of the wheels).
+/// A value of a key: none if it is not set, or if it has no single value (load.vertical with
+/// different loads on the two wheels).
 using KeyValue = std::variant<std::monostate, double, std::string, std::vector<double>>;
 
 /// Value of a key, in the scene's convention. Throws Error(unknown_name).

@@ -1,107 +1,19 @@
 #include "scene/solve_scene.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <future>
-#include <mutex>
 
 #include "base/error.hpp"
-#include "profile/readers.hpp"
+#include "base/stopwatch.hpp"
 #include "scene/model_choice.hpp"
+#include "scene/surface_cache.hpp"
 
 namespace wrc {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// A profile given by hand, or else a built-in one by name, or else a file of that name.
-Profile load_profile(const std::shared_ptr<const Profile>& given, const std::string& name,
-                     ProfileKind kind, double smoothing, const std::string& key,
-                     std::vector<std::string>& corrections) {
-  if (given) {
-    if (smoothing > 0.0) {
-      throw_invalid_argument(key + "_smoothing", smoothing,
-                             "allowed is 0 with a profile given by the program");
-    }
-    return *given;
-  }
-  const auto names = standard_profile_names(kind);
-  if (std::find(names.begin(), names.end(), name) != names.end()) {
-    if (smoothing > 0.0) {
-      throw_invalid_argument(key + "_smoothing", smoothing,
-                             "allowed is 0 with a built-in profile, which is exact");
-    }
-    return standard_profile(name);
-  }
-  try {
-    ReadOptions options;
-    options.kind = kind;
-    options.smoothing_wavelength = smoothing;
-    ReadResult read = read_profile(name, options);
-    for (const std::string& correction : read.corrections) {
-      corrections.push_back(name);
-      corrections.back().append(": ").append(correction);
-    }
-    return std::move(read.profile);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::file_unreadable) {
-      throw;
-    }
-    std::string text = key + " = \"" + name + "\": allowed is a profile file or one of";
-    for (const auto known : names) {
-      text += ' ';
-      text += known;
-    }
-    throw Error(ErrorCode::unknown_name, text + " (" + error.what() + ")");
-  }
-}
-
-/// What a profile was made from.
-template <class Dimensions> struct SurfaceKey {
-  std::shared_ptr<const Profile> given;
-  std::string name;
-  double smoothing = 0.0;
-  Dimensions dimensions;
-
-  bool operator==(const SurfaceKey&) const = default;
-};
-
-/// The surfaces last used, with the corrections their files needed. Any number of threads.
-template <class Surface, class Dimensions> class SurfaceCache {
-public:
-  struct Entry {
-    SurfaceKey<Dimensions> key;
-    std::shared_ptr<const Surface> surface;
-    std::vector<std::string> corrections;
-  };
-
-  template <class Make> Entry get(const SurfaceKey<Dimensions>& key, Make&& make) {
-    const std::lock_guard<std::mutex> guard(mutex_); // the others wait for what one makes
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [&key](const Entry& entry) { return entry.key == key; });
-    if (found != entries_.end()) {
-      std::rotate(entries_.begin(), found, found + 1);
-    } else {
-      entries_.insert(entries_.begin(), make());
-      entries_.resize(std::min(entries_.size(), kept_surfaces));
-    }
-    return entries_.front();
-  }
-
-private:
-  static constexpr std::size_t kept_surfaces = 8;
-  std::mutex mutex_;
-  std::vector<Entry> entries_; ///< last used first
-};
-
 WheelRequest request_of(const Scene& scene, double load) {
   WheelRequest request;
-  request.gap = scene.gap;
+  static_cast<WheelOptions&>(request) = scene;
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   if (scene.vertical) {
     request.vertical = scene.vertical;
@@ -110,33 +22,9 @@ WheelRequest request_of(const Scene& scene, double load) {
   } else {
     request.vertical_load = load;
   }
-  request.accuracy_of = scene.accuracy_of;
-  request.accuracy = scene.accuracy;
-  request.grid = scene.grid;
-  request.tolerance = scene.tolerance;
-  request.interaction = scene.interaction;
-  request.joining_distance = scene.joining_distance;
-  request.solver = scene.solver == "paper" ? SolverChoice::paper : SolverChoice::standard;
   request.elements = scene.elements.value_or(
-      request.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
-  request.until = scene.until;
+      scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
   return request;
-}
-
-/// What patches displace at each other is interpolated, which boxes nearly in touch spoil.
-void warn_of_residuals(WheelResult& side, double accuracy) {
-  if (!side.details.interaction || side.patches.empty()) {
-    return;
-  }
-  const Residuals& residuals = residuals_of(side);
-  const double worst = std::max(-residuals.least_gap, residuals.complementarity);
-  if (worst > accuracy) {
-    side.warnings.push_back("patches nearly in touch: what they displace at each other is off by " +
-                            short_text_of(worst) +
-                            " of the largest displacement, more than the "
-                            "accuracy of " +
-                            text_of(accuracy));
-  }
 }
 
 EquilibriumRequest equilibrium_request_of(const Scene& scene) {
@@ -150,12 +38,55 @@ EquilibriumRequest equilibrium_request_of(const Scene& scene) {
   return request;
 }
 
+/// The displacement of one patch by another is interpolated; boxes nearly in touch spoil that.
+void warn_of_residuals(WheelResult& wheel, double accuracy) {
+  if (!wheel.details.interaction || wheel.patches.empty()) {
+    return;
+  }
+  const Residuals& residuals = residuals_of(wheel);
+  const double worst = std::max(-residuals.least_gap, residuals.complementarity);
+  if (worst > accuracy) {
+    wheel.warnings.push_back(
+        "patches nearly in touch: the displacement they cause at each other is off by " +
+        short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
+        text_of(accuracy));
+  }
+}
+
+/// A scene with what is the same for both wheels.
+struct SceneTask {
+  const Scene& scene;
+  const SceneSurfaces& surfaces;
+  const ModelChoice& model;
+
+  [[nodiscard]] WheelSolution solve(const SideEquilibrium& side, double load,
+                                    NormalSolver& solver) const {
+    const WheelRequest request = request_of(scene, load);
+    return model.approximate && scene.until == Module::mechanics
+               ? solve_wheel_approximately(*surfaces.wheel, *surfaces.rail, side, request,
+                                           *model.approximate)
+               : solve_wheel(*surfaces.wheel, *surfaces.rail, side, request, solver);
+  }
+
+  /// `mirror`: 1 for the left wheel, -1 for the right one.
+  [[nodiscard]] WheelResult complete(WheelSolution solution, const SideEquilibrium& side,
+                                     double mirror, StageMilliseconds& time) const {
+    time.remesh += 1e3 * solution.times.remesh;
+    time.mechanics += 1e3 * solution.times.mechanics;
+    WheelResult result =
+        make_wheel_result(std::move(solution), surfaces.wheel, surfaces.rail, side, mirror);
+    result.model = model.name;
+    result.model_reason = model.reason;
+    warn_of_residuals(result, scene.accuracy);
+    return result;
+  }
+};
+
 } // namespace
 
 /// Kept, and shared between threads.
 struct SceneSolver::Shared {
-  SurfaceCache<WheelSurface, WheelsetDimensions> wheels;
-  SurfaceCache<RailSurface, TrackDimensions> rails;
+  SurfaceCache surfaces;
   LinePlans estimated;
   LinePlans measured{PlannerRigor::measure};
 };
@@ -167,33 +98,11 @@ struct SceneSolver::State {
   PlannerRigor planner = PlannerRigor::estimate; ///< of the solvers
   Precision precision = Precision::mixed;
 
-  template <class Surface, class Dimensions>
-  typename SurfaceCache<Surface, Dimensions>::Entry
-  surface(SurfaceCache<Surface, Dimensions>& cache, const SurfaceKey<Dimensions>& key,
-          ProfileKind kind, const std::string& scene_key, SceneResult& result);
   void prepare_solvers(const Scene& scene);
+  void solve_wheels(const SceneTask& task, const WheelsetEquilibrium& equilibrium,
+                    SceneResult& result);
   SceneResult solve(const Scene& scene);
 };
-
-/// Loads a profile and makes a surface of it; the time goes to the stage it belongs to.
-template <class Surface, class Dimensions>
-typename SurfaceCache<Surface, Dimensions>::Entry
-SceneSolver::State::surface(SurfaceCache<Surface, Dimensions>& cache,
-                            const SurfaceKey<Dimensions>& key, ProfileKind kind,
-                            const std::string& scene_key, SceneResult& result) {
-  auto found = cache.get(key, [&] {
-    const auto start = Clock::now();
-    typename SurfaceCache<Surface, Dimensions>::Entry entry{key, nullptr, {}};
-    const Profile profile =
-        load_profile(key.given, key.name, kind, key.smoothing, scene_key, entry.corrections);
-    result.time.profile += milliseconds_since(start);
-    entry.surface = std::make_shared<Surface>(profile, key.dimensions);
-    return entry;
-  });
-  result.corrections.insert(result.corrections.end(), found.corrections.begin(),
-                            found.corrections.end());
-  return found;
-}
 
 void SceneSolver::State::prepare_solvers(const Scene& scene) {
   const bool others = planner != scene.planner || precision != scene.precision;
@@ -208,64 +117,50 @@ void SceneSolver::State::prepare_solvers(const Scene& scene) {
   precision = scene.precision;
 }
 
-SceneResult SceneSolver::State::solve(const Scene& scene) {
-  const auto start = Clock::now();
-  SceneResult result;
-  const auto wheel =
-      surface(shared->wheels,
-              {scene.wheel_profile, scene.wheel, scene.wheel_smoothing, scene.wheelset},
-              ProfileKind::wheel, "wheelset.wheel", result)
-          .surface;
-  const auto rail =
-      surface(shared->rails, {scene.rail_profile, scene.rail, scene.rail_smoothing, scene.track},
-              ProfileKind::rail, "track.rail", result)
-          .surface;
-  prepare_solvers(scene);
-  result.time.setup = milliseconds_since(start) - result.time.profile;
-
-  const auto geometry_start = Clock::now();
-  const WheelsetEquilibrium equilibrium =
-      find_equilibrium(*wheel, *rail, equilibrium_request_of(scene));
-  result.roll = equilibrium.roll;
-  result.vertical = equilibrium.vertical;
-  result.time.geometry = milliseconds_since(geometry_start);
-
-  const ModelChoice choice = choose_model(scene);
-  result.model = choice.name;
-  result.solver = scene.solver == "paper" ? "paper" : "default";
-  const auto solve_one = [&](const SideEquilibrium& side, double load, NormalSolver& solver) {
-    const WheelRequest request = request_of(scene, load);
-    return choice.approximate && scene.until == Module::mechanics
-               ? solve_wheel_approximately(*wheel, *rail, side, request, *choice.approximate)
-               : solve_wheel(*wheel, *rail, side, request, solver);
-  };
-  const auto complete = [&](WheelSolution solution, const SideEquilibrium& side, double mirror) {
-    result.time.remesh += 1e3 * solution.times.remesh;
-    result.time.mechanics += 1e3 * solution.times.mechanics;
-    WheelResult made = make_wheel_result(std::move(solution), wheel, rail, side, mirror);
-    made.model = choice.name;
-    made.model_reason = choice.reason;
-    warn_of_residuals(made, scene.accuracy);
-    return made;
-  };
+/// The right wheel on a thread of its own, if there is one for it.
+void SceneSolver::State::solve_wheels(const SceneTask& task, const WheelsetEquilibrium& equilibrium,
+                                      SceneResult& result) {
   std::future<WheelSolution> other;
   if (equilibrium.right) {
-    const bool beside = scene.threads > 1 && equilibrium.left;
-    other = std::async(beside ? std::launch::async : std::launch::deferred, solve_one,
-                       std::cref(*equilibrium.right), scene.right_load, std::ref(*right));
+    const bool beside = task.scene.threads > 1 && equilibrium.left;
+    other = std::async(beside ? std::launch::async : std::launch::deferred, [&] {
+      return task.solve(*equilibrium.right, task.scene.right_load, *right);
+    });
   }
   if (equilibrium.left) {
-    result.left =
-        complete(solve_one(*equilibrium.left, scene.left_load, *left), *equilibrium.left, 1.0);
+    result.left = task.complete(task.solve(*equilibrium.left, task.scene.left_load, *left),
+                                *equilibrium.left, 1.0, result.time);
   }
   if (equilibrium.right) {
-    result.right = complete(other.get(), *equilibrium.right, -1.0);
+    result.right = task.complete(other.get(), *equilibrium.right, -1.0, result.time);
   }
   if (result.left && result.right) {
     result.rolling_radius_difference =
         result.left->rigid_contact.rolling_radius - result.right->rigid_contact.rolling_radius;
   }
-  result.time.total = milliseconds_since(start);
+}
+
+SceneResult SceneSolver::State::solve(const Scene& scene) {
+  const Stopwatch total;
+  SceneResult result;
+  const SceneSurfaces surfaces = shared->surfaces.get(scene);
+  prepare_solvers(scene);
+  result.corrections = surfaces.corrections;
+  result.time.profile = surfaces.profile_milliseconds;
+  result.time.setup = total.milliseconds() - result.time.profile;
+
+  const Stopwatch geometry;
+  const WheelsetEquilibrium equilibrium =
+      find_equilibrium(*surfaces.wheel, *surfaces.rail, equilibrium_request_of(scene));
+  result.roll = equilibrium.roll;
+  result.vertical = equilibrium.vertical;
+  result.time.geometry = geometry.milliseconds();
+
+  const ModelChoice model = choose_model(scene);
+  result.model = model.name;
+  result.solver = scene.solver;
+  solve_wheels({scene, surfaces, model}, equilibrium, result);
+  result.time.total = total.milliseconds();
   return result;
 }
 

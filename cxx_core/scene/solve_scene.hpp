@@ -1,6 +1,7 @@
-/// The whole way of a scene: profiles, geometry, remesh, mechanics, and the results by name.
+/// The pipeline of a scene: profiles, geometry, remesh, mechanics, and the results by name.
 ///
-/// Results are in the track frame (geometry/frames.hpp), both sides alike; only along a profile
+/// Results are in the track frame (geometry/frames.hpp), the same for both wheels; only along a
+/// profile
 /// (`s_wheel`, `t_rail`) and across a patch (`lateral`) positive means to the field side.
 /// Units mm, N, MPa, rad, by name also others (scene/convention.hpp); times in ms. Thread rule:
 /// functions of the results are pure, but for residuals_of, sensitivities_of and number_value,
@@ -34,7 +35,7 @@ struct SceneResult {
   double vertical = 0.0; ///< height of the wheelset's centre at the first touch
   std::optional<double> rolling_radius_difference; ///< left - right; with both sides
   std::string model;
-  std::string solver;
+  SolverChoice solver = SolverChoice::standard;
   std::optional<WheelResult> left;
   std::optional<WheelResult> right;
   StageMilliseconds time;
@@ -71,8 +72,8 @@ private:
 
 /// All scalar results by name ("left.pmax", "left.patches.0.angle", ...), in a fixed order.
 std::vector<std::string> number_names(const SceneResult& result);
-/// One of them; residuals and sensitivities are computed when they are
-/// first asked for. None of that name: nothing.
+/// One of them, or none if there is no such name. Residuals and sensitivities are computed when
+/// first requested.
 std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention = {});
 /// All texts by name ("model", "left.warnings.0", ...).
@@ -80,7 +81,7 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
                                                              const Convention& convention = {});
 /// A field by name ("left.patches.0.pressure", "right.rail_y", ...), computed now: per element of a
 /// patch's grid ("left.pressure" is short for that of the first patch), or along an outline (wheel
-/// and rail in the plane of the contact, for a picture). Nothing if there is none of that name.
+/// and rail in the plane of the contact, for a picture). None if there is no such name.
 std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name,
                                                 const Convention& convention = {});
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/root_bracket.hpp"
 #include "base/stopwatch.hpp"
 #include "models/hertz.hpp"
 #include "models/patch_model.hpp"
@@ -104,34 +104,31 @@ double ApproximateWheel::load_at(double depth) const {
   return load;
 }
 
-/// The load goes about with the power 3/2 of the depth: a secant on its power 2/3, within a
-/// bracket.
+/// The load goes about with the power 3/2 of the depth, so its power 2/3 is nearly linear: secants
+/// until the load is bracketed, then within the bracket.
 double ApproximateWheel::depth_of_load(double start) const {
   const double sought = request_.load();
   const double target = std::cbrt(sought * sought);
   const auto excess_at = [&](double depth) {
     const double load = load_at(depth);
-    return std::cbrt(load * load) - target;
+    const double excess = std::cbrt(load * load) - target;
+    return std::abs(excess) <= load_accuracy * target ? 0.0 : excess;
   };
-  double low = 0.0;
-  double high = std::numeric_limits<double>::infinity();
-  double last = 0.0; // the place before, and its excess
-  double last_excess = -target;
-  double depth = start;
-  for (int step = 1; step <= load_steps; ++step) {
-    const double excess = excess_at(depth);
-    if (std::abs(excess) <= load_accuracy * target) {
-      break;
-    }
-    (excess < 0.0 ? low : high) = depth;
-    double next = depth - excess * (depth - last) / (excess - last_excess);
-    if (!(next > low && next < high) || step % bisection_interval == 0) {
-      next = std::isinf(high) ? 2.0 * low : 0.5 * (low + high);
-    }
-    last = std::exchange(depth, next);
-    last_excess = excess;
+  RootBracket::Point low{0.0, -target};
+  RootBracket::Point high{start, excess_at(start)};
+  for (int step = 1; step <= load_steps && high.value < 0.0; ++step) {
+    const double drawn =
+        high.place - high.value * (high.place - low.place) / (high.value - low.value);
+    low = high;
+    high.place = drawn > low.place && std::isfinite(drawn) ? drawn : 2.0 * low.place;
+    high.value = excess_at(high.place);
   }
-  return depth;
+  if (high.value <= 0.0) {
+    return high.place;
+  }
+  RootBracket bracket(low, high);
+  bracket.narrow(load_accuracy * high.place, excess_at);
+  return bracket.middle();
 }
 
 void ApproximateWheel::settle_depth() {

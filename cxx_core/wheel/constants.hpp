@@ -128,10 +128,6 @@ inline constexpr double load_accuracy = 1e-10;
 /// origin: reasoned: a bound.
 inline constexpr int load_steps = 80;
 
-/// Every so many steps the bracket is halved, should a secant be caught on one side of it.
-/// origin: reasoned: rare enough to cost nothing.
-inline constexpr int bisection_interval = 8;
-
 /// Change of the depth that leaves patches and planes as they are.
 /// origin: derived: planes turn by less than its share of the contact angles' spread.
 inline constexpr double settled_share = 1e-3;

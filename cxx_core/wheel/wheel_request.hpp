@@ -16,23 +16,28 @@ namespace wrc {
 
 enum class SolverChoice { standard, paper };
 
-struct WheelRequest {
+/// How the wheels of a scene are solved, each alike.
+struct WheelOptions {
   GapConvention gap = GapConvention::tangent;
-  double combined_modulus = 0.0;
-  /// Exactly one of the three is set.
-  std::optional<double> vertical_load; ///< N
-  std::optional<double> normal_load;   ///< N, along the normal of the main patch
-  std::optional<double> vertical;      ///< height of the wheelset's centre, mm
+  Module until = Module::mechanics; ///< the last one to run
   AccuracyOf accuracy_of = AccuracyOf::pressures;
   double accuracy = 1e-3;
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
+  bool interaction = false; ///< all patches interact in full, however far apart
+  /// Patches closer than twice this share a plane, mm (patches/contact_patches.hpp).
+  double joining_distance = 4.0;
+};
+
+struct WheelRequest : WheelOptions {
+  double combined_modulus = 0.0;
+  /// Exactly one of the three is set.
+  std::optional<double> vertical_load; ///< N
+  std::optional<double> normal_load;   ///< N, along the normal of the main patch
+  std::optional<double> vertical;      ///< height of the wheelset's centre, mm
   Elements elements = Elements::smooth;
-  bool interaction = false;      ///< patches interact in full, however far apart
-  double joining_distance = 4.0; ///< mm, see patches/contact_patches.hpp
   int maximum_iterations = 5000;
-  Module until = Module::mechanics; ///< the last one to run
 
   [[nodiscard]] bool position_is_prescribed() const { return vertical.has_value(); }
   /// The load of the two that is set, N; 0 if the position is prescribed.

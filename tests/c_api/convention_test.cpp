@@ -342,7 +342,7 @@ TEST_F(SceneFile, CannotBeWrittenWhereThereIsNoFolder) {
   EXPECT_EQ(wrc_scene_write(scene.get(), nullptr), WRC_INVALID_ARGUMENT);
   std::filesystem::create_directory(path("folder.toml"));
   EXPECT_EQ(wrc_scene_write(scene.get(), path("folder.toml").c_str()), WRC_FILE_UNREADABLE);
-  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "no regular file"));
+  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "not a regular file"));
 }
 
 TEST(ProfilePoints, AreRefusedWithTheirFault) {

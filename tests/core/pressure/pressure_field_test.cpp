@@ -104,9 +104,8 @@ TEST(PressureField, RegionsAreFoundSortedAndMeasured) {
   EXPECT_DOUBLE_EQ(whole.normal_force, 16.0);
   EXPECT_EQ(whole.box.lateral_first, 1U);
   EXPECT_EQ(whole.box.longitudinal_last, 7U);
-  const EdgeContact edges = edges_in_contact(grid, pressure);
-  EXPECT_TRUE(edges.lateral_last && edges.longitudinal_last);
-  EXPECT_FALSE(edges.lateral_first || edges.longitudinal_first);
+  EXPECT_TRUE(whole.touches_edge.lateral_last && whole.touches_edge.longitudinal_last);
+  EXPECT_FALSE(whole.touches_edge.lateral_first || whole.touches_edge.longitudinal_first);
 }
 
 TEST(PressureField, EqualForcesStayInTheOrderOfTheirFirstElement) {
@@ -126,12 +125,11 @@ TEST(PressureField, NoPressureNoRegion) {
   EXPECT_TRUE(pressure_regions(grid, none).empty());
   EXPECT_EQ(peak_pressure(grid, none), 0.0);
   EXPECT_EQ(summarise_pressure(grid, none).element_count, 0U);
-  EXPECT_FALSE(edges_in_contact(grid, none).any());
+  EXPECT_FALSE(summarise_pressure(grid, none).touches_edge.any());
   const std::vector<double> wrong(5, 0.0);
   EXPECT_THROW(pressure_regions(grid, wrong), Error);
   EXPECT_THROW(peak_pressure(grid, wrong), Error);
   EXPECT_THROW(summarise_pressure(grid, wrong), Error);
-  EXPECT_THROW(edges_in_contact(grid, wrong), Error);
 }
 
 TEST(PressureField, SecondMomentsGiveTheHertzianAxes) {

@@ -75,8 +75,8 @@ TEST(ReferenceProfiles, S1002FileHasNoGuesses) {
     return std::any_of(read.corrections.begin(), read.corrections.end(),
                        [&](const std::string& line) { return line.find(text) == 0; });
   };
-  EXPECT_TRUE(says("lateral mirrored as mirror.y = 1 asks"));
-  EXPECT_TRUE(says("order reversed as inversion = 1 asks"));
+  EXPECT_TRUE(says("lateral mirrored as mirror.y = 1 requests"));
+  EXPECT_TRUE(says("order reversed as inversion = 1 requests"));
 }
 
 TEST(ReferenceProfiles, Uic60MeetsTheManchesterPoints) {

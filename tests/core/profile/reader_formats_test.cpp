@@ -97,7 +97,7 @@ TEST(SimpackReader, HeaderWinsOverTheExtensionAndOptionsOverBoth) {
   options.kind = ProfileKind::rail;
   const ReadResult asked = read_as(ProfileFormat::simpack, text, "a.prw", options);
   EXPECT_EQ(asked.profile.kind, ProfileKind::rail);
-  EXPECT_TRUE(says(asked, "read as a rail as asked"));
+  EXPECT_TRUE(says(asked, "read as a rail as requested"));
 }
 
 TEST(SimpackReader, AppliesTheKeysInTheirOrder) {
@@ -269,7 +269,7 @@ TEST(MiniprofReader, ColumnsLeftOutAndKeysThatStandTwiceAreTold) {
                          "line 3"));
   const std::string twice = "XOffset=1\nXOffset=0\n\n" + miniprof_rows();
   EXPECT_TRUE(says(read_as(ProfileFormat::miniprof, twice, "a.ban"),
-                   "XOffset stands again in line 2, the last one counts"));
+                   "XOffset stands again in line 2, the last one is used"));
   ReadOptions strict;
   strict.strict = true;
   EXPECT_TRUE(contains(refusal_of(unnamed, ProfileFormat::miniprof, strict), "more columns"));

@@ -94,7 +94,7 @@ TEST(Readers, StatedMirrorsReplaceTheCheckOfTheShape) {
                                               return Position{-p[0], -p[1]};
                                             }),
                                     options);
-  EXPECT_TRUE(says(read, "lateral mirrored as asked"));
+  EXPECT_TRUE(says(read, "lateral mirrored as requested"));
   EXPECT_LT(read.profile.curve.at(0.0).lateral, 0.0);
   EXPECT_GT(read.profile.curve.at(0.0).height, 10.0) << "height must stay upside down";
 }
@@ -118,10 +118,10 @@ TEST(Readers, StrictReadingRefusesGuesses) {
 TEST(Readers, KindIsGuessedFromTheShape) {
   const ReadResult wheel = read_rows(rows_of(wheel_points()), {});
   EXPECT_EQ(wheel.profile.kind, ProfileKind::wheel);
-  EXPECT_TRUE(says(wheel, "taken for a wheel"));
+  EXPECT_TRUE(says(wheel, "treated as a wheel"));
   const ReadResult rail = read_rows(rows_of(rail_points()), {});
   EXPECT_EQ(rail.profile.kind, ProfileKind::rail);
-  EXPECT_TRUE(says(rail, "taken for a rail"));
+  EXPECT_TRUE(says(rail, "treated as a rail"));
 }
 
 TEST(Readers, UnitsAreGuessedAndSaid) {
@@ -148,10 +148,10 @@ TEST(Readers, StatedScaleSwitchesTheGuessOff) {
   options.scale = 2.0;
   const auto metres = [](Position p) { return Position{p[0] / 1000.0, p[1] / 1000.0}; };
   EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
-                       "mm long in all"));
+                       "mm long in total"));
   options.scale = 1.0; // stated: no guess, though the file is in metres
   EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
-                       "mm long in all"));
+                       "mm long in total"));
 }
 
 TEST(Readers, DuplicatesAreDroppedAndSaid) {
@@ -168,10 +168,10 @@ TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
   EXPECT_TRUE(contains(refusal_of("0 0\n10 1\n20 2\n30 3\n", ProfileFormat::columns), "4 points"));
   EXPECT_TRUE(contains(refusal_of("0 0\n10 1\n10 1\n20 2\n30 3\n", ProfileFormat::columns),
                        "4 different points"));
-  EXPECT_TRUE(
-      contains(refusal_of("0 0\n1 0\n2 0\n3 0\n4 0\n", ProfileFormat::columns), "mm long in all"));
+  EXPECT_TRUE(contains(refusal_of("0 0\n1 0\n2 0\n3 0\n4 0\n", ProfileFormat::columns),
+                       "mm long in total"));
   EXPECT_TRUE(contains(refusal_of("1e300 0\n-1e300 1\n1e300 2\n3 3\n4 4\n", ProfileFormat::columns),
-                       "mm long in all"));
+                       "mm long in total"));
   EXPECT_TRUE(contains(refusal_of("1e9 0\n1000000010 1\n1000000020 2\n1000000030 3\n1000000040 4\n",
                                   ProfileFormat::columns),
                        "at most 1e+05 mm"));

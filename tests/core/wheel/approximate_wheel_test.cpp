@@ -34,7 +34,7 @@ WheelSolution solve_crossed_cylinders(ApproximateModel model, double load, doubl
 }
 
 SceneResult solve_with(const std::string& model, Scene scene) {
-  scene.model = model;
+  set_text(scene, "solve.model", model);
   return solve_scene(scene);
 }
 

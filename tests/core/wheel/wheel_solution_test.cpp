@@ -99,7 +99,7 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
         }
       }
       force += patch.normal_force * patch.frame.normal.z;
-      EXPECT_FALSE(edges_in_contact(patch.grid, patch.pressure).any());
+      EXPECT_FALSE(summarise_pressure(patch.grid, patch.pressure).touches_edge.any());
     }
     EXPECT_NEAR(force, 80000.0, 1e-6 * 80000.0);
   }

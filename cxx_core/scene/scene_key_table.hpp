@@ -1,0 +1,32 @@
+/// One key of a scene: what is said of it, and how it is read and set.
+///
+/// Here text ends: words become enumerators, and the scene holds no other strings than names of
+/// profiles. Thread rule: the table is made once, and constant then.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene_keys.hpp"
+
+namespace wrc {
+
+struct Key {
+  KeyDescription description;
+  Dimension dimension;
+  double min = 0.0; ///< range of a number in mm, y left, z up, ends included
+  double max = 0.0;
+  bool whole = false; ///< whole numbers only
+  /// Numbers in mm, y left, z up. Setting returns false for what is not permitted.
+  std::function<KeyValue(const Scene&)> get;
+  std::function<void(Scene&, double)> set_number;
+  std::function<bool(Scene&, std::string_view)> set_text;
+  std::function<bool(Scene&, std::span<const double>)> set_numbers;
+};
+
+/// All keys, in the order of a scene file. Made anew by each call.
+std::vector<Key> make_scene_keys();
+
+} // namespace wrc

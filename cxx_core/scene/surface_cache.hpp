@@ -1,0 +1,78 @@
+/// Surfaces of the wheel and the rail a scene names, kept for the scenes that follow.
+///
+/// A profile is one given by the program, or else a built-in one of that name, or else a file of
+/// that name. A file is not read again while its surface is kept.
+/// Thread rule: any number of threads; one makes a surface, the others wait for it.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "geometry/rail_surface.hpp"
+#include "geometry/wheel_surface.hpp"
+#include "scene/scene.hpp"
+
+namespace wrc {
+
+struct SceneSurfaces {
+  std::shared_ptr<const WheelSurface> wheel;
+  std::shared_ptr<const RailSurface> rail;
+  std::vector<std::string> corrections; ///< made to profiles read from files
+  double profile_milliseconds = 0.0;    ///< spent on reading profiles, none on those kept
+};
+
+/// What a surface is made from.
+template <class Dimensions> struct SurfaceSource {
+  std::shared_ptr<const Profile> given;
+  std::string name;
+  double smoothing = 0.0;
+  Dimensions dimensions;
+
+  bool operator==(const SurfaceSource&) const = default;
+};
+
+/// The surfaces of one kind that were last used, with the corrections their files needed.
+template <class Surface, class Dimensions> class RecentSurfaces {
+public:
+  struct Entry {
+    SurfaceSource<Dimensions> source;
+    std::shared_ptr<const Surface> surface;
+    std::vector<std::string> corrections;
+  };
+
+  template <class Make> Entry get(const SurfaceSource<Dimensions>& source, Make&& make) {
+    const std::lock_guard<std::mutex> guard(mutex_);
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&source](const auto& entry) {
+      return entry.source == source;
+    });
+    if (found != entries_.end()) {
+      std::rotate(entries_.begin(), found, found + 1);
+    } else {
+      entries_.insert(entries_.begin(), make());
+      entries_.resize(std::min(entries_.size(), max_kept));
+    }
+    return entries_.front();
+  }
+
+private:
+  /// Wear studies compare a handful of profiles; a surface takes about 0.1 MB.
+  /// origin: reasoned, changes no result.
+  static constexpr std::size_t max_kept = 8;
+  std::mutex mutex_;
+  std::vector<Entry> entries_; ///< last used first
+};
+
+class SurfaceCache {
+public:
+  /// Throws Error(unknown_name) for a name that is neither built in nor that of a file.
+  SceneSurfaces get(const Scene& scene);
+
+private:
+  RecentSurfaces<WheelSurface, WheelsetDimensions> wheels_;
+  RecentSurfaces<RailSurface, TrackDimensions> rails_;
+};
+
+} // namespace wrc
