@@ -8,6 +8,7 @@
 #ifndef WRCONTACT_HPP
 #define WRCONTACT_HPP
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -141,6 +142,7 @@ public:
   struct Point {
     double lateral, height, angle, curvature;
   };
+  /// The curve at an arc length.
   Point at(double arc) const {
     Point point{};
     check(wrc_profile_at(handle(), arc, &point.lateral, &point.height, &point.angle,
@@ -148,6 +150,29 @@ public:
     return point;
   }
 };
+
+/// Names of the built-in profiles of a kind, WRC_WHEEL or WRC_RAIL.
+inline std::vector<std::string> standard_profile_names(std::int32_t kind) {
+  std::vector<std::string> names;
+  for (std::int64_t i = 0; const char* name = wrc_profile_standard_name(kind, i); ++i) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+/// A key of a scene; the texts belong to the library and stay.
+struct SceneKey {
+  const char *name, *default_value, *allowed, *meaning;
+};
+/// All keys, in the order of a scene file.
+inline std::vector<SceneKey> scene_keys() {
+  std::vector<SceneKey> keys(static_cast<std::size_t>(wrc_scene_key_count()));
+  std::int64_t i = 0;
+  for (SceneKey& key : keys) {
+    wrc_scene_key(i++, &key.name, &key.default_value, &key.allowed, &key.meaning);
+  }
+  return keys;
+}
 
 /// What is asked, and its results (wrc_scene).
 class Scene
@@ -199,6 +224,11 @@ public:
     check(wrc_scene_number(handle(), name.c_str(), &value));
     return value;
   }
+  /// The number, or another value if the scene has none of this name.
+  double number_or(const std::string& name, double otherwise) const {
+    double value = otherwise;
+    return wrc_scene_number(handle(), name.c_str(), &value) == WRC_OK ? value : otherwise;
+  }
   std::string text(const std::string& name) const {
     const char* value = nullptr;
     check(wrc_scene_text(handle(), name.c_str(), &value));
@@ -222,6 +252,20 @@ public:
       names.emplace_back(name);
     }
     return names;
+  }
+
+  /// Entries of a list of results, for example of "left.patches".
+  int count_of(const std::string& list) const {
+    const std::string prefix = list + '.';
+    int count = 0;
+    for (const auto& names : {number_names(), text_names()}) {
+      for (const std::string& name : names) {
+        if (name.compare(0, prefix.size(), prefix) == 0) {
+          count = std::max(count, std::stoi(name.substr(prefix.size())) + 1);
+        }
+      }
+    }
+    return count;
   }
 
 private:

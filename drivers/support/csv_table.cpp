@@ -39,16 +39,15 @@ double number_of(const std::string& text) {
 
 } // namespace
 
-std::string csv_quoted(const std::string& text) {
+std::string csv_entry(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
   std::string out = "\"";
   for (const char letter : text) {
     out += letter == '"' ? "\"\"" : std::string(1, letter);
   }
   return out + '"';
-}
-
-std::string csv_entry(const std::string& text) {
-  return text.find_first_of(",\"\n") == std::string::npos ? text : csv_quoted(text);
 }
 
 CsvTable::CsvTable(const std::filesystem::path& path) : path_(path.string()) {

@@ -1,16 +1,52 @@
-/// Tables that the drivers write as CSV, and read again: a line of names, then rows.
+/// Tables in CSV: written line by line, and read again with the names of their first line.
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <ostream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace driver {
 
-/// A text in quotes.
-std::string csv_quoted(const std::string& text);
-/// The same, but without quotes where none are needed.
+/// A text, in quotes where it needs some.
 std::string csv_entry(const std::string& text);
+
+/// One line: CsvLine(out) << "left" << 3.5 << std::nullopt; with numbers as the stream writes them.
+class CsvLine {
+public:
+  explicit CsvLine(std::ostream& out) : out_(out) {}
+  CsvLine(const CsvLine&) = delete;
+  CsvLine& operator=(const CsvLine&) = delete;
+  ~CsvLine() { out_ << '\n'; }
+
+  template <class Entry> CsvLine& operator<<(const Entry& entry) {
+    out_ << separator_;
+    separator_ = ",";
+    if constexpr (std::is_same_v<Entry, std::optional<double>>) {
+      if (entry) {
+        out_ << *entry;
+      }
+    } else if constexpr (std::is_arithmetic_v<Entry>) {
+      out_ << entry;
+    } else {
+      out_ << csv_entry(entry);
+    }
+    return *this;
+  }
+  /// All entries of a list.
+  template <class List> CsvLine& add(const List& list) {
+    for (const auto& entry : list) {
+      *this << entry;
+    }
+    return *this;
+  }
+
+private:
+  std::ostream& out_;
+  const char* separator_ = "";
+};
 
 class CsvTable {
 public:

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace driver {
 
@@ -12,17 +14,49 @@ std::string within_quotes(const std::string& text);
 /// The same, with the letters that enhanced text takes as commands shown as they are.
 std::string plain_within_quotes(const std::string& text);
 
+/// Colours of lines, told apart also by people who see colours less well.
+const char* line_colour(std::size_t index);
+/// Of pressures, from none to the largest.
+extern const char* const pressure_palette;
+
+/// From the least to the greatest value taken in.
+class Range {
+public:
+  /// NaN is left out.
+  void include(double value);
+  [[nodiscard]] bool empty() const { return least > greatest; }
+  [[nodiscard]] double middle() const { return 0.5 * (least + greatest); }
+  [[nodiscard]] double length() const { return greatest - least; }
+  /// For example "set yrange [0:1]\n", with some room; also for equal values, and for none.
+  [[nodiscard]] std::string command(const std::string& axis) const;
+
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+};
+
 class Gnuplot {
 public:
   Gnuplot();
   /// The script so far; numbers are written with 9 digits.
   [[nodiscard]] std::ostringstream& script() { return script_; }
+
+  /// Begins a picture of several plots: its layout, and a title with room below it, if any.
+  void begin_multiplot(std::size_t rows, std::size_t columns, const std::string& title = "");
+  /// Adds a block of data, whose name it returns.
+  std::string block(const std::string& data);
+  /// The same of points.
+  std::string block(const std::vector<double>& x, const std::vector<double>& y);
+  /// Draws items such as "$data1 with lines"; an empty plot if there is none.
+  void plot(const std::vector<std::string>& items);
+
   /// Runs the script with its output in a .png or .svg file of the given size in pixels. Throws
   /// Failure if gnuplot is missing or fails, or for another extension.
   void draw(const std::filesystem::path& path, int width, int height) const;
 
 private:
   std::ostringstream script_;
+  int blocks_ = 0;
+  bool multiplot_ = false;
 };
 
 } // namespace driver

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "support/stopwatch.hpp"
 
 namespace driver {
 
@@ -35,7 +36,7 @@ public:
   template <class Tell> void one_done(Tell tell) {
     const std::scoped_lock lock(mutex_);
     ++done_;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double seconds = watch_.seconds();
     if (done_ < count_ && seconds - told_ < 2.0) {
       return;
     }
@@ -44,11 +45,10 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
   std::mutex mutex_;
   std::size_t count_;
   std::size_t done_ = 0;
-  Clock::time_point start_ = Clock::now();
+  Stopwatch watch_;
   double told_ = 0.0;
 };
 

@@ -2,41 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <random>
 
-#include "wrcontact.h"
+#include "support/numbers.hpp"
+#include "wrcontact.hpp"
 
 namespace driver {
 namespace {
-
-/// Numbers that do not depend on the standard library's distributions.
-class Draw {
-public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  double between(double least, double greatest) {
-    return least + (greatest - least) * 0x1p-64 * static_cast<double>(engine_());
-  }
-  double between_by_ratio(double least, double greatest) {
-    return least * std::exp(between(0.0, std::log(greatest / least)));
-  }
-  bool chance(double share) { return between(0.0, 1.0) < share; }
-  template <class List> const auto& one_of(const List& list) {
-    return list[engine_() % list.size()];
-  }
-
-private:
-  std::mt19937_64 engine_;
-};
-
-std::vector<std::string> names_of(std::int32_t kind) {
-  std::vector<std::string> names;
-  for (std::int64_t i = 0; const char* name = wrc_profile_standard_name(kind, i); ++i) {
-    names.emplace_back(name);
-  }
-  return names;
-}
 
 void draw_track(Draw& draw, Settings& scene) {
   constexpr std::array usual{0.0, 1.0 / 40.0, 1.0 / 20.0};
@@ -60,11 +33,6 @@ void draw_load(Draw& draw, Settings& scene) {
     scene.set("material.wheel.youngs_modulus", draw.between_by_ratio(7e4, 2.1e5));
     scene.set("material.rail.youngs_modulus", draw.between_by_ratio(7e4, 2.1e5));
   }
-}
-
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 } // namespace
@@ -91,7 +59,7 @@ std::string Settings::options() const {
     line.append(" --set ").append(key).append("=").append(value);
   }
   for (const auto& [key, value] : numbers) {
-    line.append(" --set ").append(key).append("=").append(shortest(value));
+    line.append(" --set ").append(key).append("=").append(text_of(value));
   }
   return line.empty() ? line : line.substr(1);
 }
@@ -109,8 +77,8 @@ Settings make_pair(const std::string& wheel, const std::string& rail) {
 }
 
 Settings random_scene(std::uint64_t seed, std::uint64_t index) {
-  static const std::vector<std::string> wheels = names_of(WRC_WHEEL);
-  static const std::vector<std::string> rails = names_of(WRC_RAIL);
+  static const std::vector<std::string> wheels = wrcontact::standard_profile_names(WRC_WHEEL);
+  static const std::vector<std::string> rails = wrcontact::standard_profile_names(WRC_RAIL);
   constexpr std::uint64_t odd = 0x9e3779b97f4a7c15; // spreads neighbours over all seeds
   Draw draw(seed + odd * (index + 1));
   const std::string& wheel = draw.one_of(wheels);

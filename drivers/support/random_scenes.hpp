@@ -4,12 +4,33 @@
 /// rad.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace driver {
+
+/// Numbers that do not depend on the standard library's distributions.
+class Draw {
+public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  double between(double least, double greatest) {
+    return least + (greatest - least) * 0x1p-64 * static_cast<double>(engine_());
+  }
+  double between_by_ratio(double least, double greatest) {
+    return least * std::exp(between(0.0, std::log(greatest / least)));
+  }
+  bool chance(double share) { return between(0.0, 1.0) < share; }
+  template <class List> const auto& one_of(const List& list) {
+    return list[engine_() % list.size()];
+  }
+
+private:
+  std::mt19937_64 engine_;
+};
 
 /// Keys and values of a scene, to be set in this order.
 struct Settings {

@@ -1,85 +1,88 @@
-/// A scene handle for the drivers: owned, and with failures as exceptions.
+/// Scenes and profiles as the drivers have them: those of wrcontact.hpp, and what the command line
+/// asks of them.
 #pragma once
 
-#include <cstdint>
-#include <memory>
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "wrcontact.h"
+#include "wrcontact.hpp"
 
 namespace driver {
 
-/// A failure that ends the program with one line on stderr: what it quotes of a file may hold line
-/// ends and other control characters, which become blanks.
+using wrcontact::NormalContact;
+using wrcontact::Profile;
+using wrcontact::Scene;
+using wrcontact::Solver;
+
+/// What a file or a user quotes may hold line ends and other control characters: they become
+/// blanks.
+inline std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(),
+      [](unsigned char letter) { return letter < 0x20 || letter == 0x7F; }, ' ');
+  return text;
+}
+
+/// A failure that ends the program with one line on stderr.
 class Failure : public std::runtime_error {
 public:
-  explicit Failure(std::string text);
+  explicit Failure(const std::string& text) : std::runtime_error(one_line(text)) {}
 };
 
-class Scene;
+inline constexpr std::array side_names{"left", "right"};
 
-/// What is kept from one scene to the next (wrc_solver).
-class Solver {
-public:
-  Solver();
-  /// Solves like Scene::solve, with what is kept.
-  bool solve(Scene& scene);
-  /// Bit for bit as Scene::solve, but with profiles, tables and plans of earlier scenes. Tells the
-  /// status instead of throwing.
-  wrc_status solve_alone(Scene& scene);
+/// The texts of a list of results, for example of "left.warnings".
+inline std::vector<std::string> texts_of(const Scene& scene, const std::string& list) {
+  std::vector<std::string> texts;
+  const int count = scene.count_of(list);
+  for (int i = 0; i < count; ++i) {
+    texts.push_back(scene.text(list + '.' + std::to_string(i)));
+  }
+  return texts;
+}
 
-private:
-  std::unique_ptr<wrc_solver, void (*)(wrc_solver*)> handle_;
-};
+/// Those sides that were solved.
+inline std::vector<std::string> sides_of(const Scene& scene) {
+  std::vector<std::string> sides(side_names.begin(), side_names.end());
+  std::erase_if(sides,
+                [&scene](const std::string& side) { return !scene.has_number(side + ".pmax"); });
+  return sides;
+}
 
-class Scene {
-public:
-  Scene();
+/// Whether a profile of this name is built in.
+inline bool is_standard(const std::string& name) {
+  for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
+    const auto names = wrcontact::standard_profile_names(kind);
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      return true;
+    }
+  }
+  return false;
+}
 
-  void set(const std::string& key, double value);
-  void set(const std::string& key, const std::string& value);
-  void set(const std::string& key, const std::vector<double>& values);
+/// "Built-in wheels: ...\nBuilt-in rails: ...\n".
+inline std::string standard_names_text() {
+  std::string text;
+  for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
+    text += kind == WRC_WHEEL ? "Built-in wheels:" : "\nBuilt-in rails: ";
+    for (const std::string& name : wrcontact::standard_profile_names(kind)) {
+      text += ' ' + name;
+    }
+  }
+  return text + '\n';
+}
 
-  /// The word a key is set to.
-  [[nodiscard]] std::string input_text(const std::string& key) const;
-  /// Writes a scene file with all keys.
-  void write(const std::string& path) const;
-
-  /// False if the iteration has not converged; the results are usable all the same.
-  bool solve();
-
-  [[nodiscard]] bool has_number(const std::string& name) const;
-  [[nodiscard]] double number(const std::string& name) const;
-  /// The number, or a value to take if there is none.
-  [[nodiscard]] double number_or(const std::string& name, double otherwise) const;
-  [[nodiscard]] std::string text(const std::string& name) const;
-  [[nodiscard]] std::vector<double> field(const std::string& name) const;
-  [[nodiscard]] std::vector<std::string> number_names() const;
-  [[nodiscard]] std::vector<std::string> text_names() const;
-  /// "left" and "right", as far as they were solved.
-  [[nodiscard]] std::vector<std::string> sides() const;
-  /// Number of entries of a list of results, for example "left.patches".
-  [[nodiscard]] int count_of(const std::string& list) const;
-
-  /// Text of the last failure.
-  [[nodiscard]] std::string error() const { return wrc_scene_error(handle_.get()); }
-  [[nodiscard]] wrc_scene* handle() const { return handle_.get(); }
-
-private:
-  friend class Solver;
-  void check(wrc_status status) const;
-  std::unique_ptr<wrc_scene, void (*)(wrc_scene*)> handle_;
-};
-
-/// What is told of a key of a scene.
-struct Key {
-  std::string name;
-  std::string default_value;
-  std::string allowed;
-  std::string meaning;
-};
-std::vector<Key> scene_keys();
+/// Makes the folder of an option, unless it is there.
+inline void make_folder(const std::string& option, const std::string& path) {
+  std::error_code trouble;
+  std::filesystem::create_directories(path, trouble);
+  if (trouble) {
+    throw Failure(option + ' ' + path + ": " + trouble.message());
+  }
+}
 
 } // namespace driver

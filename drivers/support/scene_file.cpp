@@ -1,10 +1,38 @@
 #include "support/scene_file.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+
 #include "support/toml.hpp"
 
 namespace driver {
-
 namespace {
+
+const std::vector<wrcontact::SceneKey>& keys() {
+  static const std::vector<wrcontact::SceneKey> all = wrcontact::scene_keys();
+  return all;
+}
+
+/// What the library tells of the values of a key; nothing of an unknown one.
+std::string_view allowed(const std::string& key) {
+  const auto found = std::find_if(keys().begin(), keys().end(),
+                                  [&key](const auto& known) { return known.name == key; });
+  return found == keys().end() ? "" : found->allowed;
+}
+
+/// A number, unless it names a profile (the rail 60E1 looks like one) or is not one.
+void set_bare(Scene& scene, const std::string& key, const std::string& text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  if (!names_profile(key) && parsed.ec == std::errc() && parsed.ptr == end) {
+    scene.set(key, number);
+  } else {
+    scene.set(key, text);
+  }
+}
 
 void apply_table(Scene& scene, const std::string& path, const toml::table& table) {
   Values values;
@@ -20,6 +48,68 @@ void apply_table(Scene& scene, const std::string& path, const toml::table& table
 constexpr const char* scene_file = "scene file";
 
 } // namespace
+
+std::string text_of(const Value& value) {
+  if (const double* number = std::get_if<double>(&value)) {
+    return text_of(*number);
+  }
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    std::string text;
+    for (const double number : *numbers) {
+      text += (text.empty() ? "[" : ", ") + text_of(number);
+    }
+    return text + ']';
+  }
+  const Bare* bare = std::get_if<Bare>(&value);
+  return bare != nullptr ? bare->text : std::get<std::string>(value);
+}
+
+void set_value(Scene& scene, const std::string& key, const Value& value) {
+  try {
+    if (const Bare* bare = std::get_if<Bare>(&value)) {
+      set_bare(scene, key, bare->text);
+    } else if (const double* number = std::get_if<double>(&value)) {
+      scene.set(key, *number);
+    } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+      scene.set(key, *numbers);
+    } else {
+      scene.set(key, std::get<std::string>(value));
+    }
+  } catch (const wrcontact::Error& error) {
+    throw Failure(error.what());
+  }
+}
+
+void set_values(Scene& scene, const Values& values) {
+  for (const auto& [key, value] : values) {
+    if (allowed(key).empty()) {
+      set_value(scene, key, value); // fails and says which keys there are
+    }
+  }
+  for (const wrcontact::SceneKey& key : keys()) {
+    if (const auto found = values.find(key.name); found != values.end()) {
+      set_value(scene, key.name, found->second);
+    }
+  }
+}
+
+std::string beside(const std::string& file, const std::string& profile) {
+  // A built-in profile is not hidden by a file of its name.
+  if (is_standard(profile)) {
+    return profile;
+  }
+  std::error_code trouble;
+  const auto path = std::filesystem::path(file).parent_path() / profile;
+  return std::filesystem::is_regular_file(path, trouble) ? path.string() : profile;
+}
+
+bool names_profile(const std::string& key) {
+  return allowed(key).starts_with("a text");
+}
+
+bool takes_list(const std::string& key) {
+  return allowed(key).starts_with('[');
+}
 
 void apply_scene_file(Scene& scene, const std::string& path) {
   apply_table(scene, path, read_toml(scene_file, path));

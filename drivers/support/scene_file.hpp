@@ -1,12 +1,40 @@
-/// Scene files: TOML tables whose keys are those of the library (wrc_scene_key).
+/// Values of a scene's keys, from TOML files and from the command line. Keys are those of the
+/// library (wrc_scene_key).
 #pragma once
 
+#include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "support/numbers.hpp"
 #include "support/scene.hpp"
 
 namespace driver {
+
+/// A value that stands for itself, without quotes: a word or a number, as the key needs it.
+struct Bare {
+  std::string text;
+};
+using Value = std::variant<double, std::string, std::vector<double>, Bare>;
+using Values = std::map<std::string, Value>;
+
+/// Shortest text that reads back as the same value; texts as they are.
+std::string text_of(const Value& value);
+
+/// Sets one key. Throws Failure naming key, value and what is allowed.
+void set_value(Scene& scene, const std::string& key, const Value& value);
+/// Sets keys in the library's order, the general before the special (load.vertical before
+/// load.left).
+void set_values(Scene& scene, const Values& values);
+
+/// Profile files named in a scene file are looked up beside it: the path if one is there, or else
+/// the name as it is.
+std::string beside(const std::string& file, const std::string& profile);
+/// Whether the key's text names a profile, and whether a list is one value of the key, as the
+/// library's table of keys has it.
+bool names_profile(const std::string& key);
+bool takes_list(const std::string& key);
 
 /// Sets a scene from a file, from the text of one, or from assignments "key=value", in which texts
 /// need no quotes. Keys are applied in the library's order, the general before the special

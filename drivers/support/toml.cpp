@@ -1,5 +1,6 @@
 #include "support/toml.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -143,6 +144,90 @@ Assignment split_assignment(const std::string& assignment) {
     throw Failure("--set " + assignment + ": allowed is key=value");
   }
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+const toml::node* TableReader::find(const char* key, bool (*is)(const toml::node&),
+                                    const char* allowed) {
+  asked_.emplace_back(key);
+  const toml::node* node = table_.get(key);
+  if (node != nullptr && !is(*node)) {
+    refuse(key, text_of(*node), allowed);
+  }
+  return node;
+}
+
+std::string TableReader::text(const char* key, const std::string& otherwise) {
+  const toml::node* node = find(
+      key, [](const toml::node& value) { return value.is_string(); }, "a text");
+  return node == nullptr ? otherwise : *node->value<std::string>();
+}
+
+double TableReader::number(const char* key, double otherwise) {
+  const toml::node* node = find(
+      key, [](const toml::node& value) { return value.is_number(); }, "a number");
+  return node == nullptr ? otherwise : *node->value<double>();
+}
+
+std::vector<double> TableReader::numbers(const char* key) {
+  const toml::node* node = find(
+      key, [](const toml::node& value) { return value.is_array(); }, "a list of numbers");
+  return node == nullptr ? std::vector<double>()
+                         : std::get<std::vector<double>>(value_of(name_ + '.' + key, *node));
+}
+
+std::vector<std::string> TableReader::texts(const char* key) {
+  const auto is_list = [](const toml::node& value) {
+    const toml::array* array = value.as_array();
+    return array != nullptr && std::all_of(array->begin(), array->end(),
+                                           [](const auto& entry) { return entry.is_string(); });
+  };
+  std::vector<std::string> all;
+  if (const toml::node* node = find(key, is_list, "a list of texts")) {
+    for (const toml::node& entry : *node->as_array()) {
+      all.push_back(*entry.value<std::string>());
+    }
+  }
+  return all;
+}
+
+std::vector<const toml::table*> TableReader::tables(const char* key) {
+  const auto is_list = [](const toml::node& value) { return value.is_array_of_tables(); };
+  std::vector<const toml::table*> all;
+  if (const toml::node* node = find(key, is_list, "a list of tables")) {
+    for (const toml::node& entry : *node->as_array()) {
+      all.push_back(entry.as_table());
+    }
+  }
+  return all;
+}
+
+Values TableReader::values(const char* key) {
+  const auto is_table = [](const toml::node& value) { return value.is_table(); };
+  Values all;
+  if (const toml::node* node = find(key, is_table, "a table of keys and values")) {
+    for (const auto& [name, value] : *node->as_table()) {
+      const std::string of(name.str());
+      all.emplace(of, value_of(of, value));
+    }
+  }
+  return all;
+}
+
+void TableReader::refuse_others() const {
+  for (const auto& [key, node] : table_) {
+    if (std::find(asked_.begin(), asked_.end(), key.str()) == asked_.end()) {
+      std::string allowed;
+      for (const std::string& name : asked_) {
+        allowed += (allowed.empty() ? "" : ", ") + name;
+      }
+      throw Failure(name_ + '.' + std::string(key.str()) + ": unknown key; allowed are " + allowed);
+    }
+  }
+}
+
+void TableReader::refuse(const char* key, const std::string& value,
+                         const std::string& allowed) const {
+  throw Failure(name_ + '.' + key + " = " + value + ": allowed is " + allowed);
 }
 
 } // namespace driver

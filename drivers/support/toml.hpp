@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "support/scene_value.hpp"
+#include "support/scene_file.hpp"
 
 // toml++ is a well-kept library whose headers do not follow our warning levels.
 #pragma GCC diagnostic push
@@ -45,5 +47,33 @@ struct Assignment {
   [[nodiscard]] bool is_toml() const { return value.find_first_of("\"'[{") == 0; }
 };
 Assignment split_assignment(const std::string& assignment);
+
+/// Reads one table; every key has to be asked for, so that a wrong one is refused. All throw
+/// Failure naming table, key, value and what is allowed.
+class TableReader {
+public:
+  TableReader(const toml::table& table, std::string name) : table_(table), name_(std::move(name)) {}
+
+  std::string text(const char* key, const std::string& otherwise);
+  double number(const char* key, double otherwise);
+  /// Lists and tables; empty if the key is not there.
+  std::vector<double> numbers(const char* key);
+  std::vector<std::string> texts(const char* key);
+  std::vector<const toml::table*> tables(const char* key);
+  Values values(const char* key);
+
+  void refuse_others() const;
+  /// `value` as it was written.
+  [[noreturn]] void refuse(const char* key, const std::string& value,
+                           const std::string& allowed) const;
+
+private:
+  /// The value of a key, which must be such a one; null if the key is not there.
+  const toml::node* find(const char* key, bool (*is)(const toml::node&), const char* allowed);
+
+  const toml::table& table_;
+  std::string name_;
+  std::vector<std::string> asked_;
+};
 
 } // namespace driver

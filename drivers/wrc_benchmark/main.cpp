@@ -5,7 +5,6 @@
 
 #include "support/program.hpp"
 #include "support/scene.hpp"
-#include "wrc_benchmark/child.hpp"
 #include "wrc_benchmark/measure.hpp"
 #include "wrc_benchmark/motion_cases.hpp"
 #include "wrc_benchmark/report.hpp"
@@ -17,10 +16,8 @@ using benchmark::GridSize;
 struct Options {
   std::vector<std::string> cases;
   std::string grid = "256x128";
-  std::optional<double> accuracy;
+  benchmark::Plan plan;
   std::string method;
-  int repeat = 15;
-  std::optional<int> steps;
   bool json = false;
   bool first_solve = false;
   bool both_wheels = false;
@@ -112,71 +109,45 @@ void check_grid(const Case& chosen, const GridSize& grid) {
   }
 }
 
-void measure_on_grid(const Case& chosen, const GridSize& grid, const Options& options,
+void append(const std::vector<benchmark::Row>& rows, benchmark::Report& report) {
+  report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+}
+
+void measure_on_grid(const Case& chosen, const GridSize& grid, benchmark::Plan plan,
                      benchmark::Report& report) {
   // Beyond this the paper's method takes minutes.
   constexpr std::int64_t large = 1024 * 512;
-  benchmark::Plan plan;
-  plan.accuracy = options.accuracy.value_or(plan.accuracy);
-  plan.repeat = options.repeat;
-  if (!options.method.empty()) {
-    plan.methods = {options.method};
-  } else if (grid.count() > large) {
+  if (plan.methods.size() > 1 && grid.count() > large) {
     plan.methods = {"default"};
   }
-  const bool table1 = chosen.description.name == "table1";
+  const std::string& name = chosen.description.name;
   for (const int wheels : chosen.kind == Kind::gap ? std::vector{0}
-                          : table1                 ? std::vector{1, 2}
+                          : name == "table1"       ? std::vector{1, 2}
                                                    : std::vector{1}) {
-    std::cerr << "wrc_benchmark: " << chosen.description.name << ", " << grid.text()
+    std::cerr << "wrc_benchmark: " << name << ", " << grid.text()
               << (wheels == 2 ? ", both wheels" : "") << " ...\n";
-    for (benchmark::Row& row : benchmark::measure(chosen.description.name, grid, wheels, plan)) {
-      report.rows.push_back(std::move(row));
-    }
+    append(benchmark::measure(name, grid, wheels, plan), report);
   }
-}
-
-void measure_vehicle(const Options& options, benchmark::Report& report) {
-  benchmark::MotionPlan plan;
-  plan.steps = options.steps.value_or(plan.steps);
-  if (options.accuracy) {
-    plan.accuracies = {*options.accuracy};
-  }
-  if (!options.method.empty()) {
-    plan.methods = {options.method};
-  }
-  for (benchmark::Row& row : benchmark::measure_vehicle_steps(plan)) {
-    report.rows.push_back(std::move(row));
-  }
-}
-
-void measure_service(const Options& options, benchmark::Report& report) {
-  benchmark::ServicePlan plan;
-  plan.steps = options.steps.value_or(plan.steps);
-  if (options.accuracy) {
-    plan.accuracies = {*options.accuracy};
-  }
-  report.service = benchmark::measure_service(plan);
 }
 
 benchmark::Report measure(const std::vector<Case>& cases, const std::vector<GridSize>& grids,
-                          const Options& options) {
+                          const benchmark::Plan& plan) {
   benchmark::Report report;
   for (const Case& chosen : cases) {
     if (chosen.kind == Kind::gap || chosen.kind == Kind::scene) {
       for (const GridSize& grid : grids) {
-        measure_on_grid(chosen, grid, options, report);
+        measure_on_grid(chosen, grid, plan, report);
       }
       continue;
     }
     std::cerr << "wrc_benchmark: " << chosen.description.name << " ...\n";
     if (chosen.kind == Kind::vehicle) {
-      measure_vehicle(options, report);
+      append(benchmark::measure_vehicle_steps(plan), report);
     } else if (chosen.kind == Kind::service) {
-      measure_service(options, report);
+      report.service = benchmark::measure_service(plan);
     } else {
-      report.batch = benchmark::measure_batch(std::min(options.repeat, 5));
-      report.rows.insert(report.rows.end(), report.batch->rows.begin(), report.batch->rows.end());
+      report.batch = benchmark::measure_batch(std::min(plan.repeat, 5));
+      append(report.batch->rows, report);
     }
   }
   return report;
@@ -200,12 +171,16 @@ int run(const Options& options) {
     const auto problem = benchmark::make_problem(chosen.description.name, grids.front(),
                                                  scene ? (options.both_wheels ? 2 : 1) : 0);
     benchmark::print_first_solve(*problem, {options.method.empty() ? "default" : options.method,
-                                            options.accuracy.value_or(1e-4)});
+                                            options.plan.accuracy.value_or(1e-4)});
     return 0;
   }
-  const benchmark::Report report = measure(cases, grids, options);
+  benchmark::Plan plan = options.plan;
+  if (!options.method.empty()) {
+    plan.methods = {options.method};
+  }
+  const benchmark::Report report = measure(cases, grids, plan);
   if (options.json) {
-    benchmark::print_json(report);
+    driver::print_json(benchmark::json_of(report), std::cout);
   } else {
     benchmark::print_tables(report);
   }
@@ -234,8 +209,8 @@ int main(int argc, char** argv) {
          "choose their own")
       ->type_name("NxM");
   app.add_option(
-         "--accuracy", options.accuracy,
-         "error asked: of all pressures relative to pmax (default 1e-4); with vehicle-step of "
+         "--accuracy", options.plan.accuracy,
+         "requested error: of all pressures relative to pmax (default 1e-4); with vehicle-step of "
          "pmax, with service of forces and of pressures (default 1e-2 and 1e-3)")
       ->type_name("EPS")
       ->check(CLI::Range(1e-9, 0.1));
@@ -243,11 +218,11 @@ int main(int argc, char** argv) {
                  "default or paper; both side by side if not given, paper only up to 1024x512")
       ->type_name("NAME")
       ->check(CLI::IsMember({"default", "paper"}));
-  app.add_option("--repeat", options.repeat,
-                 "warm solutions a row (default 15; fewer if they take more than 1.5 s)")
+  app.add_option("--repeat", options.plan.repeat,
+                 "warm solutions per row (default 15; fewer if they take more than 1.5 s)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--steps", options.steps,
+  app.add_option("--steps", options.plan.steps,
                  "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));

@@ -1,15 +1,92 @@
 #include "wrc_benchmark/measure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <iostream>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "support/json.hpp"
+#include "support/numbers.hpp"
 #include "support/scene.hpp"
-#include "wrc_benchmark/child.hpp"
-#include "wrc_benchmark/timing.hpp"
+#include "wrc_benchmark/yardstick.hpp"
 
 namespace benchmark {
 namespace {
 
+/// A line of /proc/self/status in MB: "VmRSS" resident now, "VmHWM" at the most so far.
+double memory_mb(const std::string& name) {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(name + ':')) {
+      return std::stod(line.substr(name.size() + 1)) / 1024.0;
+    }
+  }
+  return 0.0;
+}
+
+/// Runs this program with arguments and returns what it prints.
+std::string output_of(std::vector<std::string> arguments) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) {
+    throw driver::Failure("no pipe for a child process");
+  }
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_addclose(&actions, ends[0]);
+  posix_spawn_file_actions_addclose(&actions, ends[1]);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) {
+    pointers.push_back(argument.data());
+  }
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  const int failed =
+      posix_spawn(&child, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  std::string output;
+  std::array<char, 4096> part{};
+  for (ssize_t count = 0; failed == 0 && (count = read(ends[0], part.data(), part.size())) > 0;) {
+    output.append(part.data(), static_cast<std::size_t>(count));
+  }
+  close(ends[0]);
+  int status = -1;
+  if (failed != 0 || waitpid(child, &status, 0) != child || status != 0) {
+    throw driver::Failure("the first solution in a process of its own has failed");
+  }
+  return output;
+}
+
+struct FirstSolve {
+  Times times;
+  double memory_mb = 0.0; ///< peak memory minus that before the case's handles were made
+};
+
+/// Starts a child and reads what it prints. Throws Failure.
+FirstSolve run_first_solve(const std::string& case_name, const GridSize& grid, int wheels,
+                           const Settings& settings) {
+  std::vector<std::string> arguments{"wrc_benchmark", "--first-solve",
+                                     "--case",        case_name,
+                                     "--grid",        grid.text(),
+                                     "--method",      settings.method,
+                                     "--accuracy",    driver::text_of(settings.tolerance)};
+  if (wheels == 2) {
+    arguments.emplace_back("--both-wheels");
+  }
+  const auto json = driver::json::parse(output_of(std::move(arguments)));
+  FirstSolve first;
+  first.times = {json.at("setup"), json.at("geometry"), json.at("remesh"), json.at("mechanics"),
+                 json.at("total")};
+  first.memory_mb = json.at("memory_mb");
+  return first;
+}
+
+constexpr double default_accuracy = 1e-4;
 /// New handles and child processes per row, at the most.
 constexpr int most_blocks = 5;
 /// Time for the repeated solutions of a row, at the least one solution.
@@ -53,13 +130,14 @@ double paper_tolerance(Problem& problem, double accuracy, double default_error) 
 
 std::vector<Series> prepare(Problem& problem, const Plan& plan) {
   std::vector<Series> all;
-  problem.solve_cold({"default", plan.accuracy});
+  const double accuracy = plan.accuracy.value_or(default_accuracy);
+  problem.solve_cold({"default", accuracy});
   const double default_error = problem.judge("default").error_p;
   for (const std::string& method : plan.methods) {
     Series series;
-    series.settings = {method, plan.accuracy};
+    series.settings = {method, accuracy};
     if (method == "paper") {
-      series.settings.tolerance = paper_tolerance(problem, plan.accuracy, default_error);
+      series.settings.tolerance = paper_tolerance(problem, accuracy, default_error);
     }
     const double time = problem.solve_cold(series.settings).total;
     series.cold_quality = problem.judge(method);
@@ -90,6 +168,15 @@ Row row_of(const Series& series, const std::string& state, const std::vector<Tim
 }
 
 } // namespace
+
+void print_first_solve(Problem& problem, const Settings& settings) {
+  const double before = memory_mb("VmRSS");
+  const Times times = problem.solve_cold(settings);
+  const driver::json made{{"setup", times.setup},   {"geometry", times.geometry},
+                          {"remesh", times.remesh}, {"mechanics", times.mechanics},
+                          {"total", times.total},   {"memory_mb", memory_mb("VmHWM") - before}};
+  std::cout << made << '\n';
+}
 
 std::unique_ptr<Problem> make_problem(const std::string& case_name, const GridSize& grid,
                                       int wheels) {
@@ -130,7 +217,7 @@ std::vector<Row> measure(const std::string& case_name, const GridSize& grid, int
       rows[i].case_name = case_name;
       rows[i].grid = grid;
       rows[i].wheels = wheels;
-      rows[i].accuracy = plan.accuracy;
+      rows[i].accuracy = plan.accuracy.value_or(default_accuracy);
       rows[i].error_pmax = error_pmax;
       rows[i].fft_pair_ms = yardstick.milliseconds();
     }

@@ -8,17 +8,15 @@
 
 namespace benchmark {
 
-struct Plan {
-  std::vector<std::string> methods{"default", "paper"};
-  double accuracy = 1e-4; ///< asked: largest error of p relative to pmax
-  int repeat = 15;        ///< warm solutions; fewer where they take seconds
-};
-
 /// 0 wheels for a given gap.
 std::unique_ptr<Problem> make_problem(const std::string& case_name, const GridSize& grid,
                                       int wheels);
 
 std::vector<Row> measure(const std::string& case_name, const GridSize& grid, int wheels,
                          const Plan& plan);
+
+/// What this program does that starts itself with --first-solve: solves once and prints times and
+/// memory as JSON.
+void print_first_solve(Problem& problem, const Settings& settings);
 
 } // namespace benchmark

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
-#include <thread>
 
+#include "support/parallel.hpp"
 #include "support/scene.hpp"
-#include "wrc_benchmark/timing.hpp"
+#include "wrc_benchmark/yardstick.hpp"
 
 namespace benchmark {
 namespace {
@@ -87,19 +86,8 @@ std::vector<std::vector<double>> fine_pmax(const Motion& motion) {
   return pmax;
 }
 
-/// Of the last solution; what takes time beside the three stages is set-up.
-Times times_of(const driver::Scene& scene, double total) {
-  Times times;
-  times.total = total;
-  times.geometry = scene.number("time_ms.geometry");
-  times.remesh = scene.number("time_ms.remesh");
-  times.mechanics = scene.number("time_ms.mechanics");
-  times.setup = std::max(0.0, total - times.geometry - times.remesh - times.mechanics);
-  return times;
-}
-
-/// The paper's method takes a second a step, so that
-/// it goes through every other judged step only.
+/// The paper's method takes a second per step, so that it goes through every other judged step
+/// only.
 Row run(const Motion& motion, const std::string& method, double accuracy,
         const std::vector<std::vector<double>>& true_pmax) {
   const std::size_t stride = method == "paper" ? 2 * judging_stride(motion) : 1;
@@ -117,7 +105,7 @@ Row run(const Motion& motion, const std::string& method, double accuracy,
     Stopwatch watch;
     set_pose(scene, motion.poses[i]);
     solver.solve(scene);
-    times.push_back(times_of(scene, watch.lap()));
+    times.push_back(Times::of(scene, watch.lap()));
     fills.push_back(scene.number("left.fill"));
     iterations.push_back(scene.number("left.iterations"));
     if (i % judging_stride(motion) == 0) {
@@ -131,8 +119,7 @@ Row run(const Motion& motion, const std::string& method, double accuracy,
   Row row;
   row.case_name = "vehicle-step";
   row.motion = motion.name;
-  row.grid = {static_cast<std::int64_t>(scene.number("left.grid.0")),
-              static_cast<std::int64_t>(scene.number("left.grid.1"))};
+  row.grid = GridSize::of(scene);
   row.method = method;
   row.state = "warm";
   row.wheels = 2;
@@ -150,15 +137,16 @@ Row run(const Motion& motion, const std::string& method, double accuracy,
 
 } // namespace
 
-std::vector<Row> measure_vehicle_steps(const MotionPlan& plan) {
+std::vector<Row> measure_vehicle_steps(const Plan& plan) {
+  const int steps = plan.steps.value_or(200);
   const double width = patch_width();
-  const Motion motions[] = {hunting(plan.steps), shift("1 %", 0.01 * width, plan.steps / 4 + 1),
-                            shift("0.1 %", 0.001 * width, plan.steps / 4 + 1)};
+  const Motion motions[] = {hunting(steps), shift("1 %", 0.01 * width, steps / 4 + 1),
+                            shift("0.1 %", 0.001 * width, steps / 4 + 1)};
   Yardstick yardstick{GridSize()};
   std::vector<Row> rows;
   for (const Motion& motion : motions) {
     const auto true_pmax = fine_pmax(motion);
-    for (const double accuracy : plan.accuracies) {
+    for (const double accuracy : plan.accuracies()) {
       for (const std::string& method : plan.methods) {
         if (method == "default" || motion.name == "hunting" || plan.methods.size() == 1) {
           yardstick.sample();
@@ -173,66 +161,94 @@ std::vector<Row> measure_vehicle_steps(const MotionPlan& plan) {
   return rows;
 }
 
+namespace {
+
 /// Wall time of as many transforms on each of some threads.
 double measure_busy_threads(int threads) {
-  constexpr std::int32_t pairs = 400;
-  const auto work = [] {
+  Stopwatch watch;
+  driver::for_each_index(static_cast<std::size_t>(threads), threads, [](std::size_t) {
+    constexpr std::int32_t pairs = 400;
     const GridSize grid;
     double milliseconds = 0.0;
     wrc_measure_transform(2 * grid.lateral, 2 * grid.longitudinal, pairs, &milliseconds);
-  };
-  Stopwatch watch;
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) {
-    others.emplace_back(work);
-  }
-  work();
-  for (std::thread& other : others) {
-    other.join();
-  }
+  });
   return watch.lap();
 }
 
-Batch measure_batch(int repeat) {
-  constexpr int scene_count = 64;
-  std::vector<driver::Scene> scenes(scene_count);
-  std::vector<wrc_scene*> handles;
-  for (int i = 0; i < scene_count; ++i) {
-    const double share = static_cast<double>(i) / (scene_count - 1);
-    set_pose(scenes[static_cast<std::size_t>(i)],
-             {-3.0 + 6.0 * share, 2.4e-3 * (1.0 - 2.0 * share)});
-    handles.push_back(scenes[static_cast<std::size_t>(i)].handle());
+/// 64 scenes of a wheelset that moves across the track.
+class Scenes {
+public:
+  static constexpr int count = 64;
+
+  Scenes() : scenes_(count) {
+    for (int i = 0; i < count; ++i) {
+      const double share = static_cast<double>(i) / (count - 1);
+      driver::Scene& scene = scenes_[static_cast<std::size_t>(i)];
+      set_pose(scene, {-3.0 + 6.0 * share, 2.4e-3 * (1.0 - 2.0 * share)});
+      handles_.push_back(scene.handle());
+    }
   }
-  double processor_ms = 0.0;
-  // Stages are added up over scenes and threads, the total is wall time.
-  const auto solve = [&](int threads) {
-    const std::clock_t start = std::clock();
+
+  /// Stages are added up over scenes and threads, the total is wall time.
+  Times solve(int threads) {
     Stopwatch watch;
-    if (wrc_solve_batch(handles.data(), scene_count, threads, nullptr) != WRC_OK) {
+    ProcessorStopwatch processor;
+    if (wrc_solve_batch(handles_.data(), count, threads, nullptr) != WRC_OK) {
       throw driver::Failure("batch: a scene could not be solved");
     }
     Times sum;
     sum.total = watch.lap();
-    processor_ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    for (const driver::Scene& scene : scenes) {
-      const Times times = times_of(scene, scene.number("time_ms.total"));
+    processor_ms_ = processor.lap();
+    for (const driver::Scene& scene : scenes_) {
+      const Times times = Times::of(scene, scene.number("time_ms.total"));
       sum.setup += times.setup;
       sum.geometry += times.geometry;
       sum.remesh += times.remesh;
       sum.mechanics += times.mechanics;
     }
     return sum;
-  };
-  const auto pressures = [&scenes] {
+  }
+  /// Of the last solution.
+  [[nodiscard]] double processor_ms() const { return processor_ms_; }
+  [[nodiscard]] std::vector<double> pressures() const {
     std::vector<double> all;
-    for (const driver::Scene& scene : scenes) {
-      for (const std::string& side : scene.sides()) {
+    for (const driver::Scene& scene : scenes_) {
+      for (const std::string& side : driver::sides_of(scene)) {
         const auto field = scene.field(side + ".pressure");
         all.insert(all.end(), field.begin(), field.end());
       }
     }
     return all;
-  };
+  }
+  [[nodiscard]] const driver::Scene& middle() const { return scenes_[count / 2]; }
+
+private:
+  std::vector<driver::Scene> scenes_;
+  std::vector<wrc_scene*> handles_;
+  double processor_ms_ = 0.0;
+};
+
+Row batch_row(const driver::Scene& scene, int threads, const std::vector<Times>& times) {
+  Row row;
+  row.case_name = "batch";
+  row.grid = GridSize::of(scene);
+  row.method = "default";
+  row.state = "cold";
+  row.wheels = 2 * Scenes::count;
+  row.threads = threads;
+  row.accuracy = 1e-3;
+  row.fill = scene.number("left.fill");
+  row.iterations = scene.number("left.iterations");
+  row.times = median(times);
+  row.min_ms = quantile(totals(times), 0.0);
+  row.repeats = static_cast<int>(times.size());
+  return row;
+}
+
+} // namespace
+
+Batch measure_batch(int repeat) {
+  Scenes scenes;
   std::vector<Times> one;
   std::vector<Times> two;
   std::vector<double> alone;
@@ -243,36 +259,20 @@ Batch measure_batch(int repeat) {
   for (int i = 0; i < repeat; ++i) {
     alone.push_back(measure_busy_threads(1));
     together.push_back(measure_busy_threads(2));
-    one.push_back(solve(1));
-    const double processor_of_one = processor_ms;
-    const auto expected = pressures();
-    two.push_back(solve(2));
-    work_ratios.push_back(processor_ms / processor_of_one);
-    batch.bitwise_equal = batch.bitwise_equal && pressures() == expected;
+    one.push_back(scenes.solve(1));
+    const double processor_of_one = scenes.processor_ms();
+    const auto expected = scenes.pressures();
+    two.push_back(scenes.solve(2));
+    work_ratios.push_back(scenes.processor_ms() / processor_of_one);
+    batch.bitwise_equal = batch.bitwise_equal && scenes.pressures() == expected;
   }
   batch.work_ratio = median(work_ratios);
   batch.machine_speedup = 2.0 * median(alone) / median(together);
-  const double pair = Yardstick(GridSize()).milliseconds();
   batch.speedup = median(one).total / median(two).total;
-  const driver::Scene& middle = scenes[scene_count / 2];
-  for (const int threads : {1, 2}) {
-    const auto& times = threads == 1 ? one : two;
-    Row row;
-    row.case_name = "batch";
-    row.grid = {static_cast<std::int64_t>(middle.number("left.grid.0")),
-                static_cast<std::int64_t>(middle.number("left.grid.1"))};
-    row.method = "default";
-    row.state = "cold";
-    row.wheels = 2 * scene_count;
-    row.threads = threads;
-    row.accuracy = 1e-3;
-    row.fill = middle.number("left.fill");
-    row.iterations = middle.number("left.iterations");
-    row.times = median(times);
-    row.min_ms = quantile(totals(times), 0.0);
+  batch.rows = {batch_row(scenes.middle(), 1, one), batch_row(scenes.middle(), 2, two)};
+  const double pair = Yardstick(GridSize()).milliseconds();
+  for (Row& row : batch.rows) {
     row.fft_pair_ms = pair;
-    row.repeats = repeat;
-    batch.rows.push_back(row);
   }
   return batch;
 }

@@ -1,21 +1,23 @@
 #include "wrc_benchmark/report.hpp"
 
 #include <fstream>
-#include <iomanip>
 #include <iostream>
-#include <sstream>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
 #include "benchmark_commit.hpp"
+#include "support/json.hpp"
 #include "support/numbers.hpp"
+#include "support/text_table.hpp"
 #include "wrcontact.h"
 
 namespace benchmark {
 namespace {
 
 using driver::fixed;
+using driver::json;
+using driver::json_of;
+using driver::power;
+using driver::TextTable;
 
 /// What the paper names for one case of 256 x 128 elements, its three modules together: a program
 /// in Fortran on a laptop with an Intel Core i5-3230 at 2.60 GHz.
@@ -54,43 +56,39 @@ std::vector<Ratio> ratios(const std::vector<Row>& rows) {
   return found;
 }
 
-nlohmann::json json_of(const std::optional<double>& value) {
-  return value ? nlohmann::json(*value) : nlohmann::json();
-}
-
-nlohmann::json json_of(const Row& row) {
-  nlohmann::json json{{"case", row.case_name},
-                      {"grid", {row.grid.lateral, row.grid.longitudinal}},
-                      {"method", row.method},
-                      {"state", row.state},
-                      {"wheels", row.wheels},
-                      {"threads", row.threads},
-                      {"accuracy", row.accuracy},
-                      {"tolerance", json_of(row.tolerance)},
-                      {"fill", row.fill},
-                      {"iterations", row.iterations},
-                      {"error_p", json_of(row.error_p)},
-                      {"error_pmax", json_of(row.error_pmax)},
-                      {"setup_ms", row.times.setup},
-                      {"geometry_ms", row.times.geometry},
-                      {"remesh_ms", row.times.remesh},
-                      {"mechanics_ms", row.times.mechanics},
-                      {"total_ms", row.times.total},
-                      {"min_ms", row.min_ms},
-                      {"fft_pair_ms", row.fft_pair_ms},
-                      {"pairs", row.pairs()},
-                      {"total_pairs", row.total_pairs()},
-                      {"memory_mb", json_of(row.memory_mb)},
-                      {"repeats", row.repeats}};
+json json_of(const Row& row) {
+  json made{{"case", row.case_name},
+            {"grid", {row.grid.lateral, row.grid.longitudinal}},
+            {"method", row.method},
+            {"state", row.state},
+            {"wheels", row.wheels},
+            {"threads", row.threads},
+            {"accuracy", row.accuracy},
+            {"tolerance", json_of(row.tolerance)},
+            {"fill", row.fill},
+            {"iterations", row.iterations},
+            {"error_p", json_of(row.error_p)},
+            {"error_pmax", json_of(row.error_pmax)},
+            {"setup_ms", row.times.setup},
+            {"geometry_ms", row.times.geometry},
+            {"remesh_ms", row.times.remesh},
+            {"mechanics_ms", row.times.mechanics},
+            {"total_ms", row.times.total},
+            {"min_ms", row.min_ms},
+            {"fft_pair_ms", row.fft_pair_ms},
+            {"pairs", row.pairs()},
+            {"total_pairs", row.total_pairs()},
+            {"memory_mb", json_of(row.memory_mb)},
+            {"repeats", row.repeats}};
   if (!row.motion.empty()) {
-    json["motion"] = row.motion;
-    json["percentile_90_ms"] = json_of(row.percentile_90_ms);
-    json["worst_ms"] = json_of(row.worst_ms);
+    made["motion"] = row.motion;
+    made["percentile_90_ms"] = json_of(row.percentile_90_ms);
+    made["worst_ms"] = json_of(row.worst_ms);
   }
-  return json;
+  return made;
 }
 
-nlohmann::json json_of(const ServiceRow& row) {
+json json_of(const ServiceRow& row) {
   using Times = ServiceRow::Times;
   return {{"case", "service"},
           {"wheel", row.wheel},
@@ -116,56 +114,9 @@ nlohmann::json json_of(const ServiceRow& row) {
           {"max_pairs", row.pairs(&Times::worst)}};
 }
 
-/// Cells of a table, each column as wide as it needs; the first `left` columns start at the left.
-class Table {
-public:
-  Table(std::vector<std::string> header, std::size_t left)
-      : lines_{std::move(header)}, left_(left) {}
-  void add(std::vector<std::string> line) { lines_.push_back(std::move(line)); }
-  [[nodiscard]] bool empty() const { return lines_.size() == 1; }
-
-  void print() const {
-    std::vector<std::size_t> widths(lines_.front().size());
-    for (const auto& line : lines_) {
-      for (std::size_t i = 0; i < line.size(); ++i) {
-        widths[i] = std::max(widths[i], line[i].size());
-      }
-    }
-    for (const auto& line : lines_) {
-      std::ostringstream text;
-      for (std::size_t i = 0; i < line.size(); ++i) {
-        text << (i < left_ ? std::left : std::right) << (i == 0 ? "" : "  ")
-             << std::setw(static_cast<int>(widths[i])) << line[i];
-      }
-      std::cout << text.str() << '\n';
-    }
-  }
-
-private:
-  std::vector<std::vector<std::string>> lines_;
-  std::size_t left_;
-};
-
 /// Three digits or so, whatever the size.
 std::string time_text(double value) {
   return fixed(value, value < 9.995 ? 3 : value < 99.95 ? 2 : value < 999.5 ? 1 : 0);
-}
-
-std::string power_text(const std::optional<double>& value, int digits) {
-  if (!value) {
-    return "-";
-  }
-  std::ostringstream text;
-  text << std::scientific << std::setprecision(digits) << *value;
-  return text.str();
-}
-
-std::string asked_text(const std::optional<double>& value) {
-  return power_text(value, 0);
-}
-
-std::string error_text(const std::optional<double>& value) {
-  return power_text(value, 1);
 }
 
 /// The wheels stand beside the case where there are two.
@@ -174,20 +125,20 @@ std::string case_text(const Row& row) {
 }
 
 void print_cases(const std::vector<Row>& rows) {
-  Table table({"case",       "grid", "method", "state", "asked",      "toler.", "error p",
-               "error pmax", "fill", "iter",   "setup", "geom",       "remesh", "mechan",
-               "total",      "min",  "pair",   "pairs", "total/pair", "MB"},
-              4);
+  TextTable table("llllr");
+  table.add({"case",       "grid", "method", "state", "requested",  "toler.", "error p",
+             "error pmax", "fill", "iter",   "setup", "geom",       "remesh", "mechan",
+             "total",      "min",  "pair",   "pairs", "total/pair", "MB"});
   for (const Row& row : rows) {
     if (row.motion.empty() && row.case_name != "batch") {
       table.add({case_text(row),
                  row.grid.text(),
                  row.method,
                  row.state,
-                 asked_text(row.accuracy),
-                 asked_text(row.tolerance),
-                 error_text(row.error_p),
-                 error_text(row.error_pmax),
+                 power(row.accuracy, 0),
+                 power(row.tolerance, 0),
+                 power(row.error_p, 1),
+                 power(row.error_pmax, 1),
                  fixed(row.fill, 2),
                  fixed(row.iterations, 0),
                  time_text(row.times.setup),
@@ -202,11 +153,13 @@ void print_cases(const std::vector<Row>& rows) {
                  row.memory_mb ? fixed(*row.memory_mb, 1) : "-"});
     }
   }
-  if (!table.empty()) {
-    table.print();
+  if (table.row_count() > 1) {
+    table.print(std::cout);
     std::cout
-        << "\n  asked: largest error of p over pmax. toler.: what the solver was given for it; for "
-           "paper the loosest one that\n  gives an error p no larger than asked, or than that of "
+        << "\n  requested: largest error of p over pmax. toler.: what the solver was given for it; "
+           "for "
+           "paper the loosest one that\n  gives an error p no larger than requested, or than that "
+           "of "
            "default. error p: true largest error of p over pmax, against\n  the same grid solved "
            "to 1e-10 (above 1024x512: 1e-8). error pmax: against the closed form, or a grid 2 to 3 "
            "times finer.\n  fill: share of elements under pressure. iter: of one wheel, all grids. "
@@ -219,26 +172,27 @@ void print_cases(const std::vector<Row>& rows) {
 }
 
 void print_motions(const std::vector<Row>& rows) {
-  Table table({"case", "motion", "method", "grid", "asked", "error pmax", "iter", "setup", "geom",
-               "remesh", "mechan", "median", "90 %", "worst", "pair"},
-              4);
+  TextTable table("llllr");
+  table.add({"case", "motion", "method", "grid", "requested", "error pmax", "iter", "setup", "geom",
+             "remesh", "mechan", "median", "90 %", "worst", "pair"});
   for (const Row& row : rows) {
     if (!row.motion.empty()) {
-      table.add({row.case_name, row.motion, row.method, row.grid.text(), asked_text(row.accuracy),
-                 error_text(row.error_pmax), fixed(row.iterations, 0), time_text(row.times.setup),
+      table.add({row.case_name, row.motion, row.method, row.grid.text(), power(row.accuracy, 0),
+                 power(row.error_pmax, 1), fixed(row.iterations, 0), time_text(row.times.setup),
                  time_text(row.times.geometry), time_text(row.times.remesh),
                  time_text(row.times.mechanics), time_text(row.times.total),
                  time_text(*row.percentile_90_ms), time_text(*row.worst_ms),
                  time_text(row.fft_pair_ms)});
     }
   }
-  if (!table.empty()) {
-    table.print();
+  if (table.row_count() > 1) {
+    table.print(std::cout);
     std::cout
         << "\n  Table 1 scene, both wheels, one solver handle. hunting: 3 mm sideways over a wave "
            "of "
            "8 m, steps of 40 mm, with yaw;\n  1 %, 0.1 %: steps sideways by that share of the "
-           "patch's width. Times in ms a step. asked: error of pmax; error pmax:\n  largest of "
+           "patch's width. Times in ms per step. requested: error of pmax; error pmax:\n  largest "
+           "of "
            "both "
            "wheels at ten steps, against 384x384 elements. grid: of the left wheel at the last "
            "step.\n  pair: that of 256x128. paper goes through five steps of the hunting only.\n\n";
@@ -247,30 +201,30 @@ void print_motions(const std::vector<Row>& rows) {
 
 void print_service(const std::vector<ServiceRow>& rows) {
   using Times = ServiceRow::Times;
-  Table table({"case", "profiles", "asked", "of", "prescribed", "depth", "normal", "lateral",
-               "pmax", "solut.", "most", "mean ms", "pair ms", "mean", "median", "99 %", "99.9 %",
-               "worst"},
-              5);
+  TextTable table("lllllr");
+  table.add({"case", "profiles", "requested", "of", "prescribed", "depth", "normal", "lateral",
+             "pmax", "solut.", "most", "mean ms", "pair ms", "mean", "median", "99 %", "99.9 %",
+             "worst"});
   for (const ServiceRow& row : rows) {
-    table.add({"service", row.wheel + " on " + row.rail, asked_text(row.accuracy), row.accuracy_of,
-               row.prescribed, error_text(row.errors.depth), error_text(row.errors.normal_force),
-               error_text(row.errors.lateral_force), error_text(row.errors.pmax),
+    table.add({"service", row.wheel + " on " + row.rail, power(row.accuracy, 0), row.accuracy_of,
+               row.prescribed, power(row.errors.depth, 1), power(row.errors.normal_force, 1),
+               power(row.errors.lateral_force, 1), power(row.errors.pmax, 1),
                fixed(row.solutions_mean, 2), fixed(row.solutions_max, 0), time_text(row.times.mean),
                time_text(row.fft_pair_ms), fixed(row.pairs(&Times::mean), 2),
                fixed(row.pairs(&Times::median), 2), fixed(row.pairs(&Times::percentile_99), 2),
                fixed(row.pairs(&Times::percentile_999), 2), fixed(row.pairs(&Times::worst), 2)});
   }
-  if (!table.empty()) {
-    table.print();
+  if (table.row_count() > 1) {
+    table.print(std::cout);
     std::cout
         << "\n  Steps of 40 mm over irregular track, " << rows.front().steps
         << " of them, both wheels, one solver handle; the first step "
-           "of all is cold and not counted.\n  asked: error of what \"of\" names. prescribed: "
+           "of all is cold and not counted.\n  requested: error of what \"of\" names. prescribed: "
            "loads, with roll solved; or roll and a height for each wheel, those of the\n  same "
            "loads. depth, normal, lateral, pmax: largest error of both wheels at some 40 steps, "
            "against accuracy 1e-5, relative;\n  of the lateral force over the vertical one. "
            "solut., most: joint solutions of a wheel in a step, mean and most. mean ms:\n  "
-           "processor time of a step, keys set and both wheels solved. pair: one transform of "
+           "processor time per step, keys set and both wheels solved. pair: one transform of "
            "twice 256x128 and back, sampled\n  between the steps of the row. mean to worst: "
            "of the times of a step, in pairs.\n\n";
   }
@@ -280,14 +234,15 @@ void print_ratios(const std::vector<Row>& rows) {
   const auto found = ratios(rows);
   if (!found.empty()) {
     std::cout << "Times of paper over default, warm, one run:\n";
-    Table table({"  case", "grid", "asked", "mechanics", "total"}, 2);
+    TextTable table("llr");
+    table.add({"  case", "grid", "requested", "mechanics", "total"});
     for (const Ratio& ratio : found) {
       table.add(
           {"  " + case_text(ratio.row) + (ratio.row.motion.empty() ? "" : ", " + ratio.row.motion),
-           ratio.row.grid.text(), asked_text(ratio.row.accuracy), fixed(ratio.mechanics, 1),
+           ratio.row.grid.text(), power(ratio.row.accuracy, 0), fixed(ratio.mechanics, 1),
            fixed(ratio.total, 1)});
     }
-    table.print();
+    table.print(std::cout);
     std::cout << '\n';
   }
   for (const Row& row : rows) {
@@ -304,26 +259,26 @@ void print_ratios(const std::vector<Row>& rows) {
 
 } // namespace
 
-void print_json(const Report& report) {
-  nlohmann::json json;
-  json["machine"] = {{"cpu", cpu_name()},
+json json_of(const Report& report) {
+  json made;
+  made["machine"] = {{"cpu", cpu_name()},
                      {"cores", sysconf(_SC_NPROCESSORS_ONLN)},
                      {"compiler", WRC_BENCHMARK_COMPILER},
                      {"flags", WRC_BENCHMARK_FLAGS},
                      {"threads", 1},
                      {"commit", WRC_BENCHMARK_COMMIT},
                      {"version", wrc_version()}};
-  json["paper_total_ms"] = paper_total_ms;
-  json["rows"] = nlohmann::json::array();
+  made["paper_total_ms"] = paper_total_ms;
+  made["rows"] = json::array();
   for (const Row& row : report.rows) {
-    json["rows"].push_back(json_of(row));
+    made["rows"].push_back(json_of(row));
   }
   for (const ServiceRow& row : report.service) {
-    json["rows"].push_back(json_of(row));
+    made["rows"].push_back(json_of(row));
   }
-  json["paper_over_default"] = nlohmann::json::array();
+  made["paper_over_default"] = json::array();
   for (const Ratio& ratio : ratios(report.rows)) {
-    json["paper_over_default"].push_back(
+    made["paper_over_default"].push_back(
         {{"case", ratio.row.case_name},
          {"motion", ratio.row.motion},
          {"grid", {ratio.row.grid.lateral, ratio.row.grid.longitudinal}},
@@ -333,12 +288,12 @@ void print_json(const Report& report) {
          {"total", ratio.total}});
   }
   if (report.batch) {
-    json["batch"] = {{"speedup", report.batch->speedup},
+    made["batch"] = {{"speedup", report.batch->speedup},
                      {"machine_speedup", report.batch->machine_speedup},
                      {"work_ratio", report.batch->work_ratio},
                      {"bitwise_equal", report.batch->bitwise_equal}};
   }
-  std::cout << json.dump(2) << '\n';
+  return made;
 }
 
 void print_tables(const Report& report) {

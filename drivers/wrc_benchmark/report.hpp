@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "support/json.hpp"
 #include "wrc_benchmark/motion_cases.hpp"
-#include "wrc_benchmark/row.hpp"
-#include "wrc_benchmark/service_case.hpp"
+#include "wrc_benchmark/problem.hpp"
 
 namespace benchmark {
 
@@ -16,7 +16,7 @@ struct Report {
   std::optional<Batch> batch; ///< its rows are among those above
 };
 
-void print_json(const Report& report);
+driver::json json_of(const Report& report);
 void print_tables(const Report& report);
 
 } // namespace benchmark

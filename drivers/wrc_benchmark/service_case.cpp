@@ -1,33 +1,25 @@
-#include "wrc_benchmark/service_case.hpp"
+#include "wrc_benchmark/motion_cases.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
-#include <numeric>
 
 #include "support/numbers.hpp"
+#include "support/random_scenes.hpp"
 #include "support/scene.hpp"
-#include "wrc_benchmark/timing.hpp"
+#include "wrc_benchmark/yardstick.hpp"
 
 namespace benchmark {
 namespace {
 
-constexpr std::array<const char*, 2> side_names{"left", "right"};
-
-/// Profiles and the dimensions that go with them, those of wrc_tradeoff.
 struct Pairing {
   const char* wheel;
   const char* rail;
-  double back_to_back;
-  double radius;
-  double gauge_height;
 };
-
-constexpr std::array pairings{Pairing{"S1002", "60E1", 1360.0, 460.0, 14.0},
-                              Pairing{"LMA", "CHN60", 1353.0, 430.0, 16.0},
-                              Pairing{"S1002", "56E1", 1360.0, 460.0, 14.0}};
+constexpr std::array pairings{Pairing{"S1002", "60E1"}, Pairing{"LMA", "CHN60"},
+                              Pairing{"S1002", "56E1"}};
 
 enum class Prescribed { load, position };
 
@@ -79,14 +71,10 @@ public:
       : prescribed_(prescribed), scenes_(prescribed == Prescribed::load ? 1 : 2) {
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       driver::Scene& scene = scenes_[i];
-      scene.set("wheelset.wheel", std::string(pair.wheel));
-      scene.set("track.rail", std::string(pair.rail));
-      scene.set("wheelset.back_to_back", pair.back_to_back);
-      scene.set("wheelset.radius", pair.radius);
-      scene.set("track.gauge_height", pair.gauge_height);
+      driver::make_pair(pair.wheel, pair.rail).apply(scene);
       scene.set("solve.accuracy", accuracy);
       scene.set("solve.accuracy_of", accuracy_of);
-      scene.set("solve.side", prescribed == Prescribed::load ? "both" : side_names.at(i));
+      scene.set("solve.side", prescribed == Prescribed::load ? "both" : driver::side_names.at(i));
     }
   }
 
@@ -97,9 +85,6 @@ public:
       solver_.solve(scenes_[i]);
     }
   }
-
-  /// As if there had been no step before.
-  void solve_alone(const Step& step) { solve(step); }
 
   [[nodiscard]] std::array<WheelResult, 2> results() const {
     std::array<WheelResult, 2> results;
@@ -139,7 +124,7 @@ private:
     return scenes_[scenes_.size() == 1 ? 0 : side];
   }
   [[nodiscard]] static std::string result_name(std::size_t side, const std::string& name) {
-    return std::string(side_names.at(side)) + '.' + name;
+    return std::string(driver::side_names.at(side)) + '.' + name;
   }
   [[nodiscard]] double number(std::size_t side, const std::string& name) const {
     return scene_of(side).number(result_name(side, name));
@@ -170,7 +155,7 @@ std::vector<Step> make_steps(const Pairing& pair, int count) {
   std::vector<Step> steps;
   for (int i = 0; i <= count; ++i) {
     Step step = step_at(i);
-    wheelset.solve_alone(step);
+    wheelset.solve(step);
     step.roll = wheelset.roll();
     step.height = {wheelset.height(0), wheelset.height(1)};
     steps.push_back(step);
@@ -187,7 +172,7 @@ Run make_run(const Pairing& pair, int count) {
     Wheelset wheelset(pair, prescribed, finest, "pressures");
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
       if (run.is_judged(i)) {
-        wheelset.solve_alone(run.steps[i]);
+        wheelset.solve(run.steps[i]);
         run.truth.at(static_cast<std::size_t>(prescribed)).push_back(wheelset.results());
       }
     }
@@ -213,10 +198,6 @@ void judge(const std::array<WheelResult, 2>& results, const std::array<WheelResu
                                      relative(result.normal_force, truth.normal_force));
     }
   }
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
@@ -253,9 +234,9 @@ ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
   row.prescribed = prescribed == Prescribed::load ? "load" : "position";
   row.accuracy = accuracy;
   row.steps = static_cast<int>(times.size());
-  row.solutions_mean = mean(solutions);
+  row.solutions_mean = driver::mean(solutions);
   row.solutions_max = quantile(solutions, 1.0);
-  row.times = {mean(times), median(times), quantile(times, 0.99), quantile(times, 0.999),
+  row.times = {driver::mean(times), median(times), quantile(times, 0.99), quantile(times, 0.999),
                quantile(times, 1.0)};
   row.fft_pair_ms = yardstick.milliseconds();
   return row;
@@ -263,19 +244,19 @@ ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
 
 } // namespace
 
-std::vector<ServiceRow> measure_service(const ServicePlan& plan) {
+std::vector<ServiceRow> measure_service(const Plan& plan) {
   std::vector<ServiceRow> rows;
   for (const Pairing& pair : pairings) {
     const std::string name = std::string(pair.wheel) + " on " + pair.rail;
     std::cerr << "wrc_benchmark: service, " << name << ", positions and true results ...\n";
-    const Run run = make_run(pair, plan.steps);
-    for (const double accuracy : plan.accuracies) {
+    const Run run = make_run(pair, plan.steps.value_or(2000));
+    for (const double accuracy : plan.accuracies()) {
       for (const char* accuracy_of : {"forces", "pressures"}) {
         for (const Prescribed prescribed : {Prescribed::load, Prescribed::position}) {
           rows.push_back(measure_row(run, prescribed, accuracy, accuracy_of));
           std::cerr << "wrc_benchmark: service, " << name << ", " << accuracy << " of "
                     << accuracy_of << ", " << rows.back().prescribed << ": "
-                    << driver::fixed(rows.back().times.mean, 3) << " ms a step\n";
+                    << driver::fixed(rows.back().times.mean, 3) << " ms per step\n";
         }
       }
     }

@@ -3,16 +3,14 @@
 
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
-#include "wrc_case/picture.hpp"
 #include "wrc_case/reports.hpp"
-#include "wrc_case/vtk.hpp"
 
 namespace {
 
 std::string keys_text() {
   std::ostringstream text;
   text << "Keys of a scene (mm, N, MPa, rad, y left, z up unless convention says otherwise):\n";
-  for (const driver::Key& key : driver::scene_keys()) {
+  for (const wrcontact::SceneKey& key : wrcontact::scene_keys()) {
     text << "  " << std::left << std::setw(30) << key.name << key.meaning << "\n"
          << std::string(32, ' ') << "default " << key.default_value << "; allowed: " << key.allowed
          << '\n';
@@ -20,22 +18,11 @@ std::string keys_text() {
   return text.str();
 }
 
-std::string names_text() {
-  std::string text = "Built-in wheels:";
-  for (int kind : {WRC_WHEEL, WRC_RAIL}) {
-    for (std::int64_t i = 0; wrc_profile_standard_name(kind, i) != nullptr; ++i) {
-      text += ' ' + std::string(wrc_profile_standard_name(kind, i));
-    }
-    text += kind == WRC_WHEEL ? "\nBuilt-in rails: " : "\n";
-  }
-  return text;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Solves a wheel/rail contact scene: where and how hard both wheels press on the "
-               "rails.\nWithout a scene file: the paper's Table 1 scene (S1002 on 60E1, 80 kN a "
+               "rails.\nWithout a scene file: the paper's Table 1 scene (S1002 on 60E1, 80 kN per "
                "wheel, centred).",
                "wrc_case");
   std::string scene_file;
@@ -48,23 +35,22 @@ int main(int argc, char** argv) {
   std::string save;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add_option("--set", assignments,
-                 "set a key of the scene; may be repeated. Numbers and words need no quotes, lists "
-                 "are [a,b]")
+                 "set one or more keys of the scene; may be repeated. Numbers and words need no "
+                 "quotes, lists are [a,b]")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--json", json, "print one JSON object instead of the table");
-  app.add_flag("--csv", csv, "print CSV, one line a side, instead of the table");
+  app.add_flag("--csv", csv, "print CSV, one line per side, instead of the table");
   app.add_option("--vtk", vtk, "write the fields of all patches as legacy VTK")->type_name("FILE");
   app.add_option("--plot", plot, "draw profiles, patches and pressures")->type_name("FILE.png|svg");
-  app.add_option("--field", field, "write the fields of all patches as CSV, one line an element")
+  app.add_option("--field", field, "write the fields of all patches as CSV, one line per element")
       ->type_name("FILE.csv");
   app.add_option("--save", save, "write the scene with all its keys, to be solved again")
       ->type_name("FILE.toml");
-  app.footer("\n" + keys_text() + names_text() +
+  app.footer("\n" + keys_text() + driver::standard_names_text() +
              "\nExamples:\n"
              "  wrc_case --set pose.lateral=5 --plot picture.png\n"
-             "  wrc_case --set track.rail=CHN60 --set wheelset.wheel=LMA --set "
-             "track.gauge_height=16 --json\n"
+             "  wrc_case --set track.rail=CHN60 wheelset.wheel=LMA track.gauge_height=16 --json\n"
              "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n");
   return driver::run_program(app, argc, argv, [&] {
     if (json && csv) {
@@ -79,9 +65,9 @@ int main(int argc, char** argv) {
     if (!save.empty()) {
       scene.write(save);
     }
-    // Numbers for programs are in the units and the frame asked for ...
+    // Numbers for programs are in the requested units and frame ...
     if (json) {
-      driver::print_json(scene, std::cout);
+      driver::print_json(driver::json_of(scene), std::cout);
     } else if (csv) {
       driver::print_csv(scene, std::cout);
     }
@@ -89,8 +75,8 @@ int main(int argc, char** argv) {
       driver::write_field(scene, field);
     }
     // ... what people look at says its units.
-    scene.set("convention.units", std::string("mm"));
-    scene.set("convention.frame", std::string("left-up"));
+    scene.set("convention.units", "mm");
+    scene.set("convention.frame", "left-up");
     if (!json && !csv) {
       driver::print_table(scene, std::cout);
     }

@@ -1,4 +1,4 @@
-#include "wrc_case/picture.hpp"
+#include "wrc_case/reports.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
-#include "wrc_case/patches.hpp"
 
 namespace driver {
 namespace {
@@ -26,19 +25,6 @@ std::string force_text(double newtons) {
   return fixed(value, decimals) + (thousands ? " kN" : " N");
 }
 
-/// From the least to the greatest value taken in.
-struct Range {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -std::numeric_limits<double>::infinity();
-
-  void include(double value) {
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  }
-  [[nodiscard]] double middle() const { return 0.5 * (least + greatest); }
-  [[nodiscard]] double length() const { return greatest - least; }
-};
-
 /// A patch as it is drawn.
 struct DrawnPatch {
   PatchName name;
@@ -50,12 +36,9 @@ struct DrawnPatch {
   Range lateral;       ///< of the contact, from the reference, positive to the left
   Range longitudinal;  ///< of the contact, track x
 
-  [[nodiscard]] std::string block() const {
-    return '$' + name.side + "_pressure_" + std::to_string(name.index);
-  }
-  /// Lines of equal pressure; none on a grid of one row or column.
-  [[nodiscard]] std::string contours() const { return block() + "_contours"; }
-  bool has_contours = false;
+  std::string block;         ///< of data
+  bool has_contours = false; ///< lines of equal pressure; none on a grid of one row or column
+  [[nodiscard]] std::string contours() const { return block + "_contours"; }
   [[nodiscard]] std::string label() const {
     return force_text(force) + ", " + fixed(1e3 * angle, 1) + " mrad";
   }
@@ -63,19 +46,12 @@ struct DrawnPatch {
 
 struct DrawnSide {
   std::string name;
+  std::string rail; ///< blocks of data
+  std::string wheel;
   std::vector<DrawnPatch> patches; ///< from right to left
   Range across;                    ///< of all contacts, developed
   Range along;
 };
-
-void write_outline(std::ostream& out, const std::string& block, const std::vector<double>& y,
-                   const std::vector<double>& z) {
-  out << '$' << block << " << EOD\n";
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    out << y[i] << ' ' << z[i] << '\n';
-  }
-  out << "EOD\n";
-}
 
 /// Developed: the distances between the references of neighbours one after the other, from that of
 /// the patch with the largest force.
@@ -100,35 +76,33 @@ void develop(DrawnSide& side) {
 }
 
 /// The pressures of a patch over lateral (from its reference) and x, as a block of data.
-void write_pressure(std::ostream& out, const Scene& scene, DrawnPatch& patch) {
+void write_pressure(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
   const std::string& prefix = patch.name.prefix;
   const auto x = scene.field(prefix + "x");
   const auto y = scene.field(prefix + "y");
   const auto z = scene.field(prefix + "z");
   const auto pressure = scene.field(prefix + "pressure");
-  const double cosine = std::cos(patch.angle);
-  const double sine = std::sin(patch.angle);
   const double half_width = 0.5 * scene.number(prefix + "element_size.0");
   const double half_length = 0.5 * scene.number(prefix + "element_size.1");
   const auto length = static_cast<std::size_t>(scene.number(prefix + "grid.1"));
-  out << patch.block() << " << EOD\n";
+  std::ostringstream data;
+  data.precision(9);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double lateral = (y[i] - patch.y) * cosine + (z[i] - patch.z) * sine;
-    out << lateral << ' ' << x[i] << ' ';
+    const double lateral =
+        (y[i] - patch.y) * std::cos(patch.angle) + (z[i] - patch.z) * std::sin(patch.angle);
+    data << lateral << ' ' << x[i] << ' ';
     if (pressure[i] > 0.0) {
-      out << pressure[i] << '\n';
+      data << pressure[i] << '\n';
       patch.lateral.include(lateral - half_width);
       patch.lateral.include(lateral + half_width);
       patch.longitudinal.include(x[i] - half_length);
       patch.longitudinal.include(x[i] + half_length);
     } else {
-      out << "NaN\n";
+      data << "NaN\n";
     }
-    if ((i + 1) % length == 0) {
-      out << '\n';
-    }
+    data << ((i + 1) % length == 0 ? "\n" : "");
   }
-  out << "EOD\n";
+  patch.block = gnuplot.block(data.str());
   patch.has_contours =
       length > 1 && x.size() > length && *std::max_element(pressure.begin(), pressure.end()) > 0.0;
 }
@@ -139,16 +113,19 @@ void write_contours(std::ostream& out, const DrawnPatch& patch, double largest) 
   for (int fifth = 1; fifth < 5; ++fifth) {
     out << (fifth > 1 ? "," : "") << 0.2 * fifth * largest;
   }
-  out << "\nset table " << patch.contours() << "\nsplot " << patch.block()
+  out << "\nset table " << patch.contours() << "\nsplot " << patch.block
       << " using 1:2:3 with lines\nunset table\nunset contour\nset surface\n";
 }
 
-DrawnSide write_side(std::ostream& out, const Scene& scene, const std::string& name) {
-  write_outline(out, name + "_rail", scene.field(name + ".rail_y"), scene.field(name + ".rail_z"));
-  write_outline(out, name + "_wheel", scene.field(name + ".wheel_y"),
-                scene.field(name + ".wheel_z"));
+DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& name) {
+  const auto outline = [&](const std::string& body) {
+    return gnuplot.block(scene.field(name + '.' + body + "_y"),
+                         scene.field(name + '.' + body + "_z"));
+  };
   DrawnSide side;
   side.name = name;
+  side.rail = outline("rail");
+  side.wheel = outline("wheel");
   for (const PatchName& patch : patches_of(scene, name)) {
     const auto number = [&](const char* value) { return scene.number(patch.prefix + value); };
     DrawnPatch& drawn = side.patches.emplace_back();
@@ -157,9 +134,9 @@ DrawnSide write_side(std::ostream& out, const Scene& scene, const std::string& n
     drawn.z = number("z");
     drawn.angle = number("angle");
     drawn.force = number("normal_force");
-    write_pressure(out, scene, drawn);
+    write_pressure(gnuplot, scene, drawn);
     if (drawn.has_contours) {
-      write_contours(out, drawn, scene.number(name + ".pmax"));
+      write_contours(gnuplot.script(), drawn, scene.number(name + ".pmax"));
     }
   }
   develop(side);
@@ -167,7 +144,7 @@ DrawnSide write_side(std::ostream& out, const Scene& scene, const std::string& n
 }
 
 /// Profiles, the planes of the patches and the forces on the wheel along their normals.
-void plot_outlines(std::ostream& out, const Scene& scene, const DrawnSide& side) {
+void plot_outlines(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side) {
   const double y = scene.number(side.name + ".rigid_contact.y");
   const double z = scene.number(side.name + ".rigid_contact.z");
   constexpr double half_width = 45.0;
@@ -176,6 +153,7 @@ void plot_outlines(std::ostream& out, const Scene& scene, const DrawnSide& side)
   constexpr double half_plane = 9.0;     // mm, drawn
   constexpr double longest_arrow = 20.0; // mm, of the largest force of this wheel
   constexpr double shortest_arrow = 3.0;
+  std::ostream& out = gnuplot.script();
   out << "set title '" << side.name << " wheel, seen in driving direction'\n"
       << "set xlabel 'track y, mm (to the left)'\nset ylabel 'track z, mm'\n"
       << "set size ratio -1\nset key top left Left reverse samplen 2 opaque width -2\n"
@@ -192,28 +170,28 @@ void plot_outlines(std::ostream& out, const Scene& scene, const DrawnSide& side)
         << " front lw 2 lc rgb '" << colour_of(patch.name.index)
         << "' head filled size screen 0.012,18\n";
   }
-  out << "plot $" << side.name << "_rail with filledcurves y=" << z - 2.0 * below
-      << " fs solid fc rgb '#f3ebe3' notitle, $" << side.name
-      << "_wheel with filledcurves y=" << z + 2.0 * above << " fs solid fc rgb '#e9eff8' notitle, $"
-      << side.name << "_rail with lines lw 2 lc rgb '#8b5a2b' title 'rail', $" << side.name
-      << "_wheel with lines lw 2 lc rgb '#1f4e9e' title 'wheel'";
   std::vector<DrawnPatch> by_force = side.patches;
   std::sort(by_force.begin(), by_force.end(), [](const DrawnPatch& one, const DrawnPatch& other) {
     return one.name.index < other.name.index;
   });
+  std::vector<std::string> items{side.rail + " with filledcurves y=" + general(z - 2.0 * below, 9) +
+                                     " fs solid fc rgb '#f3ebe3' notitle",
+                                 side.wheel +
+                                     " with filledcurves y=" + general(z + 2.0 * above, 9) +
+                                     " fs solid fc rgb '#e9eff8' notitle",
+                                 side.rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
+                                 side.wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'"};
   for (const DrawnPatch& patch : by_force) {
-    out << ", '-' with lines lw 3 lc rgb '" << colour_of(patch.name.index) << "' title 'patch "
-        << patch.name.index << ": " << patch.label() << "'";
+    const double dy = half_plane * std::cos(patch.angle);
+    const double dz = half_plane * std::sin(patch.angle);
+    items.push_back(gnuplot.block({patch.y - dy, patch.y + dy}, {patch.z - dz, patch.z + dz}) +
+                    " with lines lw 3 lc rgb '" + colour_of(patch.name.index) + "' title 'patch " +
+                    std::to_string(patch.name.index) + ": " + patch.label() + '\'');
   }
-  out << ", '-' with points pt 6 ps 1.2 lw 2 lc rgb 'black' title 'first touch'\n";
-  for (const DrawnPatch& patch : by_force) {
-    for (const double end : {-half_plane, half_plane}) {
-      out << patch.y + end * std::cos(patch.angle) << ' ' << patch.z + end * std::sin(patch.angle)
-          << '\n';
-    }
-    out << "EOF\n";
-  }
-  out << y << ' ' << z << "\nEOF\nunset arrow\n";
+  items.push_back(gnuplot.block({y}, {z}) +
+                  " with points pt 6 ps 1.2 lw 2 lc rgb 'black' title 'first touch'");
+  gnuplot.plot(items);
+  out << "unset arrow\n";
 }
 
 /// The axes of the pressures, mm: the same scale for both wheels.
@@ -233,8 +211,9 @@ struct PressureAxes {
 };
 
 /// The pressures of all patches of a side over the developed lateral coordinate.
-void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
+void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
                    const PressureAxes& axes) {
+  std::ostream& out = gnuplot.script();
   if (side.patches.empty()) {
     out << "set title '" << side.name << " wheel: no contact'\nset xrange [-1:1]\n"
         << "set yrange [-1:1]\nplot NaN notitle\n";
@@ -260,55 +239,51 @@ void plot_pressure(std::ostream& out, const Scene& scene, const DrawnSide& side,
         << colour_of(patch.name.index) << "' front\n";
     above = !above;
   }
-  out << "plot ";
+  std::vector<std::string> items;
+  std::vector<double> centres;
+  std::vector<double> along;
   for (const DrawnPatch& patch : side.patches) {
-    out << patch.block() << " using ($1+(" << patch.across << ")):2:3 with image, ";
+    const std::string shifted = " using ($1+(" + general(patch.across, 9) + ")):2";
+    items.push_back(patch.block + shifted + ":3 with image");
     if (patch.has_contours) {
-      out << patch.contours() << " using ($1+(" << patch.across
-          << ")):2 with lines lc rgb '#404040' lw 0.8, ";
+      items.push_back(patch.contours() + shifted + " with lines lc rgb '#404040' lw 0.8");
     }
-  }
-  out << "'-' with points pt 2 ps 1 lw 1.5 lc rgb 'black'\n";
-  for (const DrawnPatch& patch : side.patches) {
-    const std::string& prefix = patch.name.prefix;
-    const auto from_reference = [&](const char* centroid, double reference) {
-      return scene.number(prefix + centroid) - reference;
+    const auto centroid = [&](const char* name) {
+      return scene.number(patch.name.prefix + "centroid." + name);
     };
-    out << patch.across + from_reference("centroid.y", patch.y) * std::cos(patch.angle) +
-               from_reference("centroid.z", patch.z) * std::sin(patch.angle)
-        << ' ' << scene.number(prefix + "centroid.x") << '\n';
+    centres.push_back(patch.across + (centroid("y") - patch.y) * std::cos(patch.angle) +
+                      (centroid("z") - patch.z) * std::sin(patch.angle));
+    along.push_back(centroid("x"));
   }
-  out << "EOF\nunset label\n";
+  items.push_back(gnuplot.block(centres, along) + " with points pt 2 ps 1 lw 1.5 lc rgb 'black'");
+  gnuplot.plot(items);
+  out << "unset label\n";
 }
 
 } // namespace
 
 void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   Gnuplot gnuplot;
-  std::ostream& out = gnuplot.script();
-  const bool has_pressures = scene.input_text("solve.until") == "mechanics";
+  const bool has_pressures = scene.get_text("solve.until") == "mechanics";
   std::vector<DrawnSide> sides;
   PressureAxes axes;
-  for (const std::string& name : scene.sides()) {
-    DrawnSide& side = sides.emplace_back(write_side(out, scene, name));
+  for (const std::string& name : sides_of(scene)) {
+    DrawnSide& side = sides.emplace_back(write_side(gnuplot, scene, name));
     if (!has_pressures) {
       side.patches.clear();
     }
     axes.include(side);
   }
-  out << "set grid lc rgb '#dddddd'\n"
-         "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
-         "'#e69138', 1 '#990000')\nset tics out nomirror\n"
-      << "set multiplot layout " << (has_pressures ? 2 : 1) << ',' << sides.size() << "\n";
+  gnuplot.script() << "set grid lc rgb '#dddddd'\nset tics out nomirror\n" << pressure_palette;
+  gnuplot.begin_multiplot(has_pressures ? 2 : 1, sides.size());
   for (const DrawnSide& side : sides) {
-    plot_outlines(out, scene, side);
+    plot_outlines(gnuplot, scene, side);
   }
   if (has_pressures) {
     for (const DrawnSide& side : sides) {
-      plot_pressure(out, scene, side, axes);
+      plot_pressure(gnuplot, scene, side, axes);
     }
   }
-  out << "unset multiplot\n";
   const int columns = std::max(static_cast<int>(sides.size()), 1);
   gnuplot.draw(path, 650 * columns, has_pressures ? 900 : 450);
 }

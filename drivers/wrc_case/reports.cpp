@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
-#include <nlohmann/json.hpp>
-
+#include "support/csv_table.hpp"
+#include "support/json.hpp"
+#include "support/numbers.hpp"
 #include "support/output_file.hpp"
-#include "wrc_case/patches.hpp"
+#include "support/text_table.hpp"
 
 namespace driver {
 namespace {
@@ -17,71 +16,62 @@ namespace {
 constexpr std::array<const char*, 6> element_fields{
     "x", "y", "z", "undeformed_distance", "pressure", "displacement"};
 
-/// One line of the table: a value for each side.
-class TablePrinter {
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+/// A value for each side.
+class SideTable {
 public:
-  TablePrinter(const Scene& scene, std::ostream& out)
-      : scene_(scene), out_(out), sides_(scene.sides()) {}
+  explicit SideTable(const Scene& scene) : scene_(scene), sides_(sides_of(scene)) {}
 
-  void head(const std::string& title) const {
-    out_ << '\n' << std::left << std::setw(36) << title;
-    for (const std::string& side : sides_) {
-      out_ << std::right << std::setw(14) << side;
-    }
-    out_ << '\n';
+  void head(const std::string& title) {
+    std::vector<std::string> row{title};
+    row.insert(row.end(), sides_.begin(), sides_.end());
+    table_.add({});
+    table_.add(std::move(row));
   }
-
   void line(const std::string& label, const std::string& unit, const std::string& name,
-            int decimals, double factor = 1.0) const {
-    out_ << "  " << std::left << std::setw(28) << label << std::setw(6) << unit << std::right
-         << std::fixed << std::setprecision(decimals);
-    for (const std::string& side : sides_) {
-      const std::string full = side + '.' + name;
-      if (scene_.has_number(full)) {
-        out_ << std::setw(14) << factor * scene_.number(full);
-      } else {
-        out_ << std::setw(14) << "-";
-      }
-    }
-    out_ << std::defaultfloat << '\n';
+            int decimals, double factor = 1.0) {
+    add(label, unit, name, [=](double value) { return fixed(factor * value, decimals); });
   }
-
-  void count(const std::string& label, const std::string& list) const {
-    out_ << "  " << std::left << std::setw(34) << label << std::right;
-    for (const std::string& side : sides_) {
-      out_ << std::setw(14) << scene_.count_of(side + '.' + list);
-    }
-    out_ << '\n';
+  void scientific(const std::string& label, const std::string& name) {
+    add(label, "", name, [](double value) { return power(value, 1); });
   }
-
-  void scientific(const std::string& label, const std::string& name) const {
-    out_ << "  " << std::left << std::setw(34) << label << std::right << std::scientific
-         << std::setprecision(1);
+  void count(const std::string& label, const std::string& list) {
+    std::vector<std::string> row{"  " + label};
     for (const std::string& side : sides_) {
-      const std::string full = side + '.' + name;
-      if (scene_.has_number(full)) {
-        out_ << std::setw(14) << scene_.number(full);
-      } else {
-        out_ << std::setw(14) << "-";
-      }
+      row.push_back(std::to_string(scene_.count_of(side + '.' + list)));
     }
-    out_ << std::defaultfloat << '\n';
+    table_.add(std::move(row));
   }
+  void print(std::ostream& out) const { table_.print(out); }
 
 private:
+  template <class Text>
+  void add(const std::string& label, const std::string& unit, const std::string& name, Text text) {
+    std::vector<std::string> row{"  " + padded(label, 28) + unit};
+    for (const std::string& side : sides_) {
+      const std::string full = side + '.' + name;
+      row.push_back(scene_.has_number(full) ? text(scene_.number(full)) : "-");
+    }
+    table_.add(std::move(row));
+  }
+
   const Scene& scene_;
-  std::ostream& out_;
   std::vector<std::string> sides_;
+  TextTable table_{"lr", {36, 14, 14}};
 };
 
-/// A table with one line per patch.
+/// A line for each patch.
 class PatchPrinter {
 public:
   struct Column {
     std::string title;
     std::string unit;
     std::string name;
-    int width;
+    std::size_t width;
     int decimals;
     double factor = 1.0;
   };
@@ -89,11 +79,12 @@ public:
   PatchPrinter(const Scene& scene, std::ostream& out) : scene_(scene), out_(out) {
     for (const PatchName& patch : all_patches(scene)) {
       const std::string index = std::to_string(patch.index);
-      lines_.push_back({patch.side, index, patch.prefix});
+      lines_.push_back({padded("  " + patch.side, 8) + padded_left(index), patch.prefix});
       const int parts = scene.count_of(patch.prefix + "parts");
       for (int part = 0; part < parts; ++part) {
         const std::string of_part = std::to_string(part);
-        lines_.push_back({"", index + '.' + of_part, patch.prefix + "parts." + of_part + '.'});
+        lines_.push_back({padded("", 8) + padded_left(index + '.' + of_part),
+                          patch.prefix + "parts." + of_part + '.'});
       }
     }
   }
@@ -108,40 +99,38 @@ public:
     if (lines_.empty()) {
       return;
     }
-    std::ostringstream titles;
-    std::ostringstream units;
-    titles << std::left << std::setw(label_width) << title << std::right;
-    units << std::setw(label_width) << "";
+    std::vector<std::size_t> widths{11};
+    std::vector<std::string> titles{title};
+    std::vector<std::string> units{""};
     for (const Column& column : columns) {
-      titles << std::setw(column.width) << column.title;
-      units << std::setw(column.width) << column.unit;
+      widths.push_back(column.width);
+      titles.push_back(column.title);
+      units.push_back(column.unit);
     }
-    out_ << '\n' << without_end_blanks(titles.str()) << '\n' << without_end_blanks(units.str());
-    out_ << '\n' << std::fixed;
+    TextTable table("lr", widths);
+    table.add({});
+    table.add(titles);
+    table.add(units);
     for (const Line& line : lines_) {
-      out_ << "  " << std::left << std::setw(6) << line.side << std::right
-           << std::setw(label_width - 8) << line.label;
+      std::vector<std::string> row{line.label};
       for (const Column& column : columns) {
-        out_ << std::setprecision(column.decimals) << std::setw(column.width)
-             << column.factor * scene_.number(line.prefix + column.name);
+        row.push_back(
+            fixed(column.factor * scene_.number(line.prefix + column.name), column.decimals));
       }
-      out_ << '\n';
+      table.add(std::move(row));
     }
-    out_ << std::defaultfloat;
+    table.print(out_);
   }
 
 private:
-  static std::string without_end_blanks(std::string line) {
-    line.erase(line.find_last_not_of(' ') + 1);
-    return line;
-  }
   /// Of a patch, or of a part of one ("0.1").
   struct Line {
-    std::string side;
     std::string label;
     std::string prefix;
   };
-  static constexpr int label_width = 11;
+  static std::string padded_left(const std::string& index) {
+    return std::string(3 - std::min<std::size_t>(3, index.size()), ' ') + index;
+  }
   const Scene& scene_;
   std::ostream& out_;
   std::vector<Line> lines_;
@@ -183,40 +172,37 @@ void print_patch_places(const Scene& scene, std::ostream& out) {
 }
 
 void print_near_contacts(const Scene& scene, std::ostream& out) {
-  for (const std::string& side : scene.sides()) {
+  for (const std::string& side : sides_of(scene)) {
     const int count = scene.count_of(side + ".near_contacts");
     for (int i = 0; i < count; ++i) {
       const std::string prefix = side + ".near_contacts." + std::to_string(i) + '.';
-      out << "Near contact, " << side << ": " << std::fixed << std::setprecision(4)
-          << scene.number(prefix + "distance") << " mm apart at s_wheel " << std::setprecision(2)
-          << scene.number(prefix + "s_wheel") << " mm, angle " << std::setprecision(1)
-          << 1e3 * scene.number(prefix + "angle") << " mrad\n"
-          << std::defaultfloat;
+      out << "Near contact, " << side << ": " << fixed(scene.number(prefix + "distance"), 4)
+          << " mm apart at s_wheel " << fixed(scene.number(prefix + "s_wheel"), 2) << " mm, angle "
+          << fixed(1e3 * scene.number(prefix + "angle"), 1) << " mrad\n";
     }
   }
 }
 
 void print_texts(const Scene& scene, std::ostream& out) {
-  for (int i = 0; i < scene.count_of("corrections"); ++i) {
-    out << "Corrected: " << scene.text("corrections." + std::to_string(i)) << '\n';
+  for (const std::string& correction : texts_of(scene, "corrections")) {
+    out << "Corrected: " << correction << '\n';
   }
-  for (const std::string& side : scene.sides()) {
-    for (int i = 0; i < scene.count_of(side + ".warnings"); ++i) {
-      out << "Warning, " << side << ": " << scene.text(side + ".warnings." + std::to_string(i))
-          << '\n';
+  for (const std::string& side : sides_of(scene)) {
+    for (const std::string& warning : texts_of(scene, side + ".warnings")) {
+      out << "Warning, " << side << ": " << warning << '\n';
     }
   }
 }
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array<const char*, 7> counts{
-      ".iterations", ".convolutions", ".solutions", ".regions", ".lobes", ".grid.0", ".grid.1"};
+  constexpr std::array counts{".iterations", ".convolutions", ".solutions", ".regions",
+                              ".lobes",      ".grid.0",       ".grid.1"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }
 
-void print_solution(const Scene& scene, const TablePrinter& table) {
+void add_solution(const Scene& scene, SideTable& table) {
   table.head("Contact, all patches");
   table.count("patches", "patches");
   table.line("pmax", "MPa", "pmax", 2);
@@ -225,13 +211,13 @@ void print_solution(const Scene& scene, const TablePrinter& table) {
   table.line("vertical force", "N", "vertical_force", 1);
   table.line("lateral force on wheel", "N", "lateral_force", 1);
   table.line("centroid of forces, track y", "mm", "centroid.y", 4);
-  table.line("sinks vertically by", "um", "depth", 3, 1e3);
+  table.line("vertical approach", "um", "depth", 3, 1e3);
   table.head("How it was solved");
   table.line("solutions of all patches", "", "solutions", 0);
   table.line("iterations", "", "iterations", 0);
   table.line("convolutions", "", "convolutions", 0);
   table.scientific("estimated relative error", "error_estimate");
-  const std::vector<std::string> sides = scene.sides();
+  const std::vector<std::string> sides = sides_of(scene);
   if (std::all_of(sides.begin(), sides.end(),
                   [&](const auto& side) { return scene.has_number(side + ".validity"); })) {
     table.line("validity of the model", "", "validity", 3);
@@ -243,16 +229,34 @@ void print_solution(const Scene& scene, const TablePrinter& table) {
 
 } // namespace
 
-void print_table(const Scene& scene, std::ostream& out) {
-  out << std::fixed << std::setprecision(6) << "Wheelset: roll " << 1e3 * scene.number("roll")
-      << " mrad, centre " << std::setprecision(4) << scene.number("vertical")
-      << " mm above the rail tops";
-  if (scene.has_number("rolling_radius_difference")) {
-    out << ", rolling radius difference " << scene.number("rolling_radius_difference") << " mm";
+std::vector<PatchName> patches_of(const Scene& scene, const std::string& side) {
+  std::vector<PatchName> patches;
+  const int count = scene.count_of(side + ".patches");
+  for (int i = 0; i < count; ++i) {
+    patches.push_back({side, i, side + ".patches." + std::to_string(i) + '.'});
   }
-  out << "\nModel: " << scene.text("model") << ", solver " << scene.text("solver") << '\n'
-      << std::defaultfloat;
-  const TablePrinter table(scene, out);
+  return patches;
+}
+
+std::vector<PatchName> all_patches(const Scene& scene) {
+  std::vector<PatchName> patches;
+  for (const std::string& side : sides_of(scene)) {
+    for (PatchName& patch : patches_of(scene, side)) {
+      patches.push_back(std::move(patch));
+    }
+  }
+  return patches;
+}
+
+void print_table(const Scene& scene, std::ostream& out) {
+  out << "Wheelset: roll " << fixed(1e3 * scene.number("roll"), 6) << " mrad, centre "
+      << fixed(scene.number("vertical"), 4) << " mm above the rail tops";
+  if (scene.has_number("rolling_radius_difference")) {
+    out << ", rolling radius difference " << fixed(scene.number("rolling_radius_difference"), 4)
+        << " mm";
+  }
+  out << "\nModel: " << scene.text("model") << ", solver " << scene.text("solver") << '\n';
+  SideTable table(scene);
   table.head("Rigid contact");
   table.line("on wheel, from taping line", "mm", "rigid_contact.s_wheel", 4);
   table.line("on rail, from its axis", "mm", "rigid_contact.t_rail", 4);
@@ -260,9 +264,12 @@ void print_table(const Scene& scene, std::ostream& out) {
   table.line("track z", "mm", "rigid_contact.z", 4);
   table.line("contact angle", "mrad", "rigid_contact.angle", 3, 1e3);
   table.line("rolling radius", "mm", "rigid_contact.rolling_radius", 4);
-  const std::string until = scene.input_text("solve.until");
+  const std::string until = scene.get_text("solve.until");
   if (until == "mechanics") {
-    print_solution(scene, table);
+    add_solution(scene, table);
+  }
+  table.print(out);
+  if (until == "mechanics") {
     print_patch_forces(scene, out);
   }
   if (until != "geometry") {
@@ -271,119 +278,73 @@ void print_table(const Scene& scene, std::ostream& out) {
   out << '\n';
   print_near_contacts(scene, out);
   print_texts(scene, out);
-  out << std::fixed << std::setprecision(2) << "Time in ms:";
+  out << "Time in ms:";
   for (const char* stage : {"profile", "setup", "geometry", "remesh", "mechanics", "total"}) {
-    out << ' ' << stage << ' ' << scene.number(std::string("time_ms.") + stage);
+    out << ' ' << stage << ' ' << fixed(scene.number(std::string("time_ms.") + stage), 2);
   }
-  out << std::defaultfloat << '\n';
+  out << '\n';
 }
 
-void print_json(const Scene& scene, std::ostream& out) {
+json json_of(const Scene& scene) {
   // Names such as left.patches.0.pmax become objects and lists.
-  nlohmann::json flat = nlohmann::json::object();
+  json flat = json::object();
   const auto pointer_of = [](std::string name) {
-    for (char& letter : name) {
-      letter = letter == '.' ? '/' : letter;
-    }
+    std::replace(name.begin(), name.end(), '.', '/');
     return '/' + name;
   };
   for (const std::string& name : scene.number_names()) {
     const double value = scene.number(name);
-    if (is_count(name)) {
-      flat[pointer_of(name)] = static_cast<std::int64_t>(value);
-    } else {
-      flat[pointer_of(name)] = value;
-    }
+    flat[pointer_of(name)] = is_count(name) ? json(static_cast<std::int64_t>(value)) : json(value);
   }
   for (const std::string& name : scene.text_names()) {
     flat[pointer_of(name)] = scene.text(name);
   }
-  nlohmann::json object = flat.unflatten();
-  for (const std::string& side : scene.sides()) {
+  json object = flat.unflatten();
+  for (const std::string& side : sides_of(scene)) {
     for (const char* list : {"patches", "near_contacts", "warnings"}) {
-      if (!object[side].contains(list)) {
-        object[side][list] = nlohmann::json::array();
-      }
+      object[side].emplace(list, json::array());
     }
-    if (!object[side].contains("error_estimate")) {
-      object[side]["error_estimate"] = nullptr;
-    }
+    object[side].emplace("error_estimate", nullptr);
   }
-  out << object.dump(2) << '\n';
+  return object;
 }
 
 void print_csv(const Scene& scene, std::ostream& out) {
-  constexpr std::array columns{"rigid_contact.s_wheel",
-                               "rigid_contact.t_rail",
-                               "rigid_contact.y",
-                               "rigid_contact.z",
-                               "rigid_contact.angle",
-                               "rigid_contact.rolling_radius",
-                               "pmax",
-                               "pmax_element",
-                               "area",
-                               "normal_force",
-                               "vertical_force",
-                               "lateral_force",
-                               "longitudinal_force",
-                               "moment.x",
-                               "moment.y",
-                               "moment.z",
-                               "centroid.x",
-                               "centroid.y",
-                               "centroid.z",
-                               "centroid.s_wheel",
-                               "centroid.rolling_radius",
-                               "centroid.angle",
-                               "approach",
-                               "depth",
-                               "angle",
-                               "error_estimate",
-                               "iterations",
-                               "convolutions",
-                               "solutions",
-                               "fill",
-                               "grid.0",
-                               "grid.1",
-                               "element_size.0",
-                               "element_size.1"};
-  out << "side,roll,vertical,patches";
-  for (const char* column : columns) {
-    out << ',' << column;
-  }
-  out << '\n' << std::setprecision(std::numeric_limits<double>::max_digits10);
-  for (const std::string& side : scene.sides()) {
-    out << side << ',' << scene.number("roll") << ',' << scene.number("vertical") << ','
-        << scene.count_of(side + ".patches");
-    for (const char* column : columns) {
-      out << ',';
-      if (const std::string name = side + '.' + column; scene.has_number(name)) {
-        out << scene.number(name);
-      }
+  const std::vector<std::string> columns = words(
+      "rigid_contact.s_wheel rigid_contact.t_rail rigid_contact.y rigid_contact.z "
+      "rigid_contact.angle rigid_contact.rolling_radius pmax pmax_element area normal_force "
+      "vertical_force lateral_force longitudinal_force moment.x moment.y moment.z centroid.x "
+      "centroid.y centroid.z centroid.s_wheel centroid.rolling_radius centroid.angle approach "
+      "depth angle error_estimate iterations convolutions solutions fill grid.0 grid.1 "
+      "element_size.0 element_size.1");
+  CsvLine(out).add(words("side roll vertical patches")).add(columns);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  for (const std::string& side : sides_of(scene)) {
+    CsvLine line(out);
+    line << side << scene.number("roll") << scene.number("vertical")
+         << scene.count_of(side + ".patches");
+    for (const std::string& column : columns) {
+      const std::string name = side + '.' + column;
+      line << (scene.has_number(name) ? std::optional(scene.number(name)) : std::nullopt);
     }
-    out << '\n';
   }
 }
 
 void write_field(const Scene& scene, const std::filesystem::path& path) {
   OutputFile file(path);
   std::ofstream& out = file.stream();
-  out << "side,patch";
-  for (const char* name : element_fields) {
-    out << ',' << name;
-  }
-  out << '\n';
+  CsvLine(out).add(words("side patch")).add(element_fields);
   for (const PatchName& patch : all_patches(scene)) {
     std::array<std::vector<double>, element_fields.size()> columns;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       columns[i] = scene.field(patch.prefix + element_fields[i]);
     }
     for (std::size_t element = 0; element < columns[0].size(); ++element) {
-      out << patch.side << ',' << patch.index;
+      CsvLine line(out);
+      line << patch.side << patch.index;
       for (const auto& column : columns) {
-        out << ',' << column[element];
+        line << column[element];
       }
-      out << '\n';
     }
   }
   file.commit();

@@ -1,21 +1,45 @@
-/// What wrc_case prints and writes of a solved scene.
+/// What wrc_case prints, writes and draws of a solved scene.
+///
+/// Units mm; track frame. Rows of elements go from the track centre to the field side.
 #pragma once
 
 #include <filesystem>
 #include <ostream>
+#include <string>
+#include <vector>
 
+#include "support/json.hpp"
 #include "support/scene.hpp"
 
 namespace driver {
 
+/// "left.patches.0." and so on.
+struct PatchName {
+  std::string side;
+  int index = 0;
+  std::string prefix;
+};
+
+/// Those of one side, and those of all sides, in the order of the results.
+std::vector<PatchName> patches_of(const Scene& scene, const std::string& side);
+std::vector<PatchName> all_patches(const Scene& scene);
+
 /// A table for people.
 void print_table(const Scene& scene, std::ostream& out);
-/// One JSON object with all results, 17 digits.
-void print_json(const Scene& scene, std::ostream& out);
+/// All results as one object.
+json json_of(const Scene& scene);
 /// One line of column names, one line per side.
 void print_csv(const Scene& scene, std::ostream& out);
-/// Fields of all patches, a line an element: side, patch (N of patches.N), x, y, z,
+/// Fields of all patches, a line per element: side, patch (N of patches.N), x, y, z,
 /// undeformed_distance, pressure, displacement.
 void write_field(const Scene& scene, const std::filesystem::path& path);
+
+/// A legacy VTK unstructured grid: one quadrilateral per element, at its place in the track frame,
+/// of all patches of all sides. Values of cells: undeformed_distance, pressure, displacement;
+/// `patch` (N of patches.N) and `side` (1 left, -1 right) tell them apart.
+void write_vtk(const Scene& scene, const std::filesystem::path& path);
+
+/// Draws a .png or .svg file. Seen in driving direction: the left wheel is on the left.
+void draw_scene(const Scene& scene, const std::filesystem::path& path);
 
 } // namespace driver

@@ -1,12 +1,61 @@
-#include "wrc_case/vtk.hpp"
+#include "wrc_case/reports.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "support/output_file.hpp"
-#include "wrc_case/patches.hpp"
 
 namespace driver {
 namespace {
+
+using Point = std::array<double, 3>;
+
+/// Where the elements of a patch lie: corner(i, j) = first + i lateral + j longitudinal.
+struct PatchMesh {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  Point first{}; ///< outer corner of the first element
+  Point lateral{};
+  Point longitudinal{};
+
+  [[nodiscard]] Point corner(std::size_t row, std::size_t column) const;
+};
+
+Point PatchMesh::corner(std::size_t row, std::size_t column) const {
+  Point point = first;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    point[i] +=
+        static_cast<double>(row) * lateral[i] + static_cast<double>(column) * longitudinal[i];
+  }
+  return point;
+}
+
+PatchMesh mesh_of(const Scene& scene, const PatchName& patch) {
+  const auto number = [&](const char* name) { return scene.number(patch.prefix + name); };
+  PatchMesh mesh;
+  mesh.rows = static_cast<std::size_t>(number("grid.0"));
+  mesh.columns = static_cast<std::size_t>(number("grid.1"));
+  // Steps from the element centres; of a single row or column from the plane's angle.
+  const double outwards = patch.side == "left" ? 1.0 : -1.0;
+  const double angle = number("angle");
+  const double width = number("element_size.0");
+  mesh.lateral = {0.0, outwards * width * std::cos(angle), outwards * width * std::sin(angle)};
+  mesh.longitudinal = {number("element_size.1"), 0.0, 0.0};
+  constexpr std::array names{"x", "y", "z"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<double> centre = scene.field(patch.prefix + names[i]);
+    if (mesh.columns > 1) {
+      mesh.longitudinal[i] =
+          (centre[mesh.columns - 1] - centre[0]) / static_cast<double>(mesh.columns - 1);
+    }
+    if (mesh.rows > 1) {
+      mesh.lateral[i] =
+          (centre[(mesh.rows - 1) * mesh.columns] - centre[0]) / static_cast<double>(mesh.rows - 1);
+    }
+    mesh.first[i] = centre[0] - 0.5 * (mesh.lateral[i] + mesh.longitudinal[i]);
+  }
+  return mesh;
+}
 
 void write_scalars(std::ostream& out, const char* name, const char* type,
                    const std::vector<double>& values) {

@@ -5,13 +5,11 @@
 
 #include "support/program.hpp"
 #include "support/scene.hpp"
-#include "wrc_profile/picture.hpp"
 #include "wrc_profile/reports.hpp"
 
 namespace {
 
-using driver::Failure;
-using driver::Profile;
+using namespace driver;
 
 /// As many as a profile file may have.
 constexpr double most_points = 200000.0;
@@ -34,27 +32,25 @@ struct Arguments {
   bool list = false;
 };
 
-bool is_standard(const std::string& name) {
-  for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
-    const auto names = driver::standard_profile_names(kind);
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      return true;
-    }
-  }
-  return false;
+Profile load_standard(const std::string& name) {
+  Profile profile;
+  profile.load_standard(name);
+  return profile;
 }
 
 Profile load_file(const std::string& argument, const std::string& path,
                   const wrc_read_options& options) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    std::string names = driver::standard_names_text();
+    std::string names = standard_names_text();
     names.pop_back();
     std::replace(names.begin(), names.end(), '\n', ' ');
     throw Failure(argument + ' ' + path + ": no such file; allowed are files and built-in names. " +
                   names);
   }
-  return Profile::file(path, options);
+  Profile profile;
+  profile.load_file(path, &options);
+  return profile;
 }
 
 wrc_read_options options_from(const Arguments& arguments) {
@@ -84,34 +80,33 @@ Profile load_asked(const CLI::App& app, const Arguments& arguments) {
                     " is built in and exact");
     }
   }
-  return Profile::standard(arguments.name);
+  return load_standard(arguments.name);
+}
+
+wrc_read_options options_of_kind(std::int32_t kind) {
+  wrc_read_options options{};
+  options.struct_size = sizeof options;
+  options.kind_given = 1;
+  options.kind = kind;
+  return options;
 }
 
 /// The second profile: as the file says, but of the same kind.
 Profile load_other(const std::string& name, const Profile& profile) {
-  if (is_standard(name)) {
-    return Profile::standard(name);
-  }
-  wrc_read_options options{};
-  options.struct_size = sizeof options;
-  options.kind_given = 1;
-  options.kind = profile.is_wheel() ? WRC_WHEEL : WRC_RAIL;
-  return load_file("--compare", name, options);
+  return is_standard(name) ? load_standard(name)
+                           : load_file("--compare", name, options_of_kind(profile.kind()));
 }
 
 /// Writes the file and reads it back, as a check of both spacing and format.
-driver::Conversion convert(const Profile& profile, const std::string& path, double spacing) {
+Conversion convert(const Profile& profile, const std::string& path, double spacing) {
   try {
     profile.write(path, spacing);
-  } catch (const Failure& failure) {
-    throw Failure("--convert " + path + ": " + failure.what());
+  } catch (const wrcontact::Error& error) {
+    throw Failure("--convert " + path + ": " + error.what());
   }
-  wrc_read_options options{};
-  options.struct_size = sizeof options;
-  options.kind_given = 1;
-  options.kind = profile.is_wheel() ? WRC_WHEEL : WRC_RAIL;
+  wrc_read_options options = options_of_kind(profile.kind());
   options.mirror_lateral = options.mirror_height = -1;
-  return {path, spacing, compare(profile, Profile::file(path, options))};
+  return {path, spacing, compare(profile, load_file("--convert", path, options))};
 }
 
 void add_options(CLI::App& app, Arguments& arguments) {
@@ -123,68 +118,59 @@ void add_options(CLI::App& app, Arguments& arguments) {
         return allowed ? std::string() : text + " given, allowed is a positive number";
       },
       "");
+  const CLI::IsMember yes_or_no({"yes", "no"});
   app.add_option("PROFILE", arguments.name, "built-in name or file")->type_name("NAME|FILE");
-  app.add_flag("--list", arguments.list, "list the built-in profiles")->group("What to show");
+  app.option_defaults()->group("What to show");
+  app.add_flag("--list", arguments.list, "list the built-in profiles");
   app.add_flag("--points", arguments.points,
-               "add points of the curve: arc, lateral, height, angle, curvature")
-      ->group("What to show");
+               "add points of the curve: arc, lateral, height, angle, curvature");
   app.add_option("--compare", arguments.compare,
                  "largest and rms normal distance to another profile in the same frame")
-      ->type_name("NAME|FILE")
-      ->group("What to show");
+      ->type_name("NAME|FILE");
   app.add_option("--tape-offset", arguments.tape_offset,
                  "flange back to taping line of a wheel, for the flange thickness")
       ->type_name("MM")
       ->capture_default_str()
-      ->check(positive)
-      ->group("What to show");
-  app.add_flag("--json", arguments.json, "print one JSON object instead of the table")
-      ->group("What to show");
+      ->check(positive);
+  app.add_flag("--json", arguments.json, "print one JSON object instead of the table");
+  app.option_defaults()->group("What to write");
   app.add_option("--plot", arguments.plot, "draw the profile to scale and its curvature")
-      ->type_name("FILE.png|svg")
-      ->group("What to write");
+      ->type_name("FILE.png|svg");
   app.add_option("--convert", arguments.convert,
                  "write the profile: Simpack by the extensions .prr (rail) and .prw (wheel), else "
                  "two columns")
-      ->type_name("OUT.txt|prr|prw")
-      ->group("What to write");
+      ->type_name("OUT.txt|prr|prw");
   app.add_option("--spacing", arguments.spacing,
                  "arc length between points, for --convert and --points")
       ->type_name("MM")
       ->capture_default_str()
-      ->check(positive)
-      ->group("What to write");
-  const CLI::IsMember yes_or_no({"yes", "no"});
+      ->check(positive);
+  app.option_defaults()->group("How to read a file");
   app.add_option("--kind", arguments.kind, "wheel or rail; default: by the file")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"wheel", "rail"}))
-      ->group("How to read a file");
+      ->check(CLI::IsMember({"wheel", "rail"}));
   app.add_option("--mirror-lateral", arguments.mirror_lateral,
                  "mirror lateral values: yes or no; default: by the shape")
       ->type_name("YES|NO")
-      ->check(yes_or_no)
-      ->group("How to read a file");
+      ->check(yes_or_no);
   app.add_option("--mirror-height", arguments.mirror_height,
                  "mirror heights: yes or no; default: by the shape")
       ->type_name("YES|NO")
-      ->check(yes_or_no)
-      ->group("How to read a file");
+      ->check(yes_or_no);
   app.add_option("--scale", arguments.scale, "mm per unit of the file; default: by the size")
       ->type_name("MM")
-      ->check(positive)
-      ->group("How to read a file");
+      ->check(positive);
   app.add_option("--smooth", arguments.smoothing,
                  "smooth: waves of this length are halved, shorter ones vanish")
       ->type_name("MM")
-      ->check(positive)
-      ->group("How to read a file");
-  app.add_flag("--strict", arguments.strict, "refuse a file that needs a guess")
-      ->group("How to read a file");
+      ->check(positive);
+  app.add_flag("--strict", arguments.strict, "refuse a file that needs a guess");
+  app.option_defaults()->group("Options");
   app.footer(
       "\nProfiles are in mm: lateral from the taping line (wheel) or the axis (rail), positive to\n"
       "the field side; height of a wheel towards larger radius, of a rail upwards. What had to be\n"
-      "corrected to get there is told line by line; --strict refuses instead.\n\n" +
-      driver::standard_names_text() +
+      "corrected to get there is reported line by line; --strict refuses instead.\n\n" +
+      standard_names_text() +
       "\nExamples:\n"
       "  wrc_profile S1002\n"
       "      dimensions and checks of a built-in wheel\n"
@@ -193,22 +179,22 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "  wrc_profile worn.prw --compare S1002 --plot wear.svg\n"
       "      how far a worn wheel is from the new one\n"
       "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"
-      "      a file for other programs; it is read back, and the difference told\n"
+      "      a file for other programs; it is read back, and the difference reported\n"
       "  wrc_profile LMA --points --spacing 1 --json\n"
       "      points, angles and curvature for a script\n");
 }
 
 int run(const CLI::App& app, const Arguments& arguments) {
   if (arguments.list) {
-    driver::print_list(arguments.json, std::cout);
+    print_list(arguments.json, std::cout);
     return 0;
   }
   if (arguments.name.empty()) {
     throw Failure("no profile given: allowed is a built-in name or a file (see --help, --list)");
   }
   Profile profile = load_asked(app, arguments);
-  const driver::Measures measures = measure(profile, -arguments.tape_offset);
-  driver::ProfileReport report{std::move(profile), measures, {}, {}, {}, {}};
+  const Measures measures = measure(profile, -arguments.tape_offset);
+  ProfileReport report{std::move(profile), measures, {}, {}, {}, {}};
   std::optional<Profile> other;
   if (!arguments.compare.empty()) {
     other = load_other(arguments.compare, report.profile);
@@ -231,7 +217,7 @@ int run(const CLI::App& app, const Arguments& arguments) {
     draw_profile(report.profile, measures, other ? &*other : nullptr, arguments.plot);
   }
   if (arguments.json) {
-    print_json(report, std::cout);
+    print_json(json_of(report), std::cout);
   } else {
     print_table(report, std::cout);
   }

@@ -49,7 +49,7 @@ std::vector<double> crossings(const Profile& profile, const std::vector<ProfileP
     }
     for (int k = 0; k < halvings; ++k) {
       const double middle = 0.5 * (before + after);
-      ((quantity(profile.at(middle)) < value) == rises ? before : after) = middle;
+      ((quantity(point_at(profile, middle)) < value) == rises ? before : after) = middle;
     }
     arcs.push_back(after);
   }
@@ -59,13 +59,13 @@ std::vector<double> crossings(const Profile& profile, const std::vector<ProfileP
 std::optional<ProfilePoint> first_after(const Profile& profile, const std::vector<double>& arcs,
                                         double arc) {
   const auto found = std::upper_bound(arcs.begin(), arcs.end(), arc);
-  return found == arcs.end() ? std::nullopt : std::optional(profile.at(*found));
+  return found == arcs.end() ? std::nullopt : std::optional(point_at(profile, *found));
 }
 
 std::optional<ProfilePoint> last_before(const Profile& profile, const std::vector<double>& arcs,
                                         double arc) {
   const auto found = std::lower_bound(arcs.begin(), arcs.end(), arc);
-  return found == arcs.begin() ? std::nullopt : std::optional(profile.at(*(found - 1)));
+  return found == arcs.begin() ? std::nullopt : std::optional(point_at(profile, *(found - 1)));
 }
 
 /// The point of largest quantity: of the points at hand, then between the neighbours of the best.
@@ -79,13 +79,13 @@ ProfilePoint greatest(const Profile& profile, const std::vector<ProfilePoint>& p
   double last = best + 1 == points.end() ? best->arc : (best + 1)->arc;
   for (int k = 0; k < halvings; ++k) {
     const double third = (last - first) / 3.0;
-    if (less(profile.at(first + third), profile.at(last - third))) {
+    if (less(point_at(profile, first + third), point_at(profile, last - third))) {
       first += third;
     } else {
       last -= third;
     }
   }
-  return std::max(profile.at(0.5 * (first + last)), *best, less);
+  return std::max(point_at(profile, 0.5 * (first + last)), *best, less);
 }
 
 ProfilePoint highest(const Profile& profile, const std::vector<ProfilePoint>& points) {
@@ -102,7 +102,7 @@ std::vector<Dimension> wheel_dimensions(const Profile& profile,
   std::optional<double> steepness;
   std::optional<double> slope;
   if (!at_taping_line.empty()) {
-    const ProfilePoint taping = profile.at(at_taping_line.back());
+    const ProfilePoint taping = point_at(profile, at_taping_line.back());
     flange_height = tip.height - taping.height;
     slope = std::tan(taping.angle);
     const auto flank = first_after(
@@ -219,7 +219,54 @@ Checks check_curve(const std::vector<ProfilePoint>& points) {
   return checks;
 }
 
+constexpr double comparison_spacing = 0.1; // mm
+/// Steps of the golden section: the bracket of two spacings shrinks to 1e-9 mm, where the distance,
+/// flat at its minimum, is exact to rounding.
+constexpr int golden_steps = 40;
+constexpr double golden_ratio = 0.61803398874989485;
+
+double distance_between(const ProfilePoint& a, const ProfilePoint& b) {
+  return std::hypot(a.lateral - b.lateral, a.height - b.height);
+}
+
+struct Foot {
+  ProfilePoint point;
+  bool at_end = false; ///< the other profile ends before the counterpart of the point
+};
+
+Foot find_foot(const Profile& other, const std::vector<ProfilePoint>& coarse,
+               const ProfilePoint& point) {
+  const auto nearer = [&point](const ProfilePoint& a, const ProfilePoint& b) {
+    return distance_between(a, point) < distance_between(b, point);
+  };
+  const auto nearest = std::min_element(coarse.begin(), coarse.end(), nearer);
+  double first = nearest == coarse.begin() ? nearest->arc : (nearest - 1)->arc;
+  double last = nearest + 1 == coarse.end() ? nearest->arc : (nearest + 1)->arc;
+  for (int k = 0; k < golden_steps; ++k) {
+    const double reach = golden_ratio * (last - first);
+    if (distance_between(point_at(other, last - reach), point) <
+        distance_between(point_at(other, first + reach), point)) {
+      last = first + reach;
+    } else {
+      first = last - reach;
+    }
+  }
+  const ProfilePoint foot = point_at(other, 0.5 * (first + last));
+  // At an end of the curve the connecting line need not be normal to it: then there is no
+  // counterpart, unless the point lies beside the end.
+  const double along = (point.lateral - foot.lateral) * std::cos(foot.angle) +
+                       (point.height - foot.height) * std::sin(foot.angle);
+  const bool beyond = (foot.arc < 0.5 * comparison_spacing && along < -1e-6) ||
+                      (foot.arc > coarse.back().arc - 0.5 * comparison_spacing && along > 1e-6);
+  return {foot, beyond};
+}
+
 } // namespace
+
+ProfilePoint point_at(const Profile& profile, double arc) {
+  const Profile::Point point = profile.at(arc);
+  return {arc, point.lateral, point.height, point.angle, point.curvature};
+}
 
 std::vector<ProfilePoint> equal_points(const Profile& profile, double spacing) {
   const double length = profile.length();
@@ -227,7 +274,8 @@ std::vector<ProfilePoint> equal_points(const Profile& profile, double spacing) {
   std::vector<ProfilePoint> points;
   points.reserve(parts + 1);
   for (std::size_t i = 0; i <= parts; ++i) {
-    points.push_back(profile.at(length * (static_cast<double>(i) / static_cast<double>(parts))));
+    points.push_back(
+        point_at(profile, length * (static_cast<double>(i) / static_cast<double>(parts))));
   }
   return points;
 }
@@ -241,7 +289,8 @@ std::vector<ProfilePoint> piece_points(const Profile& profile) {
     const double end = std::nextafter(nodes[i + 1], nodes[i]);
     for (int k = 0; k <= points_a_piece; ++k) {
       const double share = static_cast<double>(k) / points_a_piece;
-      points.push_back(profile.at(k == points_a_piece ? end : std::lerp(nodes[i], end, share)));
+      points.push_back(
+          point_at(profile, k == points_a_piece ? end : std::lerp(nodes[i], end, share)));
     }
   }
   return points;
@@ -259,10 +308,45 @@ Measures measure(const Profile& profile, double flange_back) {
   measures.greatest_height = most(height_of);
   measures.least_lateral = -most([](const ProfilePoint& point) { return -point.lateral; });
   measures.least_height = -most([](const ProfilePoint& point) { return -point.height; });
-  measures.dimensions = profile.is_wheel() ? wheel_dimensions(profile, points, flange_back)
-                                           : rail_dimensions(profile, points);
+  measures.dimensions = is_wheel(profile) ? wheel_dimensions(profile, points, flange_back)
+                                          : rail_dimensions(profile, points);
   measures.checks = check_curve(points);
   return measures;
+}
+
+Comparison compare(const Profile& profile, const Profile& other) {
+  if (is_wheel(profile) != is_wheel(other)) {
+    throw Failure("--compare " + other.text("name") + ": is a " + kind_name(other) +
+                  "; allowed is a " + kind_name(profile) + " as " + profile.text("name") + " is");
+  }
+  const auto points = equal_points(profile, comparison_spacing);
+  const auto coarse = equal_points(other, comparison_spacing);
+  Comparison result;
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (const ProfilePoint& point : points) {
+    const Foot foot = find_foot(other, coarse, point);
+    if (foot.at_end) {
+      continue;
+    }
+    // Along the normal that points to larger height, or on overhanging parts to the outside.
+    const double distance = (foot.point.height - point.height) * std::cos(foot.point.angle) -
+                            (foot.point.lateral - point.lateral) * std::sin(foot.point.angle);
+    squares += distance * distance;
+    ++count;
+    if (std::abs(distance) > std::abs(result.largest)) {
+      result.largest = distance;
+      result.largest_at = point;
+    }
+  }
+  if (count == 0) {
+    throw Failure("--compare " + other.text("name") + ": lies nowhere beside " +
+                  profile.text("name") + "; allowed are profiles in the same frame");
+  }
+  result.rms = std::sqrt(squares / static_cast<double>(count));
+  result.compared =
+      profile.length() * static_cast<double>(count) / static_cast<double>(points.size());
+  return result;
 }
 
 } // namespace driver

@@ -9,9 +9,25 @@
 #include <string>
 #include <vector>
 
-#include "support/profile.hpp"
+#include "support/scene.hpp"
 
 namespace driver {
+
+/// A curve at one place.
+struct ProfilePoint {
+  double arc = 0.0;
+  double lateral = 0.0;
+  double height = 0.0;
+  double angle = 0.0;
+  double curvature = 0.0;
+};
+ProfilePoint point_at(const Profile& profile, double arc);
+inline bool is_wheel(const Profile& profile) {
+  return profile.kind() == WRC_WHEEL;
+}
+inline std::string kind_name(const Profile& profile) {
+  return is_wheel(profile) ? "wheel" : "rail";
+}
 
 /// A named length or number, and how it is defined.
 struct Dimension {

@@ -1,4 +1,4 @@
-#include "wrc_profile/picture.hpp"
+#include "wrc_profile/reports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,13 @@ constexpr double greatest_height = 1400.0;
 /// A kink below this is rounding of a drawing's numbers, rad.
 constexpr double least_marked_kink = 1e-3;
 
-void write_points(std::ostream& out, const std::string& block,
-                  const std::vector<ProfilePoint>& points) {
-  out << '$' << block << " << EOD\n";
+std::string block_of(Gnuplot& gnuplot, const std::vector<ProfilePoint>& points) {
+  std::ostringstream data;
+  data.precision(9);
   for (const ProfilePoint& point : points) {
-    out << point.lateral << ' ' << point.height << ' ' << point.curvature << '\n';
+    data << point.lateral << ' ' << point.height << ' ' << point.curvature << '\n';
   }
-  out << "EOD\n";
+  return gnuplot.block(data.str());
 }
 
 /// The range that holds nearly all curvature: the spikes of a noisy file would flatten the rest.
@@ -75,18 +75,35 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
       top_margin + profile_height + between + curvature_height + bottom_margin;
 
   Gnuplot gnuplot;
-  std::ostream& out = gnuplot.script();
   const auto points = piece_points(profile);
-  write_points(out, "profile", points);
+  const std::string block = block_of(gnuplot, points);
+  const auto titled = [](const Profile& shown) {
+    return " title '" + plain_within_quotes(shown.text("name")) + '\'';
+  };
+  std::vector<std::string> shapes;
+  std::vector<std::string> curvatures;
   if (other != nullptr) {
-    write_points(out, "other", piece_points(*other));
+    const std::string beneath = block_of(gnuplot, piece_points(*other));
+    shapes.push_back(beneath + " using 1:2 with lines lw 4 lc rgb '#f1a340'" + titled(*other));
+    curvatures.push_back(beneath + " using 1:3 with lines lw 3 lc rgb '#f1a340' notitle");
   }
+  shapes.push_back(block + " using 1:2 with lines lw 2 lc rgb '#1f4e9e'" + titled(profile));
+  curvatures.push_back(block + " using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle");
   const Checks& checks = measures.checks;
+  if (checks.smallest_radius > 0.0) {
+    shapes.push_back(block_of(gnuplot, {checks.radius_at}) +
+                     " using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '#d00000' title 'smallest "
+                     "radius " +
+                     fixed(checks.smallest_radius, 2) + " mm'");
+  }
+  if (checks.largest_kink > least_marked_kink) {
+    shapes.push_back(block_of(gnuplot, {checks.kink_at}) +
+                     " using 1:2 with points pt 8 ps 1.4 lw 2 lc rgb '#2a8a2a' title 'largest kink "
+                     "" +
+                     fixed(1e3 * checks.largest_kink, 1) + " mrad'");
+  }
   const auto [low, high] = curvature_range(points);
-  const bool is_curved = checks.smallest_radius > 0.0;
-  const bool has_kink = checks.largest_kink > least_marked_kink;
-  write_points(out, "radius", {checks.radius_at});
-  write_points(out, "kink", {checks.kink_at});
+  std::ostream& out = gnuplot.script();
   out << "set grid lt 1 lw 1 lc rgb '#dddddd'\nset tics out nomirror\nset border 3 lc rgb "
          "'#555555'\n"
       << "set xrange [" << middle - 0.5 * width << ':' << middle + 0.5 * width << "]\n"
@@ -94,33 +111,17 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
       << (left_margin + plot_width) / total_width << "\nset multiplot\n"
       << "set tmargin at screen " << 1.0 - top_margin / total_height << "\nset bmargin at screen "
       << 1.0 - (top_margin + profile_height) / total_height << "\nset title '"
-      << plain_within_quotes(profile.text("name")) << " (" << profile.kind_name() << ")   "
+      << plain_within_quotes(profile.text("name")) << " (" << kind_name(profile) << ")   "
       << plain_within_quotes(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
       << measures.least_height - margin << ':' << measures.greatest_height + margin << "]\n"
-      << "set key " << (profile.is_wheel() ? "top right" : "bottom center") << "\nplot ";
-  if (other != nullptr) {
-    out << "$other using 1:2 with lines lw 4 lc rgb '#f1a340' title '"
-        << plain_within_quotes(other->text("name")) << "', ";
-  }
-  out << "$profile using 1:2 with lines lw 2 lc rgb '#1f4e9e' title '"
-      << plain_within_quotes(profile.text("name")) << '\'';
-  if (is_curved) {
-    out << ", $radius using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '#d00000' title "
-           "'smallest radius "
-        << fixed(checks.smallest_radius, 2) << " mm'";
-  }
-  if (has_kink) {
-    out << ", $kink using 1:2 with points pt 8 ps 1.4 lw 2 lc rgb '#2a8a2a' title 'largest kink "
-        << fixed(1e3 * checks.largest_kink, 1) << " mrad'";
-  }
-  out << "\nset title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
+      << "set key " << (is_wheel(profile) ? "top right" : "bottom center") << '\n';
+  gnuplot.plot(shapes);
+  out << "set title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height
       << "\nset xlabel 'lateral, mm (positive to the field side)'\nset ylabel 'curvature, 1/mm'\n"
-      << "set yrange [" << low << ':' << high << "]\nset xzeroaxis lc rgb '#888888'\nplot ";
-  if (other != nullptr) {
-    out << "$other using 1:3 with lines lw 3 lc rgb '#f1a340' notitle, ";
-  }
-  out << "$profile using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle\nunset multiplot\n";
+      << "set yrange [" << low << ':' << high << "]\nset xzeroaxis lc rgb '#888888'\n";
+  gnuplot.plot(curvatures);
+  out << "unset multiplot\n";
   gnuplot.draw(path, static_cast<int>(std::lround(total_width)),
                static_cast<int>(std::lround(total_height)));
 }

@@ -1,54 +1,39 @@
 #include "wrc_profile/reports.hpp"
 
-#include <cmath>
 #include <iomanip>
 #include <numbers>
 
-#include <nlohmann/json.hpp>
+#include "support/numbers.hpp"
+#include "support/text_table.hpp"
 
 namespace driver {
 namespace {
 
-using nlohmann::json;
-
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr int label_width = 20;
 
-/// A number with fixed decimals, aligned for a table.
-class Fixed {
-public:
-  Fixed(double value, int decimals, int width = 0)
-      : value_(value), decimals_(decimals), width_(width) {}
-  friend std::ostream& operator<<(std::ostream& out, const Fixed& number) {
-    // Adding zero turns -0 into 0.
-    const double unit = std::pow(10.0, number.decimals_);
-    const double rounded = std::round(number.value_ * unit) / unit + 0.0;
-    return out << std::right << std::fixed << std::setprecision(number.decimals_)
-               << std::setw(number.width_) << rounded << std::defaultfloat << std::setprecision(6);
-  }
-
-private:
-  double value_;
-  int decimals_;
-  int width_;
-};
+/// A number that stands to the right of its label.
+std::string aligned(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  return std::string(12 - std::min<std::size_t>(12, text.size()), ' ') + text;
+}
 
 std::ostream& label(std::ostream& out, const std::string& text) {
   return out << "  " << std::left << std::setw(label_width) << text << ' ';
 }
 
 std::ostream& place(std::ostream& out, const ProfilePoint& point) {
-  return out << "at lateral " << Fixed(point.lateral, 3) << ", height " << Fixed(point.height, 3);
+  return out << "at lateral " << fixed(point.lateral, 3) << ", height " << fixed(point.height, 3);
 }
 
 void print_checks(const Checks& checks, std::ostream& out) {
   out << "\nChecks\n";
-  label(out, "largest kink") << Fixed(1e3 * checks.largest_kink, 4, 12) << " mrad  ";
+  label(out, "largest kink") << aligned(1e3 * checks.largest_kink, 4) << " mrad  ";
   place(out, checks.kink_at) << '\n';
-  label(out, "largest step") << Fixed(1e3 * checks.largest_step, 4, 12) << " um    ";
+  label(out, "largest step") << aligned(1e3 * checks.largest_step, 4) << " um    ";
   place(out, checks.step_at) << '\n';
   if (checks.smallest_radius > 0.0) {
-    label(out, "smallest radius") << Fixed(checks.smallest_radius, 3, 12) << " mm    ";
+    label(out, "smallest radius") << aligned(checks.smallest_radius, 3) << " mm    ";
     place(out, checks.radius_at) << (checks.radius_at.curvature < 0.0
                                          ? " (bends towards smaller height)\n"
                                          : " (bends towards larger height)\n");
@@ -57,9 +42,9 @@ void print_checks(const Checks& checks, std::ostream& out) {
   }
   for (const SteepPart& part : checks.steep_parts) {
     label(out, part.overhangs ? "overhanging part" : "steep part")
-        << Fixed(part.steepest_angle * degrees, 2, 12) << " deg   lateral "
-        << Fixed(part.first.lateral, 3) << " to " << Fixed(part.last.lateral, 3) << ", height "
-        << Fixed(part.first.height, 3) << " to " << Fixed(part.last.height, 3) << '\n';
+        << aligned(part.steepest_angle * degrees, 2) << " deg   lateral "
+        << fixed(part.first.lateral, 3) << " to " << fixed(part.last.lateral, 3) << ", height "
+        << fixed(part.first.height, 3) << " to " << fixed(part.last.height, 3) << '\n';
   }
   if (checks.steep_parts.empty()) {
     label(out, "steep parts") << "        none above " << steep_angle << " deg\n";
@@ -67,10 +52,10 @@ void print_checks(const Checks& checks, std::ostream& out) {
 }
 
 void print_comparison(const Comparison& comparison, std::ostream& out) {
-  label(out, "largest") << Fixed(1e3 * comparison.largest, 4, 12) << " um    ";
+  label(out, "largest") << aligned(1e3 * comparison.largest, 4) << " um    ";
   place(out, comparison.largest_at) << '\n';
-  label(out, "rms") << Fixed(1e3 * comparison.rms, 4, 12) << " um    over "
-                    << Fixed(comparison.compared, 1) << " mm of the curve\n";
+  label(out, "rms") << aligned(1e3 * comparison.rms, 4) << " um    over "
+                    << fixed(comparison.compared, 1) << " mm of the curve\n";
 }
 
 json json_of(const ProfilePoint& point) {
@@ -112,7 +97,7 @@ json json_of(const Comparison& comparison) {
 void print_table(const ProfileReport& report, std::ostream& out) {
   const Profile& profile = report.profile;
   const Measures& measures = report.measures;
-  out << profile.text("name") << ", " << profile.kind_name() << ": " << profile.text("title")
+  out << profile.text("name") << ", " << kind_name(profile) << ": " << profile.text("title")
       << '\n';
   label(out, "source") << profile.text("source") << '\n';
   label(out, "confidence") << profile.text("confidence") << '\n';
@@ -124,19 +109,19 @@ void print_table(const ProfileReport& report, std::ostream& out) {
     label(out, "corrected") << "nothing\n";
   }
   label(out, "nodes") << measures.nodes.size() << '\n';
-  label(out, "length") << Fixed(measures.length, 3) << " mm\n";
-  label(out, "lateral") << Fixed(measures.least_lateral, 3) << " to "
-                        << Fixed(measures.greatest_lateral, 3)
+  label(out, "length") << fixed(measures.length, 3) << " mm\n";
+  label(out, "lateral") << fixed(measures.least_lateral, 3) << " to "
+                        << fixed(measures.greatest_lateral, 3)
                         << " mm (positive to the field side)\n";
-  label(out, "height") << Fixed(measures.least_height, 3) << " to "
-                       << Fixed(measures.greatest_height, 3)
-                       << (profile.is_wheel() ? " mm (positive towards larger radius)\n"
-                                              : " mm (positive upwards)\n");
+  label(out, "height") << fixed(measures.least_height, 3) << " to "
+                       << fixed(measures.greatest_height, 3)
+                       << (is_wheel(profile) ? " mm (positive towards larger radius)\n"
+                                             : " mm (positive upwards)\n");
   out << "\nDimensions\n";
   for (const Dimension& dimension : measures.dimensions) {
     label(out, dimension.label);
     if (dimension.value) {
-      out << Fixed(*dimension.value, 4, 12);
+      out << aligned(*dimension.value, 4);
     } else {
       out << std::right << std::setw(12) << "-";
     }
@@ -154,22 +139,24 @@ void print_table(const ProfileReport& report, std::ostream& out) {
     print_comparison(report.conversion->difference, out);
   }
   if (!report.points.empty()) {
-    out << "\n         arc     lateral      height   angle/mrad     curvature, 1/mm\n";
+    TextTable table("r", {12, 12, 12, 13, 20});
+    table.add({});
+    table.add({"arc", "lateral", "height", "angle/mrad", "curvature, 1/mm"});
     for (const ProfilePoint& point : report.points) {
-      out << Fixed(point.arc, 4, 12) << Fixed(point.lateral, 5, 12) << Fixed(point.height, 5, 12)
-          << Fixed(1e3 * point.angle, 4, 13) << std::scientific << std::setprecision(6)
-          << std::setw(20) << point.curvature << std::defaultfloat << '\n';
+      table.add({fixed(point.arc, 4), fixed(point.lateral, 5), fixed(point.height, 5),
+                 fixed(1e3 * point.angle, 4), power(point.curvature, 6)});
     }
+    table.print(out);
   }
 }
 
-void print_json(const ProfileReport& report, std::ostream& out) {
+json json_of(const ProfileReport& report) {
   const Measures& measures = report.measures;
   json object;
   for (const char* text : {"name", "title", "source", "confidence"}) {
     object[text] = report.profile.text(text);
   }
-  object["kind"] = report.profile.kind_name();
+  object["kind"] = kind_name(report.profile);
   object["units"] = "mm, rad";
   object["corrections"] = report.profile.corrections();
   object["nodes"] = measures.nodes.size();
@@ -196,28 +183,27 @@ void print_json(const ProfileReport& report, std::ostream& out) {
       object["points"].push_back(json_of(point));
     }
   }
-  out << object.dump(2) << '\n';
+  return object;
 }
 
 void print_list(bool as_json, std::ostream& out) {
   json list = json::array();
+  TextTable table("l");
   for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
-    for (const std::string& name : standard_profile_names(kind)) {
-      const Profile profile = Profile::standard(name);
-      if (as_json) {
-        list.push_back({{"name", name},
-                        {"kind", profile.kind_name()},
-                        {"title", profile.text("title")},
-                        {"source", profile.text("source")},
-                        {"confidence", profile.text("confidence")}});
-      } else {
-        out << std::left << std::setw(18) << name << std::setw(7) << profile.kind_name()
-            << profile.text("title") << '\n';
+    for (const std::string& name : wrcontact::standard_profile_names(kind)) {
+      Profile profile;
+      profile.load_standard(name);
+      list.push_back({{"name", name}, {"kind", kind_name(profile)}});
+      for (const char* text : {"title", "source", "confidence"}) {
+        list.back()[text] = profile.text(text);
       }
+      table.add({name, kind_name(profile), profile.text("title")});
     }
   }
   if (as_json) {
-    out << list.dump(2) << '\n';
+    print_json(list, out);
+  } else {
+    table.print(out);
   }
 }
 

@@ -1,10 +1,12 @@
 /// What wrc_profile prints of a profile.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
 
+#include "support/json.hpp"
 #include "wrc_profile/measures.hpp"
 
 namespace driver {
@@ -16,7 +18,7 @@ struct Conversion {
   Comparison difference; ///< of what was read back to the profile
 };
 
-/// Everything there is to report; what was not asked for is absent.
+/// Everything there is to report; what was not requested is absent.
 struct ProfileReport {
   Profile profile;
   Measures measures;
@@ -28,9 +30,13 @@ struct ProfileReport {
 
 /// A table for people.
 void print_table(const ProfileReport& report, std::ostream& out);
-/// One JSON object, 17 digits; absent quantities are null.
-void print_json(const ProfileReport& report, std::ostream& out);
+/// One object; absent quantities are null.
+json json_of(const ProfileReport& report);
 /// The built-in profiles, a line or an object each.
-void print_list(bool json, std::ostream& out);
+void print_list(bool as_json, std::ostream& out);
+
+/// Draws a .png or .svg file; `other` may be null, or a profile to draw beneath.
+void draw_profile(const Profile& profile, const Measures& measures, const Profile* other,
+                  const std::filesystem::path& path);
 
 } // namespace driver

@@ -4,8 +4,6 @@
 #include <unistd.h>
 
 #include "support/program.hpp"
-#include "wrc_sweep/interrupt.hpp"
-#include "wrc_sweep/outputs.hpp"
 #include "wrc_sweep/pictures.hpp"
 #include "wrc_sweep/ranks.hpp"
 #include "wrc_sweep/result_names.hpp"
@@ -50,7 +48,7 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]
 
 All values are crossed; the key that stands first varies slowest. NAME.csv and NAME.nc (NetCDF-4)
-hold one row a scene with its status; a scene that cannot be solved is a row that says why. They are
+hold one row per scene with its status; a scene that cannot be solved is a row that says why. They are
 bit for bit the same for any number of threads and ranks. Ctrl-C, or a crash, loses nothing that is
 done: NAME.rows keeps it, and --resume goes on.
 
@@ -125,11 +123,7 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   std::optional<driver::Journal> journal;
   try {
     study = driver::read_study(options.study_file, options.assignments);
-    std::error_code trouble;
-    fs::create_directories(options.folder, trouble);
-    if (trouble) {
-      throw driver::Failure("--out " + options.folder + ": " + trouble.message());
-    }
+    driver::make_folder("--out", options.folder);
     using Old = driver::Journal::Old;
     journal.emplace(fs::path(options.folder) / (study->name + ".rows"), *study,
                     options.resume    ? Old::resume
@@ -157,8 +151,9 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "threads, of each rank; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("--set", options.assignments,
-                 "set a key, more than the study file does; lists and ranges as there")
+  app.add_option(
+         "--set", options.assignments,
+         "set one or more keys, which count more than the study file; lists and ranges as there")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--resume", options.resume, "go on with an interrupted run, if there is one");

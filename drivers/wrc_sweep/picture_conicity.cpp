@@ -1,7 +1,9 @@
 // Rolling radius difference and contact angle difference over the lateral position, and equivalent
 // conicity over the amplitude.
+#include <algorithm>
 #include <cmath>
 
+#include "support/csv_table.hpp"
 #include "support/gnuplot.hpp"
 #include "support/output_file.hpp"
 #include "wrc_sweep/conicity.hpp"
@@ -65,11 +67,11 @@ std::vector<Curve> curves_of(const PictureRequest& picture, const PictureData& d
 
 void write_table(const std::vector<Curve>& curves, const std::filesystem::path& path) {
   OutputFile file(path);
-  file.stream() << "series,amplitude,equivalent_conicity\n";
+  CsvLine(file.stream()).add(words("series amplitude equivalent_conicity"));
   for (const Curve& curve : curves) {
     for (std::size_t i = 0; i < curve.amplitude.size(); ++i) {
-      file.stream() << curve.title << ',' << text_of(curve.amplitude[i]) << ','
-                    << text_of(curve.conicity[i]) << '\n';
+      CsvLine(file.stream()) << curve.title << text_of(curve.amplitude[i])
+                             << text_of(curve.conicity[i]);
     }
   }
   file.commit();
@@ -94,33 +96,25 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
        &Curve::lateral, &Curve::angle},
       {"amplitude, mm", "equivalent conicity", &Curve::amplitude, &Curve::conicity}};
   Gnuplot gnuplot;
-  std::ostream& out = gnuplot.script();
-  out << multiplot(3, 1, picture.title) << line_style;
-  int block = 0;
+  gnuplot.begin_multiplot(3, 1, picture.title);
+  gnuplot.script() << line_style;
   for (const Panel& panel : panels) {
-    AxisRange range;
-    std::string plots;
+    Range range;
+    std::vector<std::string> items;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      const std::vector<double>& x = curves[i].*panel.x;
       const std::vector<double>& y = curves[i].*panel.y;
-      if (x.empty()) {
-        continue;
+      if (!y.empty()) {
+        std::for_each(y.begin(), y.end(), [&range](double value) { range.include(value); });
+        items.push_back(gnuplot.block(curves[i].*panel.x, y) + " with lines lw 2 dt " +
+                        std::to_string(i + 1) + " lc rgb '" + line_colour(i) + "' title '" +
+                        within_quotes(curves[i].title) + '\'');
       }
-      const std::string name = "$curve" + std::to_string(block++);
-      out << name << " << EOD\n";
-      for (std::size_t j = 0; j < x.size(); ++j) {
-        range.include(y[j]);
-        out << x[j] << ' ' << y[j] << '\n';
-      }
-      out << "EOD\n";
-      plots += (plots.empty() ? "plot " : ", ") + name + " with lines lw 2 dt " +
-               std::to_string(i + 1) + " lc rgb '" + line_colour(i) + "' title '" +
-               within_quotes(curves[i].title) + '\'';
     }
-    out << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label << "'\n"
-        << range.command("y") << (plots.empty() ? "plot NaN notitle" : plots) << '\n';
+    gnuplot.script() << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label
+                     << "'\n"
+                     << range.command("y");
+    gnuplot.plot(items);
   }
-  out << "unset multiplot\n";
   gnuplot.draw(path, 860, 1200);
 }
 

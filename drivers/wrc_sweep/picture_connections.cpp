@@ -9,20 +9,6 @@
 namespace driver {
 namespace {
 
-struct Outline {
-  std::vector<double> y;
-  std::vector<double> z;
-};
-
-void write_outline(std::ostream& out, const std::string& block, const Outline& outline,
-                   double raised) {
-  out << block << " << EOD\n";
-  for (std::size_t i = 0; i < outline.y.size(); ++i) {
-    out << outline.y[i] << ' ' << outline.z[i] + raised << '\n';
-  }
-  out << "EOD\n";
-}
-
 /// One line from the rail to the wheel, with the lateral position as its label.
 struct Connection {
   double lateral = 0.0;
@@ -60,43 +46,45 @@ std::vector<Connection> connections_of(const PictureRequest& picture, const Pict
   return all;
 }
 
-void plot_side(std::ostream& out, const PictureRequest& picture, const PictureData& data,
+void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureData& data,
                const Scene& centred, const std::string& side) {
   constexpr double raised = 30.0; // mm, the wheel above its place
-  const Outline rail{centred.field(side + ".rail_y"), centred.field(side + ".rail_z")};
-  const Outline wheel{centred.field(side + ".wheel_y"), centred.field(side + ".wheel_z")};
-  write_outline(out, "$rail_" + side, rail, 0.0);
-  write_outline(out, "$wheel_" + side, wheel, raised);
-  const std::vector<Connection> all = connections_of(picture, data, centred, side);
-  out << "$lines_" << side << " << EOD\n";
-  for (const Connection& line : all) {
-    out << line.rail_y << ' ' << line.rail_z << '\n'
-        << line.wheel_y << ' ' << line.wheel_z + raised << "\n\n";
+  const std::vector<double> wheel_y = centred.field(side + ".wheel_y");
+  std::vector<double> wheel_z = centred.field(side + ".wheel_z");
+  for (double& z : wheel_z) {
+    z += raised;
   }
-  out << "EOD\n$labels_" << side << " << EOD\n";
+  const std::string rail =
+      gnuplot.block(centred.field(side + ".rail_y"), centred.field(side + ".rail_z"));
+  const std::string wheel = gnuplot.block(wheel_y, wheel_z);
+  const std::vector<Connection> all = connections_of(picture, data, centred, side);
+  std::string lines;
+  std::string labels;
   // Labels where there is room for them along the wheel.
   constexpr double room = 4.5; // mm
   double last = 1e9;
   for (const Connection& line : all) {
+    const std::string at_wheel = general(line.wheel_y, 9) + ' ' + general(line.wheel_z + raised, 9);
+    lines += general(line.rail_y, 9) + ' ' + general(line.rail_z, 9) + '\n' + at_wheel + "\n\n";
     if (std::abs(line.wheel_y - last) >= room || line.lateral == 0.0) {
-      out << line.wheel_y << ' ' << line.wheel_z + raised << ' ' << text_of(line.lateral) << '\n';
+      labels += at_wheel + ' ' + text_of(line.lateral) + '\n';
       last = line.wheel_y;
     }
   }
-  out << "EOD\n";
   const double y = side == "left" ? 750.0 : -750.0;
-  const auto [low, high] = std::minmax_element(wheel.y.begin(), wheel.y.end());
+  const auto [low, high] = std::minmax_element(wheel_y.begin(), wheel_y.end());
   const double middle = all.empty() ? y : 0.5 * (*low + *high);
   constexpr double half_width = 55.0;
-  out << "set title '" << side << " wheel, seen in driving direction; the wheel is drawn " << raised
-      << " mm above its place'\nset xlabel 'track y, mm (to the left)'\nset ylabel 'track z, mm'\n"
-      << "set xrange [" << middle + half_width << ':' << middle - half_width
-      << "]\nset yrange [-25:60]\nset size ratio -1\n"
-      << "plot $lines_" << side
-      << " with lines lw 1.5 lc rgb '#d55e00' title 'touch each other', $rail_" << side
-      << " with lines lw 2 lc rgb '#8b5a2b' title 'rail', $wheel_" << side
-      << " with lines lw 2 lc rgb '#1f4e9e' title 'wheel', $labels_" << side
-      << " using 1:2:3 with labels offset 0,0.8 font ',8' title ''\n";
+  gnuplot.script() << "set title '" << side
+                   << " wheel, seen in driving direction; the wheel is drawn " << raised
+                   << " mm above its place'\nset xlabel 'track y, mm (to the left)'\n"
+                   << "set ylabel 'track z, mm'\nset xrange [" << middle + half_width << ':'
+                   << middle - half_width << "]\nset yrange [-25:60]\nset size ratio -1\n";
+  gnuplot.plot(
+      {gnuplot.block(lines) + " with lines lw 1.5 lc rgb '#d55e00' title 'touch each other'",
+       rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
+       wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'",
+       gnuplot.block(labels) + " using 1:2:3 with labels offset 0,0.8 font ',8' title ''"});
 }
 
 } // namespace
@@ -113,14 +101,12 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   centred.set("load.vertical", 0.0); // the geometry alone
   centred.solve();
   Gnuplot gnuplot;
-  std::ostream& out = gnuplot.script();
-  out << multiplot(1, picture.sides.size(), picture.title)
-      << "set grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
-      << "set key outside top center horizontal\n";
+  gnuplot.begin_multiplot(1, picture.sides.size(), picture.title);
+  gnuplot.script() << "set grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
+                      "set key outside top center horizontal\n";
   for (const std::string& side : picture.sides) {
-    plot_side(out, picture, data, centred, side);
+    plot_side(gnuplot, picture, data, centred, side);
   }
-  out << "unset multiplot\n";
   gnuplot.draw(path, 720 * static_cast<int>(picture.sides.size()), 680);
 }
 

@@ -1,115 +1,16 @@
-#include "wrc_sweep/picture_file.hpp"
+#include "wrc_sweep/study_file.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "support/profile.hpp"
+#include "support/scene.hpp"
 
 namespace driver {
 namespace {
 
-/// Reads one table; every key has to be asked for, so that a wrong one is told.
-class TableReader {
-public:
-  TableReader(const toml::table& table, std::string name) : table_(table), name_(std::move(name)) {}
-
-  std::string text(const char* key, const std::string& otherwise) {
-    const toml::node* node = find(key);
-    if (node != nullptr && !node->is_string()) {
-      refuse(key, *node, "a text");
-    }
-    return node == nullptr ? otherwise : *node->value<std::string>();
-  }
-  double number(const char* key, double otherwise) {
-    const toml::node* node = find(key);
-    if (node != nullptr && !number_of(*node)) {
-      refuse(key, *node, "a number");
-    }
-    return node == nullptr ? otherwise : *number_of(*node);
-  }
-  std::vector<double> numbers(const char* key) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      return {};
-    }
-    Value value = value_of(name_ + '.' + key, *node);
-    if (auto* numbers = std::get_if<std::vector<double>>(&value)) {
-      return std::move(*numbers);
-    }
-    refuse(key, *node, "a list of numbers");
-  }
-  std::vector<std::string> texts(const char* key) {
-    std::vector<std::string> all;
-    if (const toml::node* node = find(key)) {
-      const toml::array* array = node->as_array();
-      if (array == nullptr) {
-        refuse(key, *node, "a list of texts");
-      }
-      for (const toml::node& entry : *array) {
-        if (!entry.is_string()) {
-          refuse(key, *node, "a list of texts");
-        }
-        all.push_back(*entry.value<std::string>());
-      }
-    }
-    return all;
-  }
-  const toml::array& tables(const char* key) {
-    static const toml::array none;
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      return none;
-    }
-    if (!node->is_array_of_tables()) {
-      refuse(key, *node, "a list of tables");
-    }
-    return *node->as_array();
-  }
-  Values values(const char* key) {
-    Values all;
-    if (const toml::node* node = find(key)) {
-      const toml::table* table = node->as_table();
-      if (table == nullptr) {
-        refuse(key, *node, "a table of keys and values");
-      }
-      for (const auto& [name, value] : *table) {
-        const std::string of(name.str());
-        all.emplace(of, value_of(of, value));
-      }
-    }
-    return all;
-  }
-  void refuse_others() const {
-    for (const auto& [key, node] : table_) {
-      if (std::find(asked_.begin(), asked_.end(), key.str()) == asked_.end()) {
-        std::string allowed;
-        for (const std::string& name : asked_) {
-          allowed += (allowed.empty() ? "" : ", ") + name;
-        }
-        throw Failure(name_ + '.' + std::string(key.str()) + ": unknown key; allowed are " +
-                      allowed);
-      }
-    }
-  }
-  [[noreturn]] void refuse(const char* key, const toml::node& node,
-                           const std::string& allowed) const {
-    throw Failure(name_ + '.' + key + " = " + text_of(node) + ": allowed is " + allowed);
-  }
-  [[noreturn]] void refuse(const char* key, const std::string& value,
-                           const std::string& allowed) const {
-    throw Failure(name_ + '.' + key + " = \"" + value + "\": allowed is " + allowed);
-  }
-
-private:
-  const toml::node* find(const char* key) {
-    asked_.emplace_back(key);
-    return table_.get(key);
-  }
-
-  const toml::table& table_;
-  std::string name_;
-  std::vector<std::string> asked_;
-};
+std::string in_quotes(const std::string& text) {
+  return '"' + text + '"';
+}
 
 struct KindName {
   const char* name;
@@ -128,7 +29,7 @@ PictureRequest::Kind kind_of(const TableReader& reader, const std::string& name)
     }
     allowed += (allowed.empty() ? "" : ", ") + std::string(kind.name);
   }
-  reader.refuse("kind", name, "one of " + allowed);
+  reader.refuse("kind", in_quotes(name), "one of " + allowed);
 }
 
 PanelRequest read_panel(const toml::table& table, const std::string& name, const Study& study) {
@@ -136,14 +37,14 @@ PanelRequest read_panel(const toml::table& table, const std::string& name, const
   PanelRequest panel;
   panel.y_label = reader.text("y_label", "");
   panel.y_factor = reader.number("y_factor", 1.0);
-  for (const toml::node& node : reader.tables("lines")) {
-    TableReader line_reader(*node.as_table(), name + ".lines");
+  for (const toml::table* line_table : reader.tables("lines")) {
+    TableReader line_reader(*line_table, name + ".lines");
     LineRequest line;
     line.result = line_reader.text("result", "");
     line.title = line_reader.text("title", "");
     line_reader.refuse_others();
     if (std::find(study.results.begin(), study.results.end(), line.result) == study.results.end()) {
-      line_reader.refuse("result", line.result, "a name of study.results");
+      line_reader.refuse("result", in_quotes(line.result), "a name of study.results");
     }
     panel.lines.push_back(std::move(line));
   }
@@ -155,7 +56,7 @@ PanelRequest read_panel(const toml::table& table, const std::string& name, const
 void check_axis(const TableReader& reader, const char* name, const std::string& key,
                 const Study& study) {
   if (study.axis_of(key) < 0) {
-    reader.refuse(name, key, "a key that varies in this study");
+    reader.refuse(name, in_quotes(key), "a key that varies in this study");
   }
 }
 
@@ -192,13 +93,13 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   picture.x_values = reader.numbers("x_values");
   picture.pressure_max = reader.number("pressure_max", 0.0);
   picture.where = reader.values("where");
-  for (const toml::node& node : reader.tables("panels")) {
-    picture.panels.push_back(read_panel(*node.as_table(), "picture.panels", study));
+  for (const toml::table* panel : reader.tables("panels")) {
+    picture.panels.push_back(read_panel(*panel, "picture.panels", study));
   }
   reader.refuse_others();
 
   if (!picture.file.ends_with(".png") && !picture.file.ends_with(".svg")) {
-    reader.refuse("file", picture.file, "a name that ends in .png or .svg");
+    reader.refuse("file", in_quotes(picture.file), "a name that ends in .png or .svg");
   }
   check_axis(reader, "x", picture.x, study);
   if (!picture.series.empty()) {
@@ -209,7 +110,7 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   }
   for (const std::string& side : picture.sides) {
     if (side != "left" && side != "right") {
-      reader.refuse("sides", side, "\"left\" and \"right\"");
+      reader.refuse("sides", in_quotes(side), "\"left\" and \"right\"");
     }
   }
   if (picture.sides.empty()) {
@@ -221,12 +122,13 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
 
 /// What a profile is called in pictures: a reconstruction says so.
 std::string profile_title(const std::string& name) {
-  try {
-    const std::string title = Profile::standard(name).text("title");
-    return title.substr(0, title.find(','));
-  } catch (const Failure&) {
+  if (!is_standard(name)) {
     return name; // a file
   }
+  Profile profile;
+  profile.load_standard(name);
+  const std::string title = profile.text("title");
+  return title.substr(0, title.find(','));
 }
 
 } // namespace

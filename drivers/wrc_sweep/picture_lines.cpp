@@ -18,7 +18,7 @@ std::string data_of(const std::vector<double>& x, double x_factor, const std::ve
     const std::string value = text_of(y_factor * y[i]);
     text += text_of(x_factor * x[i]) + ' ' + (value.empty() ? "NaN" : value) + '\n';
   }
-  return text + "EOD\n";
+  return text;
 }
 
 std::string joined(const std::string& one, const std::string& other) {
@@ -26,7 +26,7 @@ std::string joined(const std::string& one, const std::string& other) {
 }
 
 std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData& data,
-                                const PanelRequest& panel, AxisRange& range) {
+                                const PanelRequest& panel, Range& range) {
   std::vector<DrawnLine> lines;
   const std::vector<double> x = places_of(picture, data);
   const std::vector<Value> series =
@@ -61,27 +61,22 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   const auto count = static_cast<int>(picture.panels.size());
   const int height = title_height + panel_height * count;
   Gnuplot gnuplot;
-  std::ostream& out = gnuplot.script();
-  out << multiplot(count, 1, picture.title) << line_style << "set xlabel '"
-      << within_quotes(picture.x_label) << "'\n";
-  for (std::size_t i = 0; i < picture.panels.size(); ++i) {
-    const PanelRequest& panel = picture.panels[i];
-    AxisRange range;
-    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range);
-    std::string plots;
-    for (std::size_t j = 0; j < lines.size(); ++j) {
-      const std::string block = "$panel" + std::to_string(i) + '_' + std::to_string(j);
-      out << block << " << EOD\n" << lines[j].data;
+  gnuplot.begin_multiplot(picture.panels.size(), 1, picture.title);
+  gnuplot.script() << line_style << "set xlabel '" << within_quotes(picture.x_label) << "'\n";
+  for (const PanelRequest& panel : picture.panels) {
+    Range range;
+    std::vector<std::string> items;
+    for (const DrawnLine& line : lines_of(picture, data, panel, range)) {
       constexpr std::size_t marks = 4;
-      plots += (plots.empty() ? "plot " : ", ") + block + " with linespoints lw 2 ps 0.9 pt " +
-               std::to_string(5 + 2 * (lines[j].mark % marks)) + " dt " +
-               std::to_string(1 + lines[j].mark % marks) + " lc rgb '" +
-               line_colour(lines[j].colour) + "' title '" + within_quotes(lines[j].title) + '\'';
+      items.push_back(gnuplot.block(line.data) + " with linespoints lw 2 ps 0.9 pt " +
+                      std::to_string(5 + 2 * (line.mark % marks)) + " dt " +
+                      std::to_string(1 + line.mark % marks) + " lc rgb '" +
+                      line_colour(line.colour) + "' title '" + within_quotes(line.title) + '\'');
     }
-    out << "set ylabel '" << within_quotes(panel.y_label) << "'\n"
-        << range.command("y") << plots << '\n';
+    gnuplot.script() << "set ylabel '" << within_quotes(panel.y_label) << "'\n"
+                     << range.command("y");
+    gnuplot.plot(items);
   }
-  out << "unset multiplot\n";
   gnuplot.draw(path, width, height);
 }
 

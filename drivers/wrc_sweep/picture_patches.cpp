@@ -11,22 +11,12 @@
 namespace driver {
 namespace {
 
-/// A patch cut down to its elements under pressure, in its own plane: mm, positive to the left and
-/// forwards.
-struct Map {
-  std::string block;
-  double left = 0.0; ///< extent
-  double right = 0.0;
-  double front = 0.0;
-  double back = 0.0;
-};
-
+/// Patches cut down to their elements under pressure, each in its own plane: mm, positive to the
+/// left and forwards.
 struct Cell {
-  std::vector<Map> maps;
-  double left = 0.0; ///< extent of all maps
-  double right = 0.0;
-  double front = 0.0;
-  double back = 0.0;
+  std::vector<std::string> maps; ///< blocks of data
+  Range lateral;                 ///< extent of all maps
+  Range longitudinal;
   double pmax = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -76,20 +66,17 @@ public:
   [[nodiscard]] double centre_z() const { return centre_z_; }
   [[nodiscard]] bool empty() const { return first_row_ > last_row_; }
 
-  /// Writes the values; `shift` is where the centre of the patch lies in its cell.
-  void write(std::ostream& out, double shift, Map& map) const {
+  /// The values; `shift` is where the centre of the patch lies in its cell.
+  [[nodiscard]] std::string data(double shift, Cell& cell) const {
     const auto columns = static_cast<std::size_t>(patch_.columns);
-    map.left = map.front = -std::numeric_limits<double>::infinity();
-    map.right = map.back = std::numeric_limits<double>::infinity();
-    out << map.block << " << EOD\n";
+    std::ostringstream out;
+    out.precision(9);
     for (std::size_t row = first_row_; row <= last_row_; ++row) {
       for (std::size_t column = first_column_; column <= last_column_; ++column) {
         const std::size_t i = row * columns + column;
         const double s = shift + (y_[i] - centre_y_) * along_y_ + (z_[i] - centre_z_) * along_z_;
-        map.left = std::max(map.left, s);
-        map.right = std::min(map.right, s);
-        map.front = std::max(map.front, x_[i]);
-        map.back = std::min(map.back, x_[i]);
+        cell.lateral.include(s);
+        cell.longitudinal.include(x_[i]);
         out << s << ' ' << x_[i] << ' ';
         if (pressure_[i] > 0.0) {
           out << pressure_[i] << '\n';
@@ -99,7 +86,7 @@ public:
       }
       out << '\n';
     }
-    out << "EOD\n";
+    return out.str();
   }
 
 private:
@@ -118,15 +105,13 @@ private:
   std::size_t last_column_ = 0;
 };
 
-Cell cell_of(std::ostream& out, const PictureData& data, std::int64_t scene, std::size_t side,
-             int& blocks) {
+Cell cell_of(Gnuplot& gnuplot, const PictureData& data, std::int64_t scene, std::size_t side) {
   Cell cell;
   if (scene < 0) {
     return cell;
   }
   const Row row = data.row(scene);
   cell.pmax = data.number(row, std::string(side_names[side]) + ".pmax");
-  bool first = true;
   double first_y = 0.0;
   double first_z = 0.0;
   for (const PatchFields& patch : row.patches) {
@@ -136,28 +121,20 @@ Cell cell_of(std::ostream& out, const PictureData& data, std::int64_t scene, std
         patch.columns < 2) {
       continue;
     }
-    if (first) {
+    if (cell.maps.empty()) {
       first_y = plane.centre_y();
       first_z = plane.centre_z();
     }
     const double dy = plane.centre_y() - first_y;
     const double shift = std::copysign(std::hypot(dy, plane.centre_z() - first_z), dy);
-    Map& map = cell.maps.emplace_back();
-    map.block = "$map" + std::to_string(blocks++);
-    plane.write(out, shift, map);
-    cell.left = first ? map.left : std::max(cell.left, map.left);
-    cell.right = first ? map.right : std::min(cell.right, map.right);
-    cell.front = first ? map.front : std::max(cell.front, map.front);
-    cell.back = first ? map.back : std::min(cell.back, map.back);
-    first = false;
+    cell.maps.push_back(gnuplot.block(plane.data(shift, cell)));
   }
   return cell;
 }
 
-std::vector<MapRow> rows_of(std::ostream& out, const PictureRequest& picture,
+std::vector<MapRow> rows_of(Gnuplot& gnuplot, const PictureRequest& picture,
                             const PictureData& data, const std::vector<double>& columns) {
   std::vector<MapRow> rows;
-  int blocks = 0;
   std::vector<Value> series{std::string()};
   if (!picture.series.empty()) {
     series = data.values_of(picture.series);
@@ -175,11 +152,57 @@ std::vector<MapRow> rows_of(std::ostream& out, const PictureRequest& picture,
       for (const double column : columns) {
         where.insert_or_assign(picture.x, column);
         row.cells.push_back(
-            cell_of(out, data, data.find(where), side == side_names[0] ? 0 : 1, blocks));
+            cell_of(gnuplot, data, data.find(where), side == side_names[0] ? 0 : 1));
       }
     }
   }
   return rows;
+}
+
+/// Cells as wide and high as the largest of them, with room for labels; mm.
+struct Layout {
+  static constexpr double head = 5.0;    ///< for the values of the columns
+  static constexpr double margin = 14.0; ///< for the labels of the rows
+  static constexpr double foot = 5.0;    ///< for the scale
+
+  Layout(const std::vector<MapRow>& rows, std::size_t columns) {
+    for (const MapRow& row : rows) {
+      for (const Cell& cell : row.cells) {
+        if (!cell.maps.empty()) {
+          cell_width = std::max(cell_width, cell.lateral.length());
+          cell_height = std::max(cell_height, cell.longitudinal.length());
+        }
+        pmax = std::isnan(cell.pmax) ? pmax : std::max(pmax, cell.pmax);
+      }
+    }
+    cell_width += 3.0;
+    cell_height += 8.0;
+    width = cell_width * static_cast<double>(columns);
+    height = cell_height * static_cast<double>(rows.size());
+  }
+
+  double cell_width = 4.0;
+  double cell_height = 4.0;
+  double width = 0.0; ///< of all cells
+  double height = 0.0;
+  double pmax = 0.0;
+};
+
+void write_frame(std::ostream& out, const PictureRequest& picture, const Layout& layout) {
+  const bool cut = picture.pressure_max > 0.0 && picture.pressure_max < layout.pmax;
+  const double darkest = std::max(cut ? picture.pressure_max : layout.pmax, 1.0);
+  constexpr double bar = 10.0;
+  const double scale_y = -layout.height - 0.5 * Layout::foot;
+  out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
+      << within_quotes(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
+      << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
+      << pressure_palette << "set xrange [" << -Layout::margin << ':' << layout.width
+      << "]\nset yrange [" << -layout.height - Layout::foot << ':' << Layout::head
+      << "]\nset cbrange [0:" << darkest << "]\nset label '" << within_quotes(picture.x_label)
+      << ":' at " << -Layout::margin << ',' << 0.5 * Layout::head << "\nset arrow from 0,"
+      << scale_y << " rto " << bar << ",0 heads size 1,90 lw 1.5\n"
+      << "set label '10 mm; left is left, forward is up; below each patch p_{max} in MPa' at "
+      << bar + 2.0 << ',' << scale_y << '\n';
 }
 
 } // namespace
@@ -189,74 +212,43 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   std::ostream& out = gnuplot.script();
   const std::vector<double> columns = places_of(picture, data);
-  const std::vector<MapRow> rows = rows_of(out, picture, data, columns);
-
-  // Cells as wide and high as the largest of them, with room for labels.
-  double width = 4.0;
-  double height = 4.0;
-  double pmax = 0.0;
-  for (const MapRow& row : rows) {
-    for (const Cell& cell : row.cells) {
-      width = std::max(width, cell.left - cell.right);
-      height = std::max(height, cell.front - cell.back);
-      pmax = std::isnan(cell.pmax) ? pmax : std::max(pmax, cell.pmax);
-    }
-  }
-  width += 3.0;
-  height += 8.0;
-  const bool cut = picture.pressure_max > 0.0 && picture.pressure_max < pmax;
-  const double darkest = std::max(cut ? picture.pressure_max : pmax, 1.0);
-  const double columns_wide = width * static_cast<double>(columns.size());
-  const double rows_high = height * static_cast<double>(rows.size());
-  constexpr double head = 5.0;    // mm, for the values of the columns
-  constexpr double margin = 14.0; // mm, for the labels of the rows
-  constexpr double foot = 5.0;    // mm, for the scale
-  out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
-      << within_quotes(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
-      << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
-      << "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
-         "'#e69138', 1 '#990000')\n"
-      << "set xrange [" << -margin << ':' << columns_wide << "]\nset yrange [" << -rows_high - foot
-      << ':' << head << "]\nset cbrange [0:" << darkest << "]\n"
-      << "set label '" << within_quotes(picture.x_label) << ":' at " << -margin << ',' << 0.5 * head
-      << "\n";
+  const std::vector<MapRow> rows = rows_of(gnuplot, picture, data, columns);
+  const Layout layout(rows, columns.size());
+  write_frame(out, picture, layout);
+  const auto column_middle = [&layout](std::size_t column) {
+    return (static_cast<double>(column) + 0.5) * layout.cell_width;
+  };
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    out << "set label '" << text_of(picture.x_factor * columns[j]) << "' at "
-        << (static_cast<double>(j) + 0.5) * width << ',' << 0.5 * head << " center font ',11'\n";
+    out << "set label '" << text_of(picture.x_factor * columns[j]) << "' at " << column_middle(j)
+        << ',' << 0.5 * Layout::head << " center font ',11'\n";
   }
-  std::string plots;
+  std::vector<std::string> items;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double y = -(static_cast<double>(i) + 0.5) * height;
-    out << "set label \"" << rows[i].label << "\" at " << -margin << ',' << y << '\n';
+    const double y = -(static_cast<double>(i) + 0.5) * layout.cell_height;
+    out << "set label \"" << rows[i].label << "\" at " << -Layout::margin << ',' << y << '\n';
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Cell& cell = rows[i].cells[j];
-      const double x = (static_cast<double>(j) + 0.5) * width;
-      // Each contact in the middle of its cell, wherever it lies on the wheel.
-      const double middle = 0.5 * (cell.left + cell.right);
-      const double centre = 0.5 * (cell.front + cell.back);
       out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0)) << "' at "
-          << x << ',' << y - 0.5 * height + 2.0 << " center font ',9'\n";
-      for (const Map& map : cell.maps) {
-        plots += (plots.empty() ? "plot " : ", ") + map.block + " using (" + text_of(x + middle) +
-                 "-$1):($2+(" + text_of(y + 1.0 - centre) + ")):3 with image";
+          << column_middle(j) << ',' << y - 0.5 * layout.cell_height + 2.0 << " center font ',9'\n";
+      // Each contact in the middle of its cell, wherever it lies on the wheel.
+      for (const std::string& map : cell.maps) {
+        items.push_back(map + " using (" + text_of(column_middle(j) + cell.lateral.middle()) +
+                        "-$1):($2+(" + text_of(y + 1.0 - cell.longitudinal.middle()) +
+                        ")):3 with image");
       }
     }
   }
-  constexpr double bar = 10.0;
-  out << "set arrow from 0," << -rows_high - 0.5 * foot << " rto " << bar
-      << ",0 heads size 1,90 lw 1.5\nset label '10 mm; left is left, forward is up; below each "
-         "patch p_{max} in MPa' at "
-      << bar + 2.0 << ',' << -rows_high - 0.5 * foot << '\n';
-  out << (plots.empty() ? "plot NaN" : plots) << '\n';
+  gnuplot.plot(items);
 
   constexpr double least_pixels = 900.0;
   constexpr double most_pixels = 1600.0;
-  const double wide = columns_wide + margin;
-  const double pixels = std::clamp(6.0 * wide, least_pixels, most_pixels);
   constexpr double beside_width = 140.0; // pixels, for the colour box
   constexpr double above = 70.0;         // pixels, for the title
+  const double wide = layout.width + Layout::margin;
+  const double pixels = std::clamp(6.0 * wide, least_pixels, most_pixels);
+  const double high = layout.height + Layout::head + Layout::foot;
   gnuplot.draw(path, static_cast<int>(pixels + beside_width),
-               static_cast<int>(pixels / wide * (rows_high + head + foot) + above));
+               static_cast<int>(pixels / wide * high + above));
 }
 
 } // namespace driver

@@ -1,12 +1,96 @@
 #include "wrc_sweep/pictures.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace driver {
 
-namespace fs = std::filesystem;
+std::vector<Value> PictureData::values_of(const std::string& key) const {
+  const int axis = study_.axis_of(key);
+  if (axis >= 0) {
+    return study_.axes[static_cast<std::size_t>(axis)].values;
+  }
+  const auto found = study_.fixed.find(key);
+  return found == study_.fixed.end() ? std::vector<Value>() : std::vector<Value>{found->second};
+}
 
-std::vector<fs::path> draw_picture(const PictureRequest& picture, const PictureData& data,
-                                   const fs::path& folder) {
-  const fs::path path = folder / picture.file;
+std::vector<double> PictureData::numbers_of(const std::string& key) const {
+  std::vector<double> numbers;
+  for (const Value& value : values_of(key)) {
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr) {
+      throw Failure("picture.x = \"" + key + "\": allowed is a key whose values are numbers, not " +
+                    text_of(value));
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::int64_t PictureData::find(const Values& values) const {
+  std::int64_t scene = 0;
+  for (const Axis& axis : study_.axes) {
+    std::size_t place = 0;
+    if (const auto wanted = values.find(axis.key); wanted != values.end()) {
+      const auto same = [&](const Value& value) {
+        return text_of(value) == text_of(wanted->second);
+      };
+      place = static_cast<std::size_t>(std::find_if(axis.values.begin(), axis.values.end(), same) -
+                                       axis.values.begin());
+      if (place == axis.values.size()) {
+        return -1;
+      }
+    }
+    scene =
+        scene * static_cast<std::int64_t>(axis.values.size()) + static_cast<std::int64_t>(place);
+  }
+  return scene;
+}
+
+double PictureData::number(const Row& row, const std::string& name) const {
+  const auto found = std::find(study_.results.begin(), study_.results.end(), name);
+  return found == study_.results.end()
+             ? std::numeric_limits<double>::quiet_NaN()
+             : row.values[static_cast<std::size_t>(found - study_.results.begin())];
+}
+
+const std::vector<double>& PictureData::field(const PatchFields& patch,
+                                              const std::string& name) const {
+  const auto found = std::find(study_.fields.begin(), study_.fields.end(), name);
+  return patch.values.at(static_cast<std::size_t>(found - study_.fields.begin()));
+}
+
+std::vector<double> places_of(const PictureRequest& picture, const PictureData& data) {
+  return picture.x_values.empty() ? data.numbers_of(picture.x) : picture.x_values;
+}
+
+std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
+                            const std::string& result) {
+  std::vector<double> line;
+  for (const double value : places_of(picture, data)) {
+    where.insert_or_assign(picture.x, value);
+    const std::int64_t scene = data.find(where);
+    line.push_back(scene < 0 ? std::numeric_limits<double>::quiet_NaN()
+                             : data.number(data.row(scene), result));
+  }
+  return line;
+}
+
+std::string series_name(const PictureRequest& picture, const Value& value) {
+  std::string name = picture.series_label;
+  const auto place = name.find("{}");
+  return place == std::string::npos ? name + ' ' + text_of(value)
+                                    : name.replace(place, 2, text_of(value));
+}
+
+const char* const line_style = "set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
+                               "set lmargin 10\nset rmargin 3\n"
+                               "set key outside top center horizontal\n";
+
+std::vector<std::filesystem::path> draw_picture(const PictureRequest& picture,
+                                                const PictureData& data,
+                                                const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / picture.file;
   switch (picture.kind) {
   case PictureRequest::Kind::lines:
     draw_lines(picture, data, path);
@@ -18,7 +102,7 @@ std::vector<fs::path> draw_picture(const PictureRequest& picture, const PictureD
     draw_connections(picture, data, path);
     break;
   case PictureRequest::Kind::conicity: {
-    const fs::path table = folder / (path.stem().string() + "_by_amplitude.csv");
+    const std::filesystem::path table = folder / (path.stem().string() + "_by_amplitude.csv");
     draw_conicity(picture, data, path, table);
     return {path, table};
   }

@@ -1,10 +1,78 @@
 #include "wrc_sweep/pool.hpp"
 
+#include <limits>
 #include <utility>
 
-#include "wrc_sweep/scene_solver.hpp"
+#include "wrc_sweep/result_names.hpp"
 
 namespace driver {
+
+namespace {
+
+/// Solves scenes of a study one by one, each as if it were the only one.
+class SceneSolver {
+public:
+  explicit SceneSolver(const Study& study) : study_(study) {}
+
+  /// Never throws for a scene that cannot be solved: the row tells why.
+  Row solve(std::int64_t index) {
+    Row row;
+    row.scene = index;
+    try {
+      study_.apply(index, scene_);
+      if (!solver_.solve(scene_)) {
+        row.status = WRC_NOT_CONVERGED;
+        row.message = wrc_scene_error(scene_.handle());
+      }
+    } catch (const Failure& failure) {
+      row.status = WRC_INVALID_ARGUMENT;
+      row.message = failure.what();
+    } catch (const wrcontact::Error& error) {
+      row.status = error.status();
+      row.message = error.what();
+    }
+    if (row.status == WRC_OK || row.status == WRC_NOT_CONVERGED) {
+      read_results(row);
+    } else {
+      row.values.assign(study_.results.size(), std::numeric_limits<double>::quiet_NaN());
+    }
+    return row;
+  }
+
+private:
+  void read_results(Row& row) const {
+    for (const std::string& name : study_.results) {
+      row.values.push_back(result_of(scene_, name));
+    }
+    if (study_.fields.empty()) {
+      return;
+    }
+    for (std::size_t side = 0; side < side_names.size(); ++side) {
+      for (std::int32_t index = 0;; ++index) {
+        const std::string prefix =
+            std::string(side_names[side]) + ".patches." + std::to_string(index) + '.';
+        if (!scene_.has_number(prefix + "grid.0")) {
+          break;
+        }
+        PatchFields& patch = row.patches.emplace_back();
+        patch.side = static_cast<std::int32_t>(side);
+        patch.index = index;
+        patch.rows = static_cast<std::int64_t>(scene_.number(prefix + "grid.0"));
+        patch.columns = static_cast<std::int64_t>(scene_.number(prefix + "grid.1"));
+        for (const std::string& field : study_.fields) {
+          patch.values.push_back(scene_.field(prefix + field));
+        }
+      }
+    }
+  }
+
+  const Study& study_;
+  Scene scene_;
+  /// Keeps profiles, tables and plans, but nothing that the answer depends on.
+  Solver solver_;
+};
+
+} // namespace
 
 Pool::Pool(const Study& study, int threads) {
   for (int i = 0; i < threads; ++i) {

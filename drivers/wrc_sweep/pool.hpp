@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "wrc_sweep/row.hpp"
+#include "wrc_sweep/journal.hpp"
 #include "wrc_sweep/study.hpp"
 
 namespace driver {

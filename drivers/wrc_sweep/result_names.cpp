@@ -4,6 +4,9 @@
 #include <array>
 #include <cctype>
 #include <limits>
+#include <string_view>
+
+#include "support/numbers.hpp"
 
 namespace driver {
 namespace {
@@ -31,17 +34,60 @@ std::string with_first_entry(const std::string& name) {
   return out;
 }
 
+struct Unit {
+  std::string_view part; ///< of a name
+  const char* unit;
+};
+
+/// The first part that a name contains decides; docs/results.md says the same at length.
+constexpr std::array units{
+    Unit{"sensitivities.at_load.lateral_force.lateral", "N/mm"},
+    Unit{"sensitivities.at_load.lateral_force.roll", "N/rad"},
+    Unit{"sensitivities.at_load.vertical.lateral", "1"},
+    Unit{"sensitivities.at_load.vertical.roll", "mm/rad"},
+    Unit{"force.lateral", "N/mm"},
+    Unit{"force.vertical", "N/mm"},
+    Unit{"force.roll", "N/rad"},
+    Unit{"time_ms", "ms"},
+    Unit{"_force", "N"},
+    Unit{"load.", "N"},
+    Unit{"moment", "N mm"},
+    Unit{"pmax", "MPa"},
+    Unit{"pressure", "MPa"},
+    Unit{"modulus", "MPa"},
+    Unit{"area", "mm2"},
+    Unit{"residuals", "1"},
+    Unit{"error_estimate", "1"},
+    Unit{"poisson", "1"},
+    Unit{"solve.near_tolerance", "mm"},
+    Unit{"solve.joining_distance", "mm"},
+    Unit{"solve.", "1"},
+    Unit{"fill", "1"},
+    Unit{".grid", "1"},
+    Unit{"closeness", "1"},
+    Unit{"regions", "1"},
+    Unit{"lobes", "1"},
+    Unit{"count", "1"},
+    Unit{"iterations", "1"},
+    Unit{"convolutions", "1"},
+    Unit{"solutions", "1"},
+    Unit{"rolling_radius", "mm"},
+    Unit{"angle", "rad"},
+    Unit{"roll", "rad"},
+    Unit{"yaw", "rad"},
+    Unit{"cant", "rad"},
+};
+
 } // namespace
 
 std::vector<std::string> default_results() {
-  std::vector<std::string> names{"roll", "vertical", "rolling_radius_difference"};
-  for (const char* side : {"left", "right"}) {
-    for (const char* name :
-         {"rigid_contact.y", "rigid_contact.z", "rigid_contact.s_wheel", "rigid_contact.t_rail",
-          "rigid_contact.angle", "rigid_contact.rolling_radius", "pmax", "area", "normal_force",
-          "vertical_force", "lateral_force", "approach", "depth", "patch_count",
-          "error_estimate"}) {
-      names.push_back(std::string(side) + '.' + name);
+  std::vector<std::string> names = words("roll vertical rolling_radius_difference");
+  for (const char* side : {"left.", "right."}) {
+    for (const std::string& name :
+         words("rigid_contact.y rigid_contact.z rigid_contact.s_wheel rigid_contact.t_rail "
+               "rigid_contact.angle rigid_contact.rolling_radius pmax area normal_force "
+               "vertical_force lateral_force approach depth patch_count error_estimate")) {
+      names.push_back(side + name);
     }
   }
   return names;
@@ -53,7 +99,7 @@ std::vector<std::string> all_results() {
   Scene scene;
   scene.set("solve.accuracy", 0.1);
   scene.set("solve.near_tolerance", 10.0);
-  scene.set("track.rail", std::string("UIC60-Manchester"));
+  scene.set("track.rail", "UIC60-Manchester");
   scene.set("load.vertical", 1e4);
   std::vector<std::string> names;
   for (const double lateral : {-5.0, 5.0}) {
@@ -100,13 +146,18 @@ double result_of(const Scene& scene, const std::string& name) {
     if (!scene.has_number(side + ".pmax")) {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    int count = 0;
-    while (scene.has_number(side + ".patches." + std::to_string(count) + ".pmax")) {
-      ++count;
-    }
-    return count;
+    return scene.count_of(side + ".patches");
   }
   return scene.number_or(name, std::numeric_limits<double>::quiet_NaN());
+}
+
+std::string unit_of(const std::string& name) {
+  for (const Unit& unit : units) {
+    if (name.find(unit.part) != std::string::npos) {
+      return unit.unit;
+    }
+  }
+  return "mm";
 }
 
 } // namespace driver

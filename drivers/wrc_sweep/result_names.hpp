@@ -1,4 +1,4 @@
-/// Names of results that a study may ask for.
+/// Names of results that a study may ask for, and their units.
 #pragma once
 
 #include <string>
@@ -19,5 +19,8 @@ void check_fields(const std::vector<std::string>& names);
 
 /// A result of a solved scene; NaN if there is none. "left.patch_count" is the number of patches.
 double result_of(const Scene& scene, const std::string& name);
+
+/// Unit of a result or key: "mm", "MPa", "rad", ...; "1" for ratios and counts.
+std::string unit_of(const std::string& name);
 
 } // namespace driver

@@ -1,12 +1,23 @@
 #include "wrc_sweep/run.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
 
-#include "wrc_sweep/interrupt.hpp"
 #include "wrc_sweep/pool.hpp"
 
 namespace driver {
 namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+
+extern "C" void on_signal(int number) {
+  signalled = 1;
+  std::signal(number, SIG_DFL);
+}
 
 /// Scenes that wait for a thread: enough that it never waits for a message.
 constexpr std::size_t ahead = 4;
@@ -53,7 +64,26 @@ struct Other {
   bool told_last = false;
 };
 
+std::string time_text(double seconds) {
+  const auto whole = static_cast<std::int64_t>(std::lround(seconds));
+  std::ostringstream text;
+  text << std::setfill('0');
+  if (whole >= 3600) {
+    text << whole / 3600 << " h " << std::setw(2) << whole / 60 % 60 << " min";
+  } else if (whole >= 60) {
+    text << whole / 60 << " min " << std::setw(2) << whole % 60 << " s";
+  } else {
+    text << whole << " s";
+  }
+  return text.str();
+}
+
 } // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
 
 void run_study(const Study& study, int threads, const Ranks& ranks, Journal& journal,
                Progress& progress) {
@@ -67,7 +97,7 @@ void run_study(const Study& study, int threads, const Ranks& ranks, Journal& jou
   const auto enough = ahead * static_cast<std::size_t>(threads);
   const std::chrono::milliseconds patience{others.empty() ? 50 : 1};
   while (!scenes.empty() || pool.open() > 0 || !others_done()) {
-    if (interrupted()) {
+    if (signalled != 0) {
       scenes.stop();
       pool.drop();
     }
@@ -119,6 +149,48 @@ void serve_study(const Study& study, int threads, const Ranks& ranks) {
     pool.give(answer.scenes);
     last = answer.last;
   }
+}
+
+Progress::Progress(bool shown, std::int64_t before, std::int64_t all)
+    : shown_(shown), before_(before), all_(all) {}
+
+void Progress::show(std::int64_t done, std::int64_t failed) {
+  constexpr double pause = 0.1; // seconds
+  const double now = watch_.seconds();
+  if (shown_ && now - last_ >= pause) {
+    last_ = now;
+    draw(done, failed);
+  }
+}
+
+void Progress::finish(std::int64_t done, std::int64_t failed) {
+  if (shown_) {
+    draw(done, failed);
+    std::cerr << '\n';
+  }
+}
+
+void Progress::draw(std::int64_t done, std::int64_t failed) const {
+  constexpr int width = 30;
+  const double share = all_ == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all_);
+  const double passed = watch_.seconds();
+  const auto fresh = static_cast<double>(done - before_);
+  std::ostringstream line;
+  line << "\r[";
+  for (int i = 0; i < width; ++i) {
+    line << (i < static_cast<int>(share * width) ? '#' : '.');
+  }
+  line << "] " << done << " of " << all_;
+  if (failed > 0) {
+    line << ", " << failed << " failed";
+  }
+  if (done < all_ && fresh > 0.0) {
+    line << ", " << time_text(passed * static_cast<double>(all_ - done) / fresh) << " left";
+  } else if (done == all_) {
+    line << " in " << time_text(passed);
+  }
+  // The rest of a longer line before.
+  std::cerr << line.str() << "        " << std::flush;
 }
 
 } // namespace driver

@@ -1,9 +1,5 @@
 #include "wrc_sweep/study.hpp"
 
-#include <array>
-#include <charconv>
-#include <cmath>
-
 namespace driver {
 
 std::int64_t Study::scene_count() const {
@@ -60,32 +56,6 @@ std::string Study::fingerprint() const {
     }
   }
   return text;
-}
-
-std::string text_of(double number) {
-  if (std::isnan(number)) {
-    return "";
-  }
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  return {buffer.data(), end};
-}
-
-std::string text_of(const Value& value) {
-  if (const double* number = std::get_if<double>(&value)) {
-    return text_of(*number);
-  }
-  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-    std::string text;
-    for (const double number : *numbers) {
-      text += (text.empty() ? "[" : ", ") + text_of(number);
-    }
-    return text + ']';
-  }
-  if (const Bare* bare = std::get_if<Bare>(&value)) {
-    return bare->text;
-  }
-  return std::get<std::string>(value);
 }
 
 } // namespace driver

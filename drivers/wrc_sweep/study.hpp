@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/scene_value.hpp"
-#include "wrc_sweep/picture_request.hpp"
+#include "support/scene_file.hpp"
 
 namespace driver {
 
@@ -16,6 +15,41 @@ namespace driver {
 struct Axis {
   std::string key;
   std::vector<Value> values;
+};
+
+/// A line of a panel: a result over the picture's x.
+struct LineRequest {
+  std::string result;
+  std::string title;
+};
+
+struct PanelRequest {
+  std::string y_label;
+  double y_factor = 1.0;
+  std::vector<LineRequest> lines;
+};
+
+struct PictureRequest {
+  enum class Kind {
+    lines,       ///< results over the values of a key
+    patches,     ///< maps of pressures, one per scene and side
+    connections, ///< points of both profiles that touch, joined
+    conicity     ///< rolling radius difference, contact angles and equivalent conicity
+  };
+
+  std::string file; ///< beside the results
+  Kind kind = Kind::lines;
+  std::string title;
+  std::string x; ///< key of the axis to the right; patches: of the columns
+  std::string x_label;
+  double x_factor = 1.0;
+  std::string series;       ///< key with a line, or a row of maps, for each value; empty: none
+  std::string series_label; ///< {} stands for the value
+  std::vector<std::string> sides; ///< patches, connections: "left", "right"
+  std::vector<double> x_values;   ///< those drawn; empty: all
+  double pressure_max = 0.0;      ///< patches: of the darkest colour, MPa; 0: the largest there is
+  Values where;                   ///< which scenes are drawn
+  std::vector<PanelRequest> panels;
 };
 
 struct Study {
@@ -37,10 +71,5 @@ struct Study {
   /// All that the rows depend on, in one text: equal texts have equal rows.
   [[nodiscard]] std::string fingerprint() const;
 };
-
-/// Shortest text that reads back as the same value; texts as they are.
-std::string text_of(const Value& value);
-/// The same of a number; "nan" has no text.
-std::string text_of(double number);
 
 } // namespace driver

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "support/toml.hpp"
-#include "wrc_sweep/picture_file.hpp"
 #include "wrc_sweep/result_names.hpp"
 
 namespace driver {
@@ -127,21 +126,17 @@ private:
   }
 
   /// Whether a list is one value of this key (solve.grid).
-  [[nodiscard]] static bool is_one_value(const std::string& key, const toml::node& node) {
-    try {
-      Scene scene;
-      set_value(scene, key, value_of(key, node));
-      return true;
-    } catch (const Failure&) {
-      return false;
-    }
+  [[nodiscard]] static bool is_one_value(const std::string& key, const toml::array& list) {
+    return takes_list(key) && std::all_of(list.begin(), list.end(), [](const toml::node& entry) {
+             return entry.is_number();
+           });
   }
 
   void set(const std::string& key, const toml::node& node) {
     std::vector<Value> values;
     if (const toml::table* range = node.as_table()) {
       values = range_values(key, *range);
-    } else if (const toml::array* array = node.as_array(); array && !is_one_value(key, node)) {
+    } else if (const toml::array* array = node.as_array(); array && !is_one_value(key, *array)) {
       for (const toml::node& entry : *array) {
         values.push_back(one(key, entry));
       }
@@ -173,25 +168,6 @@ private:
   std::vector<PlacedAxis> axes_;
 };
 
-std::vector<std::string> names_of(const toml::table& table, const std::string& key) {
-  std::vector<std::string> names;
-  const toml::node* node = table.get(key);
-  if (node == nullptr) {
-    return names;
-  }
-  const toml::array* array = node->as_array();
-  if (array == nullptr) {
-    throw Failure("study." + key + " = " + text_of(*node) + ": allowed is a list of texts");
-  }
-  for (const toml::node& entry : *array) {
-    if (!entry.is_string()) {
-      throw Failure("study." + key + " = " + text_of(*node) + ": allowed is a list of texts");
-    }
-    names.push_back(*entry.value<std::string>());
-  }
-  return names;
-}
-
 void read_study_table(const toml::table& file, Study& study) {
   const toml::node* node = file.get("study");
   if (node == nullptr) {
@@ -201,24 +177,15 @@ void read_study_table(const toml::table& file, Study& study) {
   if (table == nullptr) {
     throw Failure("study = " + text_of(*node) + ": allowed is a table [study]");
   }
-  for (const auto& [key, value] : *table) {
-    const bool text = key == "name" || key == "title";
-    if (!text && key != "results" && key != "fields") {
-      throw Failure("study." + std::string(key.str()) +
-                    ": unknown key; allowed are name, title, results, fields");
-    }
-    if (text && !value.is_string()) {
-      throw Failure("study." + std::string(key.str()) + " = " + text_of(value) +
-                    ": allowed is a text");
-    }
-  }
-  study.name = (*table)["name"].value_or(study.name);
-  study.title = with_values((*table)["title"].value_or(study.title), study);
+  TableReader reader(*table, "study");
+  study.name = reader.text("name", study.name);
+  study.title = with_values(reader.text("title", study.title), study);
+  study.results = reader.texts("results");
+  study.fields = reader.texts("fields");
+  reader.refuse_others();
   if (study.name.empty() || study.name.find('/') != std::string::npos) {
     throw Failure("study.name = \"" + study.name + "\": allowed is a file name without folder");
   }
-  study.results = names_of(*table, "results");
-  study.fields = names_of(*table, "fields");
 }
 
 /// Each value of each key on a scene that has all other keys, so that what is wrong is told before

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/toml.hpp"
 #include "wrc_sweep/study.hpp"
 
 namespace driver {
@@ -15,5 +16,13 @@ namespace driver {
 /// Reads a study; assignments "key=value" of the command line count more than the file. Every value
 /// of every key is tried on a scene. Throws Failure naming file, key, value and what is allowed.
 Study read_study(const std::string& path, const std::vector<std::string>& assignments);
+
+/// Throws Failure naming key, value and what is allowed.
+std::vector<PictureRequest> read_pictures(const toml::table& file, const Study& study);
+/// The results that a kind of picture reads, besides those that its panels name.
+std::vector<std::string> needed_results(const PictureRequest& picture);
+
+/// A title with "{track.cant}" and so on replaced by the study's value, of keys that do not vary.
+std::string with_values(std::string text, const Study& study);
 
 } // namespace driver

@@ -9,6 +9,7 @@
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,7 @@ struct Outcome {
 
 class Driver : public ::testing::Test {
 protected:
+  explicit Driver(std::string program = "") : program_(std::move(program)) {}
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(::testing::TempDir()) /
@@ -41,7 +43,11 @@ protected:
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Runs a shell command line in the test's folder.
+  /// Runs a shell command line in the test's folder: of this fixture's program, or of another.
+  [[nodiscard]] Outcome run(const std::string& arguments) const { return run(program_, arguments); }
+  [[nodiscard]] nlohmann::json run_json(const std::string& arguments) const {
+    return run_json(program_, arguments);
+  }
   [[nodiscard]] Outcome run(const std::string& program, const std::string& arguments) const {
     const std::string command = "cd '" + folder_.string() + "' && '" + program + "' " + arguments +
                                 " >stdout.captured 2>stderr.captured";
@@ -86,12 +92,25 @@ protected:
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
 private:
+  std::string program_;
   std::filesystem::path folder_;
 };
+
+inline void expect_parts(const std::string& text, std::initializer_list<const char*> parts) {
+  for (const char* part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << '"' << part << "\" is not in: " << text;
+  }
+}
 
 inline std::ptrdiff_t line_count(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }
+
+/// Skips a test that draws.
+#define NEEDS_GNUPLOT()                                                                            \
+  if (!gnuplot_is_there()) {                                                                       \
+    GTEST_SKIP() << "gnuplot is not installed";                                                    \
+  }
 
 inline bool gnuplot_is_there() {
   return std::system("gnuplot --version >/dev/null 2>&1") == 0;

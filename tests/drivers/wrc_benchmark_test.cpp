@@ -8,7 +8,10 @@ namespace {
 
 using nlohmann::json;
 
-class WrcBenchmark : public Driver {};
+class WrcBenchmark : public Driver {
+protected:
+  WrcBenchmark() : Driver(WRC_BENCHMARK_PROGRAM) {}
+};
 
 const char* const row_keys[] = {
     "case",         "grid",        "method",     "state",       "accuracy",    "fill",
@@ -46,8 +49,7 @@ void expect_states(const json& rows) {
 
 TEST_F(WrcBenchmark, GapsAreSolvedToTheAccuracyAsked) {
   const json result =
-      run_json(WRC_BENCHMARK_PROGRAM,
-               "--case hertz-circle --case hertz-ellipse --case two-lobes --grid 48x32 --repeat 2");
+      run_json("--case hertz-circle --case hertz-ellipse --case two-lobes --grid 48x32 --repeat 2");
   expect_complete(result);
   const json& rows = result.at("rows");
   ASSERT_EQ(rows.size(), 18U);
@@ -70,8 +72,7 @@ TEST_F(WrcBenchmark, GapsAreSolvedToTheAccuracyAsked) {
 
 TEST_F(WrcBenchmark, ScenesShowTheirStages) {
   const json result =
-      run_json(WRC_BENCHMARK_PROGRAM,
-               "--case table1 --case manchester-5 --grid 24x16 --repeat 1 --method default");
+      run_json("--case table1 --case manchester-5 --grid 24x16 --repeat 1 --method default");
   expect_complete(result);
   const json& rows = result.at("rows");
   ASSERT_EQ(rows.size(), 9U); // table1 with one wheel and with both
@@ -89,8 +90,7 @@ TEST_F(WrcBenchmark, ScenesShowTheirStages) {
 }
 
 TEST_F(WrcBenchmark, VehicleStepsTellTheirSpread) {
-  const json result =
-      run_json(WRC_BENCHMARK_PROGRAM, "--case vehicle-step --steps 4 --accuracy 1e-2");
+  const json result = run_json("--case vehicle-step --steps 4 --accuracy 1e-2");
   expect_complete(result);
   const json& rows = result.at("rows");
   ASSERT_EQ(rows.size(), 4U); // three motions, and paper in the hunting
@@ -110,7 +110,7 @@ TEST_F(WrcBenchmark, VehicleStepsTellTheirSpread) {
 
 /// Rows are accuracies of forces and of pressures, loads and positions, for each pair of profiles.
 TEST_F(WrcBenchmark, ServiceTellsTheSpreadOfItsSteps) {
-  const json result = run_json(WRC_BENCHMARK_PROGRAM, "--case service --steps 4 --accuracy 1e-2");
+  const json result = run_json("--case service --steps 4 --accuracy 1e-2");
   const json& rows = result.at("rows");
   ASSERT_EQ(rows.size(), 12U);
   const char* const wheels[] = {"S1002", "LMA", "S1002"};
@@ -151,7 +151,7 @@ TEST_F(WrcBenchmark, ServiceTellsTheSpreadOfItsSteps) {
 }
 
 TEST_F(WrcBenchmark, ABatchIsEqualOnAnyNumberOfThreads) {
-  const json result = run_json(WRC_BENCHMARK_PROGRAM, "--case batch --repeat 1");
+  const json result = run_json("--case batch --repeat 1");
   expect_complete(result);
   EXPECT_EQ(result.at("rows").size(), 2U);
   EXPECT_EQ(result.at("batch").at("bitwise_equal"), true);
@@ -160,47 +160,41 @@ TEST_F(WrcBenchmark, ABatchIsEqualOnAnyNumberOfThreads) {
 }
 
 TEST_F(WrcBenchmark, SolvesOnceForAProcessOfItsOwn) {
-  const Outcome outcome =
-      run(WRC_BENCHMARK_PROGRAM, "--first-solve --case two-lobes --grid 24x16 --accuracy 1e-3");
+  const Outcome outcome = run("--first-solve --case two-lobes --grid 24x16 --accuracy 1e-3");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const json result = json::parse(outcome.out);
   for (const char* key : {"setup", "mechanics", "total", "memory_mb"}) {
     EXPECT_GT(result.at(key).get<double>(), 0.0) << key;
   }
-  run(WRC_BENCHMARK_PROGRAM, "--first-solve").expect_refusal({"--first-solve", "one case"});
-  run(WRC_BENCHMARK_PROGRAM, "--first-solve --case batch").expect_refusal({"--first-solve"});
+  run("--first-solve").expect_refusal({"--first-solve", "one case"});
+  run("--first-solve --case batch").expect_refusal({"--first-solve"});
 }
 
 TEST_F(WrcBenchmark, TableNamesMachineErrorsAndColumns) {
-  const Outcome outcome =
-      run(WRC_BENCHMARK_PROGRAM, "--case hertz-circle --case table1 --grid 24x16 --repeat 1");
+  const Outcome outcome = run("--case hertz-circle --case table1 --grid 24x16 --repeat 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  for (const char* part : {"commit", "error pmax", "cold-process", "table1, both", "24x16",
-                           "pairs: ", "MB: ", "Times of paper over default"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
-  }
+  expect_parts(outcome.out, {"commit", "error pmax", "cold-process", "table1, both", "24x16",
+                             "pairs: ", "MB: ", "Times of paper over default"});
 }
 
 TEST_F(WrcBenchmark, HelpTeaches) {
-  const Outcome outcome = run(WRC_BENCHMARK_PROGRAM, "--help");
+  const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* part :
-       {"hertz-circle", "hertz-ellipse", "two-lobes", "table1", "manchester-5", "vehicle-step",
-        "batch", "service", "256x128", "Examples", "--repeat", "--json"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
-  }
+  expect_parts(outcome.out,
+               {"hertz-circle", "hertz-ellipse", "two-lobes", "table1", "manchester-5",
+                "vehicle-step", "batch", "service", "256x128", "Examples", "--repeat", "--json"});
 }
 
 TEST_F(WrcBenchmark, RefusesWhatItDoesNotKnow) {
-  run(WRC_BENCHMARK_PROGRAM, "--case nothing").expect_refusal({"--case nothing", "table1"});
+  run("--case nothing").expect_refusal({"--case nothing", "table1"});
   for (const char* grid : {"3", "0x4", "4x", "axb", "4x4x4", "9000x4", "-1x4"}) {
-    run(WRC_BENCHMARK_PROGRAM, std::string("--grid=") + grid).expect_refusal({"--grid", "NxM"});
+    run(std::string("--grid=") + grid).expect_refusal({"--grid", "NxM"});
   }
-  run(WRC_BENCHMARK_PROGRAM, "--case table1 --grid all").expect_refusal({"--grid", "2048"});
-  run(WRC_BENCHMARK_PROGRAM, "--method fast").expect_refusal({"--method", "paper"});
-  run(WRC_BENCHMARK_PROGRAM, "--accuracy 2").expect_refusal({"--accuracy"});
-  run(WRC_BENCHMARK_PROGRAM, "--repeat 0").expect_refusal({"--repeat"});
-  run(WRC_BENCHMARK_PROGRAM, "--steps 0").expect_refusal({"--steps"});
+  run("--case table1 --grid all").expect_refusal({"--grid", "2048"});
+  run("--method fast").expect_refusal({"--method", "paper"});
+  run("--accuracy 2").expect_refusal({"--accuracy"});
+  run("--repeat 0").expect_refusal({"--repeat"});
+  run("--steps 0").expect_refusal({"--steps"});
 }
 
 } // namespace

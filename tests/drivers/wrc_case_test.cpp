@@ -16,42 +16,35 @@ const std::string two_patches = "--set track.rail=56E1 --set pose.lateral=6.15 "
 
 class WrcCase : public Driver {
 protected:
-  [[nodiscard]] Outcome solve(const std::string& arguments) const {
-    return run(WRC_CASE_PROGRAM, arguments);
-  }
-  [[nodiscard]] json solve_json(const std::string& arguments) const {
-    return run_json(WRC_CASE_PROGRAM, arguments);
-  }
+  WrcCase() : Driver(WRC_CASE_PROGRAM) {}
 };
 
 TEST_F(WrcCase, DefaultIsTable1) {
-  const Outcome outcome = solve("");
+  const Outcome outcome = run("");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.error, "");
-  for (const char* part : {"pmax", "area", "normal force", "approach", "left", "right"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
-  }
+  expect_parts(outcome.out, {"pmax", "area", "normal force", "approach", "left", "right"});
   EXPECT_EQ(file_count(), 0) << "files appeared unasked";
 }
 
 TEST_F(WrcCase, ASavedSceneIsReplayedBitForBit) {
-  json first = solve_json(two_patches + "--set pose.yaw=0.003 --set load.left=71234.567 "
-                                        "--save saved.toml");
-  json again = solve_json("saved.toml");
+  json first = run_json(two_patches + "--set pose.yaw=0.003 --set load.left=71234.567 "
+                                      "--save saved.toml");
+  json again = run_json("saved.toml");
   first.erase("time_ms");
   again.erase("time_ms");
   EXPECT_EQ(first, again);
 }
 
 TEST_F(WrcCase, UnitsAndFrameAreThoseAskedFor) {
-  const json usual = solve_json(small + "--set pose.lateral=3");
-  const json asked = solve_json(small + "--set convention.units=SI --set "
-                                        "convention.frame=right-down --set pose.lateral=-0.003");
+  const json usual = run_json(small + "--set pose.lateral=3");
+  const json asked = run_json(small + "--set convention.units=SI --set "
+                                      "convention.frame=right-down --set pose.lateral=-0.003");
   EXPECT_EQ(asked.at("units"), "m, N, Pa, rad");
   const double lateral = usual.at("left").at("rigid_contact").at("y");
   EXPECT_DOUBLE_EQ(asked.at("left").at("rigid_contact").at("y"), -1e-3 * lateral);
-  const Outcome table = solve(small + "--set convention.units=SI --set pose.lateral=0.003");
-  const Outcome usual_table = solve(small + "--set pose.lateral=3");
+  const Outcome table = run(small + "--set convention.units=SI --set pose.lateral=0.003");
+  const Outcome usual_table = run(small + "--set pose.lateral=3");
   const auto without_times = [](const std::string& text) {
     return text.substr(0, text.find("Time"));
   };
@@ -59,19 +52,19 @@ TEST_F(WrcCase, UnitsAndFrameAreThoseAskedFor) {
 }
 
 TEST_F(WrcCase, StopsAfterTheModuleAskedFor) {
-  const json geometry = solve_json(small + "--set solve.until=geometry");
+  const json geometry = run_json(small + "--set solve.until=geometry");
   EXPECT_TRUE(geometry.at("left").at("rigid_contact").at("y").is_number());
-  const json remesh = solve_json(small + "--set solve.until=remesh");
+  const json remesh = run_json(small + "--set solve.until=remesh");
   EXPECT_EQ(remesh.at("left").at("patches").size(), 1U);
   for (const char* module : {"geometry", "remesh"}) {
-    const Outcome table = solve(small + "--set solve.until=" + module + " --plot picture.png");
+    const Outcome table = run(small + "--set solve.until=" + module + " --plot picture.png");
     EXPECT_EQ(table.exit_code, 0) << table.error;
     EXPECT_NE(table.out.find("rolling radius"), std::string::npos);
   }
 }
 
 TEST_F(WrcCase, JsonHasEveryKey) {
-  const json result = solve_json("");
+  const json result = run_json("");
   for (const char* key : {"roll", "vertical"}) {
     EXPECT_TRUE(result.at(key).is_number()) << key;
   }
@@ -105,7 +98,7 @@ TEST_F(WrcCase, JsonHasEveryKey) {
 }
 
 TEST_F(WrcCase, JsonListsEveryPatch) {
-  const json result = solve_json(small + two_patches);
+  const json result = run_json(small + two_patches);
   const json& side = result.at("left");
   ASSERT_EQ(side.at("patches").size(), 2U);
   ASSERT_EQ(result.at("right").at("patches").size(), 1U);
@@ -138,35 +131,32 @@ TEST_F(WrcCase, JsonListsEveryPatch) {
 }
 
 TEST_F(WrcCase, TableTellsEveryPatch) {
-  const Outcome outcome = solve(small + two_patches);
+  const Outcome outcome = run(small + two_patches);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  for (const char* part : {"\nPatches ", "\nPlaces ", "  left    0 ", "  left    1 ",
-                           "  right   0 ", "approach", "centroid", "convolutions", "solutions"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
-  }
+  expect_parts(outcome.out, {"\nPatches ", "\nPlaces ", "  left    0 ", "  left    1 ",
+                             "  right   0 ", "approach", "centroid", "convolutions", "solutions"});
   // Columns that say nothing are left out.
   EXPECT_EQ(outcome.out.find("regions"), std::string::npos);
   EXPECT_EQ(outcome.out.find("closeness"), std::string::npos);
-  EXPECT_NE(solve(small + "--set pose.lateral=5").out.find("regions"), std::string::npos);
-  EXPECT_NE(solve(small + two_patches + "--set solve.interaction=all").out.find("closeness"),
+  EXPECT_NE(run(small + "--set pose.lateral=5").out.find("regions"), std::string::npos);
+  EXPECT_NE(run(small + two_patches + "--set solve.interaction=all").out.find("closeness"),
             std::string::npos);
   EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "blanks at the end of a line";
 }
 
 TEST_F(WrcCase, JsonNumbersKeepAllDigits) {
-  const json result =
-      solve_json(small + "--set pose.lateral=0.1 --set pose.roll=0.0123456789012345");
+  const json result = run_json(small + "--set pose.lateral=0.1 --set pose.roll=0.0123456789012345");
   EXPECT_EQ(result.at("roll").get<double>(), 0.0123456789012345);
 }
 
 TEST_F(WrcCase, OneSideOnly) {
-  const json result = solve_json(small + "--set solve.side=left");
+  const json result = run_json(small + "--set solve.side=left");
   EXPECT_TRUE(result.contains("left"));
   EXPECT_FALSE(result.contains("right"));
 }
 
 TEST_F(WrcCase, PrescribedPositionWithoutTouchIsAResult) {
-  const json result = solve_json("--set pose.vertical=500");
+  const json result = run_json("--set pose.vertical=500");
   EXPECT_EQ(result.at("left").at("pmax"), 0.0);
   EXPECT_EQ(result.at("left").at("patches").size(), 0U);
   EXPECT_EQ(result.at("left").at("warnings").size(), 1U);
@@ -174,7 +164,7 @@ TEST_F(WrcCase, PrescribedPositionWithoutTouchIsAResult) {
 }
 
 TEST_F(WrcCase, CsvHasALineASide) {
-  const Outcome outcome = solve(small + "--csv");
+  const Outcome outcome = run(small + "--csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   std::istringstream lines(outcome.out);
   std::string head;
@@ -198,7 +188,7 @@ TEST_F(WrcCase, CsvHasALineASide) {
 }
 
 TEST_F(WrcCase, FieldHasALineAnElementOfEveryPatch) {
-  const Outcome outcome = solve(small + two_patches + "--field out.csv");
+  const Outcome outcome = run(small + two_patches + "--field out.csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string field = read("out.csv");
   EXPECT_TRUE(field.starts_with("side,patch,x,y,z,undeformed_distance,pressure,displacement\n"));
@@ -210,7 +200,7 @@ TEST_F(WrcCase, FieldHasALineAnElementOfEveryPatch) {
 }
 
 TEST_F(WrcCase, VtkHasACellAnElementOfEveryPatch) {
-  const Outcome outcome = solve(small + two_patches + "--vtk out.vtk");
+  const Outcome outcome = run(small + two_patches + "--vtk out.vtk");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string vtk = read("out.vtk");
   EXPECT_TRUE(vtk.starts_with("# vtk DataFile Version 3.0\n"));
@@ -228,9 +218,9 @@ TEST_F(WrcCase, VtkElementsLieAroundTheirCentres) {
   constexpr double rounding = 1e-9; // mm
   for (const std::string grid : {"[6,4]", "[1,1]"}) {
     const Outcome outcome =
-        solve("--set pose.yaw=0.01 --set solve.side=right --set solve.gap=vertical --set "
-              "solve.grid=" +
-              grid + " --vtk out.vtk --field out.csv");
+        run("--set pose.yaw=0.01 --set solve.side=right --set solve.gap=vertical --set "
+            "solve.grid=" +
+            grid + " --vtk out.vtk --field out.csv");
     std::istringstream vtk(read("out.vtk"));
     std::string word;
     while (word != "POINTS" && vtk >> word) {
@@ -265,17 +255,13 @@ TEST_F(WrcCase, VtkElementsLieAroundTheirCentres) {
 }
 
 TEST_F(WrcCase, PlotDrawsBothKindsOfFile) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
-  ASSERT_EQ(solve(small + "--plot a.png").exit_code, 0);
+  NEEDS_GNUPLOT();
+  ASSERT_EQ(run(small + "--plot a.png").exit_code, 0);
   EXPECT_TRUE(is_png("a.png"));
-  ASSERT_EQ(solve(small + two_patches + "--plot a.svg").exit_code, 0);
+  ASSERT_EQ(run(small + two_patches + "--plot a.svg").exit_code, 0);
   EXPECT_TRUE(is_svg("a.svg"));
-  for (const char* label : {"patch 0: ", "patch 1: ", "kN", "mrad", "pressure, MPa"}) {
-    EXPECT_NE(read("a.svg").find(label), std::string::npos) << label;
-  }
-  ASSERT_EQ(solve("--set pose.vertical=500 --plot none.png").exit_code, 0);
+  expect_parts(read("a.svg"), {"patch 0: ", "patch 1: ", "kN", "mrad", "pressure, MPa"});
+  ASSERT_EQ(run("--set pose.vertical=500 --plot none.png").exit_code, 0);
   EXPECT_TRUE(is_png("none.png"));
   EXPECT_EQ(file_count(), 3);
 }
@@ -285,11 +271,11 @@ TEST_F(WrcCase, SceneFileWithTables) {
                       "[material.wheel]\nyoungs_modulus = 200000.0\n"
                       "[pose]\nlateral = 2.0\n[load]\nleft = 50000.0\nvertical = 60000\n"
                       "[solve]\ngrid = [24, 20]\n");
-  const json from_file = solve_json("scene.toml");
+  const json from_file = run_json("scene.toml");
   const json from_arguments =
-      solve_json(small + "--set track.gauge=1437.5 --set track.cant=1:20 --set "
-                         "material.wheel.youngs_modulus=200000 --set pose.lateral=2 --set "
-                         "load.vertical=60000 --set load.left=50000");
+      run_json(small + "--set track.gauge=1437.5 --set track.cant=1:20 --set "
+                       "material.wheel.youngs_modulus=200000 --set pose.lateral=2 --set "
+                       "load.vertical=60000 --set load.left=50000");
   for (const char* side : {"left", "right"}) {
     for (const char* key : {"pmax", "approach", "vertical_force"}) {
       EXPECT_EQ(from_file.at(side).at(key), from_arguments.at(side).at(key)) << side << key;
@@ -303,18 +289,30 @@ TEST_F(WrcCase, SceneFileWithTables) {
 
 TEST_F(WrcCase, SetOverridesTheSceneFile) {
   write("scene.toml", "[pose]\nlateral = 2.0\nroll = 0.001\n[solve]\ngrid = [24, 20]\n");
-  EXPECT_EQ(solve_json("scene.toml --set pose.roll=0.002").at("roll"), 0.002);
-  EXPECT_EQ(solve_json("scene.toml --set pose.roll=0.003 --set pose.roll=0.004").at("roll"), 0.004);
+  EXPECT_EQ(run_json("scene.toml --set pose.roll=0.002").at("roll"), 0.002);
+  EXPECT_EQ(run_json("scene.toml --set pose.roll=0.003 --set pose.roll=0.004").at("roll"), 0.004);
+}
+
+TEST_F(WrcCase, OneSetTakesSeveralKeys) {
+  write("scene.toml", "[pose]\nlateral = 2.0\n[solve]\ngrid = [24, 20]\n");
+  const std::string keys = "--set pose.roll=0.003 'solve.grid=[20,16]' track.rail=54E3 ";
+  for (const std::string& arguments : {keys + "scene.toml", "scene.toml " + keys}) {
+    const json result = run_json(arguments + " --set pose.yaw=0.01");
+    EXPECT_EQ(result.at("roll"), 0.003);
+    EXPECT_EQ(result.at("left").at("grid"), json::array({20, 16}));
+  }
+  run("--set pose.roll=0.003 pose.sideways=1").expect_refusal({"pose.sideways"});
+  run("--set pose.roll=0.003 --json pose.yaw=1").expect_refusal({"scene file pose.yaw=1"});
 }
 
 TEST_F(WrcCase, SetTakesNamesThatLookLikeNumbers) {
   // 60E1 and its kin are floating-point numbers to TOML.
-  const json bare = solve_json(small + "--set track.rail=54E3");
-  const json quoted = solve_json(small + "--set 'track.rail=\"54E3\"'");
-  const json other = solve_json(small + "--set track.rail=60E1");
+  const json bare = run_json(small + "--set track.rail=54E3");
+  const json quoted = run_json(small + "--set 'track.rail=\"54E3\"'");
+  const json other = run_json(small + "--set track.rail=60E1");
   EXPECT_EQ(bare.at("left").at("pmax"), quoted.at("left").at("pmax"));
   EXPECT_NE(bare.at("left").at("pmax"), other.at("left").at("pmax"));
-  EXPECT_EQ(other.at("left").at("pmax"), solve_json(small).at("left").at("pmax"));
+  EXPECT_EQ(other.at("left").at("pmax"), run_json(small).at("left").at("pmax"));
 }
 
 TEST_F(WrcCase, ProfileFilesStandBesideTheSceneFile) {
@@ -322,72 +320,70 @@ TEST_F(WrcCase, ProfileFilesStandBesideTheSceneFile) {
   write("scenes/scene.toml", "[track]\nrail = \"my.prr\"\n[solve]\ngrid = [24, 20]\n");
   write("scenes/my.prr", read("54E3.prr"));
   constexpr double conversion_error = 1e-3; // of points 0.25 mm apart, relative in pmax
-  const double pmax = solve_json("scenes/scene.toml").at("left").at("pmax");
-  const double exact = solve_json(small + "--set track.rail=54E3").at("left").at("pmax");
+  const double pmax = run_json("scenes/scene.toml").at("left").at("pmax");
+  const double exact = run_json(small + "--set track.rail=54E3").at("left").at("pmax");
   EXPECT_NEAR(pmax, exact, conversion_error * exact);
 }
 
 TEST_F(WrcCase, RefusesUnknownKeysAndBadValues) {
-  solve("--set pose.sideways=1").expect_refusal({"pose.sideways", "pose.lateral"});
-  solve("--set pose.lateral=1000").expect_refusal({"pose.lateral = 1000", "-100 to 100"});
-  solve("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-100 to 100"});
-  solve("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});
-  solve("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "1 to 8192"});
-  solve("--set 'solve.grid=[\"a\",8]'").expect_refusal({"solve.grid", "numbers"});
-  solve("--set solve.threads=true").expect_refusal({"solve.threads = \"true\""});
-  solve("--set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
-  solve("--set =3").expect_refusal({"--set =3", "key=value"});
-  solve("--set track.rail=nowhere.txt").expect_refusal({"track.rail", "nowhere.txt", "60E1"});
-  solve("--set pose.lateral=100").expect_refusal({"pose.lateral"});
+  run("--set pose.sideways=1").expect_refusal({"pose.sideways", "pose.lateral"});
+  run("--set pose.lateral=1000").expect_refusal({"pose.lateral = 1000", "-100 to 100"});
+  run("--set pose.lateral=far").expect_refusal({"pose.lateral = \"far\"", "-100 to 100"});
+  run("--set solve.side=middle").expect_refusal({"solve.side", "middle", "\"left\""});
+  run("--set solve.grid=[0,8]").expect_refusal({"solve.grid = [0, 8]", "1 to 8192"});
+  run("--set 'solve.grid=[\"a\",8]'").expect_refusal({"solve.grid", "numbers"});
+  run("--set solve.threads=true").expect_refusal({"solve.threads = \"true\""});
+  run("--set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
+  run("--set =3").expect_refusal({"--set =3", "key=value"});
+  run("--set track.rail=nowhere.txt").expect_refusal({"track.rail", "nowhere.txt", "60E1"});
+  run("--set pose.lateral=100").expect_refusal({"pose.lateral"});
 }
 
 TEST_F(WrcCase, RefusesBadArguments) {
-  solve("--json --csv").expect_refusal({"--json", "--csv"});
-  solve("--jason").expect_refusal({"--jason"});
-  solve("one.toml two.toml").expect_refusal({"two.toml"});
-  solve("--plot").expect_refusal({"--plot"});
+  run("--json --csv").expect_refusal({"--json", "--csv"});
+  run("--jason").expect_refusal({"--jason"});
+  run("one.toml two.toml").expect_refusal({"two.toml"});
+  run("--plot").expect_refusal({"--plot"});
 }
 
 TEST_F(WrcCase, RefusesBadSceneFiles) {
-  solve("missing.toml").expect_refusal({"missing.toml"});
+  run("missing.toml").expect_refusal({"missing.toml"});
   write("bad.toml", "[pose]\nlateral = 1.0\nyaw = = 2\n");
-  solve("bad.toml").expect_refusal({"bad.toml", "line 3"});
+  run("bad.toml").expect_refusal({"bad.toml", "line 3"});
   write("unknown.toml", "[pose]\nsideways = 1.0\n");
-  solve("unknown.toml").expect_refusal({"pose.sideways"});
+  run("unknown.toml").expect_refusal({"pose.sideways"});
   write("type.toml", "[solve]\nside = 2\n");
-  solve("type.toml").expect_refusal({"solve.side = 2"});
+  run("type.toml").expect_refusal({"solve.side = 2"});
   write("profile.toml", "[track]\nrail = \"bad.prr\"\n");
   write("bad.prr", "no profile at all\n");
-  solve("profile.toml").expect_refusal({"bad.prr"});
-  solve(".").expect_refusal({"scene file ."});
+  run("profile.toml").expect_refusal({"bad.prr"});
+  run(".").expect_refusal({"scene file ."});
 }
 
 TEST_F(WrcCase, RefusesFilesThatCannotBeWritten) {
   for (const char* option : {"--vtk", "--field"}) {
-    const Outcome outcome = solve(small + option + " nowhere/out");
+    const Outcome outcome = run(small + option + " nowhere/out");
     EXPECT_GT(outcome.exit_code, 0);
     EXPECT_NE(outcome.error.find("nowhere/out"), std::string::npos) << outcome.error;
   }
-  const Outcome outcome = solve(small + "--plot a.pdf");
+  const Outcome outcome = run(small + "--plot a.pdf");
   EXPECT_GT(outcome.exit_code, 0);
   EXPECT_NE(outcome.error.find("--plot a.pdf"), std::string::npos) << outcome.error;
 }
 
 TEST_F(WrcCase, NotConvergedPrintsResultsAndHasItsOwnExitCode) {
-  const Outcome outcome = solve("--set pose.lateral=3 --set solve.grid=[200,100] --set "
-                                "solve.tolerance=1e-13 --set solve.solver=paper --json");
+  const Outcome outcome = run("--set pose.lateral=3 --set solve.grid=[200,100] --set "
+                              "solve.tolerance=1e-13 --set solve.solver=paper --json");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.error.find("not converged"), std::string::npos);
   EXPECT_GT(json::parse(outcome.out).at("left").at("pmax").get<double>(), 0.0);
 }
 
 TEST_F(WrcCase, HelpListsEveryKeyWithItsMeaning) {
-  const Outcome outcome = solve("--help");
+  const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* part : {"pose.lateral", "solve.accuracy", "S1002", "Examples"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
-  }
-  EXPECT_EQ(solve("--version").out, std::string("wrcontact ") + WRCONTACT_EXPECTED_VERSION + "\n");
+  expect_parts(outcome.out, {"pose.lateral", "solve.accuracy", "S1002", "Examples"});
+  EXPECT_EQ(run("--version").out, std::string("wrcontact ") + WRCONTACT_EXPECTED_VERSION + "\n");
 }
 
 } // namespace

@@ -9,13 +9,14 @@ namespace {
 
 using nlohmann::json;
 
-class WrcExtremes : public Driver {};
+class WrcExtremes : public Driver {
+protected:
+  WrcExtremes() : Driver(WRC_EXTREMES_PROGRAM) {}
+};
 
 TEST_F(WrcExtremes, QuickStudyFindsNothingWrongAndNothingFaded) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is missing";
-  }
-  const Outcome outcome = run(WRC_EXTREMES_PROGRAM, "--quick --threads 2 --out study");
+  NEEDS_GNUPLOT();
+  const Outcome outcome = run("--quick --threads 2 --out study");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.error;
   EXPECT_NE(outcome.out.find(" 0 faded, 0 wrong"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.error.find("points, "), std::string::npos) << outcome.error;
@@ -59,9 +60,9 @@ TEST_F(WrcExtremes, QuickStudyFindsNothingWrongAndNothingFaded) {
 
 TEST_F(WrcExtremes, ThreadsChangeNoBitAndTheSeedTheNoise) {
   const std::string only = "--quick --only gap --only noise --out ";
-  ASSERT_EQ(run(WRC_EXTREMES_PROGRAM, only + "one --seed 7").exit_code, 0);
-  ASSERT_EQ(run(WRC_EXTREMES_PROGRAM, only + "two --seed 7 --threads 3").exit_code, 0);
-  ASSERT_EQ(run(WRC_EXTREMES_PROGRAM, only + "other --seed 8").exit_code, 0);
+  ASSERT_EQ(run(only + "one --seed 7").exit_code, 0);
+  ASSERT_EQ(run(only + "two --seed 7 --threads 3").exit_code, 0);
+  ASSERT_EQ(run(only + "other --seed 8").exit_code, 0);
   const std::string csv = read("one/extremes.csv");
   EXPECT_NE(csv.find("white noise"), std::string::npos);
   EXPECT_EQ(csv, read("two/extremes.csv"));
@@ -69,10 +70,10 @@ TEST_F(WrcExtremes, ThreadsChangeNoBitAndTheSeedTheNoise) {
 }
 
 TEST_F(WrcExtremes, RefusesWhatIsNotAllowed) {
-  run(WRC_EXTREMES_PROGRAM, "--only colour").expect_refusal({"--only", "colour"});
-  run(WRC_EXTREMES_PROGRAM, "--threads 0").expect_refusal({"--threads"});
+  run("--only colour").expect_refusal({"--only", "colour"});
+  run("--threads 0").expect_refusal({"--threads"});
   write("file", "");
-  run(WRC_EXTREMES_PROGRAM, "--quick --only poisson --out file/there").expect_refusal({"--out"});
+  run("--quick --only poisson --out file/there").expect_refusal({"--out"});
 }
 
 } // namespace

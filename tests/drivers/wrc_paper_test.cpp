@@ -5,6 +5,7 @@ namespace {
 
 class WrcPaper : public Driver {
 protected:
+  WrcPaper() : Driver(WRC_PAPER_PROGRAM) {}
   /// One study, coarse, into a folder.
   void sweep(const std::string& name, const std::string& folder,
              const std::string& options = "--set solve.accuracy=0.1") const {
@@ -22,9 +23,7 @@ protected:
 };
 
 TEST_F(WrcPaper, JudgesWhatItIsGiven) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  NEEDS_GNUPLOT();
   sweep("fig05", "S1002", "--set 'solve.grid=[32, 16]'");
   sweep("connections", "S1002");
   sweep("conicity", "S1002");
@@ -33,7 +32,7 @@ TEST_F(WrcPaper, JudgesWhatItIsGiven) {
       sweep(study, wheel, "--set solve.accuracy=0.1 --set wheelset.wheel=" + wheel);
     }
   }
-  run(WRC_PAPER_PROGRAM, ".").expect_refusal({"timing.json", "scripts/paper.sh"});
+  run(".").expect_refusal({"timing.json", "scripts/paper.sh"});
   EXPECT_FALSE(exists("report.md"));
   write(
       "timing.json",
@@ -41,7 +40,7 @@ TEST_F(WrcPaper, JudgesWhatItIsGiven) {
       R"({"wheels": 1, "method": "default", "state": "cold", "setup_ms": 1.0, "geometry_ms": 1.0,)"
       R"("remesh_ms": 1.0, "mechanics_ms": 7.0, "total_ms": 10.0, "iterations": 20,)"
       R"("error_p": 1e-5, "error_pmax": 1e-4}]})");
-  ASSERT_EQ(run(WRC_PAPER_PROGRAM, ".").exit_code, 0);
+  ASSERT_EQ(run(".").exit_code, 0);
   EXPECT_NE(line_with("Its magnitude grows with that of y").find("| **confirmed**"),
             std::string::npos);
   EXPECT_NE(line_with("Roll is positive for negative y").find("| **confirmed**"),
@@ -53,7 +52,7 @@ TEST_F(WrcPaper, JudgesWhatItIsGiven) {
 
   // A wheelset that does not roll as it should.
   sweep("fig06_07", "LM", "--set wheelset.wheel=LM --set pose.roll=0.001");
-  ASSERT_EQ(run(WRC_PAPER_PROGRAM, ".").exit_code, 0);
+  ASSERT_EQ(run(".").exit_code, 0);
   EXPECT_NE(line_with("Its magnitude grows with that of y").find("| **not confirmed**"),
             std::string::npos);
   EXPECT_EQ(line_with("Roll is positive for negative y")
@@ -63,8 +62,8 @@ TEST_F(WrcPaper, JudgesWhatItIsGiven) {
 }
 
 TEST_F(WrcPaper, RefusesAFolderWithoutResults) {
-  run(WRC_PAPER_PROGRAM, ".").expect_refusal({"fig05.csv"});
-  run(WRC_PAPER_PROGRAM, "").expect_refusal({"DIR"});
+  run(".").expect_refusal({"fig05.csv"});
+  run("").expect_refusal({"DIR"});
   EXPECT_EQ(file_count(), 0);
 }
 

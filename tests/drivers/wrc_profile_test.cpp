@@ -16,16 +16,11 @@ constexpr double rounding = 1e-9;
 
 class WrcProfile : public Driver {
 protected:
-  [[nodiscard]] Outcome show(const std::string& arguments) const {
-    return run(WRC_PROFILE_PROGRAM, arguments);
-  }
-  [[nodiscard]] json show_json(const std::string& arguments) const {
-    return run_json(WRC_PROFILE_PROGRAM, arguments);
-  }
+  WrcProfile() : Driver(WRC_PROFILE_PROGRAM) {}
 };
 
 TEST_F(WrcProfile, MeasuresTheStandardWheel) {
-  const json wheel = show_json("S1002");
+  const json wheel = run_json("S1002");
   EXPECT_EQ(wheel.at("name"), "S1002");
   EXPECT_EQ(wheel.at("kind"), "wheel");
   for (const char* key : {"title", "source", "confidence"}) {
@@ -54,7 +49,7 @@ TEST_F(WrcProfile, MeasuresTheStandardWheel) {
 }
 
 TEST_F(WrcProfile, MeasuresTheStandardRail) {
-  const json rail = show_json("60E1");
+  const json rail = run_json("60E1");
   EXPECT_EQ(rail.at("kind"), "rail");
   const json& dimensions = rail.at("dimensions");
   EXPECT_NEAR(dimensions.at("crown_radius").get<double>(), 300.0, 1e-6);
@@ -74,7 +69,7 @@ TEST_F(WrcProfile, FindsKinksAndOverhangs) {
   // A rail head whose sides lean in below the widest place.
   write("head.rail", "-28 -40\n-34 -30\n-36 -20\n-34 -10\n-20 -2\n0 0\n20 -2\n34 -10\n36 -20\n"
                      "34 -30\n28 -40\n");
-  const json steep = show_json("head.rail").at("checks").at("steep_parts");
+  const json steep = run_json("head.rail").at("checks").at("steep_parts");
   ASSERT_EQ(steep.size(), 2U);
   EXPECT_TRUE(steep.at(0).at("overhangs").get<bool>());
   EXPECT_TRUE(steep.at(1).at("overhangs").get<bool>());
@@ -82,29 +77,29 @@ TEST_F(WrcProfile, FindsKinksAndOverhangs) {
 
 TEST_F(WrcProfile, DimensionsThatAreNotThereAreNull) {
   write("crown.rail", "-4 -0.1\n-2 -0.02\n0 0\n2 -0.02\n4 -0.1\n");
-  const json dimensions = show_json("crown.rail").at("dimensions");
+  const json dimensions = run_json("crown.rail").at("dimensions");
   for (const char* key : {"head_width_14", "head_width_16", "crown_radius"}) {
     EXPECT_TRUE(dimensions.at(key).is_null()) << key;
   }
-  EXPECT_NE(show("crown.rail").out.find("does not reach"), std::string::npos);
+  EXPECT_NE(run("crown.rail").out.find("does not reach"), std::string::npos);
 }
 
 TEST_F(WrcProfile, TableTellsCorrections) {
   write("upside_down.rail", "-30 20\n-20 5\n-10 1\n0 0\n10 1\n20 5\n30 20\n");
-  const Outcome outcome = show("upside_down.rail");
+  const Outcome outcome = run("upside_down.rail");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("height mirrored"), std::string::npos);
-  show("upside_down.rail --strict").expect_refusal({"upside_down.rail", "mirror_height"});
-  const json asked = show_json("upside_down.rail --strict --mirror-height yes --scale 0.5");
+  run("upside_down.rail --strict").expect_refusal({"upside_down.rail", "mirror_height"});
+  const json asked = run_json("upside_down.rail --strict --mirror-height yes --scale 0.5");
   EXPECT_NEAR(asked.at("extents").at("height").at(0).get<double>(), -10.0, rounding);
   EXPECT_EQ(asked.at("corrections").size(), 2U);
-  const json kept = show_json("upside_down.rail --mirror-height no --mirror-lateral yes");
+  const json kept = run_json("upside_down.rail --mirror-height no --mirror-lateral yes");
   EXPECT_NEAR(kept.at("extents").at("height").at(1).get<double>(), 20.0, rounding);
 }
 
 TEST_F(WrcProfile, ComparesInTheDirectionOfTheNormal) {
   // 60E1 moved up by 0.1 mm: at the crown the normal distance is 0.1, on the 1:20 sides less.
-  const json points = show_json("60E1 --points --spacing 0.1").at("points");
+  const json points = run_json("60E1 --points --spacing 0.1").at("points");
   std::ostringstream moved;
   moved.precision(17);
   for (const json& point : points) {
@@ -112,14 +107,14 @@ TEST_F(WrcProfile, ComparesInTheDirectionOfTheNormal) {
           << '\n';
   }
   write("moved.rail", moved.str());
-  const json difference = show_json("60E1 --compare moved.rail").at("comparison");
+  const json difference = run_json("60E1 --compare moved.rail").at("comparison");
   constexpr double interpolation = 1e-4; // of points 0.1 mm apart
   EXPECT_NEAR(difference.at("largest").get<double>(), 0.1, interpolation);
   EXPECT_LT(difference.at("rms").get<double>(), 0.1);
   EXPECT_GT(difference.at("rms").get<double>(), 0.05);
-  const json same = show_json("60E1 --compare 60E1").at("comparison");
+  const json same = run_json("60E1 --compare 60E1").at("comparison");
   EXPECT_NEAR(same.at("largest").get<double>(), 0.0, rounding);
-  EXPECT_NEAR(same.at("compared_length").get<double>(), show_json("60E1").at("length"), rounding);
+  EXPECT_NEAR(same.at("compared_length").get<double>(), run_json("60E1").at("length"), rounding);
 }
 
 TEST_F(WrcProfile, ConvertsAndReadsBack) {
@@ -127,7 +122,7 @@ TEST_F(WrcProfile, ConvertsAndReadsBack) {
                                    std::pair{"60E1", "b.txt"}, std::pair{"60E1", "b.prr"}}) {
     SCOPED_TRACE(file);
     const std::string arguments = std::string(name) + " --spacing 0.1 --convert " + file;
-    const json conversion = show_json(arguments).at("conversion");
+    const json conversion = run_json(arguments).at("conversion");
     EXPECT_EQ(conversion.at("spacing"), 0.1);
     EXPECT_TRUE(exists(file));
     // A spline rounds the chamfer of the wheel off by a part of the spacing; rails have no kink.
@@ -139,52 +134,50 @@ TEST_F(WrcProfile, ConvertsAndReadsBack) {
 }
 
 TEST_F(WrcProfile, PointsLieOnTheCurve) {
-  const json wheel = show_json("S1002 --points --spacing 40");
+  const json wheel = run_json("S1002 --points --spacing 40");
   const json& points = wheel.at("points");
   ASSERT_EQ(points.size(), 6U); // 160.45 mm in 5 equal parts of at most 40 mm
   EXPECT_EQ(points.front().at("arc"), 0.0);
   EXPECT_EQ(points.back().at("arc"), wheel.at("length"));
-  EXPECT_FALSE(show_json("S1002").contains("points"));
-  EXPECT_NE(show("S1002 --points --spacing 40").out.find("curvature, 1/mm"), std::string::npos);
+  EXPECT_FALSE(run_json("S1002").contains("points"));
+  EXPECT_NE(run("S1002 --points --spacing 40").out.find("curvature, 1/mm"), std::string::npos);
 }
 
 TEST_F(WrcProfile, PlotDrawsBothKindsOfFile) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
-  ASSERT_EQ(show("S1002 --plot a.png --compare LMA").exit_code, 0);
+  NEEDS_GNUPLOT();
+  ASSERT_EQ(run("S1002 --plot a.png --compare LMA").exit_code, 0);
   EXPECT_TRUE(is_png("a.png"));
-  ASSERT_EQ(show("60E1 --plot a.svg").exit_code, 0);
+  ASSERT_EQ(run("60E1 --plot a.svg").exit_code, 0);
   EXPECT_TRUE(is_svg("a.svg"));
   EXPECT_EQ(file_count(), 2);
 }
 
 TEST_F(WrcProfile, ListsAllThatIsBuiltIn) {
-  const json list = show_json("--list");
+  const json list = run_json("--list");
   EXPECT_EQ(list.size(), 14U);
   EXPECT_EQ(list.front().at("name"), "S1002");
-  EXPECT_EQ(line_count(show("--list").out), 14);
+  EXPECT_EQ(line_count(run("--list").out), 14);
 }
 
 TEST_F(WrcProfile, RefusesBadArguments) {
-  show("").expect_refusal({"no profile", "--list"});
-  show("nowhere.txt").expect_refusal({"nowhere.txt", "S1002", "60E1"});
-  show("S1002 --compare nowhere.txt").expect_refusal({"--compare nowhere.txt", "S1002"});
-  show("S1002 --compare 60E1").expect_refusal({"--compare 60E1", "rail", "wheel"});
-  show("S1002 --kind wheel").expect_refusal({"--kind", "built in"});
-  show("S1002 --smooth 3").expect_refusal({"--smooth", "built in"});
-  show("a.txt --kind tram").expect_refusal({"--kind", "tram", "wheel", "rail"});
-  show("a.txt --mirror-height maybe").expect_refusal({"--mirror-height", "maybe", "yes"});
-  show("a.txt --scale 0").expect_refusal({"--scale", "0", "positive"});
-  show("a.txt --smooth nan").expect_refusal({"--smooth", "nan", "positive"});
-  show("S1002 --spacing x").expect_refusal({"--spacing", "x", "positive"});
-  show("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "or more"});
-  show("S1002 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
-  show("S1002 --convert a.prr").expect_refusal({"--convert a.prr", ".prw"});
-  show("S1002 --convert no/a.txt").expect_refusal({"--convert no/a.txt"});
-  show("S1002 --colour").expect_refusal({"--colour"});
+  run("").expect_refusal({"no profile", "--list"});
+  run("nowhere.txt").expect_refusal({"nowhere.txt", "S1002", "60E1"});
+  run("S1002 --compare nowhere.txt").expect_refusal({"--compare nowhere.txt", "S1002"});
+  run("S1002 --compare 60E1").expect_refusal({"--compare 60E1", "rail", "wheel"});
+  run("S1002 --kind wheel").expect_refusal({"--kind", "built in"});
+  run("S1002 --smooth 3").expect_refusal({"--smooth", "built in"});
+  run("a.txt --kind tram").expect_refusal({"--kind", "tram", "wheel", "rail"});
+  run("a.txt --mirror-height maybe").expect_refusal({"--mirror-height", "maybe", "yes"});
+  run("a.txt --scale 0").expect_refusal({"--scale", "0", "positive"});
+  run("a.txt --smooth nan").expect_refusal({"--smooth", "nan", "positive"});
+  run("S1002 --spacing x").expect_refusal({"--spacing", "x", "positive"});
+  run("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "or more"});
+  run("S1002 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
+  run("S1002 --convert a.prr").expect_refusal({"--convert a.prr", ".prw"});
+  run("S1002 --convert no/a.txt").expect_refusal({"--convert no/a.txt"});
+  run("S1002 --colour").expect_refusal({"--colour"});
   write("bad.txt", "1 2\n3 oops\n");
-  show("bad.txt").expect_refusal({"bad.txt:2", "oops"});
+  run("bad.txt").expect_refusal({"bad.txt:2", "oops"});
   EXPECT_EQ(file_count(), 1);
 }
 
@@ -194,7 +187,7 @@ TEST_F(WrcProfile, ReadsTheManchesterBenchmark) {
   if (!std::filesystem::exists(file)) {
     GTEST_SKIP() << "no reference file " << file;
   }
-  const json wheel = show_json("--compare S1002 '" + file.string() + '\'');
+  const json wheel = run_json("--compare S1002 '" + file.string() + '\'');
   EXPECT_NEAR(wheel.at("dimensions").at("flange_height").get<double>(), 28.0, drawing);
   // Points of the same standard, joined by a spline across its jumps of curvature.
   EXPECT_LT(std::abs(wheel.at("comparison").at("largest").get<double>()), 1e-3);

@@ -5,9 +5,7 @@ namespace {
 
 class WrcRegression : public Driver {
 protected:
-  [[nodiscard]] Outcome check(const std::string& arguments) const {
-    return run(WRC_REGRESSION_PROGRAM, arguments);
-  }
+  WrcRegression() : Driver(WRC_REGRESSION_PROGRAM) {}
   static constexpr const char* small_cases =
       "[tolerance.drift]\nrelative = 1e-4\nreason = \"none\"\n[[case]]\ngroup = \"own\"\nname = "
       "\"coarse & small\"\ntolerance = \"drift\"\nscene = {solve.grid = [24, 20]}\nresults = "
@@ -15,12 +13,10 @@ protected:
 };
 
 TEST_F(WrcRegression, StoredCasesPass) {
-  const Outcome outcome = check("--junit junit.xml");
+  const Outcome outcome = run("--junit junit.xml");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_NE(outcome.error.find("--contact"), std::string::npos) << "what is left out is told";
-  for (const char* part : {"Table 2, y = 5 mm", "sphere of radius", "drift", " 0 failed"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
-  }
+  expect_parts(outcome.out, {"Table 2, y = 5 mm", "sphere of radius", "drift", " 0 failed"});
   const std::string junit = read("junit.xml");
   EXPECT_NE(junit.find("failures=\"0\""), std::string::npos);
   EXPECT_EQ(junit.find("<failure"), std::string::npos);
@@ -31,7 +27,7 @@ TEST_F(WrcRegression, ContactCasesPass) {
   if (!std::filesystem::exists(reference)) {
     GTEST_SKIP() << "no " << reference;
   }
-  const Outcome outcome = check("--contact '" + reference + "'");
+  const Outcome outcome = run("--contact '" + reference + "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_NE(outcome.out.find("manchester-034"), std::string::npos);
   EXPECT_EQ(outcome.error, "");
@@ -39,24 +35,24 @@ TEST_F(WrcRegression, ContactCasesPass) {
 
 TEST_F(WrcRegression, DeviationsFailUntilTheBaselineIsUpdated) {
   write("c/cases.toml", small_cases);
-  const Outcome without = check("--cases c");
+  const Outcome without = run("--cases c");
   EXPECT_EQ(without.exit_code, 4);
   EXPECT_NE(without.out.find("no baseline yet"), std::string::npos) << without.out;
-  const Outcome first = check("--cases c --update");
+  const Outcome first = run("--cases c --update");
   EXPECT_EQ(first.exit_code, 0) << first.error;
   EXPECT_NE(first.out.find("left.pmax: new"), std::string::npos) << first.out;
-  EXPECT_EQ(check("--cases c").exit_code, 0);
+  EXPECT_EQ(run("--cases c").exit_code, 0);
 
   const std::string good = read("c/baselines.toml");
   const auto place = good.find("left.pmax\" = ") + std::string("left.pmax\" = ").size();
   write("c/baselines.toml", std::string(good).insert(place, 1, '1'));
-  const Outcome off = check("--cases c --junit junit.xml");
+  const Outcome off = run("--cases c --junit junit.xml");
   EXPECT_EQ(off.exit_code, 4);
   EXPECT_NE(off.out.find("1 failed"), std::string::npos) << off.out;
   EXPECT_NE(read("junit.xml").find("<failure message="), std::string::npos);
   EXPECT_NE(read("junit.xml").find("coarse &amp; small"), std::string::npos);
 
-  const Outcome update = check("--cases c --update");
+  const Outcome update = run("--cases c --update");
   EXPECT_NE(update.out.find("left.pmax: was "), std::string::npos) << update.out;
   EXPECT_EQ(update.out.find("roll"), std::string::npos) << "unchanged values are not told";
   EXPECT_EQ(read("c/baselines.toml"), good);
@@ -64,22 +60,22 @@ TEST_F(WrcRegression, DeviationsFailUntilTheBaselineIsUpdated) {
 }
 
 TEST_F(WrcRegression, RefusesFilesItDoesNotUnderstand) {
-  check("--cases nowhere").expect_refusal({"nowhere"});
+  run("--cases nowhere").expect_refusal({"nowhere"});
   write("a/cases.toml", "[[case]]\n");
-  check("--cases a").expect_refusal({"a/cases.toml", "[tolerance.NAME]"});
+  run("--cases a").expect_refusal({"a/cases.toml", "[tolerance.NAME]"});
   write("b/cases.toml", "[tolerance.x]\nrelative = 1\n[[case]]\n");
-  check("--cases b").expect_refusal({"tolerance.x", "reason"});
+  run("--cases b").expect_refusal({"tolerance.x", "reason"});
   write("d/cases.toml", "[tolerance.x]\nrelative = 1\nreason = \"r\"\n[[case]]\nname = \"n\"\n");
-  check("--cases d").expect_refusal({"case n", "tolerance"});
-  check("--contact nowhere.json").expect_refusal({"nowhere.json"});
+  run("--cases d").expect_refusal({"case n", "tolerance"});
+  run("--contact nowhere.json").expect_refusal({"nowhere.json"});
   write("bad.json", "{}");
-  check("--contact bad.json").expect_refusal({"bad.json"});
+  run("--contact bad.json").expect_refusal({"bad.json"});
   // A case that cannot be solved is a failed check, and no baseline is written for it.
   write("e/cases.toml", std::string(small_cases) + "[[case]]\ngroup = \"own\"\nname = \"far\"\n"
                                                    "tolerance = \"drift\"\nscene = {pose.lateral = "
                                                    "100.0}\nresults = [\"roll\"]\n");
-  EXPECT_EQ(check("--cases e").exit_code, 4);
-  check("--cases e --update").expect_refusal({"--update", "far"});
+  EXPECT_EQ(run("--cases e").exit_code, 4);
+  run("--cases e --update").expect_refusal({"--update", "far"});
   EXPECT_FALSE(exists("e/baselines.toml"));
 }
 

@@ -37,13 +37,11 @@ std::vector<std::string> entries_of(const std::string& line) {
 
 class WrcSweep : public Driver {
 protected:
-  [[nodiscard]] Outcome sweep(const std::string& arguments) const {
-    return run(WRC_SWEEP_PROGRAM, arguments);
-  }
+  WrcSweep() : Driver(WRC_SWEEP_PROGRAM) {}
   /// Table and NetCDF file of a study that must succeed.
   [[nodiscard]] std::array<std::string, 2> files(const std::string& arguments,
                                                  const std::string& folder) const {
-    const Outcome outcome = sweep(arguments + " --out " + folder);
+    const Outcome outcome = run(arguments + " --out " + folder);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_EQ(outcome.error, "");
     return {read(folder + "/s.csv"), read(folder + "/s.nc")};
@@ -165,10 +163,10 @@ TEST_F(WrcSweep, GoesOnAfterAnInterruptOrAKill) {
     }
     EXPECT_FALSE(exists("o/s.csv"));
     ASSERT_TRUE(exists("o/s.rows"));
-    sweep("s.toml --out o").expect_refusal({"o/s.rows", "--resume", "--restart"});
+    run("s.toml --out o").expect_refusal({"o/s.rows", "--resume", "--restart"});
     // A row that was being written.
     write("o/s.rows", read("o/s.rows") + std::string(50, 'x'));
-    sweep("s.toml --set pose.yaw=0.01 --out o --resume").expect_refusal({"another study"});
+    run("s.toml --set pose.yaw=0.01 --out o --resume").expect_refusal({"another study"});
     EXPECT_EQ(files("s.toml --resume", "o"), whole);
     EXPECT_FALSE(exists("o/s.rows"));
   }
@@ -180,7 +178,7 @@ TEST_F(WrcSweep, TwoRunsDoNotWriteTheSameResults) {
   write("o/s.rows", "");
   const int other = open((folder() / "o/s.rows").c_str(), O_RDWR | O_CLOEXEC);
   ASSERT_EQ(flock(other, LOCK_EX), 0);
-  sweep("s.toml --out o --restart").expect_refusal({"o/s.rows", "another run"});
+  run("s.toml --out o --restart").expect_refusal({"o/s.rows", "another run"});
   close(other);
   (void)files("s.toml --restart", "o");
 }
@@ -220,15 +218,13 @@ TEST_F(WrcSweep, AListThatIsOneValueDoesNotVary) {
 
 TEST_F(WrcSweep, ProgressIsShownWhenAsked) {
   write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
-  EXPECT_EQ(sweep("s.toml").error, "") << "stderr is no terminal";
-  const Outcome outcome = sweep("s.toml --progress");
+  EXPECT_EQ(run("s.toml").error, "") << "stderr is no terminal";
+  const Outcome outcome = run("s.toml --progress");
   EXPECT_NE(outcome.error.find("2 of 2"), std::string::npos) << outcome.error;
 }
 
 TEST_F(WrcSweep, ConicityOfAConeIsItsSlope) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  NEEDS_GNUPLOT();
   std::string wheel;
   for (int s = -60; s <= 60; ++s) { // heights towards larger radius: 1 in 20
     wheel += std::to_string(s) + ' ' + std::to_string(-0.05 * s) + '\n';
@@ -251,16 +247,14 @@ TEST_F(WrcSweep, ConicityOfAConeIsItsSlope) {
 }
 
 TEST_F(WrcSweep, EveryStudyOfThePaperRunsAndDraws) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  NEEDS_GNUPLOT();
   std::set<std::string> pictures;
   for (const auto& file : std::filesystem::directory_iterator(WRC_STUDIES)) {
     // Coarse: what matters is that all keys, results and pictures fit each other.
     const std::string coarse =
         file.path().stem() == "fig05" ? "--set 'solve.grid=[32, 16]'" : "--set solve.accuracy=0.1";
     const Outcome outcome =
-        sweep(std::string("'").append(file.path()) + "' " + coarse + " --threads 2 --out o");
+        run(std::string("'").append(file.path()) + "' " + coarse + " --threads 2 --out o");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_NE(outcome.out.find(" 0 of them"), std::string::npos) << file.path() << outcome.out;
     for (const std::string& line : lines_of(outcome.out)) {
@@ -289,7 +283,7 @@ TEST_F(WrcSweep, EveryStudyOfThePaperRunsAndDraws) {
 TEST_F(WrcSweep, RefusesBadStudies) {
   const auto refuse = [&](const std::string& text, std::initializer_list<std::string> parts) {
     write("s.toml", text);
-    sweep("s.toml --out o").expect_refusal(parts);
+    run("s.toml --out o").expect_refusal(parts);
     EXPECT_FALSE(exists("o/s.rows")) << text;
   };
   refuse("[pose]\nsideways = [1, 2]\n", {"pose.sideways", "pose.lateral"});
@@ -321,17 +315,15 @@ TEST_F(WrcSweep, RefusesBadStudies) {
 
 TEST_F(WrcSweep, RefusesBadArguments) {
   write("s.toml", study);
-  sweep("").expect_refusal({"STUDY"});
-  sweep("missing.toml").expect_refusal({"missing.toml"});
-  sweep("s.toml --threads 0").expect_refusal({"--threads"});
-  sweep("s.toml --resume --restart").expect_refusal({"--resume", "--restart"});
-  sweep("s.toml --set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
-  sweep("s.toml --out s.toml/x").expect_refusal({"--out s.toml/x"});
-  const Outcome help = sweep("--help");
-  for (const char* part : {"{from = -6, to = 6", "--resume", "mpirun", "[[picture]]"}) {
-    EXPECT_NE(help.out.find(part), std::string::npos) << part;
-  }
-  const std::string listed = sweep("--list-results").out;
+  run("").expect_refusal({"STUDY"});
+  run("missing.toml").expect_refusal({"missing.toml"});
+  run("s.toml --threads 0").expect_refusal({"--threads"});
+  run("s.toml --resume --restart").expect_refusal({"--resume", "--restart"});
+  run("s.toml --set pose.lateral").expect_refusal({"--set pose.lateral", "key=value"});
+  run("s.toml --out s.toml/x").expect_refusal({"--out s.toml/x"});
+  const Outcome help = run("--help");
+  expect_parts(help.out, {"{from = -6, to = 6", "--resume", "mpirun", "[[picture]]"});
+  const std::string listed = run("--list-results").out;
   for (const char* name : {"left.patches.0.pmax\n", "left.patches.0.parts.0.pmax\n",
                            "right.patches.0.parts.0.centroid.y\n", "left.near_contacts.0.y\n"}) {
     EXPECT_NE(listed.find(name), std::string::npos) << name;

@@ -6,15 +6,15 @@ namespace {
 
 using nlohmann::json;
 
-class WrcTradeoff : public Driver {};
+class WrcTradeoff : public Driver {
+protected:
+  WrcTradeoff() : Driver(WRC_TRADEOFF_PROGRAM) {}
+};
 
 TEST_F(WrcTradeoff, WritesTableCsvJsonAndPictures) {
-  if (!gnuplot_is_there()) {
-    GTEST_SKIP() << "gnuplot is missing";
-  }
-  const Outcome outcome =
-      run(WRC_TRADEOFF_PROGRAM, "--scenes 2 --repeats 1 --threads 2 --csv t.csv --json t.json "
-                                "--pictures .");
+  NEEDS_GNUPLOT();
+  const Outcome outcome = run("--scenes 2 --repeats 1 --threads 2 --csv t.csv --json t.json "
+                              "--pictures .");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   EXPECT_NE(outcome.out.find("2 scenes, 0 of them without a solution"), std::string::npos)
       << outcome.out;
@@ -55,8 +55,7 @@ TEST_F(WrcTradeoff, WritesTableCsvJsonAndPictures) {
 }
 
 TEST_F(WrcTradeoff, SolvesRandomScenesForOneMeaning) {
-  const Outcome outcome =
-      run(WRC_TRADEOFF_PROGRAM, "--random 2 --accuracy-of forces --repeats 1 --json t.json");
+  const Outcome outcome = run("--random 2 --accuracy-of forces --repeats 1 --json t.json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const json whole = json::parse(read("t.json"));
   ASSERT_EQ(whole.at("scenes").size(), 2U);
@@ -70,10 +69,10 @@ TEST_F(WrcTradeoff, SolvesRandomScenesForOneMeaning) {
 }
 
 TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
-  run(WRC_TRADEOFF_PROGRAM, "--scenes 0").expect_refusal({"--scenes"});
-  run(WRC_TRADEOFF_PROGRAM, "--random 2 --scenes 2").expect_refusal({"--random"});
-  run(WRC_TRADEOFF_PROGRAM, "--accuracy-of area").expect_refusal({"--accuracy-of"});
-  run(WRC_TRADEOFF_PROGRAM, "--pictures nowhere").expect_refusal({"nowhere"});
+  run("--scenes 0").expect_refusal({"--scenes"});
+  run("--random 2 --scenes 2").expect_refusal({"--random"});
+  run("--accuracy-of area").expect_refusal({"--accuracy-of"});
+  run("--pictures nowhere").expect_refusal({"nowhere"});
 }
 
 } // namespace

@@ -1,0 +1,126 @@
+// wrc_extremes: every quantity to its limits, one at a time: what holds where, and what is said
+// where it does not.
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "support/output_file.hpp"
+#include "support/parallel.hpp"
+#include "support/program.hpp"
+#include "support/scene.hpp"
+#include "wrc_extremes/measure.hpp"
+#include "wrc_extremes/reports.hpp"
+
+namespace {
+
+using extremes::Point;
+using extremes::Row;
+
+/// A seed for each point that does not depend on which others are measured.
+std::uint64_t seed_of(const Point& point, std::uint64_t seed) {
+  std::uint64_t mixed = 14695981039346656037U ^ seed; // FNV-1a
+  for (const char letter : point.quantity + '/' + point.base + '/' + point.setting) {
+    mixed = (mixed ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+  }
+  return mixed;
+}
+
+std::vector<Row> measure_all(const std::vector<Point>& points, int threads, std::uint64_t seed) {
+  std::vector<Row> rows(points.size());
+  driver::ProgressLines progress(points.size());
+  driver::for_each_index(points.size(), threads, [&](std::size_t i) {
+    const Point& point = points[i];
+    Row& row = rows[i];
+    row.quantity = point.quantity;
+    row.base = point.base;
+    row.setting = point.setting;
+    row.value = point.value;
+    extremes::measure(point.measure, row, seed_of(point, seed));
+    progress.one_done([&](std::size_t done, double seconds) {
+      std::fprintf(stderr, "wrc_extremes: %zu of %zu points, %.0f s, last %s: %s\n", done,
+                   points.size(), seconds, row.quantity.c_str(), row.setting.c_str());
+    });
+  });
+  return rows;
+}
+
+std::set<std::string> quantity_names() {
+  std::set<std::string> names;
+  for (const extremes::Quantity& quantity : extremes::quantities()) {
+    names.insert(quantity.name);
+  }
+  return names;
+}
+
+std::string explanation() {
+  std::string text =
+      "\nEach point is solved through the public interface. Verdicts:\n"
+      "  held        solved; residuals, recomputed by this program, and errors as requested\n"
+      "  warned      solved, and a warning or status says what is wrong\n"
+      "  no contact  no forces, and the status or a warning says so\n"
+      "  refused     a status and a text that names argument, value and what is allowed\n"
+      "  faded       solved, worse than requested, without a warning\n"
+      "  wrong       residuals beyond all bounds, or a fault of the library\n"
+      "The exit code is 3 if a point is wrong.\n\nQuantities:\n";
+  for (const extremes::Quantity& quantity : extremes::quantities()) {
+    text +=
+        "  " + quantity.name + std::string(16 - quantity.name.size(), ' ') + quantity.title + '\n';
+  }
+  return text + "\nExamples:\n"
+                "  wrc_extremes --threads 2 --out extremes     # all of it, in minutes\n"
+                "  wrc_extremes --only load --only tolerance   # two quantities, table only\n";
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Takes every quantity to its limits, one at a time, and reports what holds where: "
+               "status, residuals, digits lost against elimination in extended precision, and "
+               "where accuracy fades.",
+               "wrc_extremes");
+  bool quick = false;
+  std::vector<std::string> only;
+  std::string folder;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  app.add_flag("--quick", quick, "few points of each quantity, in seconds");
+  app.add_option("--only", only, "this quantity; may be given again")
+      ->type_name("QUANTITY")
+      ->check(CLI::IsMember(quantity_names()));
+  app.add_option("--out", folder,
+                 "write extremes.csv, extremes.json and extremes_<quantity>.png into a folder, "
+                 "which is made if it is not there")
+      ->type_name("FOLDER");
+  app.add_option("--seed", seed, "of noise, and of elements drawn from large grids")
+      ->capture_default_str();
+  app.add_option("--threads", threads, "points measured at once; no result depends on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.footer(explanation());
+  return driver::run_program(app, argc, argv, [&] {
+    std::vector<Point> points = extremes::all_points();
+    const std::set<std::string> chosen(only.begin(), only.end());
+    std::erase_if(points, [&](const Point& point) {
+      return (quick && !point.quick) || (!chosen.empty() && !chosen.contains(point.quantity));
+    });
+    if (!folder.empty()) {
+      driver::make_folder("--out", folder);
+    }
+    const std::vector<Row> rows = measure_all(points, threads, seed);
+    extremes::print_table(rows, std::cout);
+    if (!folder.empty()) {
+      const std::filesystem::path out(folder);
+      driver::write_whole(out / "extremes.csv",
+                          [&](std::ostream& s) { extremes::print_csv(rows, s); });
+      driver::write_whole(out / "extremes.json", [&](std::ostream& s) {
+        driver::print_json(extremes::json_of(rows, seed), s, 1);
+      });
+      extremes::draw_pictures(rows, out);
+    }
+    const bool any_wrong = std::any_of(rows.begin(), rows.end(), [](const Row& row) {
+      return row.verdict == extremes::Verdict::wrong;
+    });
+    return any_wrong ? 3 : 0;
+  });
+}

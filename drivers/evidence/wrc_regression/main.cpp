@@ -1,0 +1,59 @@
+// wrc_regression: stored cases against what they should be.
+#include <algorithm>
+#include <iostream>
+
+#include "support/program.hpp"
+#include "support/scene.hpp"
+#include "wrc_regression/checks.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Solves stored cases and compares them with the paper's Table 2, with Hertz's closed "
+      "form, with the program CONTACT and with own baselines.\nExit status: 0 if all are "
+      "within their tolerances, 4 if not.",
+      "wrc_regression");
+  std::string folder = WRC_REGRESSION_FOLDER;
+  std::string contact;
+  std::string junit;
+  bool update = false;
+  app.add_option("--cases", folder, "folder with cases.toml and baselines.toml")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--contact", contact,
+                 "JSON file with values of CONTACT; without it these are left out")
+      ->type_name("FILE");
+  app.add_option("--junit", junit, "write the checks as JUnit XML too")->type_name("FILE");
+  app.add_flag("--update", update,
+               "write the own baselines anew, and tell what has changed; nothing else is written");
+  return driver::run_program(app, argc, argv, [&] {
+    const std::filesystem::path cases = folder;
+    const std::filesystem::path baselines = cases / "baselines.toml";
+    std::vector<driver::Check> checks = driver::run_stored_cases(cases / "cases.toml", baselines);
+    if (update) {
+      const auto changes = driver::update_baselines(checks, baselines);
+      for (const std::string& line : changes) {
+        std::cout << line << '\n';
+      }
+      std::cout << changes.size() << " values of " << baselines.string() << " have changed\n";
+      return 0;
+    }
+    for (driver::Check& check : driver::run_hertz_cases()) {
+      checks.push_back(std::move(check));
+    }
+    if (contact.empty()) {
+      std::cerr << "wrc_regression: values of CONTACT are left out (--contact FILE)\n";
+    } else {
+      for (driver::Check& check : driver::run_contact_cases(contact)) {
+        checks.push_back(std::move(check));
+      }
+    }
+    driver::print_checks(checks, std::cout);
+    if (!junit.empty()) {
+      driver::write_junit(checks, junit);
+    }
+    const bool passed = std::all_of(checks.begin(), checks.end(),
+                                    [](const driver::Check& check) { return check.passed(); });
+    constexpr int deviates = 4;
+    return passed ? 0 : deviates;
+  });
+}

@@ -1,0 +1,54 @@
+#include "wrc_benchmark/yardstick.hpp"
+
+#include "support/scene.hpp"
+
+namespace benchmark {
+
+Times median(const std::vector<Times>& times) {
+  const auto of = [&times](double Times::*stage) { return median(driver::all_of(times, stage)); };
+  return {of(&Times::setup), of(&Times::geometry), of(&Times::remesh), of(&Times::mechanics),
+          of(&Times::total)};
+}
+
+double Yardstick::measure() const {
+  // A sample takes some milliseconds: several small pairs, one large one.
+  constexpr std::int64_t large = 1024 * 512;
+  const std::int32_t repeats = grid_.count() >= large ? 1 : 5;
+  double milliseconds = 0.0;
+  if (wrc_measure_transform(2 * grid_.lateral, 2 * grid_.longitudinal, repeats, &milliseconds) !=
+      WRC_OK) {
+    throw driver::Failure("a transform of twice " + grid_.text() + " cannot be measured");
+  }
+  return milliseconds;
+}
+
+void Yardstick::sample() {
+  samples_.push_back(measure());
+}
+
+void Yardstick::sample_undisturbed() {
+  constexpr double undisturbed = 0.99;
+  constexpr int attempts = 20;
+  double best_share = 0.0;
+  double best = 0.0;
+  for (int i = 0; i < attempts && best_share < undisturbed; ++i) {
+    Stopwatch elapsed;
+    ProcessorStopwatch processor;
+    const double milliseconds = measure();
+    const double share = processor.lap() / elapsed.lap();
+    if (share > best_share) {
+      best_share = share;
+      best = milliseconds;
+    }
+  }
+  samples_.push_back(best);
+}
+
+double Yardstick::milliseconds() {
+  if (samples_.empty()) {
+    sample();
+  }
+  return median(samples_);
+}
+
+} // namespace benchmark

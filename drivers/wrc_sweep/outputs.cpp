@@ -1,0 +1,288 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <netcdf.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include "support/csv_table.hpp"
+#include "support/output_file.hpp"
+#include "wrc_sweep/result_names.hpp"
+#include "wrc_sweep/run.hpp"
+
+namespace driver {
+namespace {
+
+/// Does work that writes a NetCDF file in a process of its own. HDF5, which writes it, does not get
+/// over a full disk: it fails again when the file is closed or the program ends, by a fault. Throws
+/// Failure with the text of what the work throws, or if its process ends in another way.
+void in_own_process(const std::filesystem::path& path, const std::function<void()>& work) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) {
+    throw Failure("cannot write " + path.string() + ": no pipe could be made");
+  }
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    std::string text;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      text = error.what();
+    }
+    const bool told = write(ends[1], text.data(), text.size()) >= 0;
+    _exit(told && text.empty() ? 0 : 1); // nothing of the parent's is ended or written here
+  }
+  close(ends[1]);
+  std::string text;
+  std::array<char, 256> part{};
+  for (ssize_t count = 0; (count = read(ends[0], part.data(), part.size())) > 0;) {
+    text.append(part.data(), static_cast<std::size_t>(count));
+  }
+  close(ends[0]);
+  int status = -1;
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
+    throw Failure(text.empty() ? "cannot write " + path.string() + " whole: is the disk full?"
+                               : text);
+  }
+}
+
+/// A NetCDF-4 file being written, with failures as exceptions. Not closed by its destructor, see
+/// there.
+class NetcdfFile {
+public:
+  explicit NetcdfFile(const std::filesystem::path& path) : path_(path.string()) {
+    check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
+  }
+
+  int dimension(const std::string& name, std::size_t length) {
+    int id = -1;
+    check(nc_def_dim(file_, name.c_str(), length, &id));
+    return id;
+  }
+  /// A variable over dimensions, of NC_DOUBLE, NC_INT64 or NC_STRING.
+  int variable(const std::string& name, int type, const std::vector<int>& dimensions) {
+    int id = -1;
+    check(nc_def_var(file_, name.c_str(), type, static_cast<int>(dimensions.size()),
+                     dimensions.data(), &id));
+    return id;
+  }
+  /// Compresses a variable of many numbers.
+  void compress(int variable) {
+    constexpr int shuffle = 1;
+    constexpr int deflate = 1;
+    constexpr int level = 1;
+    check(nc_def_var_deflate(file_, variable, shuffle, deflate, level));
+  }
+  /// Of a variable, or with NC_GLOBAL of the file.
+  void attribute(int variable, const std::string& name, const std::string& value) {
+    check(nc_put_att_text(file_, variable, name.c_str(), value.size(), value.c_str()));
+  }
+  void attribute(int variable, const std::string& name, const std::vector<int>& values) {
+    check(nc_put_att_int(file_, variable, name.c_str(), NC_INT64, values.size(), values.data()));
+  }
+
+  /// Whole variables.
+  void put(int variable, const std::vector<double>& values) {
+    check(nc_put_var_double(file_, variable, values.data()));
+  }
+  void put(int variable, const std::vector<long long>& values) {
+    check(nc_put_var_longlong(file_, variable, values.data()));
+  }
+  void put(int variable, const std::vector<std::string>& values) {
+    std::vector<const char*> texts;
+    for (const std::string& value : values) {
+      texts.push_back(value.c_str());
+    }
+    check(nc_put_var_string(file_, variable, texts.data()));
+  }
+  /// Part of a variable with one dimension.
+  void put_part(int variable, std::size_t first, const std::vector<double>& values) {
+    const std::size_t count = values.size();
+    check(nc_put_vara_double(file_, variable, &first, &count, values.data()));
+  }
+  void close() { check(nc_close(file_)); }
+
+private:
+  void check(int status) const {
+    if (status != NC_NOERR) {
+      throw Failure("cannot write " + path_ + ": " + nc_strerror(status));
+    }
+  }
+
+  std::string path_;
+  int file_ = -1;
+};
+
+/// Numbers as numbers, anything else as texts.
+void write_axis(NetcdfFile& file, const Axis& axis, int dimension) {
+  std::vector<std::string> texts;
+  std::vector<double> numbers;
+  for (const Value& value : axis.values) {
+    texts.push_back(text_of(value));
+    if (const double* number = std::get_if<double>(&value)) {
+      numbers.push_back(*number);
+    }
+  }
+  if (numbers.size() < texts.size()) {
+    file.put(file.variable(axis.key, NC_STRING, {dimension}), texts);
+    return;
+  }
+  const int variable = file.variable(axis.key, NC_DOUBLE, {dimension});
+  file.attribute(variable, "units", unit_of(axis.key));
+  file.put(variable, numbers);
+}
+
+void describe_status(NetcdfFile& file, int status) {
+  std::vector<int> codes;
+  std::string meanings;
+  for (int code = WRC_OK; code <= WRC_NO_RESULT; ++code) {
+    std::string meaning = wrc_status_name(code);
+    std::replace(meaning.begin(), meaning.end(), ' ', '_'); // the CF conventions separate by blanks
+    codes.push_back(code);
+    meanings += (meanings.empty() ? "" : " ") + meaning;
+  }
+  file.attribute(status, "flag_values", codes);
+  file.attribute(status, "flag_meanings", meanings);
+}
+
+void write_results(NetcdfFile& file, const Study& study, Journal& journal,
+                   const std::vector<int>& dimensions) {
+  const auto count = static_cast<std::size_t>(study.scene_count());
+  std::vector<long long> status(count);
+  std::vector<std::string> message(count);
+  std::vector<std::vector<double>> values(study.results.size(), std::vector<double>(count));
+  for (std::size_t scene = 0; scene < count; ++scene) {
+    const Row row = journal.read(static_cast<std::int64_t>(scene));
+    status[scene] = row.status;
+    message[scene] = row.message;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i][scene] = row.values[i];
+    }
+  }
+  const int status_variable = file.variable("status", NC_INT64, dimensions);
+  describe_status(file, status_variable);
+  file.put(status_variable, status);
+  file.put(file.variable("message", NC_STRING, dimensions), message);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const int variable = file.variable(study.results[i], NC_DOUBLE, dimensions);
+    file.attribute(variable, "units", unit_of(study.results[i]));
+    file.put(variable, values[i]);
+  }
+}
+
+/// One column of whole numbers, an entry per patch.
+struct PatchColumn {
+  const char* name;
+  const char* meaning;
+  std::vector<long long> values{};
+};
+
+void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
+  std::array columns{
+      PatchColumn{"patch_scene", "number of the scene, the last dimension varies fastest"},
+      PatchColumn{"patch_side", "0: left, 1: right"},
+      PatchColumn{"patch_index", "largest normal force first"},
+      PatchColumn{"patch_rows",
+                  "elements across the rail, from the track centre to the field side"},
+      PatchColumn{"patch_columns", "elements along the rail; this index is the fastest"},
+      PatchColumn{"element_count", "number of elements"}};
+  std::size_t elements = 0;
+  for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
+    for (const PatchFields& patch : journal.read(scene).patches) {
+      const std::array values{
+          scene,         std::int64_t{patch.side},  std::int64_t{patch.index}, patch.rows,
+          patch.columns, patch.rows * patch.columns};
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        columns[i].values.push_back(values[i]);
+      }
+      elements += patch.values.front().size();
+    }
+  }
+  if (elements == 0) {
+    return;
+  }
+  const int patch_dimension = file.dimension("patch", columns.front().values.size());
+  const int element_dimension = file.dimension("element", elements);
+  for (const PatchColumn& column : columns) {
+    const int variable = file.variable(column.name, NC_INT64, {patch_dimension});
+    file.attribute(variable, "long_name", column.meaning);
+    if (&column == &columns.back()) {
+      file.attribute(variable, "sample_dimension", "element");
+    }
+    file.put(variable, column.values);
+  }
+  std::vector<int> fields;
+  for (const std::string& name : study.fields) {
+    fields.push_back(file.variable("field." + name, NC_DOUBLE, {element_dimension}));
+    file.attribute(fields.back(), "units", unit_of(name));
+    file.compress(fields.back());
+  }
+  std::size_t first = 0;
+  for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
+    for (const PatchFields& patch : journal.read(scene).patches) {
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        file.put_part(fields[i], first, patch.values[i]);
+      }
+      first += patch.values.front().size();
+    }
+  }
+}
+
+void write_whole(const Study& study, Journal& journal, const std::filesystem::path& path) {
+  NetcdfFile file(path);
+  file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
+  file.attribute(NC_GLOBAL, "title", study.title.empty() ? study.name : study.title);
+  file.attribute(NC_GLOBAL, "source", std::string("wrcontact ") + wrc_version());
+  for (const auto& [key, value] : study.fixed) {
+    file.attribute(NC_GLOBAL, key, text_of(value));
+  }
+  std::vector<int> dimensions;
+  for (const Axis& axis : study.axes) {
+    dimensions.push_back(file.dimension(axis.key, axis.values.size()));
+    write_axis(file, axis, dimensions.back());
+  }
+  write_results(file, study, journal, dimensions);
+  if (!study.fields.empty()) {
+    write_fields(file, study, journal);
+  }
+  file.close();
+}
+
+} // namespace
+
+void write_csv(const Study& study, Journal& journal, const std::filesystem::path& path) {
+  OutputFile file(path);
+  std::ostream& out = file.stream();
+  std::vector<std::string> keys;
+  for (const Axis& axis : study.axes) {
+    keys.push_back(axis.key);
+  }
+  CsvLine(out).add(words("scene")).add(keys).add(words("status message")).add(study.results);
+  for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
+    const Row row = journal.read(scene);
+    const std::vector<std::size_t> places = study.places(scene);
+    CsvLine line(out);
+    line << scene;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      line << text_of(study.axes[i].values[places[i]]);
+    }
+    line << wrc_status_name(row.status) << row.message;
+    for (const double value : row.values) {
+      line << text_of(value);
+    }
+  }
+  file.commit();
+}
+
+void write_netcdf(const Study& study, Journal& journal, const std::filesystem::path& path) {
+  OutputFile whole(path);
+  in_own_process(path, [&] { write_whole(study, journal, whole.aside()); });
+  whole.commit();
+}
+
+} // namespace driver
