@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "floating_point.hpp"
+#include "half_space/material.hpp"
 #include "handle_table.hpp"
-#include "mechanics/material.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/normal_solver.hpp"
-#include "mechanics/pressure_field.hpp"
+#include "pressure/pressure_field.hpp"
 #include "profile/profile.hpp"
 #include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"

@@ -4,15 +4,15 @@
 #include <limits>
 #include <string_view>
 
+#include "half_space/displacement_operator.hpp"
 #include "handles.hpp"
-#include "mechanics/contact_area.hpp"
-#include "mechanics/displacement_operator.hpp"
+#include "pressure/contact_area.hpp"
 
 namespace {
 
 constexpr double most_iterations = 1e9;
 /// What double precision reaches on any grid (docs/stability.md); that of solve.tolerance too.
-constexpr double least_tolerance = 1e-13;
+constexpr double min_tolerance = 1e-13;
 
 [[noreturn]] void refuse_name(const char* what, const std::string& name, const char* known) {
   throw wrc::Error(wrc::ErrorCode::unknown_name, std::string("no ") + what +
@@ -49,7 +49,7 @@ void set_number(wrc::NormalProblem& problem, const std::string& key, double valu
     problem.approach = value;
     problem.normal_load.reset();
   } else if (key == "tolerance") {
-    check(value >= least_tolerance && value <= 0.1, "allowed is 1e-13 to 0.1");
+    check(value >= min_tolerance && value <= 0.1, "allowed is 1e-13 to 0.1");
     problem.tolerance = value;
   } else if (key == "maximum_iterations") {
     check(value >= 1.0 && value <= most_iterations && value == std::floor(value),

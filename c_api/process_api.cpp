@@ -2,8 +2,8 @@
 #include <chrono>
 #include <vector>
 
+#include "half_space/fft.hpp"
 #include "handles.hpp"
-#include "mechanics/fft.hpp"
 
 namespace {
 

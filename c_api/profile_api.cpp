@@ -113,7 +113,7 @@ wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name, const 
     wrc::require_pointer(lateral, "lateral");
     wrc::require_pointer(height, "height");
     wrc::require_pointer(options, "options");
-    constexpr auto most = static_cast<int64_t>(wrc::ReadLimits::most_points);
+    constexpr auto most = static_cast<int64_t>(wrc::ReadLimits::max_points);
     if (count < 1 || count > most) {
       wrc::throw_invalid_argument("count", std::to_string(count),
                                   "allowed is 1 to " + std::to_string(most));

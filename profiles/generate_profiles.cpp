@@ -18,7 +18,7 @@
 
 #include <toml++/toml.h>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/segments.hpp"
 #include "profile/standard_table.hpp"
 
@@ -125,8 +125,8 @@ Segment read_segment(const Section& section, double up) {
       section.numbers("coefficients"),
       section.has("expansion_point") ? section.number("expansion_point") : 0.0,
       section.number("from"), section.number("to")};
-  if (polynomial.coefficients.size() > wrc::TableSegment::most_coefficients)
-    section.refuse("more than " + std::to_string(wrc::TableSegment::most_coefficients) +
+  if (polynomial.coefficients.size() > wrc::TableSegment::max_coefficients)
+    section.refuse("more than " + std::to_string(wrc::TableSegment::max_coefficients) +
                    " coefficients");
   for (double& coefficient : polynomial.coefficients)
     coefficient *= up;

@@ -19,15 +19,28 @@ check() {
   fi
 }
 
-check cxx_core/profile 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/'
-check cxx_core/geometry 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/'
-check cxx_core/remesh 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/|remesh/'
-check cxx_core/mechanics 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|remesh/grid\.hpp|mechanics/'
-check cxx_core/scene 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|geometry/|remesh/|mechanics/|scene/'
-check c_api 'error\.hpp|(vector_clones|reductions|written_file)\.hpp|profile/|mechanics/|scene/|(handles|handle_table|floating_point)\.hpp|wrcontact\.h'
+# room NAME ROOMS_BELOW...: a room of the core includes itself and these.
+room() {
+  local name=$1
+  shift
+  check "cxx_core/$name" "$(printf '%s/|' "$@")$name/"
+}
+room base
+room profile base
+room half_space base
+room pressure base
+room geometry base profile
+room patches base geometry
+room remesh base geometry patches
+room mechanics base half_space pressure
+room models base geometry patches
+room accuracy base patches remesh mechanics pressure
+room wheel base half_space pressure geometry patches remesh mechanics models accuracy
+room scene base profile half_space pressure geometry patches mechanics accuracy wheel
+check c_api 'base/|profile/|half_space/|pressure/|mechanics/|scene/|(handles|handle_table|floating_point)\.hpp|wrcontact\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
-check tests/fuzz 'error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
+check tests/fuzz 'base/error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
 check tests/properties '(drawn_scene|outcome|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
 check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp'
@@ -35,8 +48,8 @@ check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp'
 # One file sees FFTW, and one of the tests, which plays a host program.
 fftw=$(git ls-files '*.cpp' '*.hpp' '*.h' '*.c' | xargs grep -lE 'include[[:space:]]*<fftw3' |
   grep -v '^tests/c_api/host_transform.cpp$' || true)
-if [ "$fftw" != cxx_core/mechanics/fft.cpp ]; then
-  echo "only cxx_core/mechanics/fft.cpp may include fftw3.h, but there is: $fftw"
+if [ "$fftw" != cxx_core/half_space/fft.cpp ]; then
+  echo "only cxx_core/half_space/fft.cpp may include fftw3.h, but there is: $fftw"
   failures=1
 fi
 

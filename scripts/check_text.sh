@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What can be said of the files without compiling them: format of the code, faults of the scripts,
-# spelling (words that are right here and rare elsewhere: .codespellrc), one version in all files.
+# spelling (words that are right here and rare elsewhere: .codespellrc), one version in all files,
+# pages that agree with the sources.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,4 +14,5 @@ grep -qx "version: $version" CITATION.cff || {
   echo "CITATION.cff: version must be that of CMakeLists.txt, $version"
   failures=1
 }
+scripts/check_docs.py || failures=1
 exit "$failures"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text, address
-# and thread sanitizers, clang with static analysis, release, instruction sets.
+# sanitizer (by clang, with static analysis), thread sanitizer, release, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -49,9 +49,8 @@ if [ "$all" = yes ]; then
   scripts/check_layers.sh
   echo "== text"
   scripts/check_text.sh
-  build_and_test asan
+  build_and_test asan all . -DWRCONTACT_CLANG_TIDY=ON
   build_and_test tsan threads_test '^(Batch|Threads)\.'
-  build_and_test clang all . -DWRCONTACT_CLANG_TIDY=ON
 fi
 build_and_test release
 if [ "$all" = yes ]; then

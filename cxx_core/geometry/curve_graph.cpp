@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc {
 namespace {
 
 /// Least d lateral / d arc that still counts as a graph: cos of 89.4 degrees.
-constexpr double least_tangent_lateral = 0.01;
+constexpr double min_tangent_lateral = 0.01;
 constexpr int newton_limit = 30;
 
 bool is_graph_piece(const Curve& curve, std::size_t piece) {
   const double length = curve.starts()[piece + 1] - curve.starts()[piece];
-  return curve.at(piece, 0.0).tangent_lateral >= least_tangent_lateral &&
-         curve.at(piece, 0.5 * length).tangent_lateral >= least_tangent_lateral &&
-         curve.at(piece, length).tangent_lateral >= least_tangent_lateral;
+  return curve.at(piece, 0.0).tangent_lateral >= min_tangent_lateral &&
+         curve.at(piece, 0.5 * length).tangent_lateral >= min_tangent_lateral &&
+         curve.at(piece, length).tangent_lateral >= min_tangent_lateral;
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace {
 /// To which the polynomials meet the curve, measured along its normal, mm.
 constexpr double table_tolerance = 1e-12;
 /// Halvings of a piece of 0.5 mm that a slope of 100 may need; beyond, the last is taken as it is.
-constexpr int most_halvings = 12;
+constexpr int max_halvings = 12;
 
 QuinticValues graph_values(const CurvePoint& point) {
   const double inverse = 1.0 / point.tangent_lateral;
@@ -61,7 +61,7 @@ void HeightFunction::add(const Curve& curve, std::size_t curve_piece, double fro
     const double off = evaluate(trial, point.lateral - begin.lateral).value - point.height;
     met = met && std::abs(off * point.tangent_lateral) <= table_tolerance;
   }
-  if (met || halvings == most_halvings) {
+  if (met || halvings == max_halvings) {
     pieces_.push_back({begin.lateral, trial, end.lateral});
     return;
   }

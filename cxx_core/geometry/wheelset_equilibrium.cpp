@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr double largest_roll = 0.2;
+constexpr double max_roll = 0.2;
 /// The search for the roll goes on until the two least distances agree to this, mm, ...
 constexpr double distance_tolerance = 1e-12;
 /// ... and accepts this where rounding allows no better.
@@ -72,7 +72,7 @@ public:
       roll = next;
     }
     throw Error(ErrorCode::no_contact,
-                "no roll within +-" + text_of(largest_roll) +
+                "no roll within +-" + text_of(max_roll) +
                     " rad sets both wheels on the rails at pose.lateral = " + text_of(lateral_) +
                     " mm, pose.yaw = " + text_of(yaw_) + " rad" +
                     (off_the_rail ? ": on the way to one a wheel goes off the rail" : "") +
@@ -135,8 +135,8 @@ private:
   SideSearch& right_;
   double lateral_;
   double yaw_;
-  double low_ = -largest_roll;
-  double high_ = largest_roll;
+  double low_ = -max_roll;
+  double high_ = max_roll;
 };
 
 /// A side whose pose has been scanned.

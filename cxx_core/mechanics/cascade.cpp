@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "mechanics/constants.hpp"
+
 namespace wrc {
 
 namespace {
-
-/// No side of a coarser grid is shorter.
-constexpr std::size_t shortest_side = 8;
 
 /// A row of distances, the row after the last one by linear continuation.
 double distance_at(std::span<const double> distance, const LevelSize& size, std::size_t row,
@@ -49,7 +48,7 @@ Neighbours neighbours_of(double steps, std::size_t count) {
 
 bool can_coarsen(const LevelSize& size, std::size_t coarsest) {
   return std::max(size.rows, size.columns) > coarsest &&
-         std::min(size.rows, size.columns) >= 2 * shortest_side;
+         std::min(size.rows, size.columns) >= 2 * min_level_side;
 }
 
 LevelSize coarser_size(const LevelSize& size) {

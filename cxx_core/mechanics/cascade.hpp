@@ -4,15 +4,15 @@
 /// at a smooth edge of contact (p ~ sqrt of the distance from it; Johnson, Contact Mechanics, 1985,
 /// eq. 4.27), bilinearly between element centres; outside contact p^2 is extrapolated to negative
 /// values, so that the zero line of the interpolated p^2 is the new edge.
-/// Order of elements: that of remesh/grid.hpp. Thread rule: pure functions.
+/// Order of elements: that of base/grid.hpp. Thread rule: pure functions.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "mechanics/squared_pressure.hpp"
-#include "remesh/grid.hpp"
+#include "base/grid.hpp"
+#include "pressure/squared_pressure.hpp"
 
 namespace wrc {
 

@@ -6,21 +6,13 @@
 #include <numbers>
 #include <string>
 
-#include "error.hpp"
-#include "vector_clones.hpp"
+#include "base/error.hpp"
+#include "base/vector_clones.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Iterations without a smaller error after which no more is to be had.
-constexpr int stagnation_window = 60;
-/// Less is not aimed at: the residual that the iteration carries along would go on falling, the
-/// true one would not.
-constexpr double least_tolerance = 1e-14;
-/// What an answer adds to those kept is not worth keeping below this share of its energy: it would
-/// consist of rounding.
-constexpr double least_new_energy = 1e-20;
 
 WRC_VECTOR_CLONES double product(const double* first, const double* second, std::size_t count) {
   double sum = 0.0;
@@ -213,6 +205,20 @@ void ContactStiffness::precondition(const Group& group, const double* residual,
   multiply(contact_.data() + group.begin, correction + group.begin, group.count);
 }
 
+/// Keeps forces and what they displace, scaled to an energy of 1.
+void ContactStiffness::keep_answer(Group& group, std::vector<double> forces,
+                                   std::vector<double> displacements) {
+  const double scale = 1.0 / std::sqrt(product(forces.data(), displacements.data(), forces.size()));
+  if (std::isfinite(scale)) {
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      forces[i] *= scale;
+      displacements[i] *= scale;
+    }
+    group.forces.push_back(std::move(forces));
+    group.displacements.push_back(std::move(displacements));
+  }
+}
+
 /// The right-hand side comes in residual_, the answer goes to force_.
 StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
                                                int maximum_iterations) {
@@ -238,7 +244,8 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
   std::vector<double> left(residual, residual + count);
 
   StiffnessOutcome outcome;
-  const double square = std::max(tolerance * tolerance, least_tolerance * least_tolerance);
+  const double square =
+      std::max(tolerance * tolerance, min_stiffness_tolerance * min_stiffness_tolerance);
   double gained_energy = 0.0;
   double last_z_r = 0.0;
   double least_z_r = std::numeric_limits<double>::infinity();
@@ -253,12 +260,12 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
       best_iteration = outcome.iterations;
     }
     if (z_r <= square * whole) {
-      if (z_r > 0.0 && tolerance < least_tolerance) {
+      if (z_r > 0.0 && tolerance < min_stiffness_tolerance) {
         outcome.stop_reason = StopReason::stagnation;
       }
       break;
     }
-    if (outcome.iterations - best_iteration >= stagnation_window) {
+    if (outcome.iterations - best_iteration >= stiffness_stagnation_window) {
       outcome.stop_reason = StopReason::stagnation;
       break;
     }
@@ -280,18 +287,9 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
     gained_energy += step * z_r;
   }
   add_multiple(1.0, gained, force, count);
-  if (gained_energy > least_new_energy * (energy + gained_energy)) {
+  if (gained_energy > min_new_energy * (energy + gained_energy)) {
     add_multiple(-1.0, residual, left.data(), count); // what the forces gained displace
-    const double scale = 1.0 / std::sqrt(product(gained, left.data(), count));
-    if (std::isfinite(scale)) {
-      std::vector<double> unit(gained, gained + count);
-      for (std::size_t i = 0; i < count; ++i) {
-        unit[i] *= scale;
-        left[i] *= scale;
-      }
-      group.forces.push_back(std::move(unit));
-      group.displacements.push_back(std::move(left));
-    }
+    keep_answer(group, {gained, gained + count}, std::move(left));
   }
   return outcome;
 }

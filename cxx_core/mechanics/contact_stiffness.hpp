@@ -29,7 +29,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/box_convolution.hpp"
+#include "half_space/box_convolution.hpp"
 #include "mechanics/cascade.hpp"
 #include "mechanics/normal_contact.hpp"
 
@@ -67,7 +67,7 @@ public:
   explicit ContactStiffness(InfluenceCache& cache) : cache_(cache) {}
 
   /// The contact of the following solutions; what is given is not needed afterwards, but for the
-  /// influence (none: the patches do not feel each other).
+  /// influence (none: the patches do not interact).
   /// Throws Error(invalid_argument) for grids, sizes or a modulus outside their range.
   void set_contact(std::span<const SolvedPatch> patches, double combined_modulus,
                    PatchInfluence* influence = nullptr);
@@ -105,6 +105,8 @@ private:
   void displace(const Group& group, const double* force, double* displacement);
   void precondition(const Group& group, const double* residual, double* correction);
   void add_influence(const double* force, double* displacement);
+  static void keep_answer(Group& group, std::vector<double> forces,
+                          std::vector<double> displacements);
   StiffnessOutcome solve_group(Group& group, double tolerance, int maximum_iterations);
 
   InfluenceCache& cache_;

@@ -42,7 +42,7 @@ std::vector<Grid> CoupledInfluence::coupled_boxes(std::span<const SolvedPatch> p
 CoupledInfluence::CoupledInfluence(std::span<const SolvedPatch> patches,
                                    const PatchInteraction& interaction, double combined_modulus)
     : boxes_(boxes_of(patches, combined_modulus)),
-      coupling_(coupled_boxes(patches, interaction, boxes_), interaction.closeness),
+      coupling_(coupled_boxes(patches, interaction, boxes_), interaction.coupling_weight),
       field_(coupling_.field()) {}
 
 void CoupledInfluence::add(std::span<const std::vector<double>> pressure,

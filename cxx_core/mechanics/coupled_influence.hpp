@@ -1,18 +1,18 @@
 /// The influence of the patches of a joint problem on each other, for its stiffness.
 ///
 /// The same operator as in the solution (joint_contact.hpp, patch_coupling.hpp): all patches in
-/// their mean plane, each pair counted with its closeness; on boxes around the pressures. With
-/// rates of closeness in its place it is the rate of that operator. Units mm, MPa. Thread rule: one
-/// object serves one thread at a time.
+/// their mean plane, each pair counted with its coupling weight; on boxes around the pressures.
+/// With rates of coupling weight in its place it is the rate of that operator. Units mm, MPa.
+/// Thread rule: one object serves one thread at a time.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "half_space/patch_coupling.hpp"
 #include "mechanics/cascade.hpp"
 #include "mechanics/contact_stiffness.hpp"
 #include "mechanics/joint_contact.hpp"
-#include "mechanics/patch_coupling.hpp"
 
 namespace wrc {
 

@@ -8,9 +8,8 @@
 /// approach and F the vertical load. The conditions are those of least energy, so the shares in
 /// gap and load are the same.
 /// Patches are half-spaces of their own, u = A_k p. Elastic interaction: with `coupling` the
-/// patches also lie in one mean plane, and u_k gains closeness[k, l] times what the pressures of
-/// patch l cause there (patch_coupling.hpp).
-/// Units mm, N, MPa. Thread rule: plain values.
+/// patches also lie in one mean plane, and u_k gains coupling_weight[k, l] times what the pressures
+/// of patch l cause there (patch_coupling.hpp). Units mm, N, MPa. Thread rule: plain values.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@ namespace wrc {
 struct PatchGap {
   Grid grid;
   std::span<const double> undeformed_distance; ///< h per element centre, mm. Finite.
-  double approach_share = 1.0;                 ///< s, in (0, 1]
+  double approach_cosine = 1.0;                ///< s, in (0, 1]
   std::span<const double> start = {};          ///< pressures to start from, MPa; none: by itself
 };
 
@@ -36,7 +35,8 @@ struct PatchInteraction {
     double longitudinal = 0.0;
   };
   std::vector<Place> places;
-  std::vector<double> closeness; ///< count x count, symmetric, 0 to 1; the diagonal is not used
+  std::vector<double>
+      coupling_weight; ///< count x count, symmetric, 0 to 1; the diagonal is not used
 };
 
 struct JointProblem {
@@ -51,7 +51,7 @@ struct JointProblem {
   double rounding_share = 0.1;
   int maximum_iterations = 5000;
   Elements elements = Elements::constant;
-  const PatchInteraction* interaction = nullptr; ///< none: the patches do not feel each other
+  const PatchInteraction* interaction = nullptr; ///< none: the patches do not interact
 };
 
 struct JointSolution {
@@ -70,5 +70,8 @@ struct JointSolution {
 
 /// Throws Error(invalid_argument) for a problem outside its permitted ranges; names the argument.
 void check_problem(const JointProblem& problem);
+
+/// The paper's method (mechanics/normal_contact.hpp) for a problem of one patch.
+JointSolution solve_with_polonsky_keer(const JointProblem& problem);
 
 } // namespace wrc

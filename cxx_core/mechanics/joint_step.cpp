@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/constants.hpp"
+
 extern "C" {
 /// LAPACK: solves A x = b with A symmetric positive definite.
 void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
@@ -11,13 +13,7 @@ void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const in
 
 namespace wrc {
 
-namespace {
-
-/// Added to the diagonal of energies that are 1 there: a direction may be parallel to the pressures
-/// to within single precision.
-constexpr double ridge = 1e-9;
-
-} // namespace
+namespace {} // namespace
 
 void JointStep::begin(std::size_t boxes) {
   boxes_ = boxes;
@@ -43,7 +39,7 @@ bool JointStep::solve(bool keep_load) {
     for (std::size_t i = 0; i < j; ++i) {
       energy_[i + j * n] *= scale_[i] * scale_[j];
     }
-    energy_[j + j * n] = 1.0 + ridge;
+    energy_[j + j * n] = 1.0 + joint_step_ridge;
     right_sides_[j] = scale_[j] * work_[j];
     right_sides_[n + j] = scale_[j] * load_[j];
   }

@@ -5,10 +5,10 @@
 #include <limits>
 #include <string>
 
-#include "error.hpp"
-#include "mechanics/displacement_operator.hpp"
+#include "base/error.hpp"
+#include "base/reductions.hpp"
+#include "half_space/displacement_operator.hpp"
 #include "mechanics/joint_contact.hpp"
-#include "reductions.hpp"
 
 namespace wrc {
 
@@ -16,15 +16,15 @@ namespace {
 
 /// Products and quotients of two loads, lengths and moduli in these ranges, squares of lengths
 /// among them, neither overflow nor lose digits; whatever the unit, that is enough.
-constexpr double least_scale = 1e-30;
-constexpr double greatest_scale = 1e30;
-constexpr double least_load = 1e-60;
-constexpr double greatest_load = 1e60;
+constexpr double min_scale = 1e-30;
+constexpr double max_scale = 1e30;
+constexpr double min_load = 1e-60;
+constexpr double max_load = 1e60;
 /// Influence coefficients are right to 1e-12 between elements of these shapes (docs/stability.md).
-constexpr double greatest_aspect = 1e9;
+constexpr double max_aspect = 1e9;
 
 void check_scale(const std::string& argument, double value) {
-  if (!(value >= least_scale && value <= greatest_scale)) {
+  if (!(value >= min_scale && value <= max_scale)) {
     throw_invalid_argument(argument, value, "must lie in 1e-30 to 1e30");
   }
 }
@@ -63,8 +63,8 @@ void check_grid(const Grid& grid) {
   }
   check_scale("grid.lateral_step", grid.lateral_step);
   check_scale("grid.longitudinal_step", grid.longitudinal_step);
-  if (grid.lateral_step > greatest_aspect * grid.longitudinal_step ||
-      grid.longitudinal_step > greatest_aspect * grid.lateral_step) {
+  if (grid.lateral_step > max_aspect * grid.longitudinal_step ||
+      grid.longitudinal_step > max_aspect * grid.lateral_step) {
     throw_invalid_argument("grid.lateral_step/longitudinal_step",
                            grid.lateral_step / grid.longitudinal_step, "must lie in 1e-9 to 1e9");
   }
@@ -85,7 +85,7 @@ void check_distances(std::span<const double> distance, const Grid& grid) {
   }
 }
 
-/// What is asked of any problem, whatever it calls the load.
+/// What holds for any problem, whatever it calls the load.
 template <typename Problem>
 void check_request(const Problem& problem, const std::optional<double>& load,
                    const std::string& load_name) {
@@ -94,10 +94,10 @@ void check_request(const Problem& problem, const std::optional<double>& load,
     throw_invalid_argument(load_name + " and approach", load.has_value() ? "both set" : "none set",
                            "exactly one of the two must be set");
   }
-  if (load && *load != 0.0 && !(*load >= least_load && *load <= greatest_load)) {
+  if (load && *load != 0.0 && !(*load >= min_load && *load <= max_load)) {
     throw_invalid_argument(load_name, *load, "must be 0 or lie in 1e-60 to 1e60");
   }
-  if (problem.approach && !(std::abs(*problem.approach) <= greatest_load)) {
+  if (problem.approach && !(std::abs(*problem.approach) <= max_load)) {
     throw_invalid_argument("approach", *problem.approach, "must lie in -1e60 to 1e60");
   }
   if (!(problem.tolerance > 0.0 && problem.tolerance <= 0.1)) {
@@ -125,8 +125,8 @@ void check_problem(const JointProblem& problem) {
   for (const PatchGap& patch : problem.patches) {
     check_grid(patch.grid);
     check_distances(patch.undeformed_distance, patch.grid);
-    if (!(patch.approach_share > 0.0 && patch.approach_share <= 1.0)) {
-      throw_invalid_argument("approach_share", patch.approach_share,
+    if (!(patch.approach_cosine > 0.0 && patch.approach_cosine <= 1.0)) {
+      throw_invalid_argument("approach_cosine", patch.approach_cosine,
                              "must be greater than 0 and at most 1");
     }
   }
@@ -134,10 +134,10 @@ void check_problem(const JointProblem& problem) {
   if (problem.interaction != nullptr) {
     const std::size_t count = problem.patches.size();
     check_size("interaction.places", problem.interaction->places.size(), count);
-    check_size("interaction.closeness", problem.interaction->closeness.size(), count * count);
-    for (const double closeness : problem.interaction->closeness) {
-      if (!(closeness >= 0.0 && closeness <= 1.0)) {
-        throw_invalid_argument("interaction.closeness", closeness, "must lie in 0 to 1");
+    check_size("interaction.closeness", problem.interaction->coupling_weight.size(), count * count);
+    for (const double coupling_weight : problem.interaction->coupling_weight) {
+      if (!(coupling_weight >= 0.0 && coupling_weight <= 1.0)) {
+        throw_invalid_argument("interaction.closeness", coupling_weight, "must lie in 0 to 1");
       }
     }
   }
@@ -150,14 +150,6 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
   DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
       .apply(pressure, displacement);
   return compute_residuals(problem, pressure, displacement, approach);
-}
-
-void complete_solution(const NormalProblem& problem, NormalSolution& solution) {
-  solution.displacement.resize(solution.pressure.size());
-  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
-      .apply(solution.pressure, solution.displacement);
-  solution.residuals =
-      compute_residuals(problem, solution.pressure, solution.displacement, solution.approach);
 }
 
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/influence_coefficients.hpp"
-#include "remesh/grid.hpp"
+#include "base/grid.hpp"
+#include "half_space/influence_coefficients.hpp"
 
 namespace wrc {
 
@@ -22,7 +22,7 @@ struct NormalProblem {
   Grid grid;
   /// Undeformed distance h per element centre, mm; may be negative. Finite.
   std::span<const double> undeformed_distance;
-  double combined_modulus = 0.0; ///< E*, MPa (mechanics/material.hpp)
+  double combined_modulus = 0.0; ///< E*, MPa (half_space/material.hpp)
   /// Exactly one of these two is set.
   std::optional<double> normal_load; ///< Q in N, >= 0
   std::optional<double> approach;    ///< mm
@@ -73,9 +73,6 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
 /// The same for displacements that the caller has just computed from these very pressures.
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach);
-
-/// Fills in displacement and residuals of a solution that lacks them, in double precision.
-void complete_solution(const NormalProblem& problem, NormalSolution& solution);
 
 /// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
 /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.

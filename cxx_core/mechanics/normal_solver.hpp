@@ -15,7 +15,7 @@
 
 #include <memory>
 
-#include "mechanics/influence_cache.hpp"
+#include "half_space/influence_cache.hpp"
 #include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 

@@ -8,7 +8,8 @@
 ///    or below the tolerance, since the update alone understates the error by two orders;
 ///    Pressures are then off by 5 to 70 tolerances relative to the peak (measured up to 154
 ///    elements across), since rough errors of p move the surface little;
-///  - it stops as stagnated when no better pressures came up for `stagnation_window` iterations,
+///  - it stops as stagnated when no better pressures came up for `polonsky_keer_stagnation_window`
+///  iterations,
 ///    and hands back the best it saw;
 ///  - a direction along which the energy does not fall is replaced by the steepest descent;
 ///  - when contact is even or empty but overlap remains, a Jacobi-like step opens new contact;
@@ -16,26 +17,19 @@
 /// Inside, lengths are counted in longitudinal steps, the modulus is 1 and pressures are of the
 /// order of 1, so that the units and the size of a problem do not matter.
 
+#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "mechanics/displacement_operator.hpp"
+#include "half_space/displacement_operator.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Longer than any plateau seen on noise and on two contacts; a floor costs this many iterations.
-constexpr int stagnation_window = 300;
-
-/// Pressures are off by 5 to 70 times the relative error of the gaps; see above.
-constexpr double pressure_error_per_gap_error = 70.0;
-
-/// Share of elements below the distance from which the first pressures are drawn.
-constexpr double start_quantile = 0.2;
 
 /// The problem without dimensions: distances from the least one, modulus 1, longitudinal step 1.
 struct ScaledProblem {
@@ -256,7 +250,7 @@ ScaledResult ActiveSetIteration::run(double tolerance, int maximum_iterations) {
       best.stop_reason = StopReason::tolerance_met;
       return best;
     }
-    if (iteration - best_iteration >= stagnation_window) {
+    if (iteration - best_iteration >= polonsky_keer_stagnation_window) {
       best.stop_reason = StopReason::stagnation;
       return best;
     }
@@ -295,8 +289,9 @@ ScaledProblem scale_problem(const NormalProblem& problem, double least_distance)
 }
 
 std::vector<double> start_pressures(const ScaledProblem& scaled) {
-  const double level =
-      scaled.load_prescribed ? quantile_of(scaled.distance, start_quantile) : scaled.approach;
+  const double level = scaled.load_prescribed
+                           ? quantile_of(scaled.distance, polonsky_keer_start_quantile)
+                           : scaled.approach;
   std::vector<double> pressure = start_shape(scaled.distance, level);
   double factor = 0.0;
   if (scaled.load_prescribed) {
@@ -378,6 +373,31 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
   if (solution.stop_reason == StopReason::tolerance_met && error > problem.tolerance) {
     solution.stop_reason = StopReason::stagnation;
   }
+  return solution;
+}
+
+JointSolution solve_with_polonsky_keer(const JointProblem& problem) {
+  const PatchGap& patch = problem.patches.front();
+  NormalProblem single;
+  single.grid = patch.grid;
+  single.undeformed_distance = patch.undeformed_distance;
+  single.combined_modulus = problem.combined_modulus;
+  if (problem.load) {
+    single.normal_load = *problem.load / patch.approach_cosine;
+  } else {
+    single.approach = *problem.approach * patch.approach_cosine;
+  }
+  single.tolerance = problem.tolerance;
+  single.maximum_iterations = problem.maximum_iterations;
+  single.elements = problem.elements;
+  NormalSolution solved = solve_with_polonsky_keer(single);
+  JointSolution solution;
+  solution.patches.push_back({std::move(solved.pressure), solved.normal_force});
+  solution.approach = solved.approach / patch.approach_cosine;
+  solution.iterations = solved.iterations;
+  solution.convolutions = solved.iterations;
+  solution.stop_reason = solved.stop_reason;
+  solution.pressure_error = solved.pressure_error;
   return solution;
 }
 

@@ -1,35 +1,15 @@
 #include "mechanics/projected_cg.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
-#include "reductions.hpp"
+#include "base/reductions.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 
 namespace {
-
-/// Rounding in u stands for an error of p relative to the largest p, of about this much times
-/// N^1.15, N elements along the rectangle's longer side: the ratio of the operator's extreme
-/// eigenvalues grows with it. Measured with directions in single precision: 8.9e-6 for 78 elements,
-/// 2.6e-5 for 156, 6.1e-5 for 306, 1.4e-4 for 614, 2.9e-4 for 1228.
-constexpr double single_drift = 8.5e-8;
-constexpr double double_drift = 2e-16;
-constexpr double drift_exponent = 1.15;
-/// Iterations without a smaller error after which no more is to be had.
-constexpr int stagnation_window = 60;
-/// Pressures whose displacements are added up one by one: about as many as cost a convolution of
-/// so many elements.
-constexpr std::size_t most_single_cuts = 128;
-constexpr double elements_per_cut = 16.0;
-/// By which share the pressures of one box may shrink or grow in an iteration. Where the least
-/// energy lies beyond, all go the same part of the way, which keeps the load; where that would be
-/// less than the least part, a step of the same length in all boxes is taken.
-constexpr double most_shrinking = 0.5;
-constexpr double most_growth = 1.0;
-constexpr double least_part = 0.1;
 
 void scale_pressures(std::span<const IterationBox> boxes, double factor) {
   for (const IterationBox& box : boxes) {
@@ -37,28 +17,6 @@ void scale_pressures(std::span<const IterationBox> boxes, double factor) {
       pressure *= factor;
     }
   }
-}
-
-/// Sides of the box that contact has reached and beyond which there are elements.
-template <typename Real> ReachedSides reached_sides(const IterationBox& box, const Real* contact) {
-  const auto row_touched = [&](std::size_t row) {
-    return std::any_of(contact + row * box.columns, contact + (row + 1) * box.columns,
-                       [](Real value) { return value > Real{0}; });
-  };
-  const auto column_touched = [&](std::size_t column) {
-    for (std::size_t index = column; index < box.count(); index += box.columns) {
-      if (contact[index] > Real{0}) {
-        return true;
-      }
-    }
-    return false;
-  };
-  ReachedSides reached;
-  reached.first_row = box.open_first_row && row_touched(0);
-  reached.last_row = box.open_last_row && row_touched(box.rows - 1);
-  reached.first_column = box.open_first_column && column_touched(0);
-  reached.last_column = box.open_last_column && column_touched(box.columns - 1);
-  return reached;
 }
 
 } // namespace
@@ -156,9 +114,10 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   double part = found ? 1.0 : 0.0;
   for (std::size_t k = 0; k < count && found; ++k) {
     const double growth = joint_step_.growth(k);
-    part = std::min(part, (growth < 0.0 ? most_shrinking : most_growth) / std::abs(growth));
+    part = std::min(part, (growth < 0.0 ? max_joint_step_shrinking : max_joint_step_growth) /
+                              std::abs(growth));
   }
-  if (part >= least_part) {
+  if (part >= min_joint_step_part) {
     for (std::size_t k = 0; k < count; ++k) {
       Fields& fields = *fields_[k];
       fields.factor = 1.0 + part * joint_step_.growth(k);
@@ -233,79 +192,8 @@ template <typename Real> void ProjectedCg<Real>::advance_coupling() {
   }
 }
 
-/// K for all offsets of columns, so that around any element it is read in one direction.
-template <typename Real>
-void ProjectedCg<Real>::mirror_influence(const IterationBox& box, Fields& fields) {
-  const auto influence = cache_.table(box.kernel, box.rows, box.columns);
-  const std::size_t pitch = 2 * box.columns - 1;
-  provide(fields.mirrored, box.rows * pitch);
-  for (std::size_t i = 0; i < box.rows; ++i) {
-    const double* row = influence->row(i);
-    Real* centre = fields.mirrored.data() + i * pitch + (box.columns - 1);
-    for (std::size_t j = 0; j < box.columns; ++j) {
-      centre[j] = static_cast<Real>(row[j]);
-    }
-    std::reverse_copy(centre + 1, centre + box.columns, centre - (box.columns - 1));
-  }
-  fields.has_mirrored = true;
-}
-
-/// Sets negative pressures to 0 and takes their displacement out of u.
-template <typename Real> void ProjectedCg<Real>::cut_negative(std::size_t k) {
-  const IterationBox& box = request_->boxes[k];
-  Fields& fields = *fields_[k];
-  double* pressure = box.pressure.data();
-  const double most = static_cast<double>(box.count()) / elements_per_cut;
-  const bool one_by_one = fields.cut <= std::min(most, static_cast<double>(most_single_cuts));
-  if (one_by_one) {
-    struct Cut {
-      std::size_t row;
-      std::size_t column;
-    };
-    std::array<Cut, most_single_cuts> cuts{};
-    std::array<Real, most_single_cuts> pressures{};
-    std::array<const Real*, most_single_cuts> kernels{};
-    std::size_t cut_count = 0;
-    for (std::size_t i = 0; i < box.rows; ++i) {
-      double* row = pressure + i * box.columns;
-      if (!(least_of(row, box.columns) < 0.0)) {
-        continue;
-      }
-      for (std::size_t j = 0; j < box.columns; ++j) {
-        if (row[j] < 0.0) {
-          cuts[cut_count] = {i, j};
-          pressures[cut_count++] = static_cast<Real>(row[j]);
-          row[j] = 0.0;
-        }
-      }
-    }
-    if (!fields.has_mirrored) {
-      mirror_influence(box, fields);
-    }
-    for (std::size_t i = 0; i < box.rows; ++i) {
-      for (std::size_t c = 0; c < cut_count; ++c) {
-        const Cut& cut = cuts[c];
-        const std::size_t offset = i > cut.row ? i - cut.row : cut.row - i;
-        kernels[c] = fields.mirrored.data() + offset * (2 * box.columns - 1) +
-                     (box.columns - 1 - cut.column);
-      }
-      take_out(fields.displacement.data() + i * box.columns, fields.response.data(), kernels.data(),
-               pressures.data(), cut_count, box.columns);
-    }
-    return;
-  }
-  std::transform(pressure, pressure + box.count(), fields.response.data(),
-                 [](double p) { return static_cast<Real>(std::max(0.0, -p)); });
-  std::transform(pressure, pressure + box.count(), pressure,
-                 [](double p) { return std::max(0.0, p); });
-  fields.convolution.apply(fields.response.data(), fields.response.data(), workspace_);
-  for (std::size_t index = 0; index < box.count(); ++index) {
-    fields.displacement.data()[index] += static_cast<double>(fields.response.data()[index]);
-  }
-}
-
 /// p = max(0, p + z): z estimates the error, so this removes most of what is left of it.
-template <typename Real> void ProjectedCg<Real>::take_free_step(double z_mean) {
+template <typename Real> void ProjectedCg<Real>::final_correction(double z_mean) {
   const auto boxes = request_->boxes;
   double load = 0.0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -325,22 +213,18 @@ template <typename Real> void ProjectedCg<Real>::take_free_step(double z_mean) {
   }
 }
 
-template <typename Real>
-IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
-  request_ = &request;
-  convolutions_ = 0;
-  const auto boxes = request.boxes;
-  const std::size_t count = boxes.size();
-  while (fields_.size() < count) {
-    fields_.push_back(std::make_unique<Fields>());
-  }
-  const bool load_given = request.load.has_value();
-  constexpr bool is_single = sizeof(Real) < sizeof(double);
-  IterationOutcome outcome;
-  outcome.reached.resize(count);
+template <typename Real> bool ProjectedCg<Real>::Progress::stuck() const {
+  return outcome.iterations - best_iteration >= cg_stagnation_window;
+}
+
+template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>::begin() {
+  Progress progress;
+  IterationOutcome& outcome = progress.outcome;
+  const auto boxes = request_->boxes;
+  outcome.reached.resize(boxes.size());
   std::size_t longest = 1;
   double load = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
     const IterationBox& box = boxes[k];
     prepare(box, *fields_[k]);
     longest = std::max({longest, box.rows, box.columns});
@@ -351,192 +235,234 @@ IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
     }
     load += box.weight * box.share * sum;
   }
-  if (load_given) {
-    const double factor = *request.load / load;
+  if (request_->load) {
+    const double factor = *request_->load / load;
     outcome.largest_pressure *= factor;
     scale_pressures(boxes, factor);
   }
-  PatchCoupling* coupling = request.coupling;
-  if (coupling != nullptr) {
-    pressure_nodes_ = coupling->field();
+  if (request_->coupling != nullptr) {
+    pressure_nodes_ = request_->coupling->field();
     load_change_ = others_ = pressure_nodes_.load;
   }
   const double amplification = std::pow(static_cast<double>(longest), drift_exponent);
-  const double least_drift = double_drift * amplification;
-  const double drift_rate = is_single ? single_drift * amplification : least_drift;
-  // The error of p that rounding in u stands for, relative to the largest pressure.
-  double drift = drift_rate;
-  const double permitted_drift = request.rounding_share * request.tolerance;
-  if (is_single && drift > permitted_drift) {
-    refresh_displacement(true);
-    drift = least_drift;
-  } else {
-    refresh_displacement(false);
-  }
-  outcome.approach = load_given
+  progress.least_drift = double_drift * amplification;
+  progress.drift_rate = is_single ? single_drift * amplification : progress.least_drift;
+  progress.permitted_drift = request_->rounding_share * request_->tolerance;
+  const bool in_double = is_single && progress.drift_rate > progress.permitted_drift;
+  refresh_displacement(in_double);
+  progress.rounding =
+      (in_double ? progress.least_drift : progress.drift_rate) * outcome.largest_pressure;
+  outcome.approach = request_->load
                          ? (fields_[0]->displacement.data()[0] + distance_of(0)[0]) / boxes[0].share
-                         : request.approach;
-  // The same as a pressure: pressures may fall by orders of magnitude, rounding in u does not.
-  double rounding = drift * outcome.largest_pressure;
+                         : request_->approach;
+  return progress;
+}
 
-  double best_error = std::numeric_limits<double>::infinity();
-  int best_iteration = 0;
-  int idle = 0; // iterations without a step, one after the other
+/// Scales p and u by what the last step has left to do, and sets the approach by least squares of
+/// the gaps under pressure.
+template <typename Real> void ProjectedCg<Real>::update_approach(Progress& progress) {
+  IterationOutcome& outcome = progress.outcome;
+  double gap_sum = 0.0;
+  double gap_count = 0.0;
+  for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
+    const IterationBox& box = request_->boxes[k];
+    Fields& fields = *fields_[k];
+    const ContactMean mean =
+        scale_and_average(box.pressure.data(), fields.displacement.data(), distance_of(k),
+                          fields.factor, box.share * outcome.approach, box.count());
+    fields.factor = 1.0;
+    gap_sum += box.weight * box.share * mean.sum;
+    gap_count += box.weight * box.share * box.share * mean.count;
+  }
+  progress.drift = progress.rounding / std::max(outcome.largest_pressure, 1e-300);
+  if (request_->load) {
+    outcome.approach += gap_sum / gap_count;
+  }
+}
+
+template <typename Real> void ProjectedCg<Real>::form_residuals(IterationOutcome& outcome) {
+  for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
+    const IterationBox& box = request_->boxes[k];
+    Fields& fields = *fields_[k];
+    std::swap(fields.residual, fields.last_residual);
+    form_residual(box.pressure.data(), fields.displacement.data(), distance_of(k),
+                  box.share * outcome.approach, fields.residual.data(), fields.contact.data(),
+                  box.count());
+    outcome.reached[k] = reached_sides(box, fields.contact.data());
+    outcome.reached_any = outcome.reached_any || outcome.reached[k].any();
+  }
+  outcome.convolutions = convolutions_;
+}
+
+template <typename Real>
+typename ProjectedCg<Real>::Correction ProjectedCg<Real>::precondition(Progress& progress) {
+  IterationOutcome& outcome = progress.outcome;
+  const auto boxes = request_->boxes;
+  sums_.resize(boxes.size());
+  Correction correction;
+  double z_sum = 0.0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const IterationBox& box = boxes[k];
+    Fields& fields = *fields_[k];
+    fields.preconditioner.apply(fields.residual.data(), fields.correction.data(), workspace_);
+    sums_[k] = sum_correction(fields.correction.data(), fields.residual.data(),
+                              fields.last_residual.data(), fields.direction.data(),
+                              fields.contact.data(), box.count());
+    const double load_weight = box.weight * box.share;
+    z_sum += load_weight * sums_[k].z;
+    correction.contacts += load_weight * box.share * sums_[k].contacts;
+  }
+  correction.z_mean = mean_over(correction.contacts, z_sum);
+  double largest_z = 0.0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const double shift = correction.z_mean * boxes[k].share;
+    if (sums_[k].contacts > 0.0) {
+      largest_z = std::max({largest_z, sums_[k].largest_z - shift, shift - sums_[k].least_z});
+    }
+  }
+  outcome.error = outcome.largest_pressure > 0.0 ? largest_z / outcome.largest_pressure
+                                                 : (largest_z > 0.0 ? 1.0 : 0.0);
+  if (outcome.error < progress.best_error) {
+    progress.best_error = outcome.error;
+    progress.best_iteration = outcome.iterations;
+  }
+  return correction;
+}
+
+template <typename Real> bool ProjectedCg<Real>::refreshed(Progress& progress) {
+  if (!(progress.drift > progress.permitted_drift && progress.drift > 2.0 * progress.least_drift)) {
+    return false;
+  }
+  refresh_displacement(is_single);
+  progress.rounding = progress.least_drift * progress.outcome.largest_pressure;
+  progress.best_error = std::numeric_limits<double>::infinity();
+  progress.best_iteration = progress.outcome.iterations;
+  for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
+    fields_[k]->last_z_r = 0.0;
+    std::fill_n(fields_[k]->direction.data(), request_->boxes[k].count(), Real{0});
+  }
+  return true;
+}
+
+/// v = z + beta v, or r + beta v (`steepest`), both without load.
+template <typename Real>
+void ProjectedCg<Real>::choose_directions(const Correction& correction, bool steepest) {
+  const auto boxes = request_->boxes;
+  double mean = correction.z_mean;
+  if (steepest) {
+    double r_sum = 0.0;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      r_sum += boxes[k].weight * boxes[k].share * sums_[k].r;
+    }
+    mean = mean_over(correction.contacts, r_sum);
+  }
+  double v_sum = 0.0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    Fields& fields = *fields_[k];
+    const double shift = correction.z_mean * boxes[k].share;
+    const double z_r = sums_[k].z_r - shift * sums_[k].r;
+    const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
+    fields.beta = fields.last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r) : 0.0;
+    fields.last_z_r = steepest ? 0.0 : z_r;
+    v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
+  }
+  const double v_mean = mean_over(correction.contacts, v_sum);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    Fields& fields = *fields_[k];
+    form_direction(steepest ? fields.residual.data() : fields.correction.data(),
+                   fields.direction.data(), fields.contact.data(), fields.beta,
+                   (mean + v_mean) * boxes[k].share, boxes[k].count());
+  }
+}
+
+/// p + alpha v, clipped; how it has to be scaled to keep the load is left to update_approach.
+template <typename Real> void ProjectedCg<Real>::move_pressures(Progress& progress) {
+  IterationOutcome& outcome = progress.outcome;
+  const auto boxes = request_->boxes;
+  PatchCoupling* coupling = request_->coupling;
+  bool moves = false;
+  double largest_change = 0.0;
+  outcome.largest_pressure = 0.0;
+  double load = 0.0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const IterationBox& box = boxes[k];
+    Fields& fields = *fields_[k];
+    const MoveSums moved =
+        move(box.pressure.data(), fields.displacement.data(), fields.direction.data(),
+             fields.response.data(), fields.step, box.count());
+    fields.cut = moved.negative_count;
+    largest_change = std::max(largest_change, fields.factor * moved.largest_change);
+    outcome.largest_pressure = std::max(outcome.largest_pressure, fields.factor * moved.largest);
+    load += box.weight * box.share * fields.factor * moved.pressure;
+    if (fields.step == 0.0) {
+      fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
+    } else {
+      moves = true;
+    }
+  }
+  progress.idle = moves ? 0 : progress.idle + 1;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (coupling != nullptr) {
+      gather_change(k);
+    }
+    if (fields_[k]->cut > 0.0) {
+      clip_negative(boxes[k], *fields_[k], cache_, workspace_);
+    }
+  }
+  const double kept_load = request_->load ? *request_->load / load : 1.0;
+  double largest_factor = 0.0;
+  double largest_growth = 0.0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    double& factor = fields_[k]->factor;
+    factor *= kept_load;
+    largest_factor = std::max(largest_factor, factor);
+    largest_growth = std::max(largest_growth, std::abs(factor - 1.0));
+  }
+  outcome.largest_pressure *= kept_load;
+  progress.rounding =
+      largest_factor * progress.rounding + progress.drift_rate * kept_load * largest_change;
+  if (coupling != nullptr) {
+    // Of what others displace.
+    progress.rounding += progress.drift_rate * largest_growth * outcome.largest_pressure;
+    advance_coupling();
+  }
+}
+
+template <typename Real>
+IterationOutcome ProjectedCg<Real>::solve(const IterationRequest& request) {
+  request_ = &request;
+  convolutions_ = 0;
+  while (fields_.size() < request.boxes.size()) {
+    fields_.push_back(std::make_unique<Fields>());
+  }
+  Progress progress = begin();
+  IterationOutcome& outcome = progress.outcome;
   for (;; ++outcome.iterations) {
-    double gap_sum = 0.0;
-    double gap_count = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const IterationBox& box = boxes[k];
-      Fields& fields = *fields_[k];
-      const ContactMean mean =
-          scale_and_average(box.pressure.data(), fields.displacement.data(), distance_of(k),
-                            fields.factor, box.share * outcome.approach, box.count());
-      fields.factor = 1.0;
-      gap_sum += box.weight * box.share * mean.sum;
-      gap_count += box.weight * box.share * box.share * mean.count;
-    }
-    drift = rounding / std::max(outcome.largest_pressure, 1e-300);
-    if (load_given) {
-      outcome.approach += gap_sum / gap_count;
-    }
-
-    for (std::size_t k = 0; k < count; ++k) {
-      const IterationBox& box = boxes[k];
-      Fields& fields = *fields_[k];
-      std::swap(fields.residual, fields.last_residual);
-      form_residual(box.pressure.data(), fields.displacement.data(), distance_of(k),
-                    box.share * outcome.approach, fields.residual.data(), fields.contact.data(),
-                    box.count());
-      outcome.reached[k] = reached_sides(box, fields.contact.data());
-      outcome.reached_any = outcome.reached_any || outcome.reached[k].any();
-    }
-    outcome.convolutions = convolutions_;
+    update_approach(progress);
+    form_residuals(outcome);
     if (outcome.reached_any) {
-      return outcome;
+      break;
     }
-    sums_.resize(count);
-    double z_sum = 0.0;
-    double contacts = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const IterationBox& box = boxes[k];
-      Fields& fields = *fields_[k];
-      fields.preconditioner.apply(fields.residual.data(), fields.correction.data(), workspace_);
-      sums_[k] = sum_correction(fields.correction.data(), fields.residual.data(),
-                                fields.last_residual.data(), fields.direction.data(),
-                                fields.contact.data(), box.count());
-      const double load_weight = box.weight * box.share;
-      z_sum += load_weight * sums_[k].z;
-      contacts += load_weight * box.share * sums_[k].contacts;
-    }
-    const double z_mean = load_given && contacts > 0.0 ? z_sum / contacts : 0.0;
-    double largest_z = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double shift = z_mean * boxes[k].share;
-      if (sums_[k].contacts > 0.0) {
-        largest_z = std::max({largest_z, sums_[k].largest_z - shift, shift - sums_[k].least_z});
-      }
-    }
-    outcome.error = outcome.largest_pressure > 0.0 ? largest_z / outcome.largest_pressure
-                                                   : (largest_z > 0.0 ? 1.0 : 0.0);
-    if (outcome.error < best_error) {
-      best_error = outcome.error;
-      best_iteration = outcome.iterations;
-    }
-    const bool met = outcome.error <= request.tolerance;
-    const bool stuck = outcome.iterations - best_iteration >= stagnation_window;
-    if ((met || stuck) && drift > permitted_drift && drift > 2.0 * least_drift) {
-      // Rounding in u may hide what is left: compute it anew and go on from here.
-      refresh_displacement(is_single);
-      rounding = least_drift * outcome.largest_pressure;
-      best_error = std::numeric_limits<double>::infinity();
-      best_iteration = outcome.iterations;
-      for (std::size_t k = 0; k < count; ++k) {
-        fields_[k]->last_z_r = 0.0;
-        std::fill_n(fields_[k]->direction.data(), boxes[k].count(), Real{0});
-      }
+    const Correction correction = precondition(progress);
+    const bool met = progress.met(request.tolerance);
+    const bool stuck = progress.stuck();
+    if ((met || stuck) && refreshed(progress)) {
       continue;
     }
     if (met || stuck || outcome.iterations >= request.maximum_iterations) {
       outcome.stop_reason = met ? StopReason::tolerance_met
                                 : (stuck ? StopReason::stagnation : StopReason::iteration_limit);
-      take_free_step(z_mean);
-      return outcome;
+      final_correction(correction.z_mean);
+      break;
     }
-
     // z, taken off its mean, need not lead to less energy far from the answer; r does.
-    const bool plain = idle >= 2;
-    double mean = z_mean;
-    if (plain) {
-      double r_sum = 0.0;
-      for (std::size_t k = 0; k < count; ++k) {
-        r_sum += boxes[k].weight * boxes[k].share * sums_[k].r;
-      }
-      mean = load_given && contacts > 0.0 ? r_sum / contacts : 0.0;
-    }
-    double v_sum = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      Fields& fields = *fields_[k];
-      const double shift = z_mean * boxes[k].share;
-      const double z_r = sums_[k].z_r - shift * sums_[k].r;
-      const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
-      fields.beta = fields.last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r) : 0.0;
-      fields.last_z_r = plain ? 0.0 : z_r;
-      v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
-    }
-    const double v_mean = load_given && contacts > 0.0 ? v_sum / contacts : 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      Fields& fields = *fields_[k];
-      form_direction(plain ? fields.residual.data() : fields.correction.data(),
-                     fields.direction.data(), fields.contact.data(), fields.beta,
-                     (mean + v_mean) * boxes[k].share, boxes[k].count());
-    }
+    choose_directions(correction, progress.idle >= 2);
     respond();
     choose_steps();
-    bool moves = false;
-    double largest_change = 0.0;
-    outcome.largest_pressure = 0.0;
-    load = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const IterationBox& box = boxes[k];
-      Fields& fields = *fields_[k];
-      const MoveSums moved =
-          move(box.pressure.data(), fields.displacement.data(), fields.direction.data(),
-               fields.response.data(), fields.step, box.count());
-      fields.cut = moved.negative_count;
-      largest_change = std::max(largest_change, fields.factor * moved.largest_change);
-      outcome.largest_pressure = std::max(outcome.largest_pressure, fields.factor * moved.largest);
-      load += box.weight * box.share * fields.factor * moved.pressure;
-      if (fields.step == 0.0) {
-        fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
-      } else {
-        moves = true;
-      }
-    }
-    idle = moves ? 0 : idle + 1;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (coupling != nullptr) {
-        gather_change(k);
-      }
-      if (fields_[k]->cut > 0.0) {
-        cut_negative(k);
-      }
-    }
-    const double kept_load = load_given ? *request.load / load : 1.0;
-    double largest_factor = 0.0;
-    double largest_growth = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      double& factor = fields_[k]->factor;
-      factor *= kept_load;
-      largest_factor = std::max(largest_factor, factor);
-      largest_growth = std::max(largest_growth, std::abs(factor - 1.0));
-    }
-    outcome.largest_pressure *= kept_load;
-    rounding = largest_factor * rounding + drift_rate * kept_load * largest_change;
-    if (coupling != nullptr) {
-      rounding += drift_rate * largest_growth * outcome.largest_pressure; // of what others displace
-      advance_coupling();
-    }
+    move_pressures(progress);
   }
+  request_ = nullptr;
+  return outcome;
 }
 
 template class ProjectedCg<float>;

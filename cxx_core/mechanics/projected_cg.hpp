@@ -32,46 +32,19 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "mechanics/box_convolution.hpp"
+#include "half_space/patch_coupling.hpp"
+#include "mechanics/iteration_box.hpp"
 #include "mechanics/joint_step.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "mechanics/patch_coupling.hpp"
 #include "mechanics/projected_cg_loops.hpp"
 
 namespace wrc {
-
-/// One rectangle: what is asked there and where its fields are.
-struct IterationBox {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  InfluenceKernel kernel;
-  double share = 1.0;  ///< s: of the approach, in this box's unit of length
-  double weight = 1.0; ///< w: element area times unit of length, in a unit that all boxes share
-  /// Which sides have elements of the grid beyond them: contact there ends the iteration, since the
-  /// rectangle is too small.
-  bool open_first_row = false;
-  bool open_last_row = false;
-  bool open_first_column = false;
-  bool open_last_column = false;
-  std::span<double> pressure; ///< start in, answer out
-  std::span<const double> distance;
-
-  [[nodiscard]] std::size_t count() const { return rows * columns; }
-};
-
-/// Contact came up at these open sides.
-struct ReachedSides {
-  bool first_row = false;
-  bool last_row = false;
-  bool first_column = false;
-  bool last_column = false;
-  [[nodiscard]] bool any() const { return first_row || last_row || first_column || last_column; }
-};
 
 struct IterationRequest {
   std::span<const IterationBox> boxes;
@@ -105,24 +78,28 @@ public:
   ConvolutionWorkspace<Real>& workspace() { return workspace_; }
 
 private:
-  struct Fields {
-    BoxConvolution<Real> convolution;
-    BoxConvolution<Real> preconditioner;
-    AlignedArray<double> displacement; ///< by the pressures of this box
-    AlignedArray<double> distance;     ///< with coupling: h, and what other boxes displace here
-    AlignedArray<Real> residual;
-    AlignedArray<Real> last_residual;
-    AlignedArray<Real> correction; ///< z; with coupling also what p changes by in a step
-    AlignedArray<Real> direction;  ///< v
-    AlignedArray<Real> response;   ///< K v; also the input of a fresh u = K p
-    AlignedArray<Real> contact;    ///< 1 on C, 0 elsewhere
-    double cut = 0.0;              ///< number of pressures below 0
-    double beta = 0.0;
-    double last_z_r = 0.0;       ///< <z, r> of the iteration before; 0: the next direction is z
-    double step = 0.0;           ///< along v, and ...
-    double factor = 1.0;         ///< ... by what all pressures, and u, grow after it
-    AlignedArray<Real> mirrored; ///< K[row * (2 columns - 1) + columns - 1 + offset]
-    bool has_mirrored = false;   ///< for this box
+  using Fields = BoxFields<Real>;
+  static constexpr bool is_single = sizeof(Real) < sizeof(double);
+
+  struct Progress {
+    IterationOutcome outcome;
+    double drift_rate = 0.0;      ///< relative error of p by rounding in u
+    double least_drift = 0.0;     ///< the same for u computed in double precision
+    double permitted_drift = 0.0; ///< what of it may stay
+    double rounding =
+        0.0;            ///< as a pressure: pressures may fall by orders of magnitude, it does not
+    double drift = 0.0; ///< relative to the largest pressure
+    double best_error = std::numeric_limits<double>::infinity();
+    int best_iteration = 0;
+    int idle = 0; ///< iterations without a step, one after the other
+
+    [[nodiscard]] bool met(double tolerance) const { return outcome.error <= tolerance; }
+    [[nodiscard]] bool stuck() const;
+  };
+  /// Means over contact, 0 without a load to keep.
+  struct Correction {
+    double z_mean = 0.0;
+    double contacts = 0.0;
   };
 
   void prepare(const IterationBox& box, Fields& fields);
@@ -130,12 +107,23 @@ private:
   void respond();
   void choose_steps();
   void add_coupled_energies();
-  void cut_negative(std::size_t k);
   void gather_change(std::size_t k);
   void advance_coupling();
-  void mirror_influence(const IterationBox& box, Fields& fields);
-  void take_free_step(double z_mean);
+  Progress begin();
+  void update_approach(Progress& progress);
+  void form_residuals(IterationOutcome& outcome);
+  /// z = M r on contact, and the error that it shows.
+  Correction precondition(Progress& progress);
+  /// Whether u was computed anew because rounding in it may hide what is left.
+  bool refreshed(Progress& progress);
+  void choose_directions(const Correction& correction, bool steepest);
+  void move_pressures(Progress& progress);
+  void final_correction(double z_mean);
 
+  /// Over contact; 0 without a load to keep.
+  [[nodiscard]] double mean_over(double contacts, double sum) const {
+    return request_->load && contacts > 0.0 ? sum / contacts : 0.0;
+  }
   /// h of a box, and with coupling what the other boxes displace there.
   [[nodiscard]] const double* distance_of(std::size_t k) const {
     return request_->coupling != nullptr ? fields_[k]->distance.data()

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "vector_clones.hpp"
+#include "base/vector_clones.hpp"
 
 namespace wrc {
 

@@ -6,14 +6,12 @@
 #include <numbers>
 #include <utility>
 
-#include "mechanics/influence_coefficients.hpp"
-#include "vector_clones.hpp"
+#include "base/vector_clones.hpp"
+#include "half_space/influence_coefficients.hpp"
+#include "mechanics/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Steps of the iteration; it takes 5 to 30.
-constexpr int step_limit = 200;
 
 /// Sums over a table that is symmetric about `middle`; four values at a time, so that sums are
 /// loaded and stored once for them.
@@ -94,7 +92,7 @@ public:
 
   std::vector<double> solve() {
     find_gap();
-    for (int step = 0; step < step_limit; ++step) {
+    for (int step = 0; step < strip_step_limit; ++step) {
       turn_direction();
       const double change = go_down();
       const double largest = *std::max_element(pressure_.begin(), pressure_.end());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc {
 namespace {
@@ -79,7 +79,7 @@ Curve Curve::moved(double angle, double lateral_shift, double height_shift) cons
 namespace {
 
 /// Steps smaller than this are left, mm: they press elements of 0.05 mm of steel by 1 MPa.
-constexpr double least_step = 1e-6;
+constexpr double min_step = 1e-6;
 
 /// Length over which a side of a step moves, mm; whole pieces.
 constexpr double transition_length = 2.0;
@@ -114,7 +114,7 @@ Curve Curve::without_steps() const {
     const CurvePoint before = at(piece - 1, starts_[piece] - starts_[piece - 1]);
     const CurvePoint after = at(piece, 0.0);
     const Position step{after.lateral - before.lateral, after.height - before.height};
-    if (std::hypot(step[0], step[1]) > least_step) {
+    if (std::hypot(step[0], step[1]) > min_step) {
       cuts.push_back(piece);
       halves.push_back({0.5 * step[0], 0.5 * step[1]});
     }

@@ -19,7 +19,7 @@ bool has_decimal_comma(std::string_view line) {
 }
 
 bool has_no_number(const Words& words) {
-  for (std::size_t i = 0; i < std::min(words.count, Words::most_words); ++i)
+  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i)
     if (number_of(words.word[i]))
       return false;
   return true;

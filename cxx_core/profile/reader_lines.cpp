@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/readers.hpp"
 
 namespace wrc::reading {
@@ -68,7 +68,7 @@ Words words_of(std::string_view line, std::string_view separators) {
   std::size_t begin = line.find_first_not_of(separators);
   while (begin != std::string_view::npos) {
     const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-    if (words.count < Words::most_words)
+    if (words.count < Words::max_words)
       words.word[words.count] = line.substr(begin, end - begin);
     ++words.count;
     begin = line.find_first_not_of(separators, end);

@@ -66,10 +66,10 @@ struct LineCount {
 
 std::string_view trimmed(std::string_view text);
 
-/// The words of a line, at most `most_words`; `count` goes on beyond.
+/// The words of a line, at most `max_words`; `count` goes on beyond.
 struct Words {
-  static constexpr std::size_t most_words = 16;
-  std::array<std::string_view, most_words> word;
+  static constexpr std::size_t max_words = 16;
+  std::array<std::string_view, max_words> word;
   std::size_t count = 0;
 };
 Words words_of(std::string_view line, std::string_view separators);

@@ -39,7 +39,7 @@ void read_columns_of(Header& header, std::string_view value, std::size_t line, c
   std::optional<std::size_t> x;
   std::optional<std::size_t> y;
   std::string others;
-  for (std::size_t i = 0; i < std::min(words.count, Words::most_words); ++i) {
+  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i) {
     if (words.word[i] == "X")
       x = i;
     else if (words.word[i] == "Y")
@@ -47,9 +47,9 @@ void read_columns_of(Header& header, std::string_view value, std::size_t line, c
     else
       others += (others.empty() ? "" : ", ") + printable(words.word[i]);
   }
-  if (!x || !y || words.count > Words::most_words)
+  if (!x || !y || words.count > Words::max_words)
     log.refuse(line, "ColumnDef=" + printable(value) + ", it must name X and Y among at most " +
-                         std::to_string(Words::most_words) + " columns");
+                         std::to_string(Words::max_words) + " columns");
   header.columns = words.count;
   header.x = *x;
   header.y = *y;

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/reader_formats.hpp"
 
 namespace wrc::reading {

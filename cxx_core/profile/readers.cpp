@@ -6,7 +6,7 @@
 #include <numeric>
 #include <system_error>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/reader_formats.hpp"
 #include "profile/smoothing.hpp"
 #include "profile/spline.hpp"
@@ -15,8 +15,8 @@ namespace wrc {
 namespace reading {
 
 void add_point(RawProfile& raw, const Position& point, std::size_t line, const Log& log) {
-  if (raw.points.size() >= ReadLimits::most_points)
-    log.refuse(line, "more than " + std::to_string(ReadLimits::most_points) + " points");
+  if (raw.points.size() >= ReadLimits::max_points)
+    log.refuse(line, "more than " + std::to_string(ReadLimits::max_points) + " points");
   raw.points.push_back(point);
 }
 
@@ -65,9 +65,9 @@ void check_options(const ReadOptions& options) {
   if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
     throw_invalid_argument("scale", *options.scale, "a positive finite number");
   if (!(options.smoothing_wavelength >= 0.0) ||
-      options.smoothing_wavelength > ReadLimits::most_length)
+      options.smoothing_wavelength > ReadLimits::max_length)
     throw_invalid_argument("smoothing_wavelength", options.smoothing_wavelength,
-                           "0 (none) to " + text_of(ReadLimits::most_length) + " mm");
+                           "0 (none) to " + text_of(ReadLimits::max_length) + " mm");
   if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0)
     throw_invalid_argument("least_point_distance", options.least_point_distance,
                            "above 0, at most 1 mm");
@@ -94,7 +94,7 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
 
 void settle_units(std::vector<Position>& points, const ReadOptions& options, Log& log) {
   const auto is_allowed = [](double length) {
-    return length >= ReadLimits::least_length && length <= ReadLimits::most_length;
+    return length >= ReadLimits::min_length && length <= ReadLimits::max_length;
   };
   if (options.scale && *options.scale != 1.0) {
     scale_points(points, *options.scale, *options.scale);
@@ -108,7 +108,7 @@ void settle_units(std::vector<Position>& points, const ReadOptions& options, Log
         guess = factor;
     if (guess == 1.0)
       log.refuse("the points are " + text_of(length) + " mm long in all, allowed are " +
-                 text_of(ReadLimits::least_length) + " to " + text_of(ReadLimits::most_length) +
+                 text_of(ReadLimits::min_length) + " to " + text_of(ReadLimits::max_length) +
                  " mm");
     log.guess("multiplied by " + text_of(guess) + ", since the points are " + text_of(length) +
                   " long in all and 5 to 500 mm are allowed",
@@ -116,9 +116,9 @@ void settle_units(std::vector<Position>& points, const ReadOptions& options, Log
     scale_points(points, guess, guess);
   }
   for (const Position& point : points)
-    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::largest_coordinate))
+    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
       log.refuse("point (" + text_of(point[0]) + ", " + text_of(point[1]) + "), at most " +
-                 text_of(ReadLimits::largest_coordinate) + " mm are allowed");
+                 text_of(ReadLimits::max_coordinate) + " mm are allowed");
 }
 
 /// Area between the points and the line from the first to the last, positive if the points are
@@ -203,16 +203,16 @@ std::vector<Position> settle_points(RawProfile& raw, ProfileKind& kind, const Re
                                     Log& log) {
   const std::optional<ProfileKind> stated = stated_kind(raw, options, log);
   std::vector<Position>& points = raw.points;
-  if (points.size() < ReadLimits::least_points)
+  if (points.size() < ReadLimits::min_points)
     log.refuse(std::to_string(points.size()) + " points, at least " +
-               std::to_string(ReadLimits::least_points) + " are needed");
+               std::to_string(ReadLimits::min_points) + " are needed");
   settle_units(points, options, log);
   if (const std::size_t dropped = reading::drop_close_points(points, options.least_point_distance))
     log.note(std::to_string(dropped) + " points closer than " +
              text_of(options.least_point_distance) + " mm to the one before dropped");
-  if (points.size() < ReadLimits::least_points)
+  if (points.size() < ReadLimits::min_points)
     log.refuse(std::to_string(points.size()) + " different points, at least " +
-               std::to_string(ReadLimits::least_points) + " are needed");
+               std::to_string(ReadLimits::min_points) + " are needed");
   kind = stated ? *stated : kind_by_shape(points);
   if (!stated)
     log.guess("taken for a " + std::string(name_of(kind)) + " by its shape", "state the kind");

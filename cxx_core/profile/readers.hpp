@@ -50,11 +50,11 @@ struct ReadResult {
 struct ReadLimits {
   static constexpr std::size_t file_bytes = std::size_t{64} << 20;
   static constexpr std::size_t line_bytes = 4096;
-  static constexpr std::size_t least_points = 5;
-  static constexpr std::size_t most_points = 200000;
-  static constexpr double least_length = 5.0;       ///< mm, total chord length
-  static constexpr double most_length = 500.0;      ///< mm
-  static constexpr double largest_coordinate = 1e5; ///< mm
+  static constexpr std::size_t min_points = 5;
+  static constexpr std::size_t max_points = 200000;
+  static constexpr double min_length = 5.0;     ///< mm, total chord length
+  static constexpr double max_length = 500.0;   ///< mm
+  static constexpr double max_coordinate = 1e5; ///< mm
 };
 
 /// The format that goes with a file's extension. Throws Error(file_malformed) for slices.

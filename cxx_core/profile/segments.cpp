@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc {
 namespace {
@@ -13,13 +13,13 @@ using Pieces = std::vector<Curve::Piece>;
 
 /// Largest angle of a piece of an arc: R (h/R)^6 / 46080 stays below 1e-11 mm up to R = 29 mm, and
 /// beyond that the largest node distance is the tighter bound.
-constexpr double largest_piece_angle = 0.05;
+constexpr double max_piece_angle = 0.05;
 constexpr double position_tolerance = 1e-11;
 constexpr double curvature_tolerance = 1e-8;
 /// 1/mm: rounding of positions divided by the square of a piece, which a straight piece shows too.
 constexpr double curvature_rounding = 1e-11;
 /// Refinement ends here; no polynomial of a profile comes near.
-constexpr std::size_t most_pieces = 20000;
+constexpr std::size_t max_pieces = 20000;
 
 [[noreturn]] void refuse(const Segment& segment, const std::string& argument,
                          const std::string& value, const std::string& allowed) {
@@ -40,7 +40,7 @@ Pieces pieces_of(const LineSegment& line, const Segment& segment) {
     refuse(segment, "length", text_of(length), "a positive finite number, mm");
   const double tangent_lateral = (line.end[0] - line.start[0]) / length;
   const double tangent_height = (line.end[1] - line.start[1]) / length;
-  const std::size_t count = count_for(length, largest_node_distance);
+  const std::size_t count = count_for(length, max_node_distance);
   const auto node = [&](std::size_t i) {
     const double t = static_cast<double>(i) / static_cast<double>(count);
     return Curve::End{std::lerp(line.start[0], line.end[0], t),
@@ -61,9 +61,9 @@ Pieces pieces_of(const ArcSegment& arc, const Segment& segment) {
     refuse(segment, "radius", text_of(arc.radius), "a positive finite number, mm");
   for (const auto& [name, end] : {std::pair{"start", arc.start}, std::pair{"end", arc.end}}) {
     const double off = distance(arc.centre, end) - arc.radius;
-    if (!(std::abs(off) <= largest_junction_gap))
+    if (!(std::abs(off) <= max_junction_gap))
       refuse(segment, std::string("distance of ") + name + " from the circle", text_of(off),
-             "at most " + text_of(largest_junction_gap) + " mm");
+             "at most " + text_of(max_junction_gap) + " mm");
   }
   const double first = std::atan2(arc.start[1] - arc.centre[1], arc.start[0] - arc.centre[0]);
   const double last = std::atan2(arc.end[1] - arc.centre[1], arc.end[0] - arc.centre[0]);
@@ -72,8 +72,8 @@ Pieces pieces_of(const ArcSegment& arc, const Segment& segment) {
     refuse(segment, "angle", "0", "a start and an end that differ");
   const double turn = sweep > 0.0 ? 1.0 : -1.0;
   const double length = arc.radius * std::abs(sweep);
-  const std::size_t count = std::max(count_for(length, largest_node_distance),
-                                     count_for(std::abs(sweep), largest_piece_angle));
+  const std::size_t count =
+      std::max(count_for(length, max_node_distance), count_for(std::abs(sweep), max_piece_angle));
   const auto node = [&](std::size_t i) {
     const double angle = first + sweep * (static_cast<double>(i) / static_cast<double>(count));
     const double cosine = std::cos(angle);
@@ -147,7 +147,7 @@ private:
 bool reproduces(const Pieces& pieces, const Graph& graph) {
   double largest_curvature = 0.0;
   for (const Curve::Piece& piece : pieces) {
-    if (piece.length > largest_node_distance)
+    if (piece.length > max_node_distance)
       return false;
     largest_curvature = std::max(largest_curvature, std::abs(piece.begin.curvature()));
   }
@@ -174,7 +174,7 @@ Pieces pieces_of(const PolynomialSegment& polynomial, const Segment& segment) {
   if (!(width > 0.0) || !std::isfinite(width))
     refuse(segment, "width", text_of(width), "a positive finite number, mm");
   const Graph graph(polynomial);
-  for (std::size_t count = count_for(width, largest_node_distance); count <= most_pieces;
+  for (std::size_t count = count_for(width, max_node_distance); count <= max_pieces;
        count += count / 4 + 1) {
     const auto lateral = [&](std::size_t i) {
       return std::lerp(polynomial.lateral_start, polynomial.lateral_end,
@@ -187,7 +187,7 @@ Pieces pieces_of(const PolynomialSegment& polynomial, const Segment& segment) {
     if (reproduces(pieces, graph))
       return pieces;
   }
-  refuse(segment, "polynomial", "too wild for " + std::to_string(most_pieces) + " pieces",
+  refuse(segment, "polynomial", "too wild for " + std::to_string(max_pieces) + " pieces",
          "one that pieces of quintics reproduce to 1e-11 mm");
 }
 
@@ -257,10 +257,10 @@ Curve curve_of(std::span<const Segment> segments) {
     if (i > 0) {
       const Junction junction =
           junction_between(segments[i - 1], all.back().end, segments[i], pieces.front().begin);
-      if (!(junction.gap <= largest_junction_gap))
+      if (!(junction.gap <= max_junction_gap))
         throw_invalid_argument("gap between segments '" + junction.before + "' and '" +
                                    junction.after + "'",
-                               junction.gap, "at most " + text_of(largest_junction_gap) + " mm");
+                               junction.gap, "at most " + text_of(max_junction_gap) + " mm");
     }
     all.insert(all.end(), pieces.begin(), pieces.end());
   }

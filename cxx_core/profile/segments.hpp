@@ -7,7 +7,7 @@
 /// polynomials by Gauss-Legendre quadrature.
 ///
 /// Units mm, rad. Frame of curve.hpp: height as the profile defines it, lateral ascending.
-/// Segment boundaries are nodes of the curve. Gaps up to `largest_junction_gap` are kept as they
+/// Segment boundaries are nodes of the curve. Gaps up to `max_junction_gap` are kept as they
 /// are: they are what the rounded coefficients of a standard leave.
 /// Does not know: wheels and rails, files. Thread rule: no state.
 #pragma once
@@ -28,7 +28,7 @@ struct LineSegment {
 };
 
 /// An arc taken the short way from start to end; both must lie on the circle within
-/// `largest_junction_gap` and are moved onto it radially.
+/// `max_junction_gap` and are moved onto it radially.
 struct ArcSegment {
   Position centre;
   double radius = 0.0;
@@ -60,9 +60,9 @@ struct Junction {
 };
 
 /// Largest distance between nodes, so that a scan over them meets every local minimum of a gap.
-inline constexpr double largest_node_distance = 0.5;
+inline constexpr double max_node_distance = 0.5;
 /// Largest gap between neighbouring segments.
-inline constexpr double largest_junction_gap = 1e-3;
+inline constexpr double max_junction_gap = 1e-3;
 
 /// The curve of the segments. Throws Error(invalid_argument) naming the segment or the pair of
 /// segments at fault.

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 extern "C" {
 /// LAPACK: solves A x = b with A symmetric positive definite and banded.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr int reparametrisations = 2;
 /// Length along the spline per length of its parameter, which is close to 1 for a smooth line;
 /// below this the points turn back on themselves and the tangent is lost.
-constexpr double least_speed = 0.01;
+constexpr double min_speed = 0.01;
 
 /// Second derivatives at the knots of the not-a-knot cubic spline. The end conditions are
 /// eliminated from the first and last interior equation, which stays diagonally dominant.
@@ -76,7 +76,7 @@ public:
     const Values l = evaluate(i, fraction, lateral_, lateral_second_);
     const Values h = evaluate(i, fraction, height_, height_second_);
     const double speed = std::hypot(l.first, h.first);
-    if (!(speed >= least_speed))
+    if (!(speed >= min_speed))
       throw_invalid_argument("points near (" + text_of(l.value) + ", " + text_of(h.value) + ")",
                              "turn back on themselves", "a line without cusps");
     const double tangent_lateral = l.first / speed;
@@ -128,8 +128,7 @@ private:
 };
 
 std::size_t parts_for(double length) {
-  return std::max<std::size_t>(1,
-                               static_cast<std::size_t>(std::ceil(length / largest_node_distance)));
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length / max_node_distance)));
 }
 
 std::vector<double> arc_lengths(const PlaneSpline& spline) {

@@ -3,7 +3,7 @@
 /// Not-a-knot end conditions (de Boor, A Practical Guide to Splines, 1978, ch. IV) over cumulative
 /// chord length, which is then replaced twice by the arc length of the spline before, so that the
 /// parameter is close to the arc length. The curve has nodes at all points and in between, at most
-/// `largest_node_distance` apart; lengths of pieces by Gauss-Legendre quadrature.
+/// `max_node_distance` apart; lengths of pieces by Gauss-Legendre quadrature.
 ///
 /// Units mm, frame of curve.hpp. Does not know: kinks; a kink in the points rings over a few of
 /// them. Thread rule: no state.

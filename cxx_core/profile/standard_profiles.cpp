@@ -1,7 +1,7 @@
 /// Built-in profiles: from the generated tables to curves. Frame and units of profile.hpp.
 #include "profile/standard_profiles.hpp"
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/standard_table.hpp"
 
 namespace wrc {

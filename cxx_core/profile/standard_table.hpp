@@ -15,7 +15,7 @@ namespace wrc {
 
 struct TableSegment {
   enum class Type { line, arc, polynomial };
-  static constexpr std::size_t most_coefficients = 12;
+  static constexpr std::size_t max_coefficients = 12;
 
   std::string_view label;
   Type type;
@@ -25,7 +25,7 @@ struct TableSegment {
   double radius;
   double expansion_point;
   std::size_t coefficient_count;
-  std::array<double, most_coefficients> coefficients;
+  std::array<double, max_coefficients> coefficients;
 };
 
 struct TableProfile {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "error.hpp"
+#include "base/error.hpp"
+#include "base/written_file.hpp"
 #include "profile/readers.hpp"
-#include "written_file.hpp"
 
 namespace wrc {
 namespace {
@@ -13,10 +13,10 @@ namespace {
 std::vector<Position> sample(const Curve& curve, double spacing) {
   const double parts = std::ceil(curve.length() / spacing);
   if (!(spacing > 0.0) || !(parts >= 1.0) ||
-      parts + 1.0 > static_cast<double>(ReadLimits::most_points))
+      parts + 1.0 > static_cast<double>(ReadLimits::max_points))
     throw_invalid_argument("spacing", spacing,
                            "a positive number of mm that gives 2 to " +
-                               std::to_string(ReadLimits::most_points) + " points");
+                               std::to_string(ReadLimits::max_points) + " points");
   std::vector<Position> points;
   const auto count = static_cast<std::size_t>(parts);
   for (std::size_t i = 0; i <= count; ++i) {

@@ -20,8 +20,8 @@
 #include <span>
 #include <vector>
 
-#include "remesh/contact_frame.hpp"
-#include "remesh/grid.hpp"
+#include "base/grid.hpp"
+#include "patches/contact_frame.hpp"
 #include "remesh/surface_rays.hpp"
 
 namespace wrc {

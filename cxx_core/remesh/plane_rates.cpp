@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "remesh/patch_finder.hpp"
-#include "remesh/value_with_rates.hpp"
+#include "base/value_with_rates.hpp"
+#include "patches/patch_finder.hpp"
+#include "remesh/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -20,13 +21,10 @@ constexpr std::size_t along = 3;
 using ByPlace = WithRates<4>;
 using Rated = WithRates<motion_count>;
 
-/// Sine of the angle between both tangents above which a contact stands at a kink.
-constexpr double kink_sine = 1e-6;
-
 class MovingPlaces {
 public:
   using Real = Rated;
-  using Place = patch_finding::Place<Rated>;
+  using Place = patch_finding::LocusSample<Rated>;
 
   MovingPlaces(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
       : wheel_(wheel), rail_(rail.graph().heights()), sin_yaw_(std::sin(pose.yaw)),

@@ -1,27 +1,26 @@
 /// How the planes of the contact patches move with the wheelset.
 ///
-/// The planes are those of remesh/contact_patches.hpp: mean normals and places of the rail,
+/// The planes are those of patches/contact_patches.hpp: mean normals and places of the rail,
 /// weighted with the squared penetration. When the wheelset moves, a node of the wheel's profile
 /// moves on its contact locus (closed form, geometry/wheel_surface.hpp), over another place of the
 /// rail, and its distance changes:
 ///   dd/dq = dz/dq - z_rail'(y) dy/dq   with s fixed;  by height dd/dz = 1, all else stays.
 /// The first contact stays the root of F(s, q) = n_y + z_rail' n_z, n the wheel's normal, and so
 /// moves along the profile by ds/dq = -F_q / F_s; with the profile's second derivatives in F_s. The
-/// sums over these places, the turning towards neighbours and their closeness are differentiated as
-/// they are computed (remesh/value_with_rates.hpp), so the rates are exact for the discrete planes
-/// until a patch is born, joined or lost, or a node enters.
-/// Units mm and rad (rates per mm or per rad); track frame, left-hand side (geometry/frames.hpp).
-/// Thread rule: pure functions.
-/// Not known here: at a kink of a profile the first contact is taken to stay at its place of the
-/// wheel.
+/// sums over these places, the turning towards neighbours and their coupling weight are
+/// differentiated as they are computed (base/value_with_rates.hpp), so the rates are exact for the
+/// discrete planes until a patch is born, joined or lost, or a node enters. Units mm and rad (rates
+/// per mm or per rad); track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
+/// functions. Not known here: at a kink of a profile the first contact is taken to stay at its
+/// place of the wheel.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
+#include "base/by_motion.hpp"
 #include "geometry/contact_search.hpp"
-#include "remesh/by_motion.hpp"
-#include "remesh/contact_patches.hpp"
+#include "patches/contact_patches.hpp"
 #include "remesh/surface_rays.hpp"
 
 namespace wrc {
@@ -38,7 +37,7 @@ struct MovingPatches {
   std::vector<PlaneRates> rates;            ///< in the same order
   std::vector<ByMotion<double>> link_rates; ///< of `found.links`
 
-  /// Of found.closeness(i, j).
+  /// Of found.coupling_weight(i, j).
   [[nodiscard]] ByMotion<double> closeness_rate(std::size_t i, std::size_t j) const;
 };
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vector_clones.hpp"
+#include "remesh/constants.hpp"
 #include "remesh/surface_rays.hpp"
-#include "vector_clones.hpp"
 
 namespace wrc {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_steps = 5;
 
 /// The tangent of a profile; for a surface of revolution its height is the radius.
 struct Tangent {
@@ -136,7 +136,7 @@ WRC_VECTOR_BODY Approach step_to_revolution(const Approach& ray, const Vector3& 
 /// Estimated error of a ray; infinite if it left its polynomial or if the surface is too flat.
 WRC_VECTOR_BODY double error_of(const Approach& ray, double lateral, const Stretch& on) {
   const double error = ray.step * ray.step * on.half_curvature * ray.facing / ray.derivative;
-  const bool faces = ray.derivative > least_facing_cosine * ray.facing;
+  const bool faces = ray.derivative > min_facing_cosine * ray.facing;
   const bool on_piece = (lateral >= on.piece.start) & (lateral <= on.piece.end);
   return (faces & on_piece) ? error : infinity;
 }
@@ -205,7 +205,7 @@ bool RaySurface::meet(const RowOfRays& rays, double lateral) {
   // height grows downwards.
   const double farthest = std::max(reach.last - lateral, lateral - reach.first);
   const double rise = radius_ ? -middle.slope : middle.slope;
-  const double facing = std::max(rays.normal.z - rise * rays.normal.y, least_facing_cosine);
+  const double facing = std::max(rays.normal.z - rise * rays.normal.y, min_facing_cosine);
   const auto meet_stretch = [&](std::size_t piece, std::size_t begin, std::size_t end) {
     const HeightFunction::Piece& polynomial = heights_.pieces()[piece];
     const double second = std::max(std::abs(heights_.at(piece, polynomial.start).second),
@@ -214,7 +214,7 @@ bool RaySurface::meet(const RowOfRays& rays, double lateral) {
         0.5 * second * rays.normal.y * rays.normal.y + (radius_ ? 0.5 / tangent.height : 0.0);
     double error = 0.5 * second * farthest * farthest / facing;
     int steps = 0;
-    while (steps < most_steps && (steps == 0 || error > 0.1 * ray_error)) {
+    while (steps < max_ray_steps && (steps == 0 || error > 0.1 * ray_error)) {
       error = half_curvature * error * error / facing;
       ++steps;
     }

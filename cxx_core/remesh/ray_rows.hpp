@@ -21,6 +21,7 @@
 
 #include "geometry/frames.hpp"
 #include "geometry/height_function.hpp"
+#include "remesh/constants.hpp"
 
 namespace wrc {
 
@@ -50,9 +51,6 @@ public:
   [[nodiscard]] std::span<const double> positions() const { return position_; }
 
 private:
-  /// Greatest estimated error of a ray that counts as met, mm.
-  static constexpr double ray_error = 3e-13;
-
   const HeightFunction& heights_;
   std::optional<double> radius_;
   std::vector<double> position_, lateral_, error_;

@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "remesh/constants.hpp"
+
 namespace wrc {
-namespace {
-
-constexpr int newton_limit = 50;
-/// Rays are solved to this, mm: a tenth of a thousandth of the smallest approach of interest.
-constexpr double ray_tolerance = 1e-12;
-/// At a step of a profile, as the rounding of a standard's coefficients leaves it, Newton's method
-/// has no root to find: a place this near, mm, is taken.
-constexpr double step_tolerance = 2e-3;
-constexpr double first_largest_step = 4.0;
-/// At a kink or a step Newton's method may alternate: after this many steps it closes in.
-constexpr int free_steps = 10;
-
-} // namespace
+namespace {} // namespace
 
 RailRay::RailRay(const RailSurface& rail, const ContactFrame& frame)
     : graph_(rail.graph()), frame_(frame) {
@@ -46,18 +36,18 @@ std::optional<double> RailRay::solve(double longitudinal, double lateral) {
   const double ny = frame_.normal.y;
   const double nz = frame_.normal.z;
   double arc = arc_;
-  double largest_step = first_largest_step;
-  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+  double largest_step = first_ray_step;
+  for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     point_ = at(arc);
     const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
     const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
     // Places that are no numbers are met by no ray either.
-    if (!(facing >= least_facing_cosine) || !std::isfinite(offset)) {
+    if (!(facing >= min_facing_cosine) || !std::isfinite(offset)) {
       return std::nullopt;
     }
     const double step = std::clamp(offset / facing, -largest_step, largest_step);
     const double next = std::clamp(arc + step, 0.0, graph_.curve().length());
-    const bool at_step = iteration + 1 == newton_limit && std::abs(offset) <= step_tolerance;
+    const bool at_step = iteration + 1 == max_newton_steps && std::abs(offset) <= step_tolerance;
     if (std::abs(step) <= ray_tolerance || at_step) {
       arc_ = arc;
       // In a yawed and rolled frame the normal also leans along the rail: (ny, nz) is no unit.
@@ -67,7 +57,7 @@ std::optional<double> RailRay::solve(double longitudinal, double lateral) {
       return std::nullopt; // beyond the profile's end
     }
     arc = next;
-    if (iteration > free_steps) {
+    if (iteration > free_newton_steps) {
       largest_step *= 0.5;
     }
   }
@@ -99,9 +89,9 @@ std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
     return std::nullopt;
   }
   double position = (-b - std::sqrt(discriminant)) / a;
-  double largest_step = first_largest_step;
+  double largest_step = first_ray_step;
   const HeightFunction& heights = wheel_.graph().heights();
-  for (int iteration = 0; iteration < newton_limit; ++iteration) {
+  for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
     const Vector3 body = from + position * normal_;
     lateral_ = body.y;
     const HeightPoint profile = heights.at(lateral_);
@@ -109,11 +99,12 @@ std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
     const double excess = 0.5 * (body.x * body.x + (body.z - rho) * (body.z + rho));
     const double derivative =
         body.x * normal_.x + body.z * normal_.z - rho * profile.slope * normal_.y;
-    if (!(derivative < -least_facing_cosine * rho)) {
+    if (!(derivative < -min_facing_cosine * rho)) {
       return std::nullopt;
     }
     const double step = std::clamp(-excess / derivative, -largest_step, largest_step);
-    const bool at_step = iteration + 1 == newton_limit && std::abs(excess) <= step_tolerance * rho;
+    const bool at_step =
+        iteration + 1 == max_newton_steps && std::abs(excess) <= step_tolerance * rho;
     if (std::abs(step) <= ray_tolerance || at_step) {
       if (!heights.covers(lateral_)) {
         return std::nullopt;
@@ -122,7 +113,7 @@ std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
       return position;
     }
     position += step;
-    if (iteration > free_steps) {
+    if (iteration > free_newton_steps) {
       largest_step *= 0.5;
     }
   }

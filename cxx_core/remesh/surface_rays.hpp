@@ -12,12 +12,10 @@
 
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
-#include "remesh/contact_frame.hpp"
+#include "patches/contact_frame.hpp"
+#include "remesh/constants.hpp"
 
 namespace wrc {
-
-/// A surface seen from the ray at a flatter angle than this (its cosine) no longer faces it.
-constexpr double least_facing_cosine = 0.02;
 
 /// Wheel and rail as posed: everything the undeformed distance depends on.
 struct PosedPair {

@@ -11,14 +11,12 @@
 
 #include <vector>
 
-#include "remesh/contact_frame.hpp"
-#include "remesh/grid.hpp"
+#include "base/grid.hpp"
+#include "patches/contact_frame.hpp"
+#include "remesh/constants.hpp"
 #include "remesh/surface_rays.hpp"
 
 namespace wrc {
-
-/// Larger than any distance at which bodies could meet.
-constexpr double no_material_distance = 1e3;
 
 /// One value per element of the grid, in the grid's order.
 std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,

@@ -77,24 +77,25 @@ constexpr double shrink_of(Quantity quantity) {
 }
 
 /// Without a zero of negative sign.
-constexpr double turned(double value, const Convention& convention, const Dimension& dimension) {
+constexpr double flip_sign(double value, const Convention& convention, const Dimension& dimension) {
   return dimension.turns && convention.frame == TrackFrame::right_down ? 0.0 - value : value;
 }
 
 /// From inside to the caller.
-constexpr double told(double value, const Convention& convention, const Dimension& dimension) {
+constexpr double to_caller(double value, const Convention& convention, const Dimension& dimension) {
   const double in_units = convention.units == Units::si
                               ? value / scale_of(dimension.quantity) * shrink_of(dimension.quantity)
                               : value;
-  return turned(in_units, convention, dimension);
+  return flip_sign(in_units, convention, dimension);
 }
 
 /// From the caller to inside.
-constexpr double taken(double value, const Convention& convention, const Dimension& dimension) {
+constexpr double from_caller(double value, const Convention& convention,
+                             const Dimension& dimension) {
   const double in_units = convention.units == Units::si
                               ? value * scale_of(dimension.quantity) / shrink_of(dimension.quantity)
                               : value;
-  return turned(in_units, convention, dimension);
+  return flip_sign(in_units, convention, dimension);
 }
 
 constexpr std::string_view name_of(Units units) {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "scene/approximate_side.hpp"
 #include "scene/scene.hpp"
+#include "wheel/approximate_wheel.hpp"
 
 namespace wrc {
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
-#include "mechanics/displacement_operator.hpp"
+#include "half_space/displacement_operator.hpp"
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
-#include "scene/united_patch.hpp"
+#include "wheel/combined_contact.hpp"
 
 namespace wrc {
 namespace {
@@ -28,17 +28,17 @@ Values element_places(const PatchResult& patch, Coordinate&& coordinate) {
   return values;
 }
 
-Values undeformed_distance(const SideDetails& side, const PatchResult& patch) {
-  return patch.parts.empty() ? patch.undeformed_distance : united_distance(patch, side);
+Values undeformed_distance(const WheelDetails& side, const PatchResult& patch) {
+  return patch.parts.empty() ? patch.undeformed_distance : combined_distance(patch, side);
 }
 
-Values pressure(const SideDetails& /*side*/, const PatchResult& patch) {
-  return patch.parts.empty() ? patch.pressure : united_pressure(patch);
+Values pressure(const WheelDetails& /*side*/, const PatchResult& patch) {
+  return patch.parts.empty() ? patch.pressure : combined_pressure(patch);
 }
 
-Values displacement(const SideDetails& side, const PatchResult& patch) {
+Values displacement(const WheelDetails& side, const PatchResult& patch) {
   if (!patch.parts.empty()) {
-    return united_displacement(patch, side);
+    return combined_displacement(patch, side);
   }
   Values values(patch.grid.element_count());
   DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
@@ -47,7 +47,7 @@ Values displacement(const SideDetails& side, const PatchResult& patch) {
 }
 
 /// The rail's outline at the nodes of its curve.
-template <class Coordinate> Values rail_outline(const SideResult& side, Coordinate&& coordinate) {
+template <class Coordinate> Values rail_outline(const WheelResult& side, Coordinate&& coordinate) {
   Values values;
   const Curve& curve = side.details.rail->graph().curve();
   for (const double arc : curve.starts()) {
@@ -57,9 +57,9 @@ template <class Coordinate> Values rail_outline(const SideResult& side, Coordina
 }
 
 /// The wheel's contact locus at its height under load.
-template <class Coordinate> Values wheel_outline(const SideResult& side, Coordinate&& coordinate) {
+template <class Coordinate> Values wheel_outline(const WheelResult& side, Coordinate&& coordinate) {
   Values values;
-  const SideDetails& details = side.details;
+  const WheelDetails& details = side.details;
   const Rotation rotation(details.pose);
   const Curve& curve = details.wheel->graph().curve();
   for (const double arc : curve.starts()) {
@@ -73,22 +73,22 @@ template <class Coordinate> Values wheel_outline(const SideResult& side, Coordin
 struct PatchField {
   std::string_view name;
   Dimension dimension;
-  Values (*compute)(const SideDetails&, const PatchResult&);
+  Values (*compute)(const WheelDetails&, const PatchResult&);
 };
 
 constexpr std::array patch_fields{
     PatchField{"x", length,
-               [](const SideDetails&, const PatchResult& patch) {
+               [](const WheelDetails&, const PatchResult& patch) {
                  return element_places(patch, [](const Vector3& place) { return place.x; });
                }},
     PatchField{"y", turning_length,
-               [](const SideDetails& side, const PatchResult& patch) {
+               [](const WheelDetails& side, const PatchResult& patch) {
                  const double mirror = side.mirror;
                  return element_places(patch,
                                        [mirror](const Vector3& place) { return mirror * place.y; });
                }},
     PatchField{"z", turning_length,
-               [](const SideDetails&, const PatchResult& patch) {
+               [](const WheelDetails&, const PatchResult& patch) {
                  return element_places(patch, [](const Vector3& place) { return place.z; });
                }},
     PatchField{"undeformed_distance", length, undeformed_distance},
@@ -99,28 +99,28 @@ constexpr std::array patch_fields{
 /// All in the track frame: y and z.
 struct Outline {
   std::string_view name;
-  Values (*compute)(const SideResult&);
+  Values (*compute)(const WheelResult&);
 };
 
 constexpr std::array outlines{
     Outline{"rail_y",
-            [](const SideResult& side) {
+            [](const WheelResult& side) {
               const double mirror = side.details.mirror;
               return rail_outline(
                   side, [mirror](const CurvePoint& point) { return mirror * point.lateral; });
             }},
     Outline{"rail_z",
-            [](const SideResult& side) {
+            [](const WheelResult& side) {
               return rail_outline(side, [](const CurvePoint& point) { return point.height; });
             }},
     Outline{"wheel_y",
-            [](const SideResult& side) {
+            [](const WheelResult& side) {
               const double mirror = side.details.mirror;
               return wheel_outline(side,
                                    [mirror](const Vector3& place) { return mirror * place.y; });
             }},
     Outline{"wheel_z",
-            [](const SideResult& side) {
+            [](const WheelResult& side) {
               const double vertical = side.details.vertical;
               return wheel_outline(side,
                                    [vertical](const Vector3& place) { return place.z + vertical; });
@@ -134,13 +134,13 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
   const auto all_told = [&convention](Values values, const Dimension& dimension) {
     if (convention != Convention{}) {
       for (double& value : values) {
-        value = told(value, convention, dimension);
+        value = to_caller(value, convention, dimension);
       }
     }
     return values;
   };
-  const bool left = take(name, "left.");
-  const auto& side = left || !take(name, "right.") ? result.left : result.right;
+  const bool left = strip_prefix(name, "left.");
+  const auto& side = left || !strip_prefix(name, "right.") ? result.left : result.right;
   if (!side || (!left && &side == &result.left)) {
     return std::nullopt;
   }
@@ -151,13 +151,13 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
   }
   const PatchResult* patch = side->patches.empty() ? nullptr : &side->patches.front();
   std::size_t index = 0;
-  if (take(name, "patches.")) {
-    if (!take_index(name, side->patches.size(), index)) {
+  if (strip_prefix(name, "patches.")) {
+    if (!strip_index(name, side->patches.size(), index)) {
       return std::nullopt;
     }
     patch = &side->patches[index];
-    if (take(name, "parts.")) {
-      if (!take_index(name, patch->parts.size(), index)) {
+    if (strip_prefix(name, "parts.")) {
+      if (!strip_index(name, patch->parts.size(), index)) {
         return std::nullopt;
       }
       patch = &patch->parts[index];

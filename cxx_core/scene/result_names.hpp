@@ -11,7 +11,7 @@
 namespace wrc {
 
 /// Takes a prefix off a name.
-inline bool take(std::string_view& name, std::string_view prefix) {
+inline bool strip_prefix(std::string_view& name, std::string_view prefix) {
   if (!name.starts_with(prefix)) {
     return false;
   }
@@ -20,13 +20,13 @@ inline bool take(std::string_view& name, std::string_view prefix) {
 }
 
 /// Takes "12." off a name, as an index below `count`.
-inline bool take_index(std::string_view& name, std::size_t count, std::size_t& index) {
+inline bool strip_index(std::string_view& name, std::size_t count, std::size_t& index) {
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
   if (error != std::errc() || index >= count) {
     return false;
   }
   name.remove_prefix(static_cast<std::size_t>(end - name.data()));
-  return take(name, ".");
+  return strip_prefix(name, ".");
 }
 
 } // namespace wrc

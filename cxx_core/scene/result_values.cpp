@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
-#include "mechanics/contact_area.hpp"
+#include "pressure/contact_area.hpp"
 #include "scene/result_names.hpp"
-#include "scene/side_sensitivities.hpp"
 #include "scene/solve_scene.hpp"
+#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {
 namespace {
@@ -44,22 +44,22 @@ void add_names(std::vector<std::string>& names, const std::string& prefix,
 }
 
 constexpr std::array place_numbers{
-    Number<ContactPlace>{"x", length, [](const ContactPlace& p) { return p.x; }},
-    Number<ContactPlace>{"y", turning_length, [](const ContactPlace& p) { return p.y; }},
-    Number<ContactPlace>{"z", turning_length, [](const ContactPlace& p) { return p.z; }},
-    Number<ContactPlace>{"s_wheel", length, [](const ContactPlace& p) { return p.s_wheel; }},
-    Number<ContactPlace>{"w_wheel", length, [](const ContactPlace& p) { return p.w_wheel; }},
-    Number<ContactPlace>{"t_rail", length, [](const ContactPlace& p) { return p.t_rail; }},
-    Number<ContactPlace>{"v_rail", length, [](const ContactPlace& p) { return p.v_rail; }},
-    Number<ContactPlace>{"rolling_radius", length,
-                         [](const ContactPlace& p) { return p.rolling_radius; }},
-    Number<ContactPlace>{"wheel_angle", pure, [](const ContactPlace& p) { return p.wheel_angle; }},
+    Number<ContactPoint>{"x", length, [](const ContactPoint& p) { return p.x; }},
+    Number<ContactPoint>{"y", turning_length, [](const ContactPoint& p) { return p.y; }},
+    Number<ContactPoint>{"z", turning_length, [](const ContactPoint& p) { return p.z; }},
+    Number<ContactPoint>{"s_wheel", length, [](const ContactPoint& p) { return p.s_wheel; }},
+    Number<ContactPoint>{"w_wheel", length, [](const ContactPoint& p) { return p.w_wheel; }},
+    Number<ContactPoint>{"t_rail", length, [](const ContactPoint& p) { return p.t_rail; }},
+    Number<ContactPoint>{"v_rail", length, [](const ContactPoint& p) { return p.v_rail; }},
+    Number<ContactPoint>{"rolling_radius", length,
+                         [](const ContactPoint& p) { return p.rolling_radius; }},
+    Number<ContactPoint>{"wheel_angle", pure, [](const ContactPoint& p) { return p.wheel_angle; }},
 };
 
 /// Told of a touch only; a patch has an angle of its own.
 constexpr std::array touch_numbers{
-    Number<ContactPlace>{"angle", pure, [](const ContactPlace& p) { return p.angle; }},
-    Number<ContactPlace>{"distance", length, [](const ContactPlace& p) { return p.distance; }},
+    Number<ContactPoint>{"angle", pure, [](const ContactPoint& p) { return p.angle; }},
+    Number<ContactPoint>{"distance", length, [](const ContactPoint& p) { return p.distance; }},
 };
 
 /// Computed when it is asked for, unless a model has told it.
@@ -110,7 +110,7 @@ constexpr std::array patch_numbers{
     Number<PatchResult>{"radii.0", length,
                         [](const PatchResult& p) { return p.radius_longitudinal; }},
     Number<PatchResult>{"radii.1", length, [](const PatchResult& p) { return p.radius_lateral; }},
-    Number<PatchResult>{"closeness", pure, [](const PatchResult& p) { return p.closeness; }},
+    Number<PatchResult>{"closeness", pure, [](const PatchResult& p) { return p.coupling_weight; }},
     Number<PatchResult>{"regions", pure, regions_of_patch},
     Number<PatchResult>{"lobes", pure,
                         [](const PatchResult& p) { return static_cast<double>(p.lobes); }},
@@ -128,35 +128,39 @@ constexpr std::array patch_numbers{
 };
 
 constexpr std::array side_numbers{
-    Number<SideResult>{"vertical", turning_length, [](const SideResult& r) { return r.vertical; }},
-    Number<SideResult>{"pmax", stress, [](const SideResult& r) { return r.pmax; }},
-    Number<SideResult>{"pmax_element", stress, [](const SideResult& r) { return r.pmax_element; }},
-    Number<SideResult>{"area", surface,
-                       [](const SideResult& r) {
-                         double area = 0.0;
-                         for (const PatchResult& patch : r.patches) {
-                           area += area_of_patch(patch);
-                         }
-                         return area;
-                       }},
-    Number<SideResult>{"normal_force", pure, [](const SideResult& r) { return r.normal_force; }},
-    Number<SideResult>{"vertical_force", turning_force,
-                       [](const SideResult& r) { return r.force.z; }},
-    Number<SideResult>{"lateral_force", turning_force,
-                       [](const SideResult& r) { return r.force.y; }},
-    Number<SideResult>{"longitudinal_force", pure, [](const SideResult& r) { return r.force.x; }},
-    Number<SideResult>{"moment.x", moment, [](const SideResult& r) { return r.moment.x; }},
-    Number<SideResult>{"moment.y", turning_moment, [](const SideResult& r) { return r.moment.y; }},
-    Number<SideResult>{"moment.z", turning_moment, [](const SideResult& r) { return r.moment.z; }},
-    Number<SideResult>{"approach", length, [](const SideResult& r) { return r.approach; }},
-    Number<SideResult>{"depth", length, [](const SideResult& r) { return r.depth; }},
-    Number<SideResult>{"angle", pure, [](const SideResult& r) { return r.angle; }},
-    Number<SideResult>{"iterations", pure,
-                       [](const SideResult& r) { return static_cast<double>(r.iterations); }},
-    Number<SideResult>{"convolutions", pure,
-                       [](const SideResult& r) { return static_cast<double>(r.convolutions); }},
-    Number<SideResult>{"solutions", pure,
-                       [](const SideResult& r) { return static_cast<double>(r.solutions); }},
+    Number<WheelResult>{"vertical", turning_length,
+                        [](const WheelResult& r) { return r.vertical; }},
+    Number<WheelResult>{"pmax", stress, [](const WheelResult& r) { return r.pmax; }},
+    Number<WheelResult>{"pmax_element", stress,
+                        [](const WheelResult& r) { return r.pmax_element; }},
+    Number<WheelResult>{"area", surface,
+                        [](const WheelResult& r) {
+                          double area = 0.0;
+                          for (const PatchResult& patch : r.patches) {
+                            area += area_of_patch(patch);
+                          }
+                          return area;
+                        }},
+    Number<WheelResult>{"normal_force", pure, [](const WheelResult& r) { return r.normal_force; }},
+    Number<WheelResult>{"vertical_force", turning_force,
+                        [](const WheelResult& r) { return r.force.z; }},
+    Number<WheelResult>{"lateral_force", turning_force,
+                        [](const WheelResult& r) { return r.force.y; }},
+    Number<WheelResult>{"longitudinal_force", pure, [](const WheelResult& r) { return r.force.x; }},
+    Number<WheelResult>{"moment.x", moment, [](const WheelResult& r) { return r.moment.x; }},
+    Number<WheelResult>{"moment.y", turning_moment,
+                        [](const WheelResult& r) { return r.moment.y; }},
+    Number<WheelResult>{"moment.z", turning_moment,
+                        [](const WheelResult& r) { return r.moment.z; }},
+    Number<WheelResult>{"approach", length, [](const WheelResult& r) { return r.approach; }},
+    Number<WheelResult>{"depth", length, [](const WheelResult& r) { return r.depth; }},
+    Number<WheelResult>{"angle", pure, [](const WheelResult& r) { return r.angle; }},
+    Number<WheelResult>{"iterations", pure,
+                        [](const WheelResult& r) { return static_cast<double>(r.iterations); }},
+    Number<WheelResult>{"convolutions", pure,
+                        [](const WheelResult& r) { return static_cast<double>(r.convolutions); }},
+    Number<WheelResult>{"solutions", pure,
+                        [](const WheelResult& r) { return static_cast<double>(r.solutions); }},
 };
 
 /// Of the first patch, told for the side too.
@@ -171,18 +175,18 @@ constexpr std::array residual_numbers{
 };
 
 constexpr std::array sensitivity_numbers{
-    Number<SideRates>{"lateral_force.lateral", stiffness,
-                      [](const SideRates& r) { return r.force.lateral.force.y; }},
-    Number<SideRates>{"lateral_force.vertical", stiffness,
-                      [](const SideRates& r) { return r.force.vertical.force.y; }},
-    Number<SideRates>{"lateral_force.roll", turning_force,
-                      [](const SideRates& r) { return r.force.roll.force.y; }},
-    Number<SideRates>{"vertical_force.lateral", stiffness,
-                      [](const SideRates& r) { return r.force.lateral.force.z; }},
-    Number<SideRates>{"vertical_force.vertical", stiffness,
-                      [](const SideRates& r) { return r.force.vertical.force.z; }},
-    Number<SideRates>{"vertical_force.roll", turning_force,
-                      [](const SideRates& r) { return r.force.roll.force.z; }},
+    Number<WheelRates>{"lateral_force.lateral", stiffness,
+                       [](const WheelRates& r) { return r.force.lateral.force.y; }},
+    Number<WheelRates>{"lateral_force.vertical", stiffness,
+                       [](const WheelRates& r) { return r.force.vertical.force.y; }},
+    Number<WheelRates>{"lateral_force.roll", turning_force,
+                       [](const WheelRates& r) { return r.force.roll.force.y; }},
+    Number<WheelRates>{"vertical_force.lateral", stiffness,
+                       [](const WheelRates& r) { return r.force.lateral.force.z; }},
+    Number<WheelRates>{"vertical_force.vertical", stiffness,
+                       [](const WheelRates& r) { return r.force.vertical.force.z; }},
+    Number<WheelRates>{"vertical_force.roll", turning_force,
+                       [](const WheelRates& r) { return r.force.roll.force.z; }},
 };
 
 /// With the height following, so that the vertical force stays.
@@ -209,17 +213,17 @@ constexpr std::array time_numbers{
     Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
 };
 
-std::optional<Value> touch_value(const ContactPlace& place, std::string_view name) {
+std::optional<Value> touch_value(const ContactPoint& place, std::string_view name) {
   const auto value = find_in(place_numbers, place, name);
   return value ? value : find_in(touch_numbers, place, name);
 }
 
-std::optional<Value> sensitivity_value(SideResult& side, std::string_view name) {
+std::optional<Value> sensitivity_value(WheelResult& side, std::string_view name) {
   // Unknown names cost no solution.
-  const bool at_load = take(name, "at_load.");
+  const bool at_load = strip_prefix(name, "at_load.");
   const bool known = at_load ? find_in(condensed_numbers, CondensedRates{}, name).has_value()
-                             : find_in(sensitivity_numbers, SideRates{}, name).has_value();
-  const SideRates* rates = known ? sensitivities_of(side) : nullptr;
+                             : find_in(sensitivity_numbers, WheelRates{}, name).has_value();
+  const WheelRates* rates = known ? sensitivities_of(side) : nullptr;
   if (rates == nullptr || (at_load && !rates->at_load)) {
     return std::nullopt;
   }
@@ -229,32 +233,32 @@ std::optional<Value> sensitivity_value(SideResult& side, std::string_view name) 
 
 std::optional<Value> patch_value(const PatchResult& patch, std::string_view name) {
   std::size_t index = 0;
-  if (take(name, "parts.")) {
-    return take_index(name, patch.parts.size(), index) ? patch_value(patch.parts[index], name)
-                                                       : std::nullopt;
+  if (strip_prefix(name, "parts.")) {
+    return strip_index(name, patch.parts.size(), index) ? patch_value(patch.parts[index], name)
+                                                        : std::nullopt;
   }
-  if (take(name, "centroid.")) {
+  if (strip_prefix(name, "centroid.")) {
     return touch_value(patch.centroid, name);
   }
   const auto value = find_in(patch_numbers, patch, name);
   return value ? value : find_in(place_numbers, patch.reference, name);
 }
 
-std::optional<Value> side_value(SideResult& side, std::string_view name) {
+std::optional<Value> side_value(WheelResult& side, std::string_view name) {
   std::size_t index = 0;
-  if (take(name, "rigid_contact.")) {
+  if (strip_prefix(name, "rigid_contact.")) {
     return touch_value(side.rigid_contact, name);
   }
-  if (take(name, "near_contacts.")) {
-    return take_index(name, side.near_contacts.size(), index)
+  if (strip_prefix(name, "near_contacts.")) {
+    return strip_index(name, side.near_contacts.size(), index)
                ? touch_value(side.near_contacts[index], name)
                : std::nullopt;
   }
-  if (take(name, "patches.")) {
-    return take_index(name, side.patches.size(), index) ? patch_value(side.patches[index], name)
-                                                        : std::nullopt;
+  if (strip_prefix(name, "patches.")) {
+    return strip_index(name, side.patches.size(), index) ? patch_value(side.patches[index], name)
+                                                         : std::nullopt;
   }
-  if (take(name, "centroid.")) {
+  if (strip_prefix(name, "centroid.")) {
     return touch_value(side.centroid, name);
   }
   if (std::find(first_patch_names.begin(), first_patch_names.end(), name) !=
@@ -262,12 +266,12 @@ std::optional<Value> side_value(SideResult& side, std::string_view name) {
     const PatchResult none;
     return find_in(patch_numbers, side.patches.empty() ? none : side.patches.front(), name);
   }
-  if (take(name, "residuals.")) {
+  if (strip_prefix(name, "residuals.")) {
     // Unknown names cost no convolution.
     const bool known = find_in(residual_numbers, Residuals{}, name) && side.solved;
     return known ? find_in(residual_numbers, residuals_of(side), name) : std::nullopt;
   }
-  if (take(name, "sensitivities.")) {
+  if (strip_prefix(name, "sensitivities.")) {
     return sensitivity_value(side, name);
   }
   if (name == "error_estimate") {
@@ -295,7 +299,7 @@ void add_patch_names(std::vector<std::string>& names, const std::string& prefix,
 }
 
 void add_side_names(std::vector<std::string>& names, const std::string& prefix,
-                    const SideResult& side) {
+                    const WheelResult& side) {
   const auto add_touch = [&names](const std::string& touch) {
     add_names(names, touch, place_numbers);
     add_names(names, touch, touch_numbers);
@@ -328,7 +332,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
 }
 
 void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
-                    const std::string& prefix, const SideResult& side) {
+                    const std::string& prefix, const WheelResult& side) {
   texts.emplace_back(prefix + "model", side.model);
   texts.emplace_back(prefix + "model_reason", side.model_reason);
   texts.emplace_back(prefix + "stop_reason", name_of(side.stop_reason));
@@ -347,13 +351,14 @@ std::optional<Value> value_of(SceneResult& result, std::string_view name) {
   if (name == "rolling_radius_difference" && result.rolling_radius_difference) {
     return Value{*result.rolling_radius_difference, length};
   }
-  if (take(name, "time_ms.")) {
+  if (strip_prefix(name, "time_ms.")) {
     return find_in(time_numbers, result.time, name);
   }
-  if (take(name, "left.")) {
+  if (strip_prefix(name, "left.")) {
     return result.left ? side_value(*result.left, name) : std::nullopt;
   }
-  return take(name, "right.") && result.right ? side_value(*result.right, name) : std::nullopt;
+  return strip_prefix(name, "right.") && result.right ? side_value(*result.right, name)
+                                                      : std::nullopt;
 }
 
 } // namespace
@@ -376,7 +381,8 @@ std::vector<std::string> number_names(const SceneResult& result) {
 std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention) {
   const auto value = value_of(result, name);
-  return value ? std::optional(told(value->value, convention, value->dimension)) : std::nullopt;
+  return value ? std::optional(to_caller(value->value, convention, value->dimension))
+               : std::nullopt;
 }
 
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,

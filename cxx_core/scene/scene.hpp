@@ -11,15 +11,15 @@
 #include <optional>
 #include <string>
 
+#include "accuracy/accuracy_of.hpp"
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
-#include "mechanics/material.hpp"
+#include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
+#include "patches/contact_frame.hpp"
 #include "profile/profile.hpp"
-#include "remesh/contact_frame.hpp"
-#include "scene/accuracy_of.hpp"
 #include "scene/convention.hpp"
-#include "scene/module.hpp"
+#include "wheel/module.hpp"
 
 namespace wrc {
 
@@ -63,7 +63,7 @@ struct Scene {
   PlannerRigor planner = PlannerRigor::estimate;
   Precision precision = Precision::mixed;
   bool interaction = false; ///< elastic, between patches of a wheel however far apart
-  /// Patches closer than twice this share a plane, mm (remesh/contact_patches.hpp).
+  /// Patches closer than twice this share a plane, mm (patches/contact_patches.hpp).
   double joining_distance = 4.0;
   double near_tolerance = 0.1; ///< contacts listed as near: distance at the first touch, mm
   int threads = 1;

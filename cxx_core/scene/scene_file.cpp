@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "error.hpp"
+#include "base/error.hpp"
+#include "base/written_file.hpp"
 #include "profile/readers.hpp"
 #include "profile/writers.hpp"
 #include "scene/scene_keys.hpp"
-#include "written_file.hpp"
 
 namespace wrc {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc {
 namespace {
@@ -293,7 +293,7 @@ std::vector<Key> load_keys() {
   return keys;
 }
 
-constexpr double largest_count = 8192.0;
+constexpr double max_count = 8192.0;
 constexpr std::string_view by_accuracy = "by accuracy";
 
 Key grid_key() {
@@ -314,7 +314,7 @@ Key grid_key() {
   };
   key.set_numbers = [](Scene& scene, std::span<const double> counts) {
     const auto permitted = [](double count) {
-      return count >= 1.0 && count <= largest_count && count == std::floor(count);
+      return count >= 1.0 && count <= max_count && count == std::floor(count);
     };
     if (counts.size() != 2 || !std::all_of(counts.begin(), counts.end(), permitted)) {
       return false;
@@ -481,14 +481,14 @@ KeyValue key_value(const Scene& scene, std::string_view name) {
   const Key& key = find_key(name);
   KeyValue value = key.get(scene);
   if (double* number = std::get_if<double>(&value)) {
-    *number = told(*number, scene.convention, key.dimension);
+    *number = to_caller(*number, scene.convention, key.dimension);
   }
   return value;
 }
 
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
-  const double inside = taken(value, scene.convention, key.dimension);
+  const double inside = from_caller(value, scene.convention, key.dimension);
   const bool permitted =
       inside >= key.least && inside <= key.greatest && (!key.whole || inside == std::floor(inside));
   if (!key.set_number || !permitted) {
@@ -508,12 +508,12 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
   const Key& key = find_key(name);
   if (!key.set_numbers || !key.set_numbers(scene, values)) {
     // Of a list of any length only the start is read.
-    constexpr std::size_t most_told = 4;
+    constexpr std::size_t most_named = 4;
     std::string text = "[";
-    for (const double value : values.first(std::min(values.size(), most_told))) {
+    for (const double value : values.first(std::min(values.size(), most_named))) {
       text += (text.size() > 1 ? ", " : "") + text_of(value);
     }
-    refuse(key, text + (values.size() > most_told
+    refuse(key, text + (values.size() > most_named
                             ? ", ...], " + std::to_string(values.size()) + " values"
                             : "]"));
   }

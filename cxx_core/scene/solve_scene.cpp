@@ -6,7 +6,7 @@
 #include <future>
 #include <mutex>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/readers.hpp"
 #include "scene/model_choice.hpp"
 
@@ -99,8 +99,8 @@ private:
   std::vector<Entry> entries_; ///< last used first
 };
 
-SideRequest request_of(const Scene& scene, double load) {
-  SideRequest request;
+WheelRequest request_of(const Scene& scene, double load) {
+  WheelRequest request;
   request.gap = scene.gap;
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   if (scene.vertical) {
@@ -124,7 +124,7 @@ SideRequest request_of(const Scene& scene, double load) {
 }
 
 /// What patches displace at each other is interpolated, which boxes nearly in touch spoil.
-void warn_of_residuals(SideResult& side, double accuracy) {
+void warn_of_residuals(WheelResult& side, double accuracy) {
   if (!side.details.interaction || side.patches.empty()) {
     return;
   }
@@ -234,21 +234,21 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   result.model = choice.name;
   result.solver = scene.solver == "paper" ? "paper" : "default";
   const auto solve_one = [&](const SideEquilibrium& side, double load, NormalSolver& solver) {
-    const SideRequest request = request_of(scene, load);
+    const WheelRequest request = request_of(scene, load);
     return choice.approximate && scene.until == Module::mechanics
-               ? solve_side_approximately(*wheel, *rail, side, request, *choice.approximate)
-               : solve_side(*wheel, *rail, side, request, solver);
+               ? solve_wheel_approximately(*wheel, *rail, side, request, *choice.approximate)
+               : solve_wheel(*wheel, *rail, side, request, solver);
   };
-  const auto complete = [&](SideSolution solution, const SideEquilibrium& side, double mirror) {
+  const auto complete = [&](WheelSolution solution, const SideEquilibrium& side, double mirror) {
     result.time.remesh += 1e3 * solution.times.remesh;
     result.time.mechanics += 1e3 * solution.times.mechanics;
-    SideResult made = make_side_result(std::move(solution), wheel, rail, side, mirror);
+    WheelResult made = make_wheel_result(std::move(solution), wheel, rail, side, mirror);
     made.model = choice.name;
     made.model_reason = choice.reason;
     warn_of_residuals(made, scene.accuracy);
     return made;
   };
-  std::future<SideSolution> other;
+  std::future<WheelSolution> other;
   if (equilibrium.right) {
     const bool beside = scene.threads > 1 && equilibrium.left;
     other = std::async(beside ? std::launch::async : std::launch::deferred, solve_one,

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "scene/side_result.hpp"
+#include "wheel/wheel_result.hpp"
 
 namespace wrc {
 
@@ -35,8 +35,8 @@ struct SceneResult {
   std::optional<double> rolling_radius_difference; ///< left - right; with both sides
   std::string model;
   std::string solver;
-  std::optional<SideResult> left;
-  std::optional<SideResult> right;
+  std::optional<WheelResult> left;
+  std::optional<WheelResult> right;
   StageMilliseconds time;
   std::vector<std::string> corrections; ///< made to profiles read from files
 };

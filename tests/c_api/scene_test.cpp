@@ -277,7 +277,7 @@ TEST(SceneExtremes, LoadsTooSmallToTellFromNoneGiveNoContact) {
     EXPECT_EQ(number_of(scene.get(), "left.normal_force"), 0.0) << load;
     const char* warning = nullptr;
     ASSERT_EQ(wrc_scene_text(scene.get(), "left.warnings.0", &warning), WRC_OK);
-    EXPECT_TRUE(contains(warning, "taken for none")) << warning;
+    EXPECT_TRUE(contains(warning, "treated as zero load")) << warning;
   }
   for (const double load : {1e-6, 1e-3}) {
     ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", load), WRC_OK);

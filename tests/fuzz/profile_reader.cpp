@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/readers.hpp"
 
 namespace {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "error.hpp"
-#include "geometry/brute_force.hpp"
-#include "simple_profiles.hpp"
+#include "base/error.hpp"
+#include "support/brute_force.hpp"
+#include "support/simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {

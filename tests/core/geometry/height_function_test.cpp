@@ -7,7 +7,7 @@
 
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
-#include "simple_profiles.hpp"
+#include "support/simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {

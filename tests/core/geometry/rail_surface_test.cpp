@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "error.hpp"
-#include "geometry/brute_force.hpp"
+#include "base/error.hpp"
+#include "support/brute_force.hpp"
 
 namespace wrc::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "error.hpp"
-#include "geometry/brute_force.hpp"
+#include "base/error.hpp"
+#include "support/brute_force.hpp"
 
 namespace wrc::test {
 namespace {
@@ -27,8 +27,8 @@ Pair s1002_on(const char* rail) {
 
 TEST(WheelsetEquilibrium, BothLeastDistancesVanish) {
   const Pair pair = s1002_on("60E1");
-  for (const double lateral : {-8.0, -5.0, -2.5, 0.0, 1.0, 4.0, 6.5, 9.0}) {
-    for (const double yaw : {0.0, 0.01, -0.05}) {
+  for (const double lateral : {-8.0, -2.5, 0.0, 4.0, 6.5, 9.0}) {
+    for (const double yaw : {0.0, -0.05}) {
       EquilibriumRequest request;
       request.lateral = lateral;
       request.yaw = yaw;

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "contact_cases.hpp"
-#include "error.hpp"
-#include "mechanics/hertz.hpp"
-#include "mechanics/influence_coefficients.hpp"
-#include "solver_checks.hpp"
+#include "base/error.hpp"
+#include "half_space/influence_coefficients.hpp"
+#include "models/hertz.hpp"
+#include "support/contact_cases.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {

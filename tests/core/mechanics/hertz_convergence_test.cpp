@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "contact_cases.hpp"
-#include "mechanics/hertz.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "mechanics/pressure_field.hpp"
+#include "models/hertz.hpp"
+#include "pressure/pressure_field.hpp"
+#include "support/contact_cases.hpp"
 
 namespace wrc::test {
 namespace {

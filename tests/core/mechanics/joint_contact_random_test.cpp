@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver_checks.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {
@@ -31,12 +31,12 @@ public:
       fill_distance(grid, k, width);
       PatchGap& gap = gaps_.emplace_back();
       gap.grid = grid;
-      gap.approach_share = even(0.4, 1.0);
+      gap.approach_cosine = even(0.4, 1.0);
       interaction_.places.push_back({beside + 0.5 * width, even(-1.0, 1.0)});
       // Apart enough for interpolation to be good to 1e-5.
       beside += width + std::max(width, length) * spread(0.6, 3.0);
     }
-    interaction_.closeness.assign(count * count, even(0.0, 1.0));
+    interaction_.coupling_weight.assign(count * count, even(0.0, 1.0));
     for (std::size_t k = 0; k < count; ++k) {
       gaps_[k].undeformed_distance = distances_[k];
     }

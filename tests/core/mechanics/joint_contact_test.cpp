@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "error.hpp"
-#include "mechanics/displacement_operator.hpp"
+#include "base/error.hpp"
+#include "half_space/displacement_operator.hpp"
+#include "half_space/patch_coupling.hpp"
 #include "mechanics/joint_contact.hpp"
-#include "mechanics/patch_coupling.hpp"
-#include "solver_checks.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {
@@ -75,11 +75,11 @@ void expect_each_patch_solved(const JointProblem& problem, const JointSolution& 
                                    patch.undeformed_distance,
                                    problem.combined_modulus,
                                    {},
-                                   solution.approach * patch.approach_share,
+                                   solution.approach * patch.approach_cosine,
                                    exact_tolerance}));
     largest =
         std::max(largest, *std::max_element(alone[k].pressure.begin(), alone[k].pressure.end()));
-    load += patch.approach_share * solution.patches[k].normal_force;
+    load += patch.approach_cosine * solution.patches[k].normal_force;
   }
   for (std::size_t k = 0; k < problem.patches.size(); ++k) {
     double error = 0.0;
@@ -206,7 +206,7 @@ CutPlane cut_plane() {
     plane.parts.push_back(part);
     plane.interaction.places.push_back({grid.lateral(first), 0.0});
   }
-  plane.interaction.closeness = {1.0, 1.0, 1.0, 1.0};
+  plane.interaction.coupling_weight = {1.0, 1.0, 1.0, 1.0};
   return plane;
 }
 
@@ -282,10 +282,10 @@ TEST(JointContact, InteractionGrowsWithCloseness) {
   NormalSolver solver;
   double last = solver.solve(problem).approach;
   problem.interaction = &plane.interaction;
-  for (const double closeness : {0.0, 0.25, 0.5, 1.0}) {
-    plane.interaction.closeness[1] = plane.interaction.closeness[2] = closeness;
+  for (const double coupling_weight : {0.0, 0.25, 0.5, 1.0}) {
+    plane.interaction.coupling_weight[1] = plane.interaction.coupling_weight[2] = coupling_weight;
     const double approach = solver.solve(problem).approach;
-    EXPECT_GE(approach, last * (1.0 - 1e-5)) << closeness;
+    EXPECT_GE(approach, last * (1.0 - 1e-5)) << coupling_weight;
     last = approach;
   }
 }
@@ -457,10 +457,10 @@ TEST(JointProblem, WhatIsWrongIsNamed) {
   coupled.interaction = &interaction;
   expect_named(coupled, "interaction.places");
   interaction.places.resize(1);
-  interaction.closeness = {2.0};
+  interaction.coupling_weight = {2.0};
   expect_named(coupled, "interaction.closeness");
-  gaps[0].approach_share = 0.0;
-  expect_named(joint_with_load(gaps, 1.0, 1e-3), "approach_share");
+  gaps[0].approach_cosine = 0.0;
+  expect_named(joint_with_load(gaps, 1.0, 1e-3), "approach_cosine");
 }
 
 } // namespace

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact_cases.hpp"
-#include "error.hpp"
+#include "base/error.hpp"
+#include "support/contact_cases.hpp"
 
 namespace wrc::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/displacement_operator.hpp"
-#include "solver_checks.hpp"
+#include "half_space/displacement_operator.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "error.hpp"
-#include "mechanics/pressure_field.hpp"
-#include "solver_checks.hpp"
+#include "base/error.hpp"
+#include "pressure/pressure_field.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {

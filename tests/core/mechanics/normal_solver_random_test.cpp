@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "dense_reference.hpp"
-#include "solver_checks.hpp"
+#include "support/dense_reference.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "dense_reference.hpp"
-#include "mechanics/displacement_operator.hpp"
-#include "mechanics/influence_coefficients.hpp"
-#include "mechanics/pressure_field.hpp"
-#include "solver_checks.hpp"
+#include "half_space/displacement_operator.hpp"
+#include "half_space/influence_coefficients.hpp"
+#include "pressure/pressure_field.hpp"
+#include "support/dense_reference.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {

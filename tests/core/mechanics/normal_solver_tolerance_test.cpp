@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "solver_checks.hpp"
+#include "support/solver_checks.hpp"
 
 namespace wrc::test {
 namespace {
 
 constexpr double greatest_tolerance = 0.1;
-constexpr double least_tolerance = 1e-9;
+constexpr double min_tolerance = 1e-9;
 
 /// Circle, 8:1 ellipse, two lobes, wedge, noise and punch in 6 mm x 6 mm.
 std::vector<ContactCase> sweep_cases(std::size_t rows, std::size_t columns) {
@@ -39,8 +39,7 @@ void sweep(std::size_t rows, std::size_t columns, int per_decade) {
         with_approach(example.grid, example.distance, loaded.approach, exact_tolerance);
     const NormalSolution pressed = solve_exactly(by_approach);
     const int count =
-        static_cast<int>(std::lround(std::log10(greatest_tolerance / least_tolerance))) *
-        per_decade;
+        static_cast<int>(std::lround(std::log10(greatest_tolerance / min_tolerance))) * per_decade;
     for (int step = 0; step <= count; ++step) {
       const double tolerance = greatest_tolerance * std::pow(10.0, -1.0 * step / per_decade);
       NormalSolver& solver = step % 4 < 2 ? mixed : precise;

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "contact_cases.hpp"
-#include "mechanics/influence_coefficients.hpp"
+#include "half_space/influence_coefficients.hpp"
 #include "mechanics/normal_contact.hpp"
-#include "mechanics/pressure_field.hpp"
+#include "pressure/pressure_field.hpp"
+#include "support/contact_cases.hpp"
 
 namespace wrc::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/dense_reference.hpp"
+#include "support/dense_reference.hpp"
 
 namespace wrc::test {
 namespace {

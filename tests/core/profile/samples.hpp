@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "profile/readers.hpp"
 #include "profile/segments.hpp"
 

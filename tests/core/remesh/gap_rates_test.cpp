@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "patches/plane_area.hpp"
 #include "profile/standard_profiles.hpp"
-#include "remesh/plane_area.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "simple_profiles.hpp"
+#include "support/simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {

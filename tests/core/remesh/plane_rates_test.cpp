@@ -52,7 +52,7 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
   for (std::size_t k = 0; k < plain.patches.size(); ++k) {
     EXPECT_EQ(moving.found.patches[k].angle, plain.patches[k].angle);
     EXPECT_EQ(moving.found.patches[k].mean_y, plain.patches[k].mean_y);
-    EXPECT_EQ(moving.found.patches[k].share, plain.patches[k].share);
+    EXPECT_EQ(moving.found.patches[k].weight, plain.patches[k].weight);
   }
   for (std::size_t k = 0; k < plain.patches.size(); ++k) {
     const PlaneRates& rates = moving.rates[k];

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/wheelset_equilibrium.hpp"
-#include "remesh/contact_patches.hpp"
+#include "patches/contact_patches.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "simple_profiles.hpp"
+#include "support/simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {

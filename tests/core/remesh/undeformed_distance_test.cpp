@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/brute_force.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
-#include "remesh/plane_area.hpp"
-#include "simple_profiles.hpp"
+#include "patches/plane_area.hpp"
+#include "support/brute_force.hpp"
+#include "support/simple_profiles.hpp"
 
 namespace wrc::test {
 namespace {

@@ -17,10 +17,10 @@ namespace {
 
 /// Solves a scene at an accuracy; `truth` is that of solve_finely. `times`: by how much an error
 /// may exceed the accuracy.
-void expect_pmax_within_accuracy(Scene scene, double accuracy, const SideResult& truth,
+void expect_pmax_within_accuracy(Scene scene, double accuracy, const WheelResult& truth,
                                  double times = 1.0) {
   scene.accuracy = accuracy;
-  const SideResult found = *solve_scene(scene).left;
+  const WheelResult found = *solve_scene(scene).left;
   ASSERT_TRUE(found.error_estimate);
   const bool told = *found.error_estimate > accuracy && !found.warnings.empty();
   const double error = std::abs(found.pmax / truth.pmax - 1.0);
@@ -29,7 +29,7 @@ void expect_pmax_within_accuracy(Scene scene, double accuracy, const SideResult&
       << ", estimated error " << *found.error_estimate;
 }
 
-SideResult solve_finely(Scene scene) {
+WheelResult solve_finely(Scene scene) {
   scene.accuracy = 1e-4;
   return *solve_scene(scene).left;
 }
@@ -44,7 +44,7 @@ TEST(Accuracy, LmaOnManchesterRailMeetsIt) {
   for (const double load : {10e3, 12.9e3, 20e3, 80e3, 160e3}) {
     SCOPED_TRACE(load);
     scene.left_load = load;
-    const SideResult truth = solve_finely(scene);
+    const WheelResult truth = solve_finely(scene);
     for (const double accuracy : {1e-2, 1e-3}) {
       expect_pmax_within_accuracy(scene, accuracy, truth);
     }
@@ -95,7 +95,7 @@ TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
     scene.side = SideChoice::left;
     scene.wheel_profile = noisy_wheel(noisy.wheel, 1.9e-4, noisy.seed);
     scene.lateral = noisy.lateral;
-    const SideResult truth = solve_finely(scene);
+    const WheelResult truth = solve_finely(scene);
     for (const double accuracy : {1e-2, 1e-3}) {
       expect_pmax_within_accuracy(scene, accuracy, truth, 2.0);
     }

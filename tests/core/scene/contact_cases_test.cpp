@@ -74,17 +74,17 @@ Grid equal_grid(const Grid& area, double element) {
 
 /// The scene, with all of its patches on CONTACT's elements at the depth found.
 std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, double load,
-                                       SideResult& side) {
+                                       WheelResult& side) {
   SceneResult result = solve_scene(scene);
   side = std::move(result.left ? *result.left : *result.right);
-  const SideDetails& details = side.details;
+  const WheelDetails& details = side.details;
   const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
   std::vector<std::vector<double>> distances;
   std::vector<PatchGap> gaps;
   for (const PatchResult* patch : solved_patches(side)) {
     const Grid grid = equal_grid(patch->grid, element);
     distances.push_back(sample_undeformed_distance(pair, patch->frame, grid));
-    gaps.push_back({grid, {}, patch->share});
+    gaps.push_back({grid, {}, patch->approach_cosine});
   }
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     gaps[k].undeformed_distance = distances[k];
@@ -99,7 +99,7 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const std::vector<double>& pressure = solution.patches[k].pressure;
     told.push_back({*std::max_element(pressure.begin(), pressure.end()),
-                    gaps[k].approach_share * solution.approach -
+                    gaps[k].approach_cosine * solution.approach -
                         *std::min_element(distances[k].begin(), distances[k].end()),
                     solution.patches[k].normal_force});
   }
@@ -137,7 +137,7 @@ TEST(ContactCases, AllAgree) {
     }
     const double element = entry.at("element_mm");
     const double load = entry.at("vertical_load_N");
-    SideResult side;
+    WheelResult side;
     const std::vector<Told> told = solve_on_equal_grids(scene, element, load, side);
     const auto patches = ordered_patches(entry);
     ASSERT_EQ(side.patches.size(), patches.size());
@@ -149,7 +149,7 @@ TEST(ContactCases, AllAgree) {
     for (const double sign : {-1.0, 1.0}) {
       Scene shifted = scene;
       shifted.lateral += sign * shift;
-      SideResult other_side;
+      WheelResult other_side;
       const std::vector<Told> other = solve_on_equal_grids(shifted, element, load, other_side);
       for (std::size_t k = 0; k < std::min(patches.size(), other.size()); ++k) {
         change[k].pmax = std::max(change[k].pmax, std::abs(other[k].pmax - told[k].pmax));

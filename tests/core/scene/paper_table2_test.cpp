@@ -29,7 +29,7 @@ class PaperTable2 : public testing::TestWithParam<Entry> {};
 
 TEST_P(PaperTable2, LargestPressure) {
   const SceneResult result = solve_scene(paper_scene(GetParam().lateral));
-  const SideResult& left = *result.left;
+  const WheelResult& left = *result.left;
   EXPECT_NEAR(left.pmax, GetParam().pmax, table_tolerance * GetParam().pmax);
   EXPECT_EQ(left.stop_reason, StopReason::tolerance_met);
   EXPECT_EQ(left.patches.at(0).grid.lateral_count, 256u);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "error.hpp"
+#include "base/error.hpp"
 
 namespace wrc::test {
 namespace {
@@ -35,7 +35,7 @@ TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
   const double depth = solve_scene(scene).left->depth;
   for (const auto& grid : {std::array<std::size_t, 2>{10, 2}, {2, 10}, {1, 1}, {2, 2}, {1, 40}}) {
     scene.grid = grid;
-    const SideResult side = *solve_scene(scene).left;
+    const WheelResult side = *solve_scene(scene).left;
     EXPECT_NEAR(std::log2(side.depth / depth), 0.0, 1.0) << grid[0] << " x " << grid[1];
     EXPECT_NEAR(side.force.z, 80000.0, 1e-6 * 80000.0);
     EXPECT_FALSE(side.warnings.empty());
@@ -62,7 +62,7 @@ TEST(SolveScene, DepthsThatSwingDoNotLeadAboveTheFirstTouch) {
   for (const auto& [share, shift] : {std::pair{0.97, 0.1}, {1.0, 0.0}}) {
     scene.lateral = share * lateral + shift;
     scene.normal_load = (shift > 0.0 ? 0.9 : 1.0) * load;
-    const SideResult side = *solver.solve(scene).right;
+    const WheelResult side = *solver.solve(scene).right;
     EXPECT_GT(side.depth, 0.05);
     EXPECT_LT(side.depth, 1.0);
   }

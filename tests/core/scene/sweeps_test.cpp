@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/material.hpp"
+#include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "scene/solve_scene.hpp"
 
@@ -41,7 +41,7 @@ constexpr double pressure_rate = 1.8;
 /// Goes through the loads from the first to the last.
 void sweep_load(Scene scene, double first, double last, double step, double jumps_in_accuracies) {
   SceneSolver solver;
-  std::optional<SideResult> before;
+  std::optional<WheelResult> before;
   const double change = std::log1p(step);
   const double jump = jumps_in_accuracies * scene.accuracy;
   double load_before = 0.0;
@@ -49,7 +49,7 @@ void sweep_load(Scene scene, double first, double last, double step, double jump
     SCOPED_TRACE(load);
     scene.left_load = scene.right_load = load;
     SceneResult result = solver.solve(scene);
-    const SideResult& side = *result.left;
+    const WheelResult& side = *result.left;
     EXPECT_NEAR(side.force.z, load, force_tolerance * load);
     EXPECT_EQ(side.stop_reason, StopReason::tolerance_met);
     if (before) {
@@ -123,7 +123,7 @@ TEST_P(LateralSweep, FailsNowhere) {
     SCOPED_TRACE(scene.lateral);
     SceneResult result = solver.solve(scene);
     for (const auto side : {&SceneResult::left, &SceneResult::right}) {
-      const SideResult& here = *(result.*side);
+      const WheelResult& here = *(result.*side);
       EXPECT_NEAR(here.force.z, scene.left_load, force_tolerance * scene.left_load);
       EXPECT_EQ(here.stop_reason, StopReason::tolerance_met);
       solutions += here.solutions;

@@ -1,0 +1,70 @@
+/// All patches of a wheel on one set of grids, solved together, and what is read off them.
+///
+/// Units mm, N, MPa; frame of patches/contact_frame.hpp. Thread rule: plain values.
+/// Not known here: how the grids were chosen, and how far off the solution is (resolution.hpp).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "mechanics/joint_contact.hpp"
+#include "patches/contact_frame.hpp"
+#include "patches/contact_patches.hpp"
+#include "pressure/pressure_field.hpp"
+
+namespace wrc {
+
+/// The record of a patch, from the plan to the result.
+struct Patch {
+  ContactPatch penetration;
+  ContactFrame frame;
+  Grid grid;
+  double approach_cosine = 1.0; ///< share of the shared approach along the patch's normal
+  double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
+  std::vector<double> undeformed_distance;
+  std::vector<double> pressure; ///< empty: not solved yet
+  double normal_force = 0.0;
+  PressureRegion contact;     ///< all elements under pressure together
+  double peak_error = 0.0;    ///< of a peak from a section (peak_section.hpp), MPa
+  std::size_t plane = 0;      ///< patches of the same one are one contact
+  double approach = 0.0;      ///< deepest overlap of the undeformed bodies along the normal
+  std::optional<double> area; ///< of an approximate model, in closed form
+
+  [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
+  /// Elements along the contact.
+  [[nodiscard]] double columns() const {
+    return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
+  }
+  /// Deepest overlap of the undeformed bodies along the normal at an approach from the depth
+  /// sampled, by parabolas through the least distance and its neighbours.
+  [[nodiscard]] double overlap(double shared_approach) const;
+};
+
+/// Patches that share a plane.
+struct PlanePatches {
+  std::vector<std::size_t> patches; ///< of a solution, largest normal force first
+  double normal_force = 0.0;
+};
+
+struct GridSolution {
+  Elements elements = Elements::smooth;
+  double depth = 0.0;         ///< at which distances were sampled
+  std::vector<Patch> patches; ///< ordered by y
+  std::vector<double> links;  ///< coupling weight of each patch and the next
+  std::size_t main = 0;       ///< the patch that holds the first contact
+  double approach = 0.0;      ///< answer to the joint problem, from that depth
+  double depth_found = 0.0;   ///< the depth that the solution asks for
+  StopReason stop_reason = StopReason::tolerance_met;
+  double pressure_error = 0.0;
+  std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
+  std::optional<double>
+      left_out_s; ///< the vertical convention leaves out a patch there, mm on the wheel
+
+  [[nodiscard]] bool no_contact() const;
+  [[nodiscard]] double peak_pressure() const;
+  /// Largest normal force first; without the patches that do not touch, if there are pressures.
+  [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;
+};
+
+} // namespace wrc

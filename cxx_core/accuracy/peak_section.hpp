@@ -1,0 +1,36 @@
+/// The largest pressure of a patch, from a section across the rail that is finer than its grid.
+///
+/// Where the curvature of a profile jumps inside the contact, pressures have crests of tenths of a
+/// millimetre, narrower than elements that resolve forces. They vary across the rail only: next to
+/// a crest the half-space is in plane strain, and what is missing on the grid follows from a single
+/// line of strips (mechanics/strip_contact.hpp) over the column of the largest pressure. Its
+/// displacements differ from those of the patch by what is smooth:
+///   s = approach - h - K1 p  at the grid's elements under pressure,
+/// K1 the strips of the grid's rows. Cubic interpolation takes s to strips `strips_per_row` times
+/// as narrow, undeformed distances h are sampled there, and
+///   h + s + K1 p - approach >= 0,  p >= 0,  p g = 0
+/// gives their pressures (the full approximation scheme of multigrid methods: Brandt, Math. Comp.
+/// 31 (1977) 333-390). Where the grid is fine enough nothing changes. With 21 x 10 elements the
+/// errors of pmax fall from 0.14 and 0.23 to 0.008 and 0.017 (99 % and worst of 600 wheels of six
+/// pairs of profiles); strips 0.6 to 1.5 times as long change them by a twentieth.
+/// Units mm, MPa; frame of patches/contact_frame.hpp. Thread rule: a pure function.
+/// Not known here: crests of lobes that touch away from the column of the largest pressure.
+#pragma once
+
+#include "accuracy/constants.hpp"
+#include "accuracy/grid_solution.hpp"
+#include "remesh/undeformed_distance.hpp"
+
+namespace wrc {
+
+struct PeakInSection {
+  double pressure = 0.0; ///< largest, MPa
+  double error = 0.0;    ///< estimate of what the strips do not resolve, MPa
+};
+
+/// Of a patch in contact. `approach`: along the normal, from the position sampled; `tolerance`: of
+/// the pressures, relative.
+PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
+                              double approach, double combined_modulus, double tolerance);
+
+} // namespace wrc

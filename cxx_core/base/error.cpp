@@ -1,0 +1,32 @@
+#include "base/error.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace wrc {
+
+std::string text_of(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string short_text_of(double value) {
+  constexpr int digits = 4;
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::general, digits)
+                       .ptr;
+  return {buffer.data(), end};
+}
+
+void throw_invalid_argument(const std::string& argument, double value, const std::string& allowed) {
+  throw_invalid_argument(argument, text_of(value), allowed);
+}
+
+void throw_invalid_argument(const std::string& argument, const std::string& value,
+                            const std::string& allowed) {
+  throw Error(ErrorCode::invalid_argument, argument + " = " + value + ": " + allowed);
+}
+
+} // namespace wrc

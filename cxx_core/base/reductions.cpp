@@ -1,0 +1,49 @@
+#include "base/reductions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/vector_clones.hpp"
+
+namespace wrc {
+
+WRC_VECTOR_CLONES double sum_of(const double* values, std::size_t count) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += values[i];
+  }
+  return sum;
+}
+
+WRC_VECTOR_CLONES double least_of(const double* values, std::size_t count) {
+  // Independent lanes: a single least value is not vectorised, for fear of values that are no
+  // numbers.
+  constexpr std::size_t lanes = 16;
+  std::array<double, lanes> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  const std::size_t whole = count - count % lanes;
+  for (std::size_t i = 0; i < whole; i += lanes) {
+#pragma omp simd
+    for (std::size_t k = 0; k < lanes; ++k) {
+      least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+    }
+  }
+  for (std::size_t i = whole; i < count; ++i) {
+    least[0] = std::min(least[0], values[i]);
+  }
+  return *std::min_element(least.begin(), least.end());
+}
+
+WRC_VECTOR_CLONES bool all_finite(const double* values, std::size_t count) {
+  // 0 times a value is 0 unless the value is not finite.
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += 0.0 * values[i];
+  }
+  return sum == 0.0;
+}
+
+} // namespace wrc

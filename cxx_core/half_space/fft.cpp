@@ -1,0 +1,347 @@
+#include "half_space/fft.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <string>
+
+#include <fftw3.h>
+
+#include "base/error.hpp"
+#include "base/written_file.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// Guards plan creation and destruction, which share tables inside FFTW. In single and in double
+/// precision FFTW has tables of its own; one lock for both is enough.
+class Planner {
+public:
+  // The host's lock first: a host that holds it (recursively) while it calls must find ours free.
+  void lock() {
+    if (host_.lock != nullptr) {
+      host_.lock(host_.context);
+    }
+    own_.lock();
+  }
+  void unlock() {
+    own_.unlock();
+    if (host_.unlock != nullptr) {
+      host_.unlock(host_.context);
+    }
+  }
+  void set_host_lock(const PlannerLock& host) {
+    const std::lock_guard<std::mutex> guard(own_);
+    host_ = host;
+  }
+
+private:
+  std::mutex own_;
+  PlannerLock host_;
+};
+
+Planner& planner() {
+  static Planner the_planner;
+  return the_planner;
+}
+
+using PlanningGuard = std::lock_guard<Planner>;
+
+unsigned flags_of(PlannerRigor rigor) {
+  return rigor == PlannerRigor::measure ? FFTW_MEASURE : FFTW_ESTIMATE;
+}
+
+struct BufferRelease {
+  void operator()(void* buffer) const { fftw_free(buffer); }
+};
+
+void check_length(const char* argument, std::size_t length) {
+  constexpr auto longest = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  if (length < 1 || length > longest) {
+    throw_invalid_argument(argument, static_cast<double>(length), "must lie in 1 to 2^31 - 1");
+  }
+}
+
+[[noreturn]] void throw_no_memory(std::size_t rows, std::size_t columns) {
+  throw Error(ErrorCode::out_of_memory, "no memory for a transform of " + std::to_string(rows) +
+                                            " x " + std::to_string(columns) + " values");
+}
+
+/// FFTW's names in one precision.
+template <typename Real> struct Library;
+
+template <> struct Library<double> {
+  using Complex = fftw_complex;
+  using Plan = fftw_plan_s;
+  static void destroy(Plan* plan) { fftw_destroy_plan(plan); }
+  static Plan* plan_complex(int length, int lines, int pitch, Complex* from, Complex* to, int sign,
+                            unsigned flags) {
+    return fftw_plan_many_dft(1, &length, lines, from, nullptr, 1, pitch, to, nullptr, 1, pitch,
+                              sign, flags | FFTW_PRESERVE_INPUT);
+  }
+  static void run(const Plan* plan, Complex* from, Complex* to) {
+    fftw_execute_dft(const_cast<Plan*>(plan), from, to);
+  }
+};
+
+template <> struct Library<float> {
+  using Complex = fftwf_complex;
+  using Plan = fftwf_plan_s;
+  static void destroy(Plan* plan) { fftwf_destroy_plan(plan); }
+  static Plan* plan_complex(int length, int lines, int pitch, Complex* from, Complex* to, int sign,
+                            unsigned flags) {
+    return fftwf_plan_many_dft(1, &length, lines, from, nullptr, 1, pitch, to, nullptr, 1, pitch,
+                               sign, flags | FFTW_PRESERVE_INPUT);
+  }
+  static void run(const Plan* plan, Complex* from, Complex* to) {
+    fftwf_execute_dft(const_cast<Plan*>(plan), from, to);
+  }
+};
+
+template <typename Real> struct PlanRelease {
+  void operator()(typename Library<Real>::Plan* plan) const {
+    const PlanningGuard guard(planner());
+    Library<Real>::destroy(plan);
+  }
+};
+
+template <typename Real>
+using Plan = std::unique_ptr<typename Library<Real>::Plan, PlanRelease<Real>>;
+
+/// FFTW documents its complex type as layout-compatible with std::complex.
+template <typename Real> typename Library<Real>::Complex* fftw_of(std::complex<Real>* values) {
+  return reinterpret_cast<typename Library<Real>::Complex*>(values);
+}
+
+/// Lines from this length on are fast one by one.
+constexpr std::size_t min_lone_line = 48;
+
+/// Parts of a wisdom file: both precisions, one after the other.
+constexpr const char* single_precision_mark = "single precision\n";
+
+} // namespace
+
+void set_planner_lock(const PlannerLock& host_lock) {
+  if ((host_lock.lock == nullptr) != (host_lock.unlock == nullptr)) {
+    throw_invalid_argument("planner lock", "only one of lock and unlock given",
+                           "both functions or none of them");
+  }
+  planner().set_host_lock(host_lock);
+}
+
+void load_wisdom(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t max_wisdom_size = std::size_t{1} << 24;
+  std::string text;
+  if (file) {
+    std::array<char, 4096> part{};
+    while (text.size() <= max_wisdom_size &&
+           (file.read(part.data(), part.size()), file.gcount() > 0)) {
+      text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    }
+  }
+  if (text.empty()) {
+    throw Error(ErrorCode::file_unreadable, "wisdom file \"" + path + "\" cannot be read");
+  }
+  const std::size_t mark = text.find(single_precision_mark);
+  const PlanningGuard guard(planner());
+  if (text.size() > max_wisdom_size || mark == std::string::npos ||
+      fftw_import_wisdom_from_string(text.substr(0, mark).c_str()) == 0 ||
+      fftwf_import_wisdom_from_string(
+          text.substr(mark + std::string(single_precision_mark).size()).c_str()) == 0) {
+    throw Error(ErrorCode::file_malformed,
+                "wisdom file \"" + path + "\" holds no FFTW wisdom written by this library");
+  }
+}
+
+void save_wisdom(const std::string& path) {
+  std::string text;
+  {
+    const PlanningGuard guard(planner());
+    const std::unique_ptr<char, decltype(&std::free)> wide(fftw_export_wisdom_to_string(),
+                                                           &std::free);
+    const std::unique_ptr<char, decltype(&std::free)> narrow(fftwf_export_wisdom_to_string(),
+                                                             &std::free);
+    if (wide == nullptr || narrow == nullptr) {
+      throw Error(ErrorCode::out_of_memory, "no memory for the text of FFTW's wisdom");
+    }
+    text.append(wide.get()).append(single_precision_mark).append(narrow.get());
+  }
+  write_file(path, text);
+}
+
+std::size_t good_fft_length(std::size_t least) {
+  std::size_t best = 1;
+  while (best < least) {
+    best *= 2;
+  }
+  for (std::size_t five = 1; five < best; five *= 5) {
+    for (std::size_t three = five; three < best; three *= 3) {
+      std::size_t length = three;
+      while (length < least) {
+        length *= 2;
+      }
+      best = length < best ? length : best;
+    }
+  }
+  return best;
+}
+
+std::size_t fast_line_length(std::size_t least) {
+  constexpr std::size_t vector_length = 16;
+  if (least <= vector_length) {
+    return std::max<std::size_t>(least + least % 2, 2);
+  }
+  for (const std::size_t length : {20U, 32U}) {
+    if (least <= length) {
+      return length;
+    }
+  }
+  constexpr std::size_t longest_of_odd_factors = 400;
+  std::size_t best = std::numeric_limits<std::size_t>::max();
+  for (const std::size_t odd : {1U, 3U, 5U, 9U, 15U, 25U}) {
+    std::size_t length = odd * vector_length;
+    while (length < least) {
+      length *= 2;
+    }
+    if (odd <= 5 || length <= longest_of_odd_factors) {
+      best = std::min(best, length);
+    }
+  }
+  return best;
+}
+
+// Lines of other memory need no more than the same alignment to be transformed by the same plan.
+
+template <typename Real> struct LineFft<Real>::Plans {
+  std::size_t pitch = 0;
+  Plan<Real> forward;
+  Plan<Real> backward;
+  // Of blocks; none for long lines.
+  Plan<Real> block_forward;
+  Plan<Real> block_backward;
+
+  void run(const Plan<Real>& line, const Plan<Real>& block, Complex* from, Complex* to,
+           std::size_t count) const {
+    const bool in_blocks = block != nullptr && count > 1;
+    const std::size_t lines = in_blocks ? block_lines : 1;
+    for (std::size_t first = 0; first < count; first += lines) {
+      Library<Real>::run((in_blocks ? block : line).get(), fftw_of(from + first * pitch),
+                         fftw_of(to + first * pitch));
+    }
+  }
+};
+
+template <typename Real>
+LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
+  check_length("length", length);
+  Plans& own = *plans_;
+  own.pitch = aligned_pitch<Complex>(length);
+  const std::size_t lines = length < min_lone_line ? block_lines : 1;
+  AlignedArray<Complex> first(lines * own.pitch);
+  AlignedArray<Complex> second(lines * own.pitch);
+  const auto plan = [&](std::size_t count, int sign) {
+    Plan<Real> made(Library<Real>::plan_complex(static_cast<int>(length), static_cast<int>(count),
+                                                static_cast<int>(own.pitch), fftw_of(first.data()),
+                                                fftw_of(second.data()), sign, flags_of(rigor)));
+    if (made == nullptr) {
+      throw_no_memory(count, length);
+    }
+    return made;
+  };
+  const PlanningGuard guard(planner());
+  own.forward = plan(1, FFTW_FORWARD);
+  own.backward = plan(1, FFTW_BACKWARD);
+  if (lines > 1) {
+    own.block_forward = plan(lines, FFTW_FORWARD);
+    own.block_backward = plan(lines, FFTW_BACKWARD);
+  }
+}
+
+template <typename Real> LineFft<Real>::~LineFft() = default;
+
+template <typename Real> std::size_t LineFft<Real>::best_count() const {
+  return plans_->block_forward != nullptr ? block_lines : 1;
+}
+
+template <typename Real>
+void LineFft<Real>::forward(Complex* from, Complex* to, std::size_t count) const {
+  plans_->run(plans_->forward, plans_->block_forward, from, to, count);
+}
+template <typename Real>
+void LineFft<Real>::backward(Complex* from, Complex* to, std::size_t count) const {
+  plans_->run(plans_->backward, plans_->block_backward, from, to, count);
+}
+
+template class LineFft<float>;
+template class LineFft<double>;
+
+struct RealFft::Resources {
+  std::size_t rows;
+  std::size_t columns;
+  std::unique_ptr<double, BufferRelease> field;
+  std::unique_ptr<fftw_complex, BufferRelease> spectrum;
+  Plan<double> forward;
+  Plan<double> backward;
+};
+
+RealFft::RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor)
+    : resources_(new Resources{rows, columns, nullptr, nullptr, nullptr, nullptr}) {
+  check_length("rows", rows);
+  check_length("columns", columns);
+  Resources& own = *resources_;
+  own.field.reset(fftw_alloc_real(rows * columns));
+  own.spectrum.reset(fftw_alloc_complex(rows * (columns / 2 + 1)));
+  if (own.field == nullptr || own.spectrum == nullptr) {
+    throw_no_memory(rows, columns);
+  }
+  {
+    const PlanningGuard guard(planner());
+    own.forward.reset(fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns),
+                                           own.field.get(), own.spectrum.get(),
+                                           flags_of(rigor) | FFTW_PRESERVE_INPUT));
+    own.backward.reset(fftw_plan_dft_c2r_2d(static_cast<int>(rows), static_cast<int>(columns),
+                                            own.spectrum.get(), own.field.get(), flags_of(rigor)));
+  }
+  if (own.forward == nullptr || own.backward == nullptr) {
+    throw_no_memory(rows, columns);
+  }
+}
+
+RealFft::~RealFft() = default;
+RealFft::RealFft(RealFft&&) noexcept = default;
+RealFft& RealFft::operator=(RealFft&&) noexcept = default;
+
+std::size_t RealFft::rows() const {
+  return resources_->rows;
+}
+std::size_t RealFft::columns() const {
+  return resources_->columns;
+}
+std::size_t RealFft::spectrum_columns() const {
+  return resources_->columns / 2 + 1;
+}
+
+std::span<double> RealFft::field() {
+  return {resources_->field.get(), resources_->rows * resources_->columns};
+}
+
+std::span<std::complex<double>> RealFft::spectrum() {
+  return {reinterpret_cast<std::complex<double>*>(resources_->spectrum.get()),
+          resources_->rows * spectrum_columns()};
+}
+
+void RealFft::forward() {
+  fftw_execute(resources_->forward.get());
+}
+void RealFft::backward() {
+  fftw_execute(resources_->backward.get());
+}
+
+} // namespace wrc

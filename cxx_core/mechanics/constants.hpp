@@ -1,0 +1,148 @@
+/// Constants of behaviour of this room: the normal contact solvers.
+///
+/// Each with its origin: derived, source (with author), measured (with what measures it) or
+/// reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+#include <cstddef>
+
+namespace wrc {
+
+/// No side of a coarser grid of a cascade is shorter.
+/// origin: reasoned: a contact that fills two thirds of it still has five elements across.
+inline constexpr std::size_t min_level_side = 8;
+
+/// Longest side of the coarsest grid: of one patch, and of each of several, which together would
+/// have more elements there than one.
+/// origin: reasoned: such a grid costs next to nothing beside the finest, and still holds the
+/// contact.
+inline constexpr std::size_t coarsest_of_one = 32;
+
+/// origin: reasoned: two of these have about as many elements as one of the above.
+inline constexpr std::size_t coarsest_of_several = 24;
+
+/// Share of elements below the distance from which the first pressures are drawn.
+/// origin: reasoned: contact fills a third to two thirds of a potential contact area; too small a
+/// first contact grows faster than one too large shrinks.
+inline constexpr double start_quantile = 0.3;
+
+/// Error of p at which a coarser grid of the cascade is left.
+/// origin: reasoned: refining adds about as much.
+inline constexpr double coarse_level_tolerance = 1e-2;
+
+/// Elements around the pressures that the iteration starts with, and around contact found
+/// outside.
+/// origin: reasoned: the edge moves by one element from grid to grid, and reaching a side costs
+/// the iteration.
+inline constexpr std::size_t box_margin = 2;
+
+/// By how many elements a side that contact has reached moves outwards, at least, ...
+/// origin: reasoned: twice the margin.
+inline constexpr std::size_t min_box_growth = 4;
+
+/// ... and of which part of the box.
+/// origin: reasoned: a box too small by half is large enough after three steps.
+inline constexpr std::size_t box_growth_divisor = 4;
+
+/// Of the tolerance, what max|z| may be when the iteration stops: the free step leaves an error
+/// of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts up to 1.9 (at loose
+/// tolerances).
+/// origin: measured (tests/core/mechanics/normal_solver_tolerance_test.cpp): less than 1 is
+/// needed.
+inline constexpr double stop_share = 0.75;
+
+/// Error that interpolation may have in what patches displace at each other: a share of the
+/// tolerance, but no less than the second.
+/// origin: reasoned: small beside the tolerance; nodes cost more than they bring below the
+/// second.
+inline constexpr double coupling_share = 0.03;
+
+/// origin: reasoned: small beside what patches in planes of their own leave out.
+inline constexpr double min_coupling_error = 1e-5;
+
+/// Overlap outside the box that counts as contact left out, as a share of the approach, in single
+/// precision.
+/// origin: derived: eight roundings of single precision; a displacement is a sum of products.
+inline constexpr double missed_overlap = 5e-7;
+
+/// The same in double precision, where the tolerance asks for less.
+/// origin: derived: some hundred roundings of double precision.
+inline constexpr double double_overlap = 1e-13;
+
+/// Pressures whose displacements are taken out one by one: at most so many, ...
+/// origin: reasoned: bounds a buffer on the stack.
+inline constexpr std::size_t max_single_cuts = 128;
+
+/// ... and one for so many elements of the box.
+/// origin: reasoned: about as many cost a convolution.
+inline constexpr double elements_per_cut = 16.0;
+
+/// Rounding in u stands for an error of p relative to the largest p of about this much times
+/// N^1.15, N elements along the longer side: the ratio of the operator's extreme eigenvalues
+/// grows with it.
+/// origin: measured with directions in single precision: 8.9e-6 for 78 elements, 2.6e-5 for 156,
+/// 6.1e-5 for 306, 1.4e-4 for 614, 2.9e-4 for 1228.
+inline constexpr double single_drift = 8.5e-8;
+
+/// origin: derived: the same with the rounding of double precision, two units.
+inline constexpr double double_drift = 2e-16;
+
+/// origin: measured: see single_drift.
+inline constexpr double drift_exponent = 1.15;
+
+/// Iterations of the projected CG without a smaller error after which no more is to be had.
+/// origin: reasoned: longer than any plateau of converging cases, some ten iterations; costs only
+/// those that fail.
+inline constexpr int cg_stagnation_window = 60;
+
+/// By which share the pressures of one box may shrink or grow in an iteration of several. Where
+/// the least energy lies beyond, all go the same part of the way, which keeps the load; where
+/// that would be less than the least part, a step of the same length in all boxes is taken.
+/// origin: reasoned: no box is emptied or doubled by one step.
+inline constexpr double max_joint_step_shrinking = 0.5;
+
+/// origin: reasoned: see max_joint_step_shrinking.
+inline constexpr double max_joint_step_growth = 1.0;
+
+/// origin: reasoned: see max_joint_step_shrinking.
+inline constexpr double min_joint_step_part = 0.1;
+
+/// Added to the diagonal of energies that are 1 there: a direction may be parallel to the
+/// pressures to within single precision.
+/// origin: derived: between the squared rounding of single precision, 4e-15, and what would
+/// change a step by 1e-6.
+inline constexpr double joint_step_ridge = 1e-9;
+
+/// Iterations of the stiffness without a smaller error after which no more is to be had.
+/// origin: reasoned: as cg_stagnation_window.
+inline constexpr int stiffness_stagnation_window = 60;
+
+/// Less is not aimed at: the residual that the iteration carries along would go on falling, the
+/// true one would not.
+/// origin: derived: some fifty roundings of double precision.
+inline constexpr double min_stiffness_tolerance = 1e-14;
+
+/// What an answer adds to those kept is not worth keeping below this share of its energy: it
+/// would consist of rounding.
+/// origin: derived: the square of 1e-10, what cancellation leaves of a sum of thousands.
+inline constexpr double min_new_energy = 1e-20;
+
+/// Polonsky & Keer: iterations without better pressures after which it stops.
+/// origin: measured: longer than any plateau on noise and on two contacts; a floor costs this
+/// many iterations.
+inline constexpr int polonsky_keer_stagnation_window = 300;
+
+/// Polonsky & Keer: pressures are off by 5 to 70 times the relative error of the gaps.
+/// origin: measured: up to 154 elements across.
+inline constexpr double pressure_error_per_gap_error = 70.0;
+
+/// Polonsky & Keer: share of elements below the distance from which the first pressures are
+/// drawn.
+/// origin: reasoned: as start_quantile, on a grid without coarser ones.
+inline constexpr double polonsky_keer_start_quantile = 0.2;
+
+/// Steps of the strips' iteration.
+/// origin: measured: it takes 5 to 30; the limit ends what does not converge.
+inline constexpr int strip_step_limit = 200;
+
+} // namespace wrc

@@ -1,0 +1,77 @@
+/// Constants of behaviour of this room: patches of penetration, their planes and the first depth.
+///
+/// Each with its origin: derived, source (with author), measured (with what measures it) or
+/// reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+#include <cstddef>
+
+namespace wrc {
+
+/// Limits of the separation D (contact_patches.hpp) of lobes in one plane: joined below the
+/// first, independent above the second.
+/// origin: reasoned: joined later, narrow valleys need two grids for one contact; joined earlier,
+/// one grid holds mostly gap.
+inline constexpr double joined_below = 0.1;
+
+/// origin: reasoned: see joined_below.
+inline constexpr double apart_above = 0.5;
+
+/// The same for lobes whose planes differ by other_plane_angle or more: joined only where there
+/// is hardly a valley (rough profiles have many), independent once they are apart.
+/// origin: reasoned: one plane is wrong for both there.
+inline constexpr double steep_joined_below = -0.9;
+
+/// origin: reasoned: see steep_joined_below.
+inline constexpr double steep_apart_above = 0.0;
+
+/// From the one angle to the other the limits move, rad.
+/// origin: derived: tilting two lobes by half the lesser angle changes distances by 1 - cos = 0.5
+/// %, by half the greater one by 1 %.
+inline constexpr double same_plane_angle = 0.2;
+
+/// origin: derived: see same_plane_angle.
+inline constexpr double other_plane_angle = 0.3;
+
+/// Penetration below this share of the deepest is outside contact.
+/// origin: source: the virtual penetration is 0.55 of the approach (Kik & Piotrowski, 1996).
+inline constexpr double outside_contact_share = 0.45;
+
+/// By how much a top between two nodes may exceed the penetration of both, mm.
+/// origin: derived: half a millimetre of a circle of 1 mm radius sags by less.
+inline constexpr double max_top_excess = 0.05;
+
+/// Places of the wheel's profile that are no farther apart are one, mm.
+/// origin: derived: a thousandth of the narrowest element.
+inline constexpr double same_place = 1e-6;
+
+/// Narrower contacts are treated as lines of this axis ratio by the first estimate of the depth.
+/// origin: reasoned: K(e) diverges by its logarithm only.
+inline constexpr double min_estimated_axis_ratio = 1e-4;
+
+/// The depth to a load is a start for coarse solutions. One per cent would be near enough, but
+/// where the search ends would show in forces.
+/// origin: measured (smoothness): with a load found to 1e-4, forces jump by 2e-6.
+inline constexpr double estimated_depth_accuracy = 1e-6;
+
+/// First depth of that search, mm.
+/// origin: reasoned: that of an ordinary wheel load.
+inline constexpr double first_searched_depth = 0.05;
+
+/// Depths below, mm, are not searched.
+/// origin: derived: the least normal number is 2e-308.
+inline constexpr double min_searched_depth = 1e-300;
+
+/// Greatest factor between two depths of that search.
+/// origin: reasoned: any load is bracketed in some eighty steps.
+inline constexpr double max_depth_factor = 1e4;
+
+/// Steps of that search.
+/// origin: reasoned: a bound.
+inline constexpr int depth_iterations = 400;
+
+/// Depth beyond which profiles no longer say what meets what, mm.
+/// origin: reasoned: about twice the height of a flange.
+inline constexpr double max_depth = 50.0;
+
+} // namespace wrc

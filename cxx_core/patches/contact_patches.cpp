@@ -1,0 +1,97 @@
+#include "patches/contact_patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "patches/patch_finder.hpp"
+
+namespace wrc {
+namespace {
+
+/// Places as the scan has them.
+struct PlainPlaces {
+  using Real = double;
+  using Place = patch_finding::LocusSample<double>;
+
+  [[nodiscard]] Place place_of(const DistanceSample& sample, double limit) const {
+    const Vector3& at = sample.wheel.position;
+    return {at.x,
+            at.y,
+            at.z - sample.distance,
+            sample.wheel.lateral,
+            limit - sample.distance,
+            sample.rail_slope,
+            sample.wheel.normal_curvature,
+            false,
+            0.0};
+  }
+  [[nodiscard]] Place place_of(const ContactCandidate& contact, double penetration) const {
+    const Vector3& at = contact.wheel.position;
+    return {at.x,
+            at.y,
+            at.z - contact.distance,
+            contact.wheel.lateral,
+            penetration,
+            std::tan(contact.rail_angle),
+            contact.wheel.normal_curvature,
+            true,
+            0.0};
+  }
+};
+
+/// The lateral coordinate of the rail's surface at a place of the track.
+double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) {
+  const Vector3 place{frame.origin.x, y, rail.graph().heights().at(y).height};
+  return dot(place - frame.origin, frame.lateral);
+}
+
+} // namespace
+
+double ContactPatches::coupling_weight(std::size_t i, std::size_t j) const {
+  double least = 1.0;
+  for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) {
+    least = std::min(least, links[k]);
+  }
+  return least;
+}
+
+ContactPatches find_contact_patches(const ContactScan& scan, double depth,
+                                    double joining_distance) {
+  const PlainPlaces places;
+  return patch_finding::PatchFinder(scan, depth, joining_distance, places).find();
+}
+
+PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame) {
+  PlaneArea area = PlaneArea::empty();
+  for (const double y : {patch.y_first, patch.y_last}) {
+    const double z = rail.graph().at_lateral(y).height;
+    for (const double x : {patch.x_first, patch.x_last}) {
+      const Vector3 from_origin = Vector3{x, y, z} - frame.origin;
+      area.include(dot(from_origin, frame.lateral), dot(from_origin, frame.longitudinal));
+    }
+  }
+  // Penetration at a single place of the scan has no width of its own: give it a little.
+  const double least_width = 1e-3 * area.length();
+  if (area.width() < least_width) {
+    const double middle = 0.5 * (area.lateral_first + area.lateral_last);
+    area.lateral_first = middle - 0.5 * least_width;
+    area.lateral_last = middle + 0.5 * least_width;
+  }
+  return area;
+}
+
+PlaneArea within_limits(const PlaneArea& area, const ContactPatch& patch, const RailSurface& rail,
+                        const ContactFrame& frame) {
+  PlaneArea inside = area;
+  if (std::isfinite(patch.limit_first)) {
+    inside.lateral_first =
+        std::max(inside.lateral_first, lateral_at(patch.limit_first, rail, frame));
+  }
+  if (std::isfinite(patch.limit_last)) {
+    inside.lateral_last = std::min(inside.lateral_last, lateral_at(patch.limit_last, rail, frame));
+  }
+  inside.lateral_last = std::max(inside.lateral_last, inside.lateral_first);
+  return inside;
+}
+
+} // namespace wrc

@@ -1,0 +1,242 @@
+/// Samples of the contact locus where wheel and rail may interpenetrate.
+///
+/// Nodes of the scan, its locally least distances (tops, which are known better than nodes tell),
+/// and the tops of parabolas through three nodes; penetration between two samples is a parabola.
+/// For plain numbers and for numbers with rates (base/value_with_rates.hpp).
+/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).
+/// Thread rule: one object, one thread.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "geometry/contact_search.hpp"
+#include "patches/constants.hpp"
+
+namespace wrc::patch_finding {
+
+// Found by argument for numbers with rates.
+using std::abs;
+using std::atan;
+using std::atan2;
+using std::cos;
+using std::lerp;
+using std::sqrt;
+
+inline double value_of(double value) {
+  return value;
+}
+
+/// A sample of the locus.
+template <class Real> struct LocusSample {
+  Real x;
+  Real y;
+  Real z; ///< of the rail
+  Real s;
+  Real penetration;  ///< vertical, < 0 outside
+  Real slope;        ///< of the rail
+  Real curvature;    ///< of the wheel in rolling direction
+  bool top;          ///< a local maximum: a parabola to both sides
+  Real second = 0.0; ///< derivative of the penetration
+};
+
+/// By how much penetration half way between two places exceeds their mean, times four: that of a
+/// parabola with the lesser curvature of the two, without a top of its own in between.
+template <class Real>
+Real bulge_between(const LocusSample<Real>& from, const LocusSample<Real>& to) {
+  const Real drop = abs(to.penetration - from.penetration);
+  if (from.top || to.top) {
+    return drop;
+  }
+  if (from.second * to.second <= 0.0) {
+    return 0.0;
+  }
+  const Real second = abs(from.second) < abs(to.second) ? from.second : to.second;
+  const Real length = to.y - from.y;
+  return std::clamp(-0.5 * length * length * second, -drop, drop);
+}
+
+/// The share of the way from one place to a lower one after which penetration is down to a level:
+/// root of higher - drop t + bulge t (1 - t) = level.
+template <class Real>
+Real way_down(const LocusSample<Real>& higher, const LocusSample<Real>& lower, const Real& bulge,
+              const Real& level) {
+  const Real above = higher.penetration - level;
+  const Real slope = higher.penetration - lower.penetration - bulge;
+  return 2.0 * above / (slope + sqrt(std::max(slope * slope + 4.0 * bulge * above, Real(0.0))));
+}
+
+/// Between two places; penetration and top are left to the caller.
+template <class Real>
+LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>& to,
+                          const Real& share) {
+  return {lerp(from.x, to.x, share),
+          lerp(from.y, to.y, share),
+          lerp(from.z, to.z, share),
+          lerp(from.s, to.s, share),
+          Real(0.0),
+          lerp(from.slope, to.slope, share),
+          lerp(from.curvature, to.curvature, share),
+          false,
+          Real(0.0)};
+}
+
+/// Second derivative by differences.
+template <class Real>
+void set_second(const LocusSample<Real>& before, LocusSample<Real>& here,
+                const LocusSample<Real>& after) {
+  const Real length_before = here.y - before.y;
+  const Real length_after = after.y - here.y;
+  if (length_before > 0.0 && length_after > 0.0) {
+    here.second = 2.0 *
+                  ((after.penetration - here.penetration) / length_after -
+                   (here.penetration - before.penetration) / length_before) /
+                  (length_before + length_after);
+  }
+}
+
+/// Collects the samples of a scan at a depth. `Source` knows the numbers and gives the samples:
+///   using Real = double or one with rates;
+///   LocusSample<Real> place_of(const DistanceSample&, double limit): of a node, penetration =
+///   limit - distance;
+///   LocusSample<Real> place_of(const ContactCandidate&, double penetration): of a locally least
+///   distance.
+template <class Source> class LocusSampler {
+public:
+  using Real = typename Source::Real;
+
+  LocusSampler(const ContactScan& scan, double depth, const Source& source)
+      : samples_(scan.samples), source_(source), depth_(depth),
+        limit_(scan.candidates.front().distance + depth) {
+    for (const ContactCandidate& candidate : scan.candidates) {
+      if (candidate.distance <= limit_) {
+        tops_.push_back({&candidate, node_after(candidate), &candidate == scan.candidates.data()});
+      }
+    }
+    std::sort(tops_.begin(), tops_.end(), [](const Top& one, const Top& other) {
+      return one.contact->wheel.lateral < other.contact->wheel.lateral;
+    });
+    collect_places();
+  }
+
+  /// Stretches that hold penetration, and one sample more at each end.
+  [[nodiscard]] const std::vector<LocusSample<Real>>& samples() const { return places_; }
+  /// Of the first contact.
+  [[nodiscard]] std::size_t first_contact() const { return contact_place_; }
+
+private:
+  /// A locally least distance, which is known better than the nodes of the scan tell.
+  struct Top {
+    const ContactCandidate* contact;
+    std::size_t after; ///< the first sample beyond it
+    bool is_first;     ///< the least of all
+  };
+
+  [[nodiscard]] std::size_t node_after(const ContactCandidate& contact) const {
+    const double s = contact.wheel.lateral;
+    const auto after =
+        std::lower_bound(samples_.begin(), samples_.end(), s, [](const auto& sample, double at) {
+          return sample.wheel.lateral < at - same_place;
+        });
+    return static_cast<std::size_t>(after - samples_.begin());
+  }
+
+  /// Whether a top lies just before or just beyond a sample.
+  [[nodiscard]] bool beside_top(std::size_t sample) const {
+    return std::any_of(tops_.begin(), tops_.end(), [sample](const Top& top) {
+      return sample == top.after || sample + 1 == top.after;
+    });
+  }
+
+  void collect_top(const Top& top) {
+    contact_place_ = top.is_first ? places_.size() : contact_place_;
+    places_.push_back(
+        source_.place_of(*top.contact, top.is_first ? depth_ : limit_ - top.contact->distance));
+  }
+
+  /// All stretches of the scan in which there may be penetration.
+  void collect_places() {
+    const std::size_t count = samples_.size();
+    const double least_distance = limit_ + max_top_excess;
+    const auto belongs = [&](std::size_t sample) {
+      return samples_[sample].distance < least_distance || beside_top(sample);
+    };
+    std::size_t i = 0;
+    while (i < count) {
+      if (!belongs(i)) {
+        ++i;
+        continue;
+      }
+      const std::size_t first = i > 0 ? i - 1 : 0;
+      while (i < count && belongs(i)) {
+        ++i;
+      }
+      collect_run(first, std::min(i, count - 1));
+    }
+    for (const Top& top : tops_) {
+      if (top.after == count) {
+        collect_top(top); // beyond the last node: the run before has ended with it
+      }
+    }
+  }
+
+  void collect_run(std::size_t first, std::size_t last) {
+    const std::size_t from = places_.size();
+    auto top = std::find_if(tops_.begin(), tops_.end(),
+                            [first](const Top& one) { return one.after >= first; });
+    for (std::size_t i = first; i <= last; ++i) {
+      bool is_node = false;
+      for (; top != tops_.end() && top->after == i; ++top) {
+        collect_top(*top);
+        is_node = is_node || samples_[i].wheel.lateral - top->contact->wheel.lateral <= same_place;
+      }
+      if (is_node) {
+        continue;
+      }
+      places_.push_back(source_.place_of(samples_[i], limit_));
+      if (places_.size() >= from + 3) {
+        add_top();
+      }
+    }
+    for (std::size_t i = from + 1; i + 1 < places_.size(); ++i) {
+      set_second(places_[i - 1], places_[i], places_[i + 1]);
+    }
+  }
+
+  /// The top of the parabola through the last three places, if the middle one is the highest.
+  void add_top() {
+    const auto middle = places_.end() - 2;
+    const LocusSample<Real> before = *(middle - 1);
+    const LocusSample<Real> here = *middle;
+    const LocusSample<Real> after = *(middle + 1);
+    const Real length_before = here.y - before.y;
+    const Real length_after = after.y - here.y;
+    if (here.top || here.penetration < before.penetration ||
+        here.penetration <= after.penetration || !(length_before > 0.0 && length_after > 0.0)) {
+      return;
+    }
+    const Real slope_before = (here.penetration - before.penetration) / length_before;
+    const Real slope_after = (after.penetration - here.penetration) / length_after;
+    const Real length = length_before + length_after;
+    const Real slope = (slope_before * length_after + slope_after * length_before) / length;
+    const Real way = 0.5 * slope * length / (slope_before - slope_after);
+    LocusSample<Real> top = way < 0.0 ? between(here, before, -way / length_before)
+                                      : between(here, after, way / length_after);
+    // No place is deeper than the first contact.
+    top.penetration = std::min<Real>(here.penetration + 0.5 * slope * way, Real(depth_));
+    top.top = true;
+    places_.insert(way < 0.0 ? middle : middle + 1, top);
+  }
+
+  const std::vector<DistanceSample>& samples_;
+  const Source& source_;
+  double depth_;
+  double limit_;
+  std::vector<LocusSample<Real>> places_;
+  std::size_t contact_place_ = 0;
+  std::vector<Top> tops_; ///< along the profile
+};
+
+} // namespace wrc::patch_finding

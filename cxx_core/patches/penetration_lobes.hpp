@@ -1,0 +1,208 @@
+/// Lobes of penetration: stretches of the contact locus from one local minimum to the next.
+///
+/// Each with the integrals over its samples that planes are made of (contact_patches.hpp), by
+/// Simpson's rule.
+/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).
+/// Thread rule: one object, one thread.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "patches/locus_samples.hpp"
+
+namespace wrc::patch_finding {
+
+/// Sums over places, weighted.
+template <class Real> struct Moments {
+  Real weight = 0.0;
+  Real cosine = 0.0;
+  Real sine = 0.0;
+  Real x = 0.0;
+  Real y = 0.0;
+  Real s = 0.0;
+
+  void add(const Real& share, const Moments& other) {
+    weight += share * other.weight;
+    cosine += share * other.cosine;
+    sine += share * other.sine;
+    x += share * other.x;
+    y += share * other.y;
+    s += share * other.s;
+  }
+  [[nodiscard]] Real angle() const { return atan2(sine, cosine); }
+};
+
+/// Penetration from one local minimum to the next.
+template <class Real> struct Lobe {
+  std::size_t first_place; ///< of the places, inclusive
+  std::size_t last_place;
+  Real y_first;
+  Real y_last;
+  Real z_first;
+  Real z_last;
+  Real x_first;
+  Real x_last;
+  Real half_length;
+  LocusSample<Real> deepest;
+  Moments<Real> moments;
+  Real angle;
+  Real width;            ///< along the tangent
+  Real penetration_next; ///< least one towards the next lobe; 0 if they are apart
+  int joined = 1;        ///< lobes in it
+
+  /// Takes in the next one.
+  void join(const Lobe& next) {
+    last_place = next.last_place;
+    joined += next.joined;
+    if (next.y_first < y_first) {
+      y_first = next.y_first;
+      z_first = next.z_first;
+    }
+    if (next.y_last > y_last) {
+      y_last = next.y_last;
+      z_last = next.z_last;
+    }
+    x_first = std::min(x_first, next.x_first);
+    x_last = std::max(x_last, next.x_last);
+    half_length = std::max(half_length, next.half_length);
+    if (next.deepest.penetration > deepest.penetration) {
+      deepest = next.deepest;
+    }
+    moments.add(1.0, next.moments);
+    penetration_next = next.penetration_next;
+    settle();
+  }
+  void settle() {
+    angle = moments.angle();
+    width = (y_last - y_first) / cos(angle);
+  }
+};
+
+template <class Real> class LobeFinder {
+public:
+  /// `places` must outlive the finder.
+  LobeFinder(const std::vector<LocusSample<Real>>& places, std::size_t contact_place, double depth)
+      : places_(places), contact_place_(contact_place), depth_(depth),
+        reach_scale_(1.0 / std::sqrt(depth)) {}
+
+  std::vector<Lobe<Real>> find() {
+    find_lobes();
+    return std::move(lobes_);
+  }
+
+private:
+  /// What a place counts per length in y; also its reach along the rail.
+  Moments<Real> density(const LocusSample<Real>& place, Lobe<Real>& lobe) const {
+    if (!(place.penetration > 0.0)) {
+      return {}; // an end, or where the parabola between two ends dips out of the rail
+    }
+    const Real cosine = 1.0 / sqrt(1.0 + place.slope * place.slope);
+    const Real reach = sqrt(place.penetration * cosine / place.curvature);
+    const Real half_length = std::numbers::sqrt2 * reach;
+    lobe.half_length = std::max(lobe.half_length, half_length);
+    lobe.x_first = std::min(lobe.x_first, place.x - half_length);
+    lobe.x_last = std::max(lobe.x_last, place.x + half_length);
+    // g^2 x_l dy, made free of the depth's magnitude.
+    const Real relative = place.penetration / depth_;
+    const Real weight = relative * relative * reach * reach_scale_;
+    return {weight,           weight * cosine,  weight * place.slope * cosine,
+            weight * place.x, weight * place.y, weight * place.s};
+  }
+
+  void begin_lobe(std::size_t place, const LocusSample<Real>& begin) {
+    Lobe<Real> lobe{};
+    lobe.first_place = place;
+    lobe.y_first = begin.y;
+    lobe.z_first = lobe.z_last = begin.z;
+    lobe.x_first = lobe.x_last = begin.x;
+    lobe.deepest = begin;
+    lobe.moments = {};
+    begin_density_ = density(begin, lobe);
+    lobes_.push_back(lobe);
+  }
+
+  /// Simpson's rule from where the last one ended.
+  void add_to_lobe(const LocusSample<Real>& from, const LocusSample<Real>& to, const Real& length,
+                   const Real& bulge) {
+    Lobe<Real>& lobe = lobes_.back();
+    LocusSample<Real> middle = between(from, to, Real(0.5));
+    middle.penetration = 0.5 * (from.penetration + to.penetration) + 0.25 * bulge;
+    const Moments<Real> end = density(to, lobe);
+    lobe.moments.add(length / 6.0, begin_density_);
+    lobe.moments.add(length * 4.0 / 6.0, density(middle, lobe));
+    lobe.moments.add(length / 6.0, end);
+    begin_density_ = end;
+    if (to.penetration > lobe.deepest.penetration) {
+      lobe.deepest = to;
+    }
+    lobe.y_last = to.y;
+    lobe.z_last = to.z;
+  }
+
+  void find_lobes() {
+    bool open = false;
+    bool falling = false;
+    for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+      LocusSample<Real> from = places_[i];
+      LocusSample<Real> to = places_[i + 1];
+      Real bulge = bulge_between(from, to);
+      Real length = abs(to.y - from.y);
+      if (from.penetration <= 0.0 && to.penetration <= 0.0) {
+        open = false;
+        continue;
+      }
+      const bool rising = to.penetration > from.penetration;
+      bool ends = false;
+      if (from.penetration <= 0.0) {
+        const Real share = way_down(to, from, bulge, Real(0.0));
+        from = between(to, from, share);
+        length *= share;
+        bulge *= share * share;
+        open = false;
+      } else if (to.penetration <= 0.0) {
+        const Real share = way_down(from, to, bulge, Real(0.0));
+        to = between(from, to, share);
+        length *= share;
+        bulge *= share * share;
+        ends = true;
+      }
+      if (!open) {
+        falling = false;
+        begin_lobe(i, from);
+      } else if (falling && rising) {
+        lobes_.back().penetration_next = from.penetration;
+        begin_lobe(i, from);
+      }
+      add_to_lobe(from, to, length, bulge);
+      lobes_.back().last_place = i + 1;
+      open = !ends;
+      falling = to.penetration < from.penetration || (falling && !rising);
+    }
+    if (lobes_.empty()) {
+      begin_lobe(contact_place_, places_[contact_place_]);
+      lobes_.back().last_place = contact_place_;
+      lobes_.back().y_last = lobes_.back().y_first;
+    }
+    for (Lobe<Real>& lobe : lobes_) {
+      if (!(lobe.moments.weight > 0.0)) {
+        // No width that a number could tell from nothing.
+        lobe.moments.add(std::numeric_limits<double>::epsilon(), density(lobe.deepest, lobe));
+      }
+      lobe.settle();
+    }
+  }
+
+  const std::vector<LocusSample<Real>>& places_;
+  std::size_t contact_place_;
+  double depth_;
+  double reach_scale_;          ///< makes weights free of the depth's magnitude
+  Moments<Real> begin_density_; ///< where the next stretch of a lobe begins
+  std::vector<Lobe<Real>> lobes_;
+};
+
+} // namespace wrc::patch_finding

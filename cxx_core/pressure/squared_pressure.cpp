@@ -1,0 +1,94 @@
+#include "pressure/squared_pressure.hpp"
+
+#include <algorithm>
+
+namespace wrc {
+
+namespace {
+
+/// p^2 at one and at two steps in one direction; whether the grid reaches as far.
+struct Direction {
+  double near;
+  double far;
+  bool far_is_known;
+};
+
+/// Calls visit(direction) for every direction that has pressure at one step.
+template <typename Visit>
+void for_each_direction(const LevelSize& size, std::span<const double> pressure, double scale,
+                        std::size_t row, std::size_t column, const Visit& visit) {
+  const auto rows = static_cast<std::ptrdiff_t>(size.rows);
+  const auto columns = static_cast<std::ptrdiff_t>(size.columns);
+  const auto inside = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
+    return i >= 0 && i < rows && j >= 0 && j < columns;
+  };
+  const auto square_at = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
+    const double p = scale * pressure[static_cast<std::size_t>(i * columns + j)];
+    return p > 0.0 ? p * p : 0.0;
+  };
+  const auto i = static_cast<std::ptrdiff_t>(row);
+  const auto j = static_cast<std::ptrdiff_t>(column);
+  for (std::ptrdiff_t di = -1; di <= 1; ++di) {
+    for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
+      const double near = inside(i + di, j + dj) ? square_at(i + di, j + dj) : 0.0;
+      if (near > 0.0) {
+        const bool known = inside(i + 2 * di, j + 2 * dj);
+        visit(Direction{near, known ? square_at(i + 2 * di, j + 2 * dj) : 0.0, known});
+      }
+    }
+  }
+}
+
+} // namespace
+
+void square_and_continue(const LevelSize& size, std::span<const double> pressure,
+                         std::vector<double>& squares) {
+  squares.resize(size.count());
+  for (std::size_t row = 0; row < size.rows; ++row) {
+    for (std::size_t column = 0; column < size.columns; ++column) {
+      const std::size_t index = row * size.columns + column;
+      const double p = pressure[index];
+      squares[index] = p * p;
+      if (p > 0.0) {
+        continue;
+      }
+      double sum = 0.0;
+      double directions = 0.0;
+      for_each_direction(size, pressure, 1.0, row, column, [&](const Direction& one) {
+        sum += one.far > 0.0 ? 2.0 * one.near - one.far : -one.near;
+        directions += 1.0;
+      });
+      squares[index] = directions > 0.0 ? std::min(0.0, sum / directions) : 0.0;
+    }
+  }
+}
+
+double edge_square(const LevelSize& size, std::span<const double> pressure, double scale,
+                   std::size_t row, std::size_t column) {
+  double sum = 0.0;
+  double weight = 0.0;
+  double unknown_sum = 0.0;
+  double unknown_weight = 0.0;
+  for_each_direction(size, pressure, scale, row, column, [&](const Direction& one) {
+    const double near = one.near;
+    if (!one.far_is_known) {
+      unknown_sum -= near * near;
+      unknown_weight += near;
+      return;
+    }
+    double continued = 2.0 * near - one.far;
+    if (continued > 0.0) {
+      // Edge at a share of the step: 1 at far = 2 near, 1/2 from far = near down.
+      const double share = 0.5 * std::max(1.0, one.far / near);
+      continued = -near * (1.0 - share) / share;
+    }
+    sum += near * continued;
+    weight += near;
+  });
+  if (weight > 0.0) {
+    return std::min(0.0, sum / weight);
+  }
+  return unknown_weight > 0.0 ? unknown_sum / unknown_weight : 0.0;
+}
+
+} // namespace wrc

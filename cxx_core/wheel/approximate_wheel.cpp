@@ -1,0 +1,248 @@
+#include "wheel/approximate_wheel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/stopwatch.hpp"
+#include "models/hertz.hpp"
+#include "models/patch_model.hpp"
+#include "patches/depth_estimate.hpp"
+#include "wheel/constants.hpp"
+#include "wheel/depth_checks.hpp"
+#include "wheel/grid_plan.hpp"
+
+namespace wrc {
+namespace {
+
+class ApproximateWheel {
+public:
+  ApproximateWheel(const WheelSurface& wheel, const RailSurface& rail,
+                   const SideEquilibrium& equilibrium, const WheelRequest& request,
+                   ApproximateModel model)
+      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request), model_(model),
+        strips_(wheel, rail, equilibrium.pose), side_{equilibrium.scan, strips_,
+                                                      equilibrium.vertical,
+                                                      request.combined_modulus} {}
+
+  WheelSolution solve();
+
+private:
+  [[nodiscard]] double first_depth() const;
+  /// Patches at a depth, each with a model.
+  void find_patches(double depth);
+  [[nodiscard]] double load_at(double depth) const;
+  /// Depth at which the patches found carry the load.
+  [[nodiscard]] double depth_of_load(double start) const;
+  void settle_depth();
+  void publish_patches();
+  void sample(Patch& patch, const PatchModel& model, const ModelledPatch& modelled) const;
+
+  const WheelSurface& wheel_;
+  const RailSurface& rail_;
+  const SideEquilibrium& equilibrium_;
+  const WheelRequest& request_;
+  ApproximateModel model_;
+  ContactStrips strips_;
+  ModelWheel side_;
+  double depth_ = 0.0;
+  GridSolution planned_;
+  std::vector<std::unique_ptr<PatchModel>> models_;
+  WheelSolution result_;
+};
+
+double ApproximateWheel::first_depth() const {
+  if (request_.position_is_prescribed()) {
+    return equilibrium_.vertical - *request_.vertical;
+  }
+  if (!(request_.load() > 0.0)) {
+    return 0.0;
+  }
+  const ContactCandidate& touch = equilibrium_.scan.candidates.front();
+  const auto strip = strips_.at(touch.wheel.lateral);
+  if (strip && strip->lateral_curvature > min_curvature_share * strip->longitudinal_curvature) {
+    const double cosine = std::cos(touch.rail_angle);
+    const double normal_load = request_.load() / (request_.normal_load ? 1.0 : cosine);
+    return solve_hertz(strip->longitudinal_curvature, strip->lateral_curvature,
+                       request_.combined_modulus, normal_load)
+               .approach /
+           cosine;
+  }
+  return estimate_depth(equilibrium_.scan, request_.combined_modulus, request_.load(),
+                        request_.normal_load ? LoadDirection::main_normal
+                                             : LoadDirection::vertical);
+}
+
+void ApproximateWheel::find_patches(double depth) {
+  WheelRequest near_only = request_;
+  near_only.interaction = false; // models do not couple patches, but lose validity beside others
+  const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
+  planned_ = plan_grids(rail_, equilibrium_, near_only, depth, {counts[0], counts[1]});
+  models_.clear();
+  for (const Patch& patch : planned_.patches) {
+    models_.push_back(model_ == ApproximateModel::hertz
+                          ? make_hertz_patch(side_, patch.penetration)
+                          : make_kik_piotrowski_patch(side_, patch.penetration, patch.frame));
+  }
+  const Vector3 main_normal = models_[planned_.main]->frame().normal;
+  for (std::size_t k = 0; k < models_.size(); ++k) {
+    Patch& patch = planned_.patches[k];
+    patch.frame = models_[k]->frame();
+    const Vector3 normal = patch.frame.normal;
+    patch.approach_cosine =
+        request_.normal_load ? std::min(dot(normal, main_normal), 1.0) : normal.z;
+  }
+}
+
+double ApproximateWheel::load_at(double depth) const {
+  double load = 0.0;
+  for (std::size_t k = 0; k < models_.size(); ++k) {
+    load += planned_.patches[k].approach_cosine * models_[k]->load(depth);
+  }
+  return load;
+}
+
+/// The load goes about with the power 3/2 of the depth: a secant on its power 2/3, within a
+/// bracket.
+double ApproximateWheel::depth_of_load(double start) const {
+  const double sought = request_.load();
+  const double target = std::cbrt(sought * sought);
+  const auto excess_at = [&](double depth) {
+    const double load = load_at(depth);
+    return std::cbrt(load * load) - target;
+  };
+  double low = 0.0;
+  double high = std::numeric_limits<double>::infinity();
+  double last = 0.0; // the place before, and its excess
+  double last_excess = -target;
+  double depth = start;
+  for (int step = 1; step <= load_steps; ++step) {
+    const double excess = excess_at(depth);
+    if (std::abs(excess) <= load_accuracy * target) {
+      break;
+    }
+    (excess < 0.0 ? low : high) = depth;
+    double next = depth - excess * (depth - last) / (excess - last_excess);
+    if (!(next > low && next < high) || step % bisection_interval == 0) {
+      next = std::isinf(high) ? 2.0 * low : 0.5 * (low + high);
+    }
+    last = std::exchange(depth, next);
+    last_excess = excess;
+  }
+  return depth;
+}
+
+void ApproximateWheel::settle_depth() {
+  find_patches(depth_);
+  if (request_.position_is_prescribed()) {
+    return;
+  }
+  for (int step = 0; step < settling_steps; ++step) {
+    const double next = depth_of_load(depth_);
+    const double change = std::abs(next - depth_);
+    depth_ = next;
+    if (change <= settled_share * depth_) {
+      return;
+    }
+    find_patches(depth_);
+  }
+  depth_ = depth_of_load(depth_);
+  result_.warnings.emplace_back("patches and depth do not settle: the load is that of patches "
+                                "found at another depth");
+}
+
+void ApproximateWheel::sample(Patch& patch, const PatchModel& model,
+                              const ModelledPatch& modelled) const {
+  patch.grid = grid_over(modelled.extent.widened(sampled_margin), patch.grid.lateral_count,
+                         patch.grid.longitudinal_count);
+  patch.pressure = model.sample(patch.grid);
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth_};
+  patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
+  patch.normal_force = modelled.normal_force;
+  patch.approach = modelled.approach;
+  patch.area = modelled.area;
+  patch.contact.peak_pressure = modelled.peak_pressure;
+  for (const double pressure : patch.pressure) {
+    patch.contact.largest_element_pressure =
+        std::max(patch.contact.largest_element_pressure, pressure);
+    patch.contact.element_count += pressure > 0.0 ? 1 : 0;
+  }
+  patch.contact.normal_force = modelled.normal_force;
+  patch.contact.centroid_longitudinal = modelled.centroid_longitudinal;
+  patch.contact.centroid_lateral = modelled.centroid_lateral;
+  patch.contact.semi_axis_longitudinal = modelled.semi_axis_longitudinal;
+  patch.contact.semi_axis_lateral = modelled.semi_axis_lateral;
+}
+
+void ApproximateWheel::publish_patches() {
+  double validity = 1.0;
+  for (std::size_t k = 0; k < models_.size(); ++k) {
+    const ModelledPatch modelled = models_[k]->solve(depth_);
+    if (!(modelled.normal_force > 0.0)) {
+      continue;
+    }
+    Patch& patch = result_.patches.emplace_back(std::move(planned_.patches[k]));
+    sample(patch, *models_[k], modelled);
+    result_.peak_pressure = std::max(result_.peak_pressure, modelled.peak_pressure);
+    validity = std::min(validity, modelled.validity * (1.0 - patch.coupling_weight));
+  }
+  std::stable_sort(
+      result_.patches.begin(), result_.patches.end(),
+      [](const Patch& one, const Patch& other) { return one.normal_force > other.normal_force; });
+  for (std::size_t k = 0; k < result_.patches.size(); ++k) {
+    result_.patches[k].plane = k; // models do not couple patches
+  }
+  result_.in_contact = !result_.patches.empty();
+  result_.validity = validity;
+  if (validity < good_validity) {
+    result_.warnings.push_back("validity " + short_text_of(validity) + " (good from " +
+                               text_of(good_validity) +
+                               " on): pmax may be off by tens of per cent");
+  }
+  if (request_.interaction && result_.patches.size() > 1) {
+    result_.warnings.emplace_back("patches do not interact in this model");
+  }
+}
+
+WheelSolution ApproximateWheel::solve() {
+  result_.solved = true;
+  const Stopwatch watch;
+  if (equilibrium_.scan.candidates.front().at_profile_end) {
+    result_.warnings.emplace_back(
+        "contact at the end of a profile, or where the rail turns upright");
+  }
+  result_.vertical = equilibrium_.vertical;
+  depth_ = first_depth();
+  if (!is_in_contact(request_, depth_, result_.warnings)) {
+    return std::move(result_);
+  }
+  settle_depth();
+  result_.depth = depth_;
+  result_.depth_found = depth_;
+  result_.vertical = equilibrium_.vertical - depth_;
+  result_.combined_modulus = request_.combined_modulus;
+  result_.gap = request_.gap;
+  if (!request_.position_is_prescribed()) {
+    result_.load = request_.load();
+  }
+  publish_patches();
+  result_.times.mechanics = watch.seconds();
+  return std::move(result_);
+}
+
+} // namespace
+
+WheelSolution solve_wheel_approximately(const WheelSurface& wheel, const RailSurface& rail,
+                                        const SideEquilibrium& equilibrium,
+                                        const WheelRequest& request, ApproximateModel model) {
+  if (request.gap == GapConvention::vertical) {
+    throw_invalid_argument("solve.gap", "\"vertical\"",
+                           "allowed with this model is \"tangent\"; solve.model = \"half-space\" "
+                           "knows both");
+  }
+  return ApproximateWheel(wheel, rail, equilibrium, request, model).solve();
+}
+
+} // namespace wrc

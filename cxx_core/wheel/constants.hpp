@@ -1,0 +1,161 @@
+/// Constants of behaviour of this room: one wheel, from the first depth to its result.
+///
+/// Each with its origin: derived, source (with author), measured (with what measures it) or
+/// reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+#include <cstddef>
+
+namespace wrc {
+
+/// Accuracy whose elements the coarse solution has before a grid given by hand.
+/// origin: reasoned: its depth is then good to the change of planes.
+inline constexpr double coarse_accuracy = 1e-2;
+
+/// Of coarse solutions: the depth that the final one starts from is to be a smooth function of
+/// the scene.
+/// origin: reasoned: below what the final solution may leave of a change of the depth.
+inline constexpr double coarse_tolerance = 1e-4;
+
+/// Solutions at other depths or on finer grids before it gives up.
+/// origin: measured (wrc_benchmark --case service): 8 at most are taken.
+inline constexpr int max_attempts = 20;
+
+/// The least that a step leaves of the depth.
+/// origin: reasoned: keeps a first depth far too large from a step to below the first touch.
+inline constexpr double min_depth_ratio = 0.1;
+
+/// Where the step changes by less than this with the depth, the secant would lead astray.
+/// origin: reasoned: its step would be more than ten times the plain one.
+inline constexpr double min_rate = -0.1;
+
+/// What may be left to be done of a relative change of distances, in accuracies, by coarse
+/// solutions ...
+/// origin: reasoned: a fifth of the accuracy, squared with the slide, is less than the final
+/// solution corrects.
+inline constexpr double max_coarse_change = 0.2;
+
+/// ... and by the final one.
+/// origin: measured (smoothness): slopes of forces differ from sensitivities by 5 % under steep
+/// angles with 0.2, by 1 % with 0.02; with 0.01 kinks that elements of the coarse grid leave in
+/// the depth show by 1e-6 of the load.
+inline constexpr double max_change = 0.01;
+
+/// The same where the rows of a crest make solutions dear, for pmax alone.
+/// origin: reasoned: half of the accuracy in distances changes pmax by a sixth of it.
+inline constexpr double max_change_for_crests = 0.5;
+
+/// Contact angle above which distances along the wheelset's axis mislead, rad.
+/// origin: derived: they are longer than normal ones by 1 - cos = 1 % there.
+inline constexpr double vertical_convention_limit = 0.15;
+
+/// Share of the accuracy that the iteration may take in a pressure.
+/// origin: reasoned: with share_of_rows and max_rounding the accuracy is shared out.
+inline constexpr double iteration_share = 0.2;
+
+/// The same in forces, which are to be smooth, too, to a thousandth of the accuracy: with the
+/// load prescribed the iteration's error shows only in how patches share it, ...
+/// origin: measured (smoothness).
+inline constexpr double smooth_load_share = 2e-2;
+
+/// ... at a prescribed position at once.
+/// origin: measured (smoothness): with 6e-3 forces leave the line of the stiffness by 1.4e-6.
+inline constexpr double smooth_position_share = 3e-3;
+
+/// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it
+/// averages out.
+/// origin: reasoned: with share_of_rows and iteration_share the accuracy is shared out.
+inline constexpr double max_rounding = 0.1;
+
+/// Coarse grids are refined to so many rows at most, until one finds contact.
+/// origin: reasoned: contact a hundred times narrower than its penetration is none of a wheel.
+inline constexpr std::size_t max_coarse_rows = 1200;
+
+/// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad.
+/// origin: derived: the share of the normal then taken as vertical is wrong by 2 %
+/// there.
+inline constexpr double planar_limit = 0.2;
+
+/// In the vertical convention all that lies within these limits of the main patch shares its
+/// grid: angle, rad, ...
+/// origin: derived: as same_plane_angle (patches/constants.hpp).
+inline constexpr double one_grid_angle = 0.2;
+
+/// ... and distance, mm.
+/// origin: reasoned: the width of the tread's contact band.
+inline constexpr double one_grid_distance = 20.0;
+
+/// Room around a patch's penetration, as a share of it: the scan knows its ends by parabolas
+/// between nodes only.
+/// origin: reasoned: the ends are off by less than a per cent of it; the rest keeps contact off
+/// the edge.
+inline constexpr double penetration_margin = 0.05;
+
+/// Depth that positions can just tell apart, mm. On steel it takes about 2e-7 N.
+/// origin: derived: the rounding of positions, 1e-13 mm, is 1e-4 of it.
+inline constexpr double min_depth = 1e-9;
+
+/// Standard deviation of a coordinate that some sums and products have rounded, in roundings.
+/// origin: measured: fields of distance show 0.2 (from element to element) to 0.36 (from row to
+/// row).
+inline constexpr double coordinate_deviation = 0.5;
+
+/// Standard deviations that the largest pressure may be off by.
+/// origin: measured: 99 of 100 of 1983 solutions keep to two.
+inline constexpr double pressure_deviations = 2.0;
+
+/// Of pressures to white noise of the distances, law of depth_checks.hpp.
+/// origin: derived: pi / (2 sqrt(3)).
+inline constexpr double noise_response = 0.9069;
+
+/// What the tables of heights, accurate to 1e-12 mm, may add to the overlap: wheel and rail each.
+/// origin: derived.
+inline constexpr double table_difference = 2e-12;
+
+/// Elements each way on which pressures of an approximate model are sampled.
+/// origin: reasoned: enough to draw; figures are in closed form.
+inline constexpr std::size_t sampled_count = 32;
+
+/// Room around the contact on that grid, as a share of it.
+/// origin: reasoned: one element.
+inline constexpr double sampled_margin = 1.0 / 32.0;
+
+/// Share of the load to which an approximate model's depth is found.
+/// origin: reasoned: below what anybody reads, above the rounding of a sum.
+inline constexpr double load_accuracy = 1e-10;
+
+/// Steps of that search.
+/// origin: reasoned: a bound.
+inline constexpr int load_steps = 80;
+
+/// Every so many steps the bracket is halved, should a secant be caught on one side of it.
+/// origin: reasoned: rare enough to cost nothing.
+inline constexpr int bisection_interval = 8;
+
+/// Change of the depth that leaves patches and planes as they are.
+/// origin: derived: planes turn by less than its share of the contact angles' spread.
+inline constexpr double settled_share = 1e-3;
+
+/// Times that patches are found again at the depth of the load.
+/// origin: reasoned: a bound; where patches join or part, the two may alternate for ever.
+inline constexpr int settling_steps = 20;
+
+/// Validity below which a warning is due.
+/// origin: measured (wrc_tradeoff): from there on errors of pmax reach tens of per cent in both
+/// models.
+inline constexpr double good_validity = 0.8;
+
+/// The least of Hertz's lateral curvature, in longitudinal ones, that a first depth is taken
+/// from.
+/// origin: reasoned: flatter contacts are not elliptic.
+inline constexpr double min_curvature_share = 1e-3;
+
+/// Elements of the common grid of a contact of several patches, in those of all parts.
+/// origin: reasoned: bounds memory where small parts lie far apart.
+inline constexpr std::size_t max_elements_ratio = 16;
+
+/// Of the linear solutions of sensitivities.
+/// origin: measured: what the rates neglect is more (wheel_sensitivities.hpp).
+inline constexpr double sensitivity_tolerance = 1e-4;
+
+} // namespace wrc

@@ -1,0 +1,119 @@
+#include "wheel/grid_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "wheel/constants.hpp"
+
+namespace wrc {
+namespace {
+
+/// Both in one plane; the weights of both count.
+ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
+  ContactPatch both = one.deepest >= other.deepest ? one : other;
+  const auto mean = [&](double of_one, double of_other) {
+    return (one.weight * of_one + other.weight * of_other) / (one.weight + other.weight);
+  };
+  const ContactPatch& first = one.y_first <= other.y_first ? one : other;
+  const ContactPatch& last = one.y_last >= other.y_last ? one : other;
+  both.y_first = first.y_first;
+  both.y_last = last.y_last;
+  both.x_first = std::min(one.x_first, other.x_first);
+  both.x_last = std::max(one.x_last, other.x_last);
+  both.half_length = std::max(one.half_length, other.half_length);
+  both.angle_unturned = both.angle = mean(one.angle_unturned, other.angle_unturned);
+  both.mean_x = mean(one.mean_x, other.mean_x);
+  both.mean_y = mean(one.mean_y, other.mean_y);
+  both.mean_s = mean(one.mean_s, other.mean_s);
+  both.weight = one.weight + other.weight;
+  both.contact_first = first.contact_first;
+  both.angle_first = first.angle_first;
+  both.contact_last = last.contact_last;
+  both.angle_last = last.angle_last;
+  return both;
+}
+
+/// In the vertical convention the patches near the main one are one: they have the same plane.
+ContactPatches in_one_plane(const ContactPatches& found, std::optional<double>& left_out_s) {
+  const ContactPatch main = found.patches[found.main];
+  ContactPatch all = main;
+  for (const ContactPatch& patch : found.patches) {
+    const double apart = std::max(patch.y_first - main.y_last, main.y_first - patch.y_last);
+    if (apart > one_grid_distance ||
+        std::abs(patch.angle_unturned - main.angle_unturned) > one_grid_angle) {
+      left_out_s = patch.deepest_s;
+    } else if (patch.deepest_y != main.deepest_y) {
+      all = joined(all, patch);
+    }
+  }
+  all.limit_first = -std::numeric_limits<double>::infinity();
+  all.limit_last = std::numeric_limits<double>::infinity();
+  return {{all}, {}, 0};
+}
+
+/// Which patches interact, and where they lie in their mean plane; none if none do.
+void set_interaction(GridSolution& solution, const ContactPatches& found, bool all) {
+  PatchInteraction interaction;
+  bool any = false;
+  double across = 0.0;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
+    Patch& patch = solution.patches[k];
+    const Vector3 origin = patch.frame.origin;
+    if (k > 0) {
+      const Vector3 step = origin - solution.patches[k - 1].frame.origin;
+      across += std::hypot(step.y, step.z);
+    }
+    interaction.places.push_back({across, origin.x});
+    for (std::size_t l = 0; l < solution.patches.size(); ++l) {
+      const double weight = all ? 1.0 : found.coupling_weight(k, l);
+      interaction.coupling_weight.push_back(weight);
+      if (k != l) {
+        any = any || weight > 0.0;
+        patch.coupling_weight = std::max(patch.coupling_weight, weight);
+      }
+    }
+  }
+  if (any) {
+    solution.interaction = std::move(interaction);
+  }
+}
+
+} // namespace
+
+GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
+                        const WheelRequest& request, double depth, const ElementCounts& counts) {
+  GridSolution solution;
+  solution.elements = request.elements;
+  solution.depth = depth;
+  ContactPatches found = find_contact_patches(equilibrium.scan, depth, request.joining_distance);
+  if (request.gap == GapConvention::vertical) {
+    found = in_one_plane(found, solution.left_out_s);
+  }
+  for (const ContactPatch& penetration : found.patches) {
+    Patch& patch = solution.patches.emplace_back();
+    patch.penetration = penetration;
+    // Through the weighted mean place on the rail.
+    const Vector3 origin{penetration.mean_x, penetration.mean_y,
+                         rail.graph().at_lateral(penetration.mean_y).height};
+    patch.frame = request.gap == GapConvention::tangent
+                      ? tangent_frame(origin, penetration.angle)
+                      : vertical_frame(origin, Rotation(equilibrium.pose));
+    const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
+    patch.grid = grid_over(within_limits(area, penetration, rail, patch.frame), counts.lateral,
+                           counts.longitudinal);
+  }
+  solution.main = found.main;
+  const Vector3 main_normal = solution.patches[found.main].frame.normal;
+  for (Patch& patch : solution.patches) {
+    // Rounding may lift the product of two unit vectors above 1.
+    patch.approach_cosine = request.normal_load
+                                ? std::min(dot(patch.frame.normal, main_normal), 1.0)
+                                : patch.frame.normal.z;
+  }
+  set_interaction(solution, found, request.interaction);
+  solution.links = std::move(found.links);
+  return solution;
+}
+
+} // namespace wrc

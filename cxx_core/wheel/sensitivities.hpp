@@ -1,0 +1,104 @@
+/// How the forces of the rail on a wheel change with lateral position, height and roll.
+///
+/// Derivatives of the discrete solution at its fixed set of elements in contact, for integrators
+/// that need a Jacobian. With N_k and n_k force and normal of patch k, F = sum N_k n_k:
+///   dF/dq = sum dN_k/dq n_k  (planes fixed)  +  sum N_k dn_k/dalpha dalpha_k/dq  (planes turning)
+/// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution
+/// (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's knowledge
+/// (remesh/plane_rates.hpp); dn/dalpha is minus the plane's lateral axis. The second part is what a
+/// rigid contact has alone (the gravitational stiffness); it leaves out that gaps are measured
+/// along another direction. The roll moment is M = e . sum (r - r_c) x n p a b, r_c the wheelset's
+/// centre, e = Rz(yaw) e_x the axis of roll, r the element's place in its plane; its derivative
+/// includes that r_c moves. A turning plane turns about its centre of pressure.
+///
+/// The position is the one at which the pressures have the approach 0: `vertical` of the pair is
+/// the height of the sampled distance, lowered by what the solution added to it.
+/// At constant vertical load the height follows: dz/dq = -(dF_z/dq) / (dF_z/dz), and
+///   dF_y/dq at constant load = dF_y/dq + dF_y/dz dz/dq.
+///
+/// Units mm, N, MPa, rad: forces by N/mm and N/rad, moments by N and N mm/rad. Track frame,
+/// left-hand side. The right side is the left one of the mirrored pose (y, yaw, roll with the other
+/// sign, geometry/frames.hpp); back in the track frame these change sign and all others stay:
+///   by y and roll: dF_x, dF_z, dz (and, of angles, none);  by z: dF_y, dM (see `mirrored`).
+/// With both sides in the track frame the wheelset's matrix is their sum.
+/// Thread rule: pure functions, but for the solver's memory: one thread at a time.
+/// Not known here: friction, inertia, the derivative by yaw, changes of the set of elements.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/by_motion.hpp"
+#include "mechanics/contact_stiffness.hpp"
+#include "patches/contact_frame.hpp"
+#include "remesh/surface_rays.hpp"
+
+namespace wrc {
+
+/// Force of the rail on the wheel and its moment about the axis of roll through the centre.
+struct WheelForce {
+  Vector3 force;            ///< N, or its rate
+  double roll_moment = 0.0; ///< N mm, or its rate
+};
+using ForceRates = ByMotion<WheelForce>;
+
+ForceRates operator+(const ForceRates& a, const ForceRates& b);
+/// Rates of a right side, computed in the mirror, in the track frame; and the other way.
+ForceRates mirrored(const ForceRates& rates);
+
+/// A patch of a solution.
+struct LoadedPatch {
+  ContactFrame frame;
+  Grid grid;
+  std::span<const double> pressure; ///< MPa
+  ByMotion<double> angle_rates;     ///< of the plane's angle, rad/mm and rad/rad
+};
+
+struct PatchSensitivity {
+  double normal_force = 0.0;           ///< N
+  ByMotion<double> normal_force_rates; ///< planes fixed
+  ForceRates fixed_plane;
+  ForceRates turning_plane; ///< to be added
+};
+
+struct WheelSensitivity {
+  std::vector<PatchSensitivity> patches;
+  WheelForce force; ///< at this position
+  ForceRates fixed_planes;
+  ForceRates turning_planes; ///< to be added
+  int iterations = 0;        ///< of all linear solutions (contact_stiffness.hpp)
+  StopReason stop_reason = StopReason::tolerance_met;
+
+  [[nodiscard]] ForceRates total() const { return fixed_planes + turning_planes; }
+};
+
+struct SensitivityRequest {
+  double combined_modulus = 0.0; ///< E*, MPa
+  Elements elements = Elements::constant;
+  double tolerance = 1e-8; ///< of the linear solutions
+  bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
+  PatchInfluence* influence = nullptr; ///< of the patches on each other
+  /// How that influence itself changes with each motion, per mm or rad; null where it does not.
+  ByMotion<PatchInfluence*> influence_rates = {};
+};
+
+/// Throws Error(invalid_argument) as the solver does.
+WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const LoadedPatch> patches,
+                                       const SensitivityRequest& request, ContactStiffness& solver);
+
+/// What lateral position and roll change when the height follows so that the vertical force stays.
+struct CondensedRates {
+  struct Motion {
+    double vertical = 0.0; ///< dz/dq
+    WheelForce wheel;      ///< dF/dq and dM/dq; dF_z/dq = 0
+  };
+  Motion lateral;
+  Motion roll;
+};
+
+/// None where the vertical force does not depend on the height (no contact).
+std::optional<CondensedRates> condense_at_vertical_load(const ForceRates& rates);
+
+} // namespace wrc

@@ -1,0 +1,42 @@
+/// The request for one wheel on its rail.
+///
+/// Units mm, N, MPa. Thread rule: plain values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "accuracy/accuracy_of.hpp"
+#include "half_space/influence_coefficients.hpp"
+#include "remesh/undeformed_distance.hpp"
+#include "wheel/module.hpp"
+
+namespace wrc {
+
+enum class SolverChoice { standard, paper };
+
+struct WheelRequest {
+  GapConvention gap = GapConvention::tangent;
+  double combined_modulus = 0.0;
+  /// Exactly one of the three is set.
+  std::optional<double> vertical_load; ///< N
+  std::optional<double> normal_load;   ///< N, along the normal of the main patch
+  std::optional<double> vertical;      ///< height of the wheelset's centre, mm
+  AccuracyOf accuracy_of = AccuracyOf::pressures;
+  double accuracy = 1e-3;
+  std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
+  double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
+  SolverChoice solver = SolverChoice::standard;
+  Elements elements = Elements::smooth;
+  bool interaction = false;      ///< patches interact in full, however far apart
+  double joining_distance = 4.0; ///< mm, see patches/contact_patches.hpp
+  int maximum_iterations = 5000;
+  Module until = Module::mechanics; ///< the last one to run
+
+  [[nodiscard]] bool position_is_prescribed() const { return vertical.has_value(); }
+  /// The load of the two that is set, N; 0 if the position is prescribed.
+  [[nodiscard]] double load() const { return normal_load.value_or(vertical_load.value_or(0.0)); }
+};
+
+} // namespace wrc

@@ -1,0 +1,309 @@
+#include "wheel/wheel_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "half_space/displacement_operator.hpp"
+#include "half_space/patch_coupling.hpp"
+#include "mechanics/coupled_influence.hpp"
+#include "models/hertz.hpp"
+#include "wheel/combined_contact.hpp"
+
+namespace wrc {
+namespace {
+
+/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
+ContactPoint point_of(const ContactCandidate& candidate, const WheelSurface& wheel,
+                      const RailSurface& rail, double vertical, double side) {
+  ContactPoint point;
+  const Vector3 position = candidate.wheel.position;
+  const double rail_z = position.z - candidate.distance;
+  point.x = position.x;
+  point.y = side * position.y;
+  point.z = rail_z;
+  point.angle = side * candidate.rail_angle;
+  point.s_wheel = candidate.wheel.lateral;
+  point.w_wheel = candidate.wheel.height;
+  point.wheel_angle = candidate.wheel.wheel_angle;
+  rail.to_profile_frame(position.y, rail_z, point.t_rail, point.v_rail);
+  point.rolling_radius = wheel.radius() + candidate.wheel.height;
+  point.distance = candidate.distance + vertical;
+  return point;
+}
+
+/// Where the normal through a place of a patch's plane meets rail and wheel.
+ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
+                      double lateral, double side) {
+  const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
+  ContactPoint point;
+  point.x = surface.rail.x;
+  point.y = side * surface.rail.y;
+  point.z = surface.rail.z;
+  point.angle = side * surface.rail_angle;
+  point.s_wheel = surface.wheel_lateral;
+  point.w_wheel = surface.wheel_height;
+  const Vector3 body =
+      Rotation(pair.pose).to_body(surface.wheel - Vector3{0.0, pair.pose.lateral, pair.vertical});
+  point.wheel_angle = std::atan2(body.x, -body.z);
+  point.rolling_radius = pair.wheel.radius() + surface.wheel_height;
+  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, point.t_rail, point.v_rail);
+  return point;
+}
+
+Vector3 position_of(const ContactPoint& point) {
+  return {point.x, point.y, point.z};
+}
+
+PatchResult patch_of(Patch solved, const PosedPair& pair, double combined_modulus, double side) {
+  PatchResult result;
+  Patch& patch = result;
+  patch = std::move(solved);
+  const PressureRegion& contact = patch.contact;
+  result.pmax = contact.peak_pressure;
+  result.pmax_element = contact.largest_element_pressure;
+  result.angle = side * patch.frame.angle();
+  result.reference = point_on(pair, patch.frame, 0.0, 0.0, side);
+  result.centroid =
+      point_on(pair, patch.frame, contact.centroid_longitudinal, contact.centroid_lateral, side);
+  const Vector3 normal{patch.frame.normal.x, side * patch.frame.normal.y, patch.frame.normal.z};
+  result.force = patch.normal_force * normal;
+  result.moment = cross(position_of(result.centroid) - position_of(result.reference), result.force);
+  result.semi_axis_longitudinal = contact.semi_axis_longitudinal;
+  result.semi_axis_lateral = contact.semi_axis_lateral;
+  if (contact.semi_axis_longitudinal > 0.0 && contact.semi_axis_lateral > 0.0) {
+    const HertzBodies bodies =
+        equivalent_hertz_bodies(contact.semi_axis_longitudinal, contact.semi_axis_lateral,
+                                combined_modulus, patch.normal_force);
+    result.radius_longitudinal = bodies.longitudinal_radius;
+    result.radius_lateral = bodies.lateral_radius;
+  }
+  result.fill =
+      static_cast<double>(contact.element_count) / static_cast<double>(patch.grid.element_count());
+  result.lobes = patch.penetration.lobes;
+  return result;
+}
+
+/// The patches of one plane.
+PatchResult contact_of(std::span<Patch> patches, const PosedPair& pair, double combined_modulus,
+                       double side) {
+  if (patches.size() == 1) {
+    return patch_of(std::move(patches.front()), pair, combined_modulus, side);
+  }
+  PatchResult result = patch_of(combined(patches, pair.rail), pair, combined_modulus, side);
+  double under_pressure = 0.0;
+  result.lobes = 0;
+  for (Patch& patch : patches) {
+    const PatchResult& part =
+        result.parts.emplace_back(patch_of(std::move(patch), pair, combined_modulus, side));
+    result.lobes += part.lobes;
+    under_pressure +=
+        part.fill * static_cast<double>(part.grid.element_count()) * part.grid.element_area();
+  }
+  result.fill = under_pressure /
+                (static_cast<double>(result.grid.element_count()) * result.grid.element_area());
+  return result;
+}
+
+/// The largest coupling weight of a run of patches to any other.
+double weight_outside(const PatchInteraction& interaction, std::size_t first, std::size_t last) {
+  const std::size_t count = interaction.places.size();
+  double coupling_weight = 0.0;
+  for (std::size_t k = first; k < last; ++k) {
+    for (std::size_t l = 0; l < count; ++l) {
+      if (l < first || l >= last) {
+        coupling_weight = std::max(coupling_weight, interaction.coupling_weight[k * count + l]);
+      }
+    }
+  }
+  return coupling_weight;
+}
+
+/// Force-weighted mean.
+ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_force) {
+  ContactPoint mean;
+  for (const PatchResult& patch : patches) {
+    const double weight = patch.normal_force / normal_force;
+    const ContactPoint& point = patch.centroid;
+    mean.x += weight * point.x;
+    mean.y += weight * point.y;
+    mean.z += weight * point.z;
+    mean.angle += weight * point.angle;
+    mean.s_wheel += weight * point.s_wheel;
+    mean.w_wheel += weight * point.w_wheel;
+    mean.wheel_angle += weight * point.wheel_angle;
+    mean.t_rail += weight * point.t_rail;
+    mean.v_rail += weight * point.v_rail;
+    mean.rolling_radius += weight * point.rolling_radius;
+  }
+  return mean;
+}
+
+} // namespace
+
+WheelResult make_wheel_result(WheelSolution solution,
+                              const std::shared_ptr<const WheelSurface>& wheel,
+                              const std::shared_ptr<const RailSurface>& rail,
+                              const SideEquilibrium& equilibrium, double side) {
+  WheelResult result;
+  result.vertical = equilibrium.vertical;
+  const auto& candidates = equilibrium.scan.candidates;
+  result.rigid_contact = point_of(candidates.front(), *wheel, *rail, equilibrium.vertical, side);
+  for (std::size_t i = 1; i < equilibrium.near_count; ++i) {
+    result.near_contacts.push_back(
+        point_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
+  }
+  result.warnings = std::move(solution.warnings);
+  result.details = {side,
+                    equilibrium.pose,
+                    solution.vertical,
+                    solution.combined_modulus,
+                    solution.elements,
+                    std::move(solution.interaction),
+                    solution.joining_distance,
+                    solution.load,
+                    solution.approach,
+                    solution.gap,
+                    wheel,
+                    rail};
+  result.iterations = solution.iterations;
+  result.convolutions = solution.convolutions;
+  result.solutions = solution.solutions;
+  result.angle = result.rigid_contact.angle;
+  result.solved = solution.solved;
+  if (!solution.in_contact) {
+    return result;
+  }
+  result.pmax = solution.peak_pressure;
+  result.depth = solution.depth_found;
+  result.error_estimate = solution.error_estimate;
+  result.validity = solution.validity;
+  result.stop_reason = solution.stop_reason;
+  const PosedPair pair{*wheel, *rail, equilibrium.pose, solution.vertical};
+  for (auto first = solution.patches.begin(); first != solution.patches.end();) {
+    const auto last = std::find_if(first, solution.patches.end(), [first](const auto& patch) {
+      return patch.plane != first->plane;
+    });
+    PatchResult& made = result.patches.emplace_back(
+        contact_of({first, last}, pair, solution.combined_modulus, side));
+    if (result.details.interaction) {
+      const auto index_of = [&solution](auto patch) {
+        return static_cast<std::size_t>(patch - solution.patches.begin());
+      };
+      made.coupling_weight =
+          weight_outside(*result.details.interaction, index_of(first), index_of(last));
+    }
+    first = last;
+    result.pmax_element = std::max(result.pmax_element, made.pmax_element);
+    result.normal_force += made.normal_force;
+    result.force = result.force + made.force;
+    const Vector3 arm = position_of(made.reference) - position_of(result.patches.front().reference);
+    result.moment = result.moment + made.moment + cross(arm, made.force);
+  }
+  result.angle = result.patches.front().angle;
+  result.approach = result.patches.front().approach;
+  if (result.solved) {
+    result.centroid = mean_point(result.patches, result.normal_force);
+  }
+  return result;
+}
+
+std::vector<const PatchResult*> solved_patches(const WheelResult& side) {
+  std::vector<const PatchResult*> patches;
+  for (const PatchResult& patch : side.patches) {
+    if (patch.parts.empty()) {
+      patches.push_back(&patch);
+    }
+    for (const PatchResult& part : patch.parts) {
+      patches.push_back(&part);
+    }
+  }
+  return patches;
+}
+
+namespace {
+
+/// Adds to displacements what the other patches cause, as far as there is pressure or the own one
+/// leaves overlap: nodes are best on as small a rectangle as will do.
+void add_displacement_by_others(const WheelResult& side,
+                                std::span<const PatchResult* const> patches,
+                                std::vector<std::vector<double>>& displacements) {
+  const PatchInteraction& interaction = *side.details.interaction;
+  std::vector<LevelSize> sizes;
+  std::vector<ElementBox> rectangles;
+  std::vector<Grid> boxes;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchResult& patch = *patches[k];
+    sizes.push_back({patch.grid.lateral_count, patch.grid.longitudinal_count});
+    const double approach = patch.approach_cosine * side.details.problem_approach;
+    std::vector<double> touched = patch.pressure;
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+      const double overlap = approach - patch.undeformed_distance[i] - displacements[k][i];
+      touched[i] = std::max(touched[i], overlap);
+    }
+    ElementBox& rectangle = rectangles.emplace_back();
+    find_pressure_box(sizes[k], touched, 0, rectangle);
+    boxes.push_back(grid_in_mean_plane(patch.grid, interaction.places[k], rectangle));
+  }
+  PatchCoupling coupling(boxes, interaction.coupling_weight);
+  NodeField field = coupling.field();
+  std::vector<double> inside;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    copy_box(sizes[k], rectangles[k], patches[k]->pressure, inside);
+    coupling.gather(k, inside.data(), field.load);
+  }
+  coupling.transfer(field);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    inside.assign(boxes[k].lateral_count * boxes[k].longitudinal_count, 0.0);
+    coupling.add_others(field, k, inside.data());
+    std::vector<double> others(displacements[k].size(), 0.0);
+    put_box(sizes[k], rectangles[k], inside, others);
+    const double unit =
+        boxes[k].longitudinal_step / (std::numbers::pi * side.details.combined_modulus);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      displacements[k][i] += unit * others[i];
+    }
+  }
+}
+
+} // namespace
+
+const Residuals& residuals_of(WheelResult& side) {
+  if (side.residuals) {
+    return *side.residuals;
+  }
+  const std::vector<const PatchResult*> patches = solved_patches(side);
+  std::vector<std::vector<double>> displacements;
+  for (const PatchResult* patch : patches) {
+    DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements)
+        .apply(patch->pressure, displacements.emplace_back(patch->pressure.size()));
+  }
+  if (side.details.interaction) {
+    add_displacement_by_others(side, patches, displacements);
+  }
+  Residuals worst;
+  double load = 0.0;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchResult& patch = *patches[k];
+    NormalProblem problem;
+    problem.grid = patch.grid;
+    problem.undeformed_distance = patch.undeformed_distance;
+    problem.combined_modulus = side.details.combined_modulus;
+    problem.elements = side.details.elements;
+    const double approach = patch.approach_cosine * side.details.problem_approach;
+    problem.approach = approach;
+    const Residuals residuals =
+        compute_residuals(problem, patch.pressure, displacements[k], approach);
+    worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
+    worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
+    load += patch.approach_cosine * patch.normal_force;
+  }
+  if (side.details.load && !side.patches.empty()) {
+    worst.load_balance = std::abs(load - *side.details.load) / *side.details.load;
+  }
+  side.residuals = worst;
+  return *side.residuals;
+}
+
+} // namespace wrc

@@ -1,0 +1,122 @@
+/// The result of one wheel: points of contact, forces, patches.
+///
+/// In the track frame (geometry/frames.hpp), both sides alike: results of the right side are those
+/// of a left one mirrored. Forces and moments are those of the rail on the wheel.
+/// Units mm, N, N mm, MPa, rad. Thread rule: functions of the results are pure, but for
+/// residuals_of and sensitivities_of.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wheel/sensitivities.hpp"
+#include "wheel/wheel_solution.hpp"
+
+namespace wrc {
+
+/// A place where wheel and rail meet.
+struct ContactPoint {
+  double x = 0.0, y = 0.0, z = 0.0; ///< track frame
+  double angle = 0.0;               ///< of the rail's tangent about x, > 0: rises to the left
+  double s_wheel = 0.0;
+  double w_wheel = 0.0;
+  double wheel_angle = 0.0; ///< t of the wheel point about the axle, rad
+  double t_rail = 0.0;
+  double v_rail = 0.0;         ///< height in the rail profile's own frame
+  double rolling_radius = 0.0; ///< at the contact point
+  double distance = 0.0;       ///< vertical, at the first touch; 0 for the first contact
+};
+
+/// A patch as it was solved (left-hand frame of the side), and what it is in the track frame.
+struct PatchResult : Patch {
+  double pmax = 0.0;
+  double pmax_element = 0.0; ///< largest element value
+  Vector3 force;
+  Vector3 moment;         ///< about the contact reference
+  double angle = 0.0;     ///< of the plane about x, > 0: rises to the left
+  ContactPoint reference; ///< weighted mean place of penetration, through which the plane goes
+  ContactPoint centroid;  ///< centre of pressure, on the rail's surface
+  double semi_axis_longitudinal = 0.0;
+  double semi_axis_lateral = 0.0;
+  double radius_longitudinal = 0.0; ///< of curvature, of the Hertzian bodies with these semi-axes
+  double radius_lateral = 0.0;
+  double fill = 0.0; ///< share of the elements under pressure
+  int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
+  /// Of several patches that share a plane, each as it was solved; else empty. All else is then
+  /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are
+  /// computed on request.
+  std::vector<PatchResult> parts;
+};
+
+/// What the fields of all patches have in common.
+struct WheelDetails {
+  double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
+  Pose pose;             ///< left-hand frame of the side
+  double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
+  double combined_modulus = 0.0;
+  Elements elements = Elements::constant;
+  std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
+  double joining_distance = 0.0;               ///< of the patches, mm
+  std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
+  double problem_approach = 0.0;               ///< answer to that problem
+  GapConvention gap = GapConvention::tangent;
+  std::shared_ptr<const WheelSurface> wheel;
+  std::shared_ptr<const RailSurface> rail;
+};
+
+/// How the forces change with the wheelset's position, track frame (wheel/sensitivities.hpp).
+struct WheelRates {
+  ForceRates force;        ///< without moments
+  ForceRates fixed_planes; ///< the part of it that is there without the planes' turning
+  std::optional<CondensedRates> at_load;
+};
+
+struct WheelResult {
+  ContactPoint rigid_contact;
+  std::vector<ContactPoint> near_contacts; ///< further ones, nearest first
+  double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
+  double pmax = 0.0;     ///< largest one of the patches
+  double pmax_element = 0.0;
+  double normal_force = 0.0; ///< sum over the patches
+  Vector3 force;
+  Vector3 moment; ///< about the reference of the first patch
+  /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
+  ContactPoint centroid;
+  double approach = 0.0; ///< of the first patch
+  double depth = 0.0;    ///< vertical approach, from the first touch
+  double angle = 0.0;    ///< of the first patch
+  std::optional<double> error_estimate;
+  std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
+  std::string model;              ///< used for this side, and ...
+  std::string model_reason;       ///< ... why
+  int iterations = 0;
+  int convolutions = 0;
+  int solutions = 0;
+  StopReason stop_reason = StopReason::tolerance_met;
+  std::optional<Residuals> residuals;      ///< on request, see residuals_of
+  std::optional<WheelRates> sensitivities; ///< on request, see sensitivities_of
+  bool solved = false;                     ///< the mechanics have run
+  std::vector<PatchResult> patches;        ///< largest normal force first
+  std::vector<std::string> warnings;
+  WheelDetails details;
+};
+
+/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
+WheelResult make_wheel_result(WheelSolution solution,
+                              const std::shared_ptr<const WheelSurface>& wheel,
+                              const std::shared_ptr<const RailSurface>& rail,
+                              const SideEquilibrium& equilibrium, double side);
+
+/// The patches as they were solved, those of one plane one by one. Valid as long as the result.
+std::vector<const PatchResult*> solved_patches(const WheelResult& side);
+
+/// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
+/// of their own; computed once. What patches displace at each other counts as in the solution, also
+/// in the displacement that gaps are relative to, but for other nodes (patch_coupling.hpp), which
+/// shows where they interact.
+const Residuals& residuals_of(WheelResult& side);
+
+} // namespace wrc

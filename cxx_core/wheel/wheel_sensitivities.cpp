@@ -1,0 +1,130 @@
+#include "wheel/wheel_sensitivities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "geometry/contact_search.hpp"
+#include "mechanics/coupled_influence.hpp"
+#include "remesh/plane_rates.hpp"
+#include "wheel/constants.hpp"
+
+namespace wrc {
+namespace {
+
+/// The planes of a side as they were found, once more.
+struct Planes {
+  MovingPatches moving;
+  std::vector<std::size_t> index; ///< of each patch of the result
+};
+
+Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> patches) {
+  const WheelDetails& details = side.details;
+  const double depth = side.vertical - details.vertical;
+  const ContactScan scan =
+      search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
+  Planes planes;
+  planes.moving = find_moving_patches(*details.wheel, *details.rail, details.pose, scan, depth,
+                                      details.joining_distance);
+  const auto& found = planes.moving.found.patches;
+  for (const PatchResult* patch : patches) {
+    const auto apart = [patch](const ContactPatch& place) {
+      return std::abs(place.mean_y - patch->frame.origin.y);
+    };
+    const auto nearest =
+        std::min_element(found.begin(), found.end(), [&apart](const auto& one, const auto& other) {
+          return apart(one) < apart(other);
+        });
+    planes.index.push_back(static_cast<std::size_t>(nearest - found.begin()));
+  }
+  return planes;
+}
+
+/// Whether some patches interact in part only: that part changes as they move.
+bool is_changing(const PatchInteraction& interaction) {
+  return std::any_of(interaction.coupling_weight.begin(), interaction.coupling_weight.end(),
+                     [](double coupling_weight) { return coupling_weight < 1.0; });
+}
+
+/// The influence with the rates of coupling weight in its place; left empty where the influence
+/// does not change.
+void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteraction interaction,
+                             const Planes& planes, double ByMotion<double>::*motion,
+                             double combined_modulus, std::optional<CoupledInfluence>& change) {
+  const std::size_t count = solved.size();
+  bool any = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t l = 0; l < count; ++l) {
+      double& rate = interaction.coupling_weight[k * count + l];
+      rate = planes.moving.closeness_rate(planes.index[k], planes.index[l]).*motion;
+      any = any || rate != 0.0;
+    }
+  }
+  if (any) {
+    change.emplace(solved, interaction, combined_modulus);
+  }
+}
+
+WheelRates compute_rates(const WheelResult& side) {
+  const WheelDetails& details = side.details;
+  const std::vector<const PatchResult*> patches = solved_patches(side);
+  const Planes planes = find_planes(side, patches);
+  std::vector<LoadedPatch> loaded;
+  std::vector<SolvedPatch> solved;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchResult& patch = *patches[k];
+    // Planes of vertical gaps turn with the wheelset.
+    const ByMotion<double> angle_rates = details.gap == GapConvention::vertical
+                                             ? ByMotion<double>{0.0, 0.0, 1.0}
+                                             : planes.moving.rates[planes.index[k]].angle;
+    loaded.push_back({patch.frame, patch.grid, patch.pressure, angle_rates});
+    solved.push_back({patch.grid, patch.pressure, details.elements});
+  }
+  SensitivityRequest request;
+  request.combined_modulus = details.combined_modulus;
+  request.elements = details.elements;
+  request.tolerance = sensitivity_tolerance;
+  request.roll_moment = false;
+  std::optional<CoupledInfluence> influence;
+  if (details.interaction) {
+    influence.emplace(solved, *details.interaction, details.combined_modulus);
+    request.influence = &*influence;
+  }
+  std::array<std::optional<CoupledInfluence>, 3> changes; // by lateral, vertical, roll
+  const auto note_change = [&](std::optional<CoupledInfluence>& change,
+                               double ByMotion<double>::*motion) -> PatchInfluence* {
+    make_changing_influence(solved, *details.interaction, planes, motion, details.combined_modulus,
+                            change);
+    return change ? &*change : nullptr;
+  };
+  if (details.interaction && is_changing(*details.interaction)) {
+    request.influence_rates = {note_change(changes[0], &ByMotion<double>::lateral),
+                               note_change(changes[1], &ByMotion<double>::vertical),
+                               note_change(changes[2], &ByMotion<double>::roll)};
+  }
+  InfluenceCache cache;
+  ContactStiffness stiffness(cache);
+  const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
+  const WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  const bool is_left = details.mirror > 0.0;
+  WheelRates result;
+  result.force = is_left ? found.total() : mirrored(found.total());
+  result.fixed_planes = is_left ? found.fixed_planes : mirrored(found.fixed_planes);
+  result.at_load = condense_at_vertical_load(result.force);
+  return result;
+}
+
+} // namespace
+
+const WheelRates* sensitivities_of(WheelResult& side) {
+  if (side.patches.empty() || !side.solved || side.validity) {
+    return nullptr;
+  }
+  if (!side.sensitivities) {
+    side.sensitivities = compute_rates(side);
+  }
+  return &*side.sensitivities;
+}
+
+} // namespace wrc

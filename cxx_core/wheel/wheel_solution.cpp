@@ -1,0 +1,419 @@
+#include "wheel/wheel_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/peak_section.hpp"
+#include "accuracy/resolution.hpp"
+#include "base/error.hpp"
+#include "base/stopwatch.hpp"
+#include "mechanics/cascade.hpp"
+#include "patches/depth_estimate.hpp"
+#include "wheel/constants.hpp"
+#include "wheel/depth_checks.hpp"
+#include "wheel/grid_plan.hpp"
+
+namespace wrc {
+namespace {
+
+/// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
+/// a half only. A step counts by how far what it changes exceeds a limit, from nothing at the limit
+/// to all at twice it: depths are continuous functions of the scene, whatever the number of steps.
+class DepthIteration {
+public:
+  /// `change`: in limits. None: there is nothing left to be done.
+  [[nodiscard]] std::optional<double> next(double depth, double found, double change) {
+    if (!(change > 1.0)) {
+      return std::nullopt;
+    }
+    const double step = found - depth;
+    const double rate = last_step_ != 0.0 ? (step - last_step_) / (depth - last_depth_) : -1.0;
+    last_depth_ = depth;
+    last_step_ = step;
+    const double whole = rate < min_rate ? -step / rate : step;
+    return std::max(depth + std::min(2.0 - 2.0 / change, 1.0) * whole, min_depth_ratio * depth);
+  }
+
+private:
+  double last_depth_ = 0.0;
+  double last_step_ = 0.0;
+};
+
+/// The pressures of `before` on the grid of a patch, whose plane is nearly the same.
+std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
+  const Vector3 moved = before.frame.origin - patch.frame.origin;
+  Grid grid = before.grid;
+  grid.lateral_first += dot(moved, patch.frame.lateral);
+  grid.longitudinal_first += moved.x;
+  std::vector<double> pressure;
+  refine_pressure(grid, before.pressure, patch.grid, pressure);
+  return pressure;
+}
+
+class WheelSolver {
+public:
+  WheelSolver(const WheelSurface& wheel, const RailSurface& rail,
+              const SideEquilibrium& equilibrium, const WheelRequest& request, NormalSolver& solver)
+      : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request),
+        solver_(solver), goal_{request.accuracy, request.position_is_prescribed(),
+                               request.elements} {}
+
+  WheelSolution solve();
+
+private:
+  [[nodiscard]] double first_depth() const;
+  GridSolution sample(double depth, const ElementCounts& counts);
+  /// Starting from the pressures of `before`, if that has as many patches.
+  GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance,
+                        const GridSolution* before);
+  /// Relative change of distances within patches, as a share of that of the depth.
+  [[nodiscard]] double sliding(const GridSolution& solution) const;
+  [[nodiscard]] double depth_found(const GridSolution& solution) const {
+    // Not above the first touch, where there is nothing to sample.
+    return request_.position_is_prescribed()
+               ? solution.depth
+               : std::max(solution.depth_found, min_depth_ratio * solution.depth);
+  }
+  [[nodiscard]] double tolerance() const;
+  [[nodiscard]] ElementCounts final_counts() const {
+    return request_.grid ? ElementCounts{(*request_.grid)[0], (*request_.grid)[1]}
+                         : counts_for(goal_);
+  }
+  GridSolution solve_coarsely(double depth);
+  GridSolution solve_finally(double depth, std::optional<GridSolution> before);
+  void find_peaks(GridSolution& solution);
+  GridSolution sample_only(double depth);
+  void warn_about(const GridSolution& solution);
+  void publish(GridSolution solution);
+
+  const WheelSurface& wheel_;
+  const RailSurface& rail_;
+  const SideEquilibrium& equilibrium_;
+  const WheelRequest& request_;
+  NormalSolver& solver_;
+  AccuracyGoal goal_;
+  WheelSolution result_;
+};
+
+double WheelSolver::first_depth() const {
+  if (request_.position_is_prescribed()) {
+    return equilibrium_.vertical - *request_.vertical;
+  }
+  return estimate_depth(equilibrium_.scan, request_.combined_modulus, request_.load(),
+                        request_.normal_load ? LoadDirection::main_normal
+                                             : LoadDirection::vertical);
+}
+
+double WheelSolver::tolerance() const {
+  if (request_.grid) {
+    return request_.tolerance;
+  }
+  if (request_.accuracy_of == AccuracyOf::pressures) {
+    return iteration_share * request_.accuracy;
+  }
+  return request_.accuracy *
+         (request_.position_is_prescribed() ? smooth_position_share : smooth_load_share);
+}
+
+/// The grids at a depth, with undeformed distances.
+GridSolution WheelSolver::sample(double depth, const ElementCounts& counts) {
+  const Stopwatch watch;
+  GridSolution solution = plan_grids(rail_, equilibrium_, request_, depth, counts);
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
+  for (Patch& patch : solution.patches) {
+    patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
+  }
+  result_.times.remesh += watch.seconds();
+  return solution;
+}
+
+GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, double tolerance,
+                                   const GridSolution* before) {
+  GridSolution solution = sample(depth, counts);
+  const Stopwatch watch;
+  std::vector<PatchGap> gaps;
+  const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
+  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
+    Patch& patch = solution.patches[k];
+    if (starts) {
+      patch.pressure = pressure_at(patch, before->patches[k]);
+    }
+    gaps.push_back({patch.grid, patch.undeformed_distance, patch.approach_cosine, patch.pressure});
+  }
+  JointProblem problem;
+  problem.patches = gaps;
+  problem.combined_modulus = request_.combined_modulus;
+  if (request_.position_is_prescribed()) {
+    problem.approach = 0.0; // the wheel has been lowered already
+  } else {
+    problem.load = request_.load();
+  }
+  problem.tolerance = tolerance;
+  if (!request_.grid) {
+    problem.rounding_share = max_rounding * request_.accuracy / tolerance;
+  }
+  problem.maximum_iterations = request_.maximum_iterations;
+  problem.elements = request_.elements;
+  problem.interaction = solution.interaction ? &*solution.interaction : nullptr;
+  ++result_.solutions;
+  JointSolution joint = request_.solver == SolverChoice::paper && problem.patches.size() == 1
+                            ? solve_with_polonsky_keer(problem)
+                            : solver_.solve(problem);
+  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
+    Patch& patch = solution.patches[k];
+    patch.pressure = std::move(joint.patches[k].pressure);
+    patch.normal_force = joint.patches[k].normal_force;
+    patch.contact = summarise_pressure(patch.grid, patch.pressure);
+  }
+  result_.iterations += joint.iterations;
+  result_.convolutions += joint.convolutions;
+  solution.approach = joint.approach;
+  solution.stop_reason = joint.stop_reason;
+  solution.pressure_error = joint.pressure_error;
+  const double main_cosine = solution.patches[solution.main].frame.normal.z;
+  solution.depth_found = depth + joint.approach / (request_.normal_load ? main_cosine : 1.0);
+  result_.times.mechanics += watch.seconds();
+  check_found_depth(request_, solution.depth_found); // before planes are turned there
+  return solution;
+}
+
+/// A wheel that sinks along a plane under the angle a slides along it by sin(a) of the step, and
+/// distances then change by that times the angle to the plane: at most tan(a) times the turn of the
+/// rail within the patch, as shares of the step along the normal. Where interactions and planes
+/// follow from how close patches are, all may change with the depth.
+double WheelSolver::sliding(const GridSolution& solution) const {
+  double most = 0.0;
+  for (const double link : solution.links) {
+    most = std::max(most, 4.0 * link * (1.0 - link));
+  }
+  for (const Patch& patch : solution.patches) {
+    const auto angle_at = [this](double y) {
+      return std::atan(rail_.graph().at_lateral(y).slope());
+    };
+    const double turn = angle_at(patch.penetration.y_last) - angle_at(patch.penetration.y_first);
+    most =
+        std::max(most, patch.penetration.weight * std::abs(std::tan(patch.frame.angle()) * turn));
+  }
+  return most;
+}
+
+/// Finds the depth for the load by solutions on few elements, on more only where contact falls
+/// between them.
+GridSolution WheelSolver::solve_coarsely(double depth) {
+  ElementCounts counts = coarse_counts(request_.grid ? coarse_accuracy : request_.accuracy);
+  DepthIteration iteration;
+  std::optional<GridSolution> before;
+  for (int attempt = 1;; ++attempt) {
+    GridSolution solution = solve_at(depth, counts, coarse_tolerance, before ? &*before : nullptr);
+    if (solution.no_contact()) {
+      if (counts.lateral >= max_coarse_rows) {
+        throw Error(ErrorCode::internal,
+                    "no contact found at a depth of " + text_of(depth) + " mm");
+      }
+      counts = {2 * counts.lateral, 2 * counts.longitudinal};
+      continue;
+    }
+    const double found = depth_found(solution);
+    const double left = std::abs(found / depth - 1.0) * std::pow(sliding(solution), 2);
+    const auto next = iteration.next(depth, found, left / (max_coarse_change * request_.accuracy));
+    if (!next || attempt >= max_attempts) {
+      return solution;
+    }
+    depth = *next;
+    before = std::move(solution);
+  }
+}
+
+/// Largest pressures between the elements of a solution.
+void WheelSolver::find_peaks(GridSolution& solution) {
+  const Stopwatch watch;
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
+  for (Patch& patch : solution.patches) {
+    if (!patch.no_contact()) {
+      const PeakInSection peak =
+          peak_in_section(patch, solution.elements, pair, patch.approach_cosine * solution.approach,
+                          request_.combined_modulus, tolerance());
+      patch.contact.peak_pressure = peak.pressure;
+      patch.peak_error = peak.error;
+    }
+  }
+  result_.times.mechanics += watch.seconds();
+}
+
+/// At the depth found, on more elements where the estimate asks for them.
+GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
+  ElementCounts counts = final_counts();
+  bool finer = false;
+  DepthIteration iteration;
+  for (int attempt = 1;; ++attempt) {
+    GridSolution solution = solve_at(depth, counts, tolerance(), before ? &*before : nullptr);
+    if (solution.no_contact() || attempt == max_attempts) {
+      mark_unsettled(solution, attempt, result_.warnings);
+      return solution;
+    }
+    const double found = depth_found(solution);
+    const double change = std::abs(found / depth - 1.0) * sliding(solution);
+    const double limit =
+        finer && request_.accuracy_of == AccuracyOf::pressures ? max_change_for_crests : max_change;
+    if (const auto next = iteration.next(depth, found, change / (limit * request_.accuracy))) {
+      depth = *next;
+      before = std::move(solution);
+      continue;
+    }
+    if (request_.accuracy_of == AccuracyOf::pressures) {
+      find_peaks(solution);
+    }
+    const ErrorEstimate error = estimate_error(solution, goal_);
+    result_.error_estimate = error.total();
+    if (error.total() <= request_.accuracy || request_.grid || finer) {
+      return solution;
+    }
+    counts = refined_counts(counts, error, request_.accuracy);
+    finer = true;
+    iteration = {};
+    depth = found;
+    before = std::move(solution);
+  }
+}
+
+std::string edge_warning(const Patch& patch) {
+  const EdgeContact& edge = patch.contact.touches_edge;
+  const bool at_neighbour = (edge.lateral_first && std::isfinite(patch.penetration.limit_first)) ||
+                            (edge.lateral_last && std::isfinite(patch.penetration.limit_last));
+  return at_neighbour
+             ? "contact reaches the boundary to the neighbouring patch"
+             : "contact touches the edge of the grid: elements too large, or a patch just born";
+}
+
+void WheelSolver::warn_about(const GridSolution& solution) {
+  auto& warnings = result_.warnings;
+  warn_of_rounding(solution, request_, wheel_.radius(), warnings);
+  if (solution.stop_reason != StopReason::tolerance_met) {
+    warnings.push_back("not converged: " + std::string(name_of(solution.stop_reason)) +
+                       ", error of the pressures " + short_text_of(solution.pressure_error));
+  }
+  if (request_.solver == SolverChoice::paper && solution.patches.size() > 1) {
+    warnings.emplace_back("several patches: solved together by the default solver");
+  }
+  for (const Patch& patch : solution.patches) {
+    if (patch.no_contact()) {
+      continue;
+    }
+    if (patch.contact.touches_edge.any()) {
+      warnings.emplace_back(edge_warning(patch));
+    }
+    const double turn = std::max(std::abs(patch.penetration.angle_first - patch.frame.angle()),
+                                 std::abs(patch.penetration.angle_last - patch.frame.angle()));
+    if (request_.gap == GapConvention::vertical) {
+      if (std::abs(patch.penetration.angle_unturned) > vertical_convention_limit) {
+        warnings.push_back("vertical distances at a contact angle of " +
+                           short_text_of(patch.penetration.angle_unturned) + " rad (good up to " +
+                           text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
+      }
+    } else if (turn > planar_limit) {
+      warnings.push_back("the rail turns by " + short_text_of(turn) +
+                         " rad within a patch (a plane is good up to " + text_of(planar_limit) +
+                         ")");
+    }
+  }
+  if (!request_.grid && (!result_.error_estimate || *result_.error_estimate > request_.accuracy)) {
+    warnings.push_back("accuracy " + text_of(request_.accuracy) + " not reached" +
+                       (result_.error_estimate
+                            ? ": estimated error " + short_text_of(*result_.error_estimate)
+                            : std::string()));
+  }
+  if (solution.left_out_s) {
+    warnings.push_back(
+        "wheel and rail also meet at s_wheel = " + short_text_of(*solution.left_out_s) +
+        " mm under another angle; with vertical distances that patch is left out");
+  }
+}
+
+void WheelSolver::publish(GridSolution solution) {
+  result_.in_contact = !result_.solved || !solution.no_contact();
+  result_.depth = solution.depth;
+  result_.approach = solution.approach;
+  result_.depth_found = solution.depth_found;
+  result_.vertical = equilibrium_.vertical - solution.depth;
+  result_.peak_pressure = solution.peak_pressure();
+  result_.combined_modulus = request_.combined_modulus;
+  result_.elements = request_.elements;
+  result_.gap = request_.gap;
+  result_.joining_distance = request_.joining_distance;
+  result_.stop_reason = solution.stop_reason;
+  if (!request_.position_is_prescribed()) {
+    result_.load = request_.load();
+  }
+  const std::vector<PlanePatches> planes = solution.patches_by_plane(result_.solved);
+  std::vector<std::size_t> order;
+  for (const PlanePatches& plane : planes) {
+    order.insert(order.end(), plane.patches.begin(), plane.patches.end());
+  }
+  if (solution.interaction) {
+    PatchInteraction& reordered = result_.interaction.emplace();
+    for (const std::size_t k : order) {
+      reordered.places.push_back(solution.interaction->places[k]);
+      for (const std::size_t l : order) {
+        reordered.coupling_weight.push_back(
+            solution.interaction->coupling_weight[k * solution.patches.size() + l]);
+      }
+    }
+  }
+  for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+    for (const std::size_t k : planes[plane].patches) {
+      Patch& patch = result_.patches.emplace_back(std::move(solution.patches[k]));
+      patch.plane = plane;
+      patch.approach = patch.overlap(solution.approach);
+    }
+  }
+}
+
+/// The potential contact areas of penetration, with the elements that solutions start with.
+GridSolution WheelSolver::sample_only(double depth) {
+  GridSolution solution = sample(depth, final_counts());
+  for (Patch& patch : solution.patches) {
+    patch.pressure.assign(patch.grid.element_count(), 0.0);
+  }
+  solution.depth_found = depth;
+  return solution;
+}
+
+WheelSolution WheelSolver::solve() {
+  result_.solved = request_.until == Module::mechanics;
+  if (equilibrium_.scan.candidates.front().at_profile_end) {
+    result_.warnings.emplace_back(
+        "contact at the end of a profile, or where the rail turns upright");
+  }
+  result_.vertical = equilibrium_.vertical;
+  if (request_.until == Module::geometry) {
+    return std::move(result_);
+  }
+  const double depth =
+      request_.position_is_prescribed() || request_.load() > 0.0 ? first_depth() : 0.0;
+  if (!is_in_contact(request_, depth, result_.warnings)) {
+    return std::move(result_);
+  }
+  if (request_.until == Module::remesh) {
+    publish(sample_only(depth));
+    return std::move(result_);
+  }
+  std::optional<GridSolution> coarse;
+  if (!request_.position_is_prescribed()) {
+    coarse = solve_coarsely(depth);
+  }
+  const double found = coarse ? depth_found(*coarse) : depth;
+  GridSolution solution = solve_finally(found, std::move(coarse));
+  warn_about(solution);
+  publish(std::move(solution));
+  return std::move(result_);
+}
+
+} // namespace
+
+WheelSolution solve_wheel(const WheelSurface& wheel, const RailSurface& rail,
+                          const SideEquilibrium& equilibrium, const WheelRequest& request,
+                          NormalSolver& solver) {
+  return WheelSolver(wheel, rail, equilibrium, request, solver).solve();
+}
+
+} // namespace wrc

@@ -1,0 +1,84 @@
+/// One wheel on its rail: from the contact search to pressures.
+///
+/// Joins remesh and mechanics for one side:
+///  1. the depth to which the wheel sinks is estimated from the virtual penetration (with the load
+///     prescribed);
+///  2. the patches of penetration at that depth (patches/contact_patches.hpp), each with a plane,
+///  an
+///     area and a grid of its own, are solved together (mechanics/joint_contact.hpp) on few
+///     elements: this coarse solution finds the depth;
+///  3. planes, grids and undeformed distance at the depth found (not at the first touch: under a
+///     contact angle a sinking wheel also slides along the tangent), and the final solution on as
+///     many elements as the accuracy takes (accuracy/resolution.hpp);
+///  4. with accuracy of pressures, the largest one from a finer section
+///  (accuracy/peak_section.hpp).
+/// Nothing is kept from one solution to the next, so the result depends on the scene alone. Grids
+/// span the penetration, which contact cannot leave. Two exceptions cost another final solution
+/// each: a depth so different that the slide it makes, or planes of close patches, count; and a
+/// crest that the section has not resolved. `solutions` counts them all.
+/// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
+/// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
+/// patch. Patches that are close turn their planes towards each other and interact in part
+/// (contact_patches.hpp), so that nothing jumps when they become one contact or are joined on one
+/// grid; patches that are far apart do not interact unless `interaction` is set.
+/// A side may also stop after the geometry (no patches), or after the remesh: the patches of
+/// penetration at the depth estimated or prescribed, their grids and undeformed distances.
+/// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
+/// Thread rule: a solver serves one thread at a time; otherwise a pure function.
+/// Not known here: friction; forces between the wheels; patches that are not plane.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "accuracy/grid_solution.hpp"
+#include "geometry/wheelset_equilibrium.hpp"
+#include "mechanics/joint_contact.hpp"
+#include "mechanics/normal_solver.hpp"
+#include "patches/contact_frame.hpp"
+#include "patches/contact_patches.hpp"
+#include "pressure/pressure_field.hpp"
+#include "remesh/undeformed_distance.hpp"
+#include "wheel/wheel_request.hpp"
+
+namespace wrc {
+
+struct StageTimes {
+  double remesh = 0.0; ///< s
+  double mechanics = 0.0;
+};
+
+struct WheelSolution {
+  bool in_contact = false;
+  bool solved = false; ///< the mechanics have run
+  /// With pressure only. By contact, the one with the largest normal force first; within a contact
+  /// by force, too.
+  std::vector<Patch> patches;
+  double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
+  double depth = 0.0;         ///< vertical, from the first touch to that height
+  double approach = 0.0;      ///< answer to the joint problem, from that height
+  double depth_found = 0.0;   ///< vertical, from the first touch to the height solved for
+  std::optional<double> load; ///< of the joint problem; or the approach was prescribed
+  double combined_modulus = 0.0;
+  Elements elements = Elements::constant;
+  GapConvention gap = GapConvention::tangent;
+  std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
+  double joining_distance = 0.0;               ///< mm, see patches/contact_patches.hpp
+  double peak_pressure = 0.0;
+  std::optional<double> error_estimate; ///< relative, of what the accuracy is of; none if not known
+  std::optional<double> validity;       ///< of an approximate model, see patch_model.hpp
+  StopReason stop_reason = StopReason::tolerance_met;
+  int iterations = 0;   ///< of all solutions together
+  int convolutions = 0; ///< likewise: applications of the influence coefficients
+  int solutions = 0;    ///< joint problems solved
+  StageTimes times;
+  std::vector<std::string> warnings;
+};
+
+WheelSolution solve_wheel(const WheelSurface& wheel, const RailSurface& rail,
+                          const SideEquilibrium& equilibrium, const WheelRequest& request,
+                          NormalSolver& solver);
+
+} // namespace wrc

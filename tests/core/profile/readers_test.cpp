@@ -1,0 +1,333 @@
+/// Readers, the common part: orientation, units, limits, options, files.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+
+namespace wrc {
+namespace {
+
+/// Nodes are the points themselves; only the curve's arithmetic rounds.
+constexpr double rounding = 1e-12;
+
+ReadOptions wheel_options() {
+  ReadOptions options;
+  options.kind = ProfileKind::wheel;
+  return options;
+}
+
+ReadOptions rail_options() {
+  ReadOptions options;
+  options.kind = ProfileKind::rail;
+  return options;
+}
+
+ReadResult read_rows(const std::string& rows, const ReadOptions& options) {
+  return read_profile_text(rows, ProfileFormat::columns, "sample", options);
+}
+
+TEST(Readers, PointsInTheFrameAreKeptAsTheyAre) {
+  const ReadResult read = read_rows(rows_of(wheel_points()), wheel_options());
+  EXPECT_TRUE(read.corrections.empty()) << read.corrections.front();
+  EXPECT_EQ(read.profile.name, "sample");
+  EXPECT_EQ(read.profile.kind, ProfileKind::wheel);
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+  EXPECT_DOUBLE_EQ(read.profile.curve.at(0.0).lateral, -60.0);
+}
+
+TEST(Readers, EveryOrientationOfAWheelComesOutTheSame) {
+  for (const double lateral : {1.0, -1.0})
+    for (const double height : {1.0, -1.0})
+      for (const bool reversed : {false, true}) {
+        std::vector<Position> points = wheel_points();
+        if (reversed)
+          std::reverse(points.begin(), points.end());
+        const ReadResult read = read_rows(rows_of(points,
+                                                  [&](Position p) {
+                                                    return Position{lateral * p[0], height * p[1]};
+                                                  }),
+                                          wheel_options());
+        EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+        EXPECT_DOUBLE_EQ(read.profile.curve.at(0.0).lateral, -60.0);
+        EXPECT_EQ(says(read, "lateral mirrored"), lateral < 0.0);
+        EXPECT_EQ(says(read, "height mirrored"), height < 0.0);
+        EXPECT_EQ(says(read, "order reversed"), reversed);
+      }
+}
+
+TEST(Readers, RailComesOutWithHeightUpAndItsLateralSignKept) {
+  for (const double height : {1.0, -1.0}) {
+    const ReadResult read = read_rows(rows_of(rail_points(),
+                                              [&](Position p) {
+                                                return Position{p[0], height * p[1]};
+                                              }),
+                                      rail_options());
+    EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
+    EXPECT_EQ(says(read, "height mirrored"), height < 0.0);
+    EXPECT_FALSE(says(read, "lateral"));
+  }
+}
+
+TEST(Readers, HalfARailHeadIsSeenUpright) {
+  std::vector<Position> points = rail_points();
+  std::erase_if(points, [](const Position& p) { return p[0] > 0.0; });
+  const ReadResult read = read_rows(rows_of(points,
+                                            [](Position p) {
+                                              return Position{p[0], -p[1]};
+                                            }),
+                                    rail_options());
+  EXPECT_LT(distance_at(read.profile.curve, points), rounding);
+}
+
+TEST(Readers, StatedMirrorsReplaceTheCheckOfTheShape) {
+  ReadOptions options = rail_options();
+  options.mirror_lateral = true;
+  options.mirror_height = false;
+  const ReadResult read = read_rows(rows_of(rail_points(),
+                                            [](Position p) {
+                                              return Position{-p[0], -p[1]};
+                                            }),
+                                    options);
+  EXPECT_TRUE(says(read, "lateral mirrored as asked"));
+  EXPECT_LT(read.profile.curve.at(0.0).lateral, 0.0);
+  EXPECT_GT(read.profile.curve.at(0.0).height, 10.0) << "height must stay upside down";
+}
+
+TEST(Readers, StrictReadingRefusesGuesses) {
+  ReadOptions options = wheel_options();
+  options.strict = true;
+  EXPECT_EQ(refusal_of(rows_of(wheel_points()), ProfileFormat::columns, options), "accepted");
+  const auto flipped = [](Position p) { return Position{p[0], -p[1]}; };
+  EXPECT_TRUE(
+      contains(refusal_of(rows_of(wheel_points(), flipped), ProfileFormat::columns, options),
+               "state mirror_height"));
+  const auto metres = [](Position p) { return Position{p[0] / 1000.0, p[1] / 1000.0}; };
+  EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
+                       "state the scale"));
+  options.kind.reset();
+  EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points()), ProfileFormat::columns, options),
+                       "state the kind"));
+}
+
+TEST(Readers, KindIsGuessedFromTheShape) {
+  const ReadResult wheel = read_rows(rows_of(wheel_points()), {});
+  EXPECT_EQ(wheel.profile.kind, ProfileKind::wheel);
+  EXPECT_TRUE(says(wheel, "taken for a wheel"));
+  const ReadResult rail = read_rows(rows_of(rail_points()), {});
+  EXPECT_EQ(rail.profile.kind, ProfileKind::rail);
+  EXPECT_TRUE(says(rail, "taken for a rail"));
+}
+
+TEST(Readers, UnitsAreGuessedAndSaid) {
+  for (const double unit : {1e-3, 1e3}) {
+    const ReadResult read = read_rows(rows_of(wheel_points(),
+                                              [&](Position p) {
+                                                return Position{p[0] * unit, p[1] * unit};
+                                              }),
+                                      wheel_options());
+    EXPECT_TRUE(says(read, "multiplied by"));
+    EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+  }
+}
+
+TEST(Readers, StatedScaleSwitchesTheGuessOff) {
+  ReadOptions options = wheel_options();
+  options.scale = 25.4;
+  const ReadResult read = read_rows(rows_of(wheel_points(),
+                                            [](Position p) {
+                                              return Position{p[0] / 25.4, p[1] / 25.4};
+                                            }),
+                                    options);
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+  options.scale = 2.0;
+  const auto metres = [](Position p) { return Position{p[0] / 1000.0, p[1] / 1000.0}; };
+  EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
+                       "mm long in all"));
+  options.scale = 1.0; // stated: no guess, though the file is in metres
+  EXPECT_TRUE(contains(refusal_of(rows_of(wheel_points(), metres), ProfileFormat::columns, options),
+                       "mm long in all"));
+}
+
+TEST(Readers, DuplicatesAreDroppedAndSaid) {
+  std::vector<Position> points = wheel_points();
+  points.insert(points.begin() + 10, 3, points[10]);
+  const ReadResult read = read_rows(rows_of(points), wheel_options());
+  EXPECT_TRUE(says(read, "3 points closer than 0.01 mm"));
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+}
+
+TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
+  EXPECT_TRUE(contains(refusal_of("", ProfileFormat::columns), "is empty"));
+  EXPECT_TRUE(contains(refusal_of("\n\n# nothing\n", ProfileFormat::columns), "0 points"));
+  EXPECT_TRUE(contains(refusal_of("0 0\n10 1\n20 2\n30 3\n", ProfileFormat::columns), "4 points"));
+  EXPECT_TRUE(contains(refusal_of("0 0\n10 1\n10 1\n20 2\n30 3\n", ProfileFormat::columns),
+                       "4 different points"));
+  EXPECT_TRUE(
+      contains(refusal_of("0 0\n1 0\n2 0\n3 0\n4 0\n", ProfileFormat::columns), "mm long in all"));
+  EXPECT_TRUE(contains(refusal_of("1e300 0\n-1e300 1\n1e300 2\n3 3\n4 4\n", ProfileFormat::columns),
+                       "mm long in all"));
+  EXPECT_TRUE(contains(refusal_of("1e9 0\n1000000010 1\n1000000020 2\n1000000030 3\n1000000040 4\n",
+                                  ProfileFormat::columns),
+                       "at most 1e+05 mm"));
+}
+
+TEST(Readers, RefusesPointsThatTurnBack) {
+  EXPECT_TRUE(
+      contains(refusal_of("0 0\n10 0\n20 0\n30 0\n20 0\n10 0\n0 0\n", ProfileFormat::columns),
+               "turn back on themselves"));
+}
+
+TEST(Readers, RefusesMorePointsThanTheLimit) {
+  std::string rows;
+  for (std::size_t i = 0; i <= ReadLimits::max_points; ++i)
+    rows += text_of(static_cast<double>(i) * 1e-3) + " 0\n";
+  EXPECT_TRUE(
+      contains(refusal_of(rows, ProfileFormat::columns), "sample:200001: more than 200000"));
+}
+
+TEST(Readers, RefusesLongLinesAndBinaryContent) {
+  EXPECT_TRUE(contains(refusal_of(std::string(5000, '7'), ProfileFormat::columns),
+                       "sample:1: line of 5000 bytes"));
+  EXPECT_TRUE(contains(refusal_of(std::string("1 2\n\0\x01", 6), ProfileFormat::columns),
+                       "sample:2: byte 0"));
+}
+
+TEST(Readers, SurvivesGarbage) {
+  // Seeded, so that a failure can be repeated. Words that the parsers know make it go deep.
+  std::mt19937 random(20240607);
+  const std::vector<std::string> words = {"header.begin",
+                                          "header.end",
+                                          "spline.begin",
+                                          "spline.end",
+                                          "point.begin",
+                                          "point.end",
+                                          "type = 1",
+                                          "=",
+                                          "\n",
+                                          "\n",
+                                          "\n\n",
+                                          " ",
+                                          "1.5",
+                                          "-3e2",
+                                          "nan",
+                                          "inf",
+                                          "1e999",
+                                          "+",
+                                          "+-1",
+                                          "\"",
+                                          "!",
+                                          "%",
+                                          "#",
+                                          "'",
+                                          "ColumnDef=Y,X",
+                                          "XYPoints=1e18",
+                                          "units.len.f = 0",
+                                          "\t",
+                                          ",",
+                                          "\r",
+                                          "\xEF\xBB\xBF",
+                                          "\x80",
+                                          "mirror.y = 1",
+                                          "bound.y.min = -1e308",
+                                          "shift.y = 1e308",
+                                          "0.001",
+                                          "7 8\n9 10\n11 30\n"};
+  std::uniform_int_distribution<std::size_t> word(0, words.size() - 1);
+  std::uniform_int_distribution<int> count(0, 60);
+  std::size_t refused = 0;
+  constexpr int trials = 3000;
+  for (int trial = 0; trial < trials; ++trial) {
+    std::string text = trial % 2 == 0 ? "" : "header.begin\nheader.end\nspline.begin\n";
+    for (int i = count(random); i > 0; --i)
+      text += words[word(random)];
+    for (const ProfileFormat format :
+         {ProfileFormat::columns, ProfileFormat::simpack, ProfileFormat::miniprof}) {
+      const std::string found = refusal_of(text, format);
+      EXPECT_FALSE(contains(found, "unexpected")) << found << "\n" << text;
+      refused += found != "accepted" ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(refused, 2U * trials);
+}
+
+TEST(Readers, RefusesOptionsOutOfRange) {
+  const auto code_of = [](const ReadOptions& options) {
+    try {
+      (void)read_profile_text(rows_of(wheel_points()), ProfileFormat::columns, "sample", options);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::internal;
+  };
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    ReadOptions options;
+    options.scale = bad;
+    EXPECT_EQ(code_of(options), ErrorCode::invalid_argument);
+    options = {};
+    options.least_point_distance = bad;
+    EXPECT_EQ(code_of(options), ErrorCode::invalid_argument);
+  }
+  for (const double bad : {-1.0, std::nan(""), 501.0}) {
+    ReadOptions options;
+    options.smoothing_wavelength = bad;
+    EXPECT_EQ(code_of(options), ErrorCode::invalid_argument);
+  }
+}
+
+TEST(Readers, SmoothingIsSaidAndDone) {
+  ReadOptions options = wheel_options();
+  options.smoothing_wavelength = 20.0;
+  const ReadResult read = read_rows(rows_of(wheel_points()), options);
+  EXPECT_TRUE(says(read, "smoothed"));
+  EXPECT_GT(distance_at(read.profile.curve, wheel_points()), 0.01);
+}
+
+TEST(Readers, FormatGoesByTheExtension) {
+  EXPECT_EQ(format_of("a/b.prr"), ProfileFormat::simpack);
+  EXPECT_EQ(format_of("b.PRW"), ProfileFormat::simpack);
+  EXPECT_EQ(format_of("b.ban"), ProfileFormat::miniprof);
+  EXPECT_EQ(format_of("b.whl"), ProfileFormat::miniprof);
+  EXPECT_EQ(format_of("b.txt"), ProfileFormat::columns);
+  EXPECT_EQ(format_of("b"), ProfileFormat::columns);
+  EXPECT_THROW((void)format_of("b.slcs"), Error);
+  EXPECT_THROW((void)format_of("b.slcw"), Error);
+}
+
+TEST(Readers, RefusesWhatIsNoFile) {
+  const auto code_of = [](const std::filesystem::path& path) {
+    try {
+      (void)read_profile(path);
+    } catch (const Error& error) {
+      EXPECT_TRUE(contains(error.what(), path.string()));
+      return error.code();
+    }
+    return ErrorCode::internal;
+  };
+  EXPECT_EQ(code_of("no/such/file.txt"), ErrorCode::file_unreadable);
+  EXPECT_EQ(code_of(std::filesystem::temp_directory_path()), ErrorCode::file_unreadable);
+  EXPECT_EQ(code_of("/dev/zero"), ErrorCode::file_unreadable);
+}
+
+TEST(Readers, RefusesAFileThatIsTooLarge) {
+  const std::filesystem::path path =
+      std::filesystem::path(::testing::TempDir()) /
+      ("wrcontact_large_profile_" + std::to_string(getpid()) + ".txt");
+  std::ofstream(path) << "1 2\n";
+  std::filesystem::resize_file(path, ReadLimits::file_bytes + 1); // sparse
+  try {
+    (void)read_profile(path);
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_TRUE(contains(error.what(), "is larger than")) << error.what();
+  }
+  std::filesystem::remove(path);
+}
+
+} // namespace
+} // namespace wrc
