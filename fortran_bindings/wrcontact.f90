@@ -152,7 +152,7 @@ module wrcontact
     type(shared_handle), pointer :: shared => null()
   contains
     procedure :: create => solver_create
-    !> solve(scene): as scene%solve(), faster when the scene has changed little.
+    !> solve(scene): as scene%solve(), faster: it keeps profiles, tables and plans.
     procedure :: solve => solver_solve
     !> forget(profiles): with profiles=.true. everything that is kept; else nothing.
     procedure :: forget => solver_forget

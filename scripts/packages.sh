@@ -9,5 +9,5 @@ build_packages=(
 )
 check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
-  shellcheck codespell
+  shellcheck codespell python3
 )

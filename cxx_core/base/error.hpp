@@ -14,7 +14,7 @@ namespace wrc {
 enum class ErrorCode : std::int32_t {
   invalid_argument = 1, ///< a value outside its permitted range
   unknown_name = 2,     ///< a key, profile or quantity that does not exist
-  file_unreadable = 3,  ///< a file that cannot be approach here or read
+  file_unreadable = 3,  ///< a file that cannot be opened or read
   file_malformed = 4,   ///< a file whose content cannot be understood
   no_contact = 5,       ///< wheel and rail do not meet in the scene as posed
   out_of_memory = 6,    ///< memory could not be allocated

@@ -16,11 +16,13 @@ namespace {
 
 /// Products and quotients of two loads, lengths and moduli in these ranges, squares of lengths
 /// among them, neither overflow nor lose digits; whatever the unit, that is enough.
+/// Permitted ranges, not a tuning constant.
 constexpr double min_scale = 1e-30;
 constexpr double max_scale = 1e30;
 constexpr double min_load = 1e-60;
 constexpr double max_load = 1e60;
 /// Influence coefficients are right to 1e-12 between elements of these shapes (docs/stability.md).
+/// A permitted range, not a tuning constant.
 constexpr double max_aspect = 1e9;
 
 void check_scale(const std::string& argument, double value) {

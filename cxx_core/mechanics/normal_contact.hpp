@@ -53,7 +53,7 @@ struct NormalSolution {
   Residuals residuals; ///< filled together with the displacement
 };
 
-/// Largest number of elements a problem may have.
+/// Largest number of elements a problem may have: a permitted range, not a tuning constant.
 inline constexpr std::size_t maximum_element_count = std::size_t{1} << 26;
 
 /// Throws Error(invalid_argument) for a grid outside its permitted ranges; names the argument.

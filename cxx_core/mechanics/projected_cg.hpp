@@ -18,8 +18,7 @@
 /// preconditioner) with the load constraint taken in and the boxes joined.
 ///
 /// z approximates the error of p; iteration stops at max|z| <= tolerance max p and takes one free
-/// step p = max(0, p + z). A box that is well below this before the others moves on only by its
-/// gamma, as long as the others get on.
+/// step p = max(0, p + z).
 ///
 /// With coupling (patch_coupling.hpp), what boxes displace at each other is kept at their nodes and
 /// counts as part of h: loads there are followed through steps, cuts and scaling, and the change of

@@ -11,7 +11,7 @@
 namespace wrc {
 namespace {
 
-/// Variables: the motions, and along the profile.
+/// Variables: the motions, and along the profile. Indices, not a tuning constant.
 constexpr std::size_t lateral = 0;
 constexpr std::size_t vertical = 1;
 constexpr std::size_t roll = 2;

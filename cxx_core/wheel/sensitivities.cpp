@@ -7,7 +7,7 @@
 namespace wrc {
 namespace {
 
-constexpr std::size_t motion_count = 3;
+constexpr std::size_t motion_count = 3; // not a tuning constant
 using MotionValues = std::array<double, motion_count>;
 using Fields = std::vector<std::vector<double>>;
 
