@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text,
-# constants, address sanitizer (by clang, with static analysis), thread sanitizer, release, the
-# outputs that pages show, instruction sets.
+# constants, sizes, address sanitizer (by clang, with static analysis), thread sanitizer, release,
+# the outputs that pages show, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -51,6 +51,7 @@ if [ "$all" = yes ]; then
   echo "== text"
   scripts/check_text.sh
   scripts/list_constants.sh >/dev/null
+  scripts/check_sizes.sh >/dev/null
   build_and_test asan all . -DWRCONTACT_CLANG_TIDY=ON
   build_and_test tsan threads_test '^(Batch|Threads)\.'
 fi

@@ -1,0 +1,49 @@
+#include "remesh/surface_rays.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/simple_profiles.hpp"
+
+namespace wrc::test {
+namespace {
+
+constexpr double ray_tolerance = 1e-11; // coordinates of some hundred mm carry 1e-13 each
+constexpr double wheel_radius = 460.0;
+constexpr double crown_radius = 300.0;
+constexpr double axis = 717.5 + 35.0; // of the rail
+
+class SurfaceRays : public testing::Test {
+protected:
+  const WheelSurface wheel{cylindrical_wheel(), {1360.0, 70.0, wheel_radius}};
+  const RailSurface rail{circular_rail(crown_radius), {1435.0, 14.0, 0.0}};
+  const PosedPair pair{wheel, rail, {}, wheel_radius + 0.25};
+};
+
+TEST_F(SurfaceRays, MeetTheCylinderOfTheWheel) {
+  const ContactFrame frame = tangent_frame({0.0, axis, 0.0}, 0.2);
+  WheelRay ray(pair, frame);
+  for (const double longitudinal : {0.0, 15.0, -40.0}) {
+    const auto met = ray.solve(longitudinal, 3.0);
+    ASSERT_TRUE(met);
+    const Vector3 place = frame.to_track(longitudinal, 3.0, *met);
+    EXPECT_NEAR(std::hypot(place.x, place.z - pair.vertical), wheel_radius, ray_tolerance);
+    EXPECT_LT(place.z, pair.vertical); // from below
+    EXPECT_NEAR(ray.lateral(), place.y - wheel.taping_line(), ray_tolerance);
+  }
+}
+
+TEST_F(SurfaceRays, MeetNothingBesideThem) {
+  const ContactFrame frame = tangent_frame({0.0, axis, 0.0}, 0.0);
+  RailRay rail_ray(rail, frame);
+  WheelRay wheel_ray(pair, frame);
+  EXPECT_FALSE(rail_ray.solve(0.0, 36.0));
+  EXPECT_FALSE(wheel_ray.solve(0.0, 80.0));
+  EXPECT_FALSE(wheel_ray.solve(wheel_radius + 1.0, 0.0));
+  rail_ray.restart();
+  EXPECT_TRUE(rail_ray.solve(0.0, 34.0));
+}
+
+} // namespace
+} // namespace wrc::test

@@ -1,0 +1,85 @@
+#include "wheel/grid_plan.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/simple_profiles.hpp"
+
+namespace wrc::test {
+namespace {
+
+/// Wheel and rail at their first touch.
+struct Touching {
+  Touching(const Profile& wheel_profile, double at)
+      : wheel(wheel_profile, {1360.0, 70.0, 460.0}),
+        rail(circular_rail(300.0), {1435.0, 14.0, 0.0}) {
+    EquilibriumRequest request;
+    request.lateral = at;
+    request.roll = 0.0;
+    request.right = false;
+    side = *find_equilibrium(wheel, rail, request).left;
+  }
+  WheelSurface wheel;
+  RailSurface rail;
+  SideEquilibrium side;
+};
+
+/// Where they overlap by d: half of it sqrt(2 R d) each way, and 5 % of the whole on each side.
+TEST(GridPlan, SpansThePenetrationWithALittleRoom) {
+  const Touching pair(cylindrical_wheel(), 0.0);
+  constexpr double depth = 0.05;
+  const GridSolution plan = plan_grids(pair.rail, pair.side, {}, depth, {40, 18});
+  ASSERT_EQ(plan.patches.size(), 1u);
+  const Grid& grid = plan.patches[0].grid;
+  EXPECT_EQ(plan.depth, depth);
+  EXPECT_EQ(grid.lateral_count, 40u);
+  EXPECT_EQ(grid.longitudinal_count, 18u);
+  const double width = 1.1 * 2.0 * std::sqrt(2.0 * 300.0 * depth);
+  const double length = 1.1 * 2.0 * std::sqrt(2.0 * 460.0 * depth);
+  EXPECT_NEAR(40.0 * grid.lateral_step, width, 5e-3 * width);
+  EXPECT_NEAR(18.0 * grid.longitudinal_step, length, 5e-3 * length);
+  EXPECT_NEAR(grid.lateral_first + 19.5 * grid.lateral_step, 0.0, 5e-3 * width);
+  EXPECT_FALSE(plan.interaction);
+}
+
+/// Crown and a flank of 60 degrees, which touches 0.06 mm later; planes are the rail's.
+TEST(GridPlan, PatchesHavePlanesOfTheirOwnAndTheirShareOfTheApproach) {
+  const Touching corner(wheel_with_flank(), -1.35);
+  const GridSolution plan = plan_grids(corner.rail, corner.side, {}, 0.12, {20, 10});
+  ASSERT_EQ(plan.patches.size(), 2u);
+  EXPECT_EQ(plan.main, 1u);
+  for (const Patch& patch : plan.patches) {
+    EXPECT_NEAR(patch.approach_cosine, std::cos(patch.frame.angle()), 1e-12);
+  }
+  EXPECT_LT(plan.patches[0].approach_cosine, 0.995);
+  WheelRequest normal;
+  normal.normal_load = 1e4;
+  const GridSolution along = plan_grids(corner.rail, corner.side, normal, 0.12, {20, 10});
+  EXPECT_EQ(along.patches[along.main].approach_cosine, 1.0);
+}
+
+TEST(GridPlan, OnRequestAllPatchesInteract) {
+  const Touching corner(wheel_with_flank(), -1.35);
+  WheelRequest request;
+  request.interaction = true;
+  const GridSolution plan = plan_grids(corner.rail, corner.side, request, 0.12, {20, 10});
+  ASSERT_TRUE(plan.interaction);
+  EXPECT_EQ(plan.patches[0].coupling_weight, 1.0);
+  const Vector3 apart = plan.patches[1].frame.origin - plan.patches[0].frame.origin;
+  EXPECT_NEAR(plan.interaction->places[1].lateral, std::hypot(apart.y, apart.z), 1e-12);
+}
+
+TEST(GridPlan, TheVerticalConventionHasOnePlaneAndTellsWhatItLeavesOut) {
+  const Touching corner(wheel_with_flank(), -1.35);
+  WheelRequest request;
+  request.gap = GapConvention::vertical;
+  const GridSolution plan = plan_grids(corner.rail, corner.side, request, 0.12, {20, 10});
+  ASSERT_EQ(plan.patches.size(), 1u);
+  EXPECT_EQ(plan.patches[0].approach_cosine, 1.0);
+  ASSERT_TRUE(plan.left_out_s);
+  EXPECT_NEAR(*plan.left_out_s, -30.0, 5.0);
+}
+
+} // namespace
+} // namespace wrc::test
