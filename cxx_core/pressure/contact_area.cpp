@@ -192,33 +192,4 @@ double contact_area(const Grid& grid, std::span<const double> pressure) {
   return sum * grid.element_area();
 }
 
-std::vector<double> contact_areas(const Grid& grid, std::span<const double> pressure,
-                                  std::span<const PressureRegion> regions) {
-  check_pressure_size(grid, pressure);
-  std::vector<double> areas(regions.size(), 0.0);
-  std::vector<Run> runs = find_runs(grid, pressure);
-  if (runs.empty()) {
-    return areas;
-  }
-  join_neighbours(runs);
-  std::vector<double> area_of_root(runs.size(), 0.0);
-  // No two regions share a cell: pressures at its corners are neighbours.
-  CellWalk(grid, pressure, runs).visit([&](std::size_t run, double area) {
-    area_of_root[root_of_run(runs, run)] += area;
-  });
-  for (std::size_t region = 0; region < regions.size(); ++region) {
-    const std::size_t row = regions[region].first_element / grid.longitudinal_count;
-    const std::size_t column = regions[region].first_element % grid.longitudinal_count;
-    const auto found =
-        std::lower_bound(runs.begin(), runs.end(), row, [&](const Run& run, std::size_t wanted) {
-          return run.row < wanted || (run.row == wanted && run.first < column);
-        });
-    if (found != runs.end() && found->row == row && found->first == column) {
-      areas[region] =
-          area_of_root[static_cast<std::size_t>(found - runs.begin())] * grid.element_area();
-    }
-  }
-  return areas;
-}
-
 } // namespace wrc

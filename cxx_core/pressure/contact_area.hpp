@@ -34,9 +34,4 @@ namespace wrc {
 /// another size than the grid.
 double contact_area(const Grid& grid, std::span<const double> pressure);
 
-/// The area of each of these regions, which pressure_regions has found in the same pressures; their
-/// sum is contact_area.
-std::vector<double> contact_areas(const Grid& grid, std::span<const double> pressure,
-                                  std::span<const PressureRegion> regions);
-
 } // namespace wrc

@@ -270,35 +270,7 @@ TEST(ContactArea, DoesNotDependOnUnitsOrSides) {
   EXPECT_NEAR(contact_area(turned, transposed), area, rounding * area);
 }
 
-TEST(ContactArea, RegionsAddUpToTheWhole) {
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (const auto& [rows, columns] :
-       {std::pair<std::size_t, std::size_t>{13, 17}, {1, 30}, {30, 1}, {2, 9}, {9, 2}}) {
-    const Grid grid{rows, columns, 0.5, 2.0, 0.0, 0.0};
-    for (const double share : {0.05, 0.2, 0.4, 0.8, 1.0}) {
-      std::vector<double> pressure;
-      for (std::size_t index = 0; index < grid.element_count(); ++index) {
-        const double value = uniform(generator);
-        pressure.push_back(uniform(generator) < share ? value : 0.0);
-      }
-      const std::vector<PressureRegion> regions = pressure_regions(grid, pressure);
-      const std::vector<double> areas = contact_areas(grid, pressure, regions);
-      ASSERT_EQ(areas.size(), regions.size());
-      double sum = 0.0;
-      for (std::size_t index = 0; index < areas.size(); ++index) {
-        EXPECT_GT(areas[index], 0.0);
-        // Every edge lies within one step of the counted one's inner centres.
-        EXPECT_LT(areas[index], 4.0 * regions[index].area);
-        sum += areas[index];
-      }
-      EXPECT_NEAR(sum, contact_area(grid, pressure),
-                  rounding * static_cast<double>(grid.element_count()));
-    }
-  }
-}
-
-TEST(ContactArea, TwoContactsAreMeasuredApart) {
+TEST(ContactArea, OfTwoContactsIsTheirSum) {
   const Case one = make_case(1.5, 11.0, 0.0, 0.3, 0.1);
   const std::vector<double> pressure = one.sampled();
   const std::size_t columns = one.grid.longitudinal_count;
@@ -312,22 +284,16 @@ TEST(ContactArea, TwoContactsAreMeasuredApart) {
       }
     }
   }
-  const std::vector<PressureRegion> regions = pressure_regions(both, twice);
-  ASSERT_EQ(regions.size(), 2U);
-  const std::vector<double> areas = contact_areas(both, twice, regions);
   const double area = contact_area(one.grid, pressure);
-  EXPECT_NEAR(areas[0], area, rounding * area);
-  EXPECT_NEAR(areas[1], area, rounding * area);
+  EXPECT_NEAR(contact_area(both, twice), 2.0 * area, rounding * area);
 }
 
 TEST(ContactArea, NoPressureNoArea) {
   const Grid grid{3, 2, 1.0, 1.0, 0.0, 0.0};
   const std::vector<double> none(6, 0.0);
   EXPECT_EQ(contact_area(grid, none), 0.0);
-  EXPECT_TRUE(contact_areas(grid, none, {}).empty());
   const std::vector<double> wrong(5, 0.0);
   EXPECT_THROW(contact_area(grid, wrong), Error);
-  EXPECT_THROW(contact_areas(grid, wrong, {}), Error);
 }
 
 } // namespace
