@@ -265,6 +265,65 @@ void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::
   }
 }
 
+namespace {
+
+/// Integrals of x y / r^3 from the distances of the corners on the two lines.
+WRC_VECTOR_CLONES void fill_mixed_row(const double* before, const double* after, double* row,
+                                      std::size_t count) {
+  row[0] = 0.0;
+  for (std::size_t i = 1; i < count; ++i) {
+    row[i] = (before[i] - before[i - 1]) - (after[i] - after[i - 1]);
+  }
+}
+
+WRC_VECTOR_CLONES void fill_differences(const double* values, double* row, std::size_t count) {
+  row[0] = 2.0 * values[0];
+  for (std::size_t i = 1; i < count; ++i) {
+    row[i] = values[i] - values[i - 1];
+  }
+}
+
+WRC_VECTOR_CLONES void fill_subtracted(const double* from, const double* values, double* row,
+                                       std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    row[i] = from[i] - values[i];
+  }
+}
+
+} // namespace
+
+TractionTable traction_table(double aspect, std::size_t rows, std::size_t columns) {
+  TractionTable table{rows, columns, std::vector<double>(3 * rows * columns)};
+  std::vector<double> lines(6 * columns);
+  double* halves = lines.data();
+  double* across = halves + columns;
+  double* corners_before = across + columns;
+  double* corners = corners_before + columns;
+  double* terms_before = corners + columns;
+  double* terms = terms_before + columns;
+  for (std::size_t i = 0; i < columns; ++i) {
+    halves[i] = static_cast<double>(i) + 0.5;
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double end = (static_cast<double>(row) + 0.5) * aspect;
+    std::swap(corners_before, corners);
+    std::swap(terms_before, terms);
+    fill_corners(halves, end, corners, columns);
+    fill_terms_along(end, corners, terms, columns);
+    if (row == 0) {
+      std::transform(terms, terms + columns, terms_before, std::negate<>());
+      std::copy_n(corners, columns, corners_before);
+      fill_first_terms_across(halves, aspect, corners, across, columns);
+    } else {
+      fill_terms_across(halves, aspect, corners_before, corners, across, columns);
+    }
+    fill_differences(across, table.lateral(row), columns);
+    fill_subtracted(terms, terms_before, table.longitudinal(row), columns);
+    fill_mixed_row(corners_before, corners, table.mixed(row), columns);
+  }
+  return table;
+}
+
 double influence_integral(double longitudinal_distance, double lateral_distance,
                           double longitudinal_step, double lateral_step) {
   const double x = std::abs(longitudinal_distance);

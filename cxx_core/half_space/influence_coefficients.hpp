@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <span>
 #include <tuple>
+#include <vector>
 
 namespace wrc {
 
@@ -61,6 +62,28 @@ double influence_integral(double longitudinal_distance, double lateral_distance,
 /// of the longitudinal step.
 void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns,
                           std::span<double> values);
+
+/// What Cerruti's solution needs of an element of 1 x aspect with constant traction, for places
+/// that many elements apart: the integrals of y^2/r^3, x^2/r^3 and x y/r^3 over the element
+/// (Johnson 1985, eq. 3.91: u_x is the integral of (1 - nu)/r + nu x^2/r^3 = x^2/r^3 + (1 - nu)
+/// y^2/r^3). The first two are the two halves of I above, so the same logarithms serve both
+/// problems.
+struct TractionTable {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<double> values;
+
+  [[nodiscard]] double* lateral(std::size_t row) { return values.data() + 3 * row * columns; }
+  [[nodiscard]] double* longitudinal(std::size_t row) { return lateral(row) + columns; }
+  [[nodiscard]] double* mixed(std::size_t row) { return lateral(row) + 2 * columns; }
+  [[nodiscard]] const double* lateral(std::size_t row) const {
+    return values.data() + 3 * row * columns;
+  }
+  [[nodiscard]] const double* longitudinal(std::size_t row) const { return lateral(row) + columns; }
+  [[nodiscard]] const double* mixed(std::size_t row) const { return lateral(row) + 2 * columns; }
+};
+
+TractionTable traction_table(double aspect, std::size_t rows, std::size_t columns);
 
 /// u per unit pressure, in mm/MPa: I/(pi E*) of constant elements.
 double influence_coefficient(double longitudinal_distance, double lateral_distance,

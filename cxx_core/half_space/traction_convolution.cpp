@@ -1,0 +1,331 @@
+#include "half_space/traction_convolution.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "base/vector_clones.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// Columns that are gathered at a time.
+/// origin: derived: a block of LineFft, so that short lines are transformed together.
+constexpr std::size_t block_columns = LineFft<float>::block_lines;
+
+std::size_t up_to_multiple(std::size_t value, std::size_t unit) {
+  return (value + unit - 1) / unit * unit;
+}
+
+/// (first, conj second) <- (al first + be conj second, be' first + al conj second), as pairs of
+/// real numbers.
+template <typename Real>
+WRC_VECTOR_BODY void multiply_body(Real* first, Real* second, const Real* al, const Real* be,
+                                   const Real* be_mirrored, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < 2 * count; i += 2) {
+    const Real u = first[i];
+    const Real v = first[i + 1];
+    const Real s = second[i];
+    const Real t = -second[i + 1];
+    first[i] = (al[i] * u - al[i + 1] * v) + (be[i] * s - be[i + 1] * t);
+    first[i + 1] = (al[i] * v + al[i + 1] * u) + (be[i] * t + be[i + 1] * s);
+    second[i] = (be_mirrored[i] * u - be_mirrored[i + 1] * v) + (al[i] * s - al[i + 1] * t);
+    second[i + 1] = -(be_mirrored[i] * v + be_mirrored[i + 1] * u) - (al[i] * t + al[i + 1] * s);
+  }
+}
+
+template <typename Real>
+WRC_VECTOR_BODY void join_body(const Real* x, const Real* y, Real* line, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    line[2 * i] = x[i];
+    line[2 * i + 1] = y[i];
+  }
+}
+
+template <typename Real>
+WRC_VECTOR_BODY void split_body(const Real* line, Real* x, Real* y, std::size_t count) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] = line[2 * i];
+    y[i] = line[2 * i + 1];
+  }
+}
+
+WRC_VECTOR_CLONES void multiply(float* first, float* second, const float* al, const float* be,
+                                const float* mirrored, std::size_t count) {
+  multiply_body(first, second, al, be, mirrored, count);
+}
+WRC_VECTOR_CLONES void multiply(double* first, double* second, const double* al, const double* be,
+                                const double* mirrored, std::size_t count) {
+  multiply_body(first, second, al, be, mirrored, count);
+}
+WRC_VECTOR_CLONES void join(const float* x, const float* y, float* line, std::size_t count) {
+  join_body(x, y, line, count);
+}
+WRC_VECTOR_CLONES void join(const double* x, const double* y, double* line, std::size_t count) {
+  join_body(x, y, line, count);
+}
+WRC_VECTOR_CLONES void split(const float* line, float* x, float* y, std::size_t count) {
+  split_body(line, x, y, count);
+}
+WRC_VECTOR_CLONES void split(const double* line, double* x, double* y, std::size_t count) {
+  split_body(line, x, y, count);
+}
+
+/// Complex values as pairs of real ones, which the standard permits.
+template <typename Real> Real* pairs_of(std::complex<Real>* values) {
+  return reinterpret_cast<Real*>(values);
+}
+template <typename Real> const Real* pairs_of(const std::complex<Real>* values) {
+  return reinterpret_cast<const Real*>(values);
+}
+
+/// Lines of complex numbers in double precision, transformed in whole blocks.
+class SpectrumLines {
+public:
+  SpectrumLines(const LineFft<double>& fft, std::size_t length, std::size_t count)
+      : fft_(fft), pitch_(aligned_pitch<std::complex<double>>(length)),
+        count_(up_to_multiple(count, fft.best_count())), from_(count_ * pitch_),
+        to_(count_ * pitch_) {
+    std::fill_n(from_.data(), count_ * pitch_, std::complex<double>{});
+  }
+  std::complex<double>* line(std::size_t index) { return from_.data() + index * pitch_; }
+  const std::complex<double>* transformed(std::size_t index) { return to_.data() + index * pitch_; }
+  void transform() { fft_.forward(from_.data(), to_.data(), count_); }
+
+private:
+  const LineFft<double>& fft_;
+  std::size_t pitch_;
+  std::size_t count_;
+  AlignedArray<std::complex<double>> from_;
+  AlignedArray<std::complex<double>> to_;
+};
+
+/// The weighted coefficients of all offsets, each component in lines of constant lateral offset:
+/// places from -last to last upstream, contiguous.
+class WeightedCoefficients {
+public:
+  WeightedCoefficients(const TractionShape& shape, double poisson, const DifferenceWeights& weights,
+                       const TractionTable& table)
+      : last_(shape.rows - 1), length_(2 * shape.rows - 1), values_(3 * shape.columns * length_) {
+    // From one place downstream of the first to two upstream of the last.
+    const std::size_t reach = length_ + weights.size() - 1;
+    const std::size_t middle = last_ + 1;
+    std::vector<double> line(3 * reach);
+    double* along = line.data();
+    double* across = along + reach;
+    double* mixed = across + reach;
+    for (std::size_t aside = 0; aside < shape.columns; ++aside) {
+      mirror(table.longitudinal(aside), 1.0, middle, reach, along);
+      mirror(table.lateral(aside), 1.0, middle, reach, across);
+      mirror(table.mixed(aside), -1.0, middle, reach, mixed);
+      double* xx = component(0, aside);
+      double* yy = component(1, aside);
+      double* xy = component(2, aside);
+      for (std::size_t m = 0; m < weights.size(); ++m) {
+        const double c = weights[m];
+        for (std::size_t i = 0; c != 0.0 && i < length_; ++i) {
+          xx[i] += c * (along[i + m] + (1.0 - poisson) * across[i + m]);
+          yy[i] += c * (across[i + m] + (1.0 - poisson) * along[i + m]);
+          xy[i] += c * poisson * mixed[i + m];
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double at(std::size_t index, std::ptrdiff_t downstream, std::size_t aside) const {
+    const auto place = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(last_) - downstream);
+    return values_[(3 * aside + index) * length_ + place];
+  }
+
+private:
+  static void mirror(const double* half, double sign, std::size_t middle, std::size_t length,
+                     double* whole) {
+    for (std::size_t i = 0; i < length; ++i) {
+      whole[i] = i >= middle ? half[i - middle] : sign * half[middle - i];
+    }
+  }
+  double* component(std::size_t index, std::size_t aside) {
+    return values_.data() + (3 * aside + index) * length_;
+  }
+
+  std::size_t last_;
+  std::size_t length_;
+  std::vector<double> values_;
+};
+
+/// al, be and be mirrored from the transforms of xx + i yy and of xy. The first holds xx and yy as
+/// its Hermitian and its anti-Hermitian part; the second is -i times that of a real line.
+template <typename Real>
+void store_column(const std::complex<double>* even, const std::complex<double>* odd,
+                  std::size_t length, std::complex<Real>* al, std::size_t pitch) {
+  std::complex<Real>* be = al + pitch;
+  std::complex<Real>* be_mirrored = be + pitch;
+  for (std::size_t i = 0; i < length; ++i) {
+    const std::complex<double> one = even[i];
+    const std::complex<double> other = even[i == 0 ? 0 : length - i];
+    const double xx_re = 0.5 * (one.real() + other.real());
+    const double xx_im = 0.5 * (one.imag() - other.imag());
+    const double yy_re = 0.5 * (one.imag() + other.imag());
+    const double yy_im = 0.5 * (other.real() - one.real());
+    const double sum_re = 0.5 * (xx_re + yy_re);
+    const double sum_im = 0.5 * (xx_im + yy_im);
+    const double difference_re = 0.5 * (xx_re - yy_re);
+    const double difference_im = 0.5 * (xx_im - yy_im);
+    const double mixed_re = -odd[i].imag(); // i times odd
+    const double mixed_im = odd[i].real();
+    al[i] = {static_cast<Real>(sum_re), static_cast<Real>(sum_im)};
+    be[i] = {static_cast<Real>(difference_re + mixed_re),
+             static_cast<Real>(difference_im + mixed_im)};
+    be_mirrored[i] = {static_cast<Real>(difference_re - mixed_re),
+                      static_cast<Real>(difference_im - mixed_im)};
+  }
+}
+
+} // namespace
+
+template <typename Real>
+TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::size_t pitch,
+                                               double poisson, const DifferenceWeights& weights,
+                                               const TractionTable& table, LinePlans& plans)
+    : shape_(shape), pitch_(pitch), row_period_(fast_line_length(2 * shape.columns - 1)),
+      column_period_(fast_line_length(2 * shape.rows - 1)),
+      spectrum_pitch_(aligned_pitch<Complex>(column_period_)),
+      row_fft_(&plans.line_fft<Real>(row_period_)),
+      column_fft_(&plans.line_fft<Real>(column_period_)),
+      spectrum_(3 * (row_period_ / 2 + 1) * spectrum_pitch_) {
+  fill_spectrum(poisson, weights, table, plans);
+}
+
+// Along y the coefficients xx and yy are even and xy is odd: the line xx + xy + i yy gives the
+// transforms of xx and yy as the real and the imaginary part of what is even in it, and that of xy,
+// imaginary, as what is odd.
+template <typename Real>
+void TractionConvolution<Real>::fill_spectrum(double poisson, const DifferenceWeights& weights,
+                                              const TractionTable& table, LinePlans& plans) {
+  const double scale = 1.0 / (std::numbers::pi * static_cast<double>(row_period_ * column_period_));
+  const WeightedCoefficients coefficients(shape_, poisson, weights, table);
+  self_ = {coefficients.at(0, 0, 0) / std::numbers::pi,
+           coefficients.at(1, 0, 0) / std::numbers::pi};
+
+  const auto last = static_cast<std::ptrdiff_t>(shape_.rows) - 1;
+  const std::size_t row_count = 2 * shape_.rows - 1;
+  SpectrumLines rows(plans.line_fft<double>(row_period_), row_period_, row_count);
+  for (std::size_t row = 0; row < row_count; ++row) {
+    const std::ptrdiff_t downstream = static_cast<std::ptrdiff_t>(row) - last;
+    std::complex<double>* line = rows.line(row);
+    for (std::size_t aside = 0; aside < shape_.columns; ++aside) {
+      const double xx = scale * coefficients.at(0, downstream, aside);
+      const double yy = scale * coefficients.at(1, downstream, aside);
+      const double xy = scale * coefficients.at(2, downstream, aside);
+      if (aside > 0) {
+        line[row_period_ - aside] = {xx - xy, yy};
+      }
+      line[aside] = {xx + xy, yy};
+    }
+  }
+  rows.transform();
+
+  // Some columns at a time, each as what is even and what is odd along y.
+  const std::size_t half = row_period_ / 2 + 1;
+  SpectrumLines columns(plans.line_fft<double>(column_period_), column_period_, 2 * block_columns);
+  for (std::size_t first = 0; first < half; first += block_columns) {
+    const std::size_t count = std::min(block_columns, half - first);
+    for (std::size_t row = 0; row < row_count; ++row) {
+      const std::ptrdiff_t downstream = static_cast<std::ptrdiff_t>(row) - last;
+      const auto place = static_cast<std::size_t>(
+          downstream < 0 ? downstream + static_cast<std::ptrdiff_t>(column_period_) : downstream);
+      const std::complex<double>* line = rows.transformed(row);
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::complex<double> one = line[first + k];
+        const std::complex<double> mirrored = line[first + k == 0 ? 0 : row_period_ - (first + k)];
+        columns.line(2 * k)[place] = 0.5 * (one + mirrored);
+        columns.line(2 * k + 1)[place] = 0.5 * (one - mirrored);
+      }
+    }
+    columns.transform();
+    for (std::size_t k = 0; k < count; ++k) {
+      store_column(columns.transformed(2 * k), columns.transformed(2 * k + 1), column_period_,
+                   spectrum_.data() + 3 * (first + k) * spectrum_pitch_, spectrum_pitch_);
+    }
+  }
+}
+
+template <typename Real>
+void TractionConvolution<Real>::transform_columns(Complex* rows, std::size_t row_pitch,
+                                                  ConvolutionWorkspace<Real>& workspace) const {
+  const std::size_t pitch = aligned_pitch<Complex>(column_period_);
+  provide(workspace.column_lines, 2 * block_columns * pitch);
+  provide(workspace.column_spectra, 2 * block_columns * pitch);
+  Complex* lines = workspace.column_lines.data();
+  Complex* mirrored_lines = lines + block_columns * pitch;
+  Complex* spectra = workspace.column_spectra.data();
+  Complex* mirrored_spectra = spectra + block_columns * pitch;
+  const std::size_t half = row_period_ / 2 + 1;
+  const auto mirrored = [&](std::size_t k) { return k == 0 ? 0 : row_period_ - k; };
+
+  for (std::size_t first = 0; first < half; first += block_columns) {
+    const std::size_t count = std::min(block_columns, half - first);
+    for (std::size_t k = 0; k < block_columns; ++k) {
+      Complex* line = lines + k * pitch;
+      Complex* mirrored_line = mirrored_lines + k * pitch;
+      const std::size_t used = k < count ? shape_.rows : 0;
+      for (std::size_t i = 0; i < used; ++i) {
+        const Complex* row = rows + i * row_pitch;
+        line[i] = row[first + k];
+        mirrored_line[i] = row[mirrored(first + k)];
+      }
+      std::fill(line + used, line + column_period_, Complex{});
+      std::fill(mirrored_line + used, mirrored_line + column_period_, Complex{});
+    }
+    column_fft_->forward(lines, spectra, count);
+    column_fft_->backward(mirrored_lines, mirrored_spectra, count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Complex* al = spectrum_.data() + 3 * (first + k) * spectrum_pitch_;
+      multiply(pairs_of(spectra + k * pitch), pairs_of(mirrored_spectra + k * pitch), pairs_of(al),
+               pairs_of(al + spectrum_pitch_), pairs_of(al + 2 * spectrum_pitch_), column_period_);
+    }
+    column_fft_->backward(spectra, lines, count);
+    column_fft_->forward(mirrored_spectra, mirrored_lines, count);
+    for (std::size_t i = 0; i < shape_.rows; ++i) {
+      Complex* row = rows + i * row_pitch;
+      for (std::size_t k = 0; k < count; ++k) {
+        row[mirrored(first + k)] = mirrored_lines[k * pitch + i];
+        row[first + k] = lines[k * pitch + i];
+      }
+    }
+  }
+}
+
+template <typename Real>
+void TractionConvolution<Real>::apply(const Real* in_x, const Real* in_y, Real* out_x, Real* out_y,
+                                      ConvolutionWorkspace<Real>& workspace) const {
+  const std::size_t pitch = aligned_pitch<Complex>(row_period_);
+  const std::size_t rows = up_to_multiple(shape_.rows, row_fft_->best_count());
+  provide(workspace.lines, rows * pitch);
+  provide(workspace.columns, rows * pitch);
+  Complex* lines = workspace.lines.data();
+  Complex* spectra = workspace.columns.data();
+  for (std::size_t i = 0; i < rows; ++i) {
+    Complex* line = lines + i * pitch;
+    const std::size_t used = i < shape_.rows ? shape_.columns : 0;
+    if (used > 0) {
+      join(in_x + i * pitch_, in_y + i * pitch_, pairs_of(line), used);
+    }
+    std::fill(line + used, line + row_period_, Complex{});
+  }
+  row_fft_->forward(lines, spectra, rows);
+  transform_columns(spectra, pitch, workspace);
+  row_fft_->backward(spectra, lines, rows);
+  for (std::size_t i = 0; i < shape_.rows; ++i) {
+    split(pairs_of(lines + i * pitch), out_x + i * pitch_, out_y + i * pitch_, shape_.columns);
+  }
+}
+
+template class TractionConvolution<float>;
+template class TractionConvolution<double>;
+
+} // namespace wrc

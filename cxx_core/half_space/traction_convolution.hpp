@@ -1,0 +1,78 @@
+/// Tangential displacements under tangential tractions, and their differences along the rolling
+/// direction, as one convolution.
+///
+///   (B q)(x) = sum_m c_m u(x + m h),  m = -1 ... 2,   u = A q
+/// with A the displacements of one half-space relative to the other (Cerruti; Johnson, Contact
+/// Mechanics, 1985, eq. 3.91), element by element of constant traction. The weights c are taken
+/// into the coefficients: nothing else knows of the difference. Both components go through one
+/// complex transform (z = q_x + i q_y):
+///   S(k) = al(k) Z(k) + be(k) conj Z(-k),  al = (K_xx + K_yy)/2,  be = (K_xx - K_yy)/2 + i K_xy.
+/// A column of wave number k_y is transformed with one sign of the exponent and that of -k_y with
+/// the other, so that Z(k) and conj Z(-k) stand at the same place.
+/// Fields: rows of constant x, counted from the leading edge downstream, each with the lateral
+/// index running fastest; `pitch` values from row to row. Units: lengths in longitudinal steps,
+/// tractions in units of the combined shear modulus G, 1/G = (1/G1 + 1/G2)/2; nu/G likewise.
+/// Knows nothing of friction. Thread rule: as BoxConvolution.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+
+#include "half_space/box_convolution.hpp"
+#include "half_space/fft.hpp"
+#include "half_space/influence_cache.hpp"
+#include "half_space/influence_coefficients.hpp"
+
+namespace wrc {
+
+/// c_m at index m + 1.
+using DifferenceWeights = std::array<double, 4>;
+
+/// Farthest offset upstream that a difference needs.
+/// origin: derived: the last of the weights.
+inline constexpr std::size_t difference_reach = 2;
+
+/// A grid of elements as the convolution sees it.
+struct TractionShape {
+  std::size_t rows = 0;    ///< elements along the rolling direction
+  std::size_t columns = 0; ///< elements across
+  [[nodiscard]] std::size_t table_rows() const { return columns; }
+  [[nodiscard]] std::size_t table_columns() const { return rows + difference_reach; }
+};
+
+template <typename Real> class TractionConvolution {
+public:
+  TractionConvolution() = default;
+  /// `table` has at least table_rows() x table_columns() places; it is not kept.
+  TractionConvolution(const TractionShape& shape, std::size_t pitch, double poisson,
+                      const DifferenceWeights& weights, const TractionTable& table,
+                      LinePlans& plans);
+
+  /// Out may be in. What stands beyond `columns` of a row is not read, and not written.
+  void apply(const Real* in_x, const Real* in_y, Real* out_x, Real* out_y,
+             ConvolutionWorkspace<Real>& workspace) const;
+  /// The coefficients B_xx and B_yy of an element on itself.
+  [[nodiscard]] std::array<double, 2> self_influence() const { return self_; }
+
+private:
+  using Complex = std::complex<Real>;
+
+  void fill_spectrum(double poisson, const DifferenceWeights& weights, const TractionTable& table,
+                     LinePlans& plans);
+  void transform_columns(Complex* rows, std::size_t row_pitch,
+                         ConvolutionWorkspace<Real>& workspace) const;
+
+  TractionShape shape_;
+  std::size_t pitch_ = 0;
+  std::size_t row_period_ = 0;    ///< length of a line of constant x
+  std::size_t column_period_ = 0; ///< length of a line along x
+  std::size_t spectrum_pitch_ = 0;
+  const LineFft<Real>* row_fft_ = nullptr;
+  const LineFft<Real>* column_fft_ = nullptr;
+  std::array<double, 2> self_{};
+  /// For each k_y from 0 to half the period: al, be(k_x, k_y), be(k_x, -k_y), over k_x.
+  AlignedArray<Complex> spectrum_;
+};
+
+} // namespace wrc

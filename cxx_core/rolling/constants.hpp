@@ -1,0 +1,79 @@
+/// Constants of behaviour of this room: tangential contact.
+///
+/// Each with its origin: derived, source (with author), measured (with what measures it) or
+/// reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+#include <cstddef>
+
+namespace wrc {
+
+/// Decay of the march's memory: the symbol |k| is taken as sqrt(kx^2 + (decay/b)^2), b half the
+/// width of the contact.
+/// origin: measured (wrc_benchmark --case rolling): convolutions vary by 4 % from 2 to 5.
+inline constexpr double march_decay = 3.0;
+
+/// The march's diagonal over that of its factors.
+/// origin: measured (wrc_benchmark --case rolling): 1.3 to 2.2 within 5 %; below 1 Newton's steps
+/// are bad.
+inline constexpr double march_scale = 1.5;
+
+/// Exponentials that stand for the fractional power (Gauss-Chebyshev).
+/// origin: derived: exact for the first eleven terms of the series.
+inline constexpr std::size_t march_terms = 6;
+
+/// r of the natural residual q - cut(q - r s), over the inverse of an element's self-influence.
+/// origin: measured (wrc_benchmark --case rolling): twice as much costs a quarter more
+/// convolutions, half as much a tenth.
+inline constexpr double natural_step = 0.5;
+
+/// Relative accuracy of a linear solution, ...
+/// origin: measured (wrc_benchmark --case rolling): 0.3 saves 5 % of the convolutions and 0.05
+/// costs 20 %.
+inline constexpr double forcing = 0.2;
+
+/// ... but no better than this share of what Newton still has to gain.
+/// origin: reasoned: more is lost at the next step.
+inline constexpr double forcing_of_rest = 0.3;
+
+/// Steps of GMRES without restart.
+/// origin: measured (wrc_benchmark --case rolling): half a dozen suffice for `forcing`.
+inline constexpr std::size_t krylov_limit = 12;
+
+/// A step that lets the residual grow by more is shortened.
+/// origin: reasoned: the edge of adhesion moves by several elements without it growing as much.
+inline constexpr double allowed_growth = 2.0;
+
+/// Steps without progress after which the diagonal is raised, ...
+/// origin: reasoned: an edge of adhesion that moves back and forth shows within a few steps.
+inline constexpr int patience = 4;
+
+/// ... by this share of the self-influence, ...
+/// origin: reasoned: small beside the diagonal, so that a step is shortened by a tenth.
+inline constexpr double first_damping = 0.1;
+
+/// ... more each time ...
+/// origin: reasoned: it dominates the diagonal after three times.
+inline constexpr double damping_growth = 4.0;
+
+/// ... and less after progress.
+/// origin: reasoned: forgotten after a few good steps.
+inline constexpr double damping_decay = 0.4;
+
+/// Shorter side of the coarsest grid of the cascade, at least.
+/// origin: measured (wrc_benchmark --case rolling): below, what it costs is not saved on finer
+/// grids.
+inline constexpr std::size_t min_cascade_side = 6;
+
+/// Tolerance on grids that are not the last: as requested, within these limits.
+/// origin: measured (wrc_benchmark --case rolling): 0.1 costs 40 % more convolutions; below, the
+/// change to the next grid is larger.
+inline constexpr double max_cascade_tolerance = 0.02;
+/// origin: measured (wrc_benchmark --case rolling): as above.
+inline constexpr double min_cascade_tolerance = 0.01;
+
+/// From this tolerance on single precision is used.
+/// origin: derived: rounding in single precision leaves a residual of some 1e-6.
+inline constexpr double single_precision_tolerance = 1e-4;
+
+} // namespace wrc

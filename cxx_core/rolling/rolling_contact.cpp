@@ -1,0 +1,197 @@
+#include "rolling/rolling_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "half_space/traction_convolution.hpp"
+#include "rolling/constants.hpp"
+#include "rolling/scaled_tractions.hpp"
+#include "rolling/traction_newton.hpp"
+
+namespace wrc {
+
+namespace {
+
+/// The coarser grid's bound: means of two by two elements.
+template <typename Real>
+void coarsen_bound(TractionNewton<Real>& fine, TractionNewton<Real>& coarse) {
+  const Real* from = fine.bound();
+  Real* to = coarse.bound();
+  std::fill_n(to, coarse.size(), Real{0});
+  for (std::size_t i = 0; i < fine.shape().rows; ++i) {
+    for (std::size_t j = 0; j < fine.shape().columns; ++j) {
+      to[i / 2 * coarse.pitch() + j / 2] += Real(0.25) * from[i * fine.pitch() + j];
+    }
+  }
+}
+
+/// Tractions of the coarser grid over their bound, by bilinear interpolation between elements in
+/// contact, times the finer grid's bound.
+template <typename Real>
+void prolong_traction(TractionNewton<Real>& coarse, TractionNewton<Real>& fine) {
+  const Real* coarse_bound = coarse.bound();
+  const Real* from_x = coarse.traction();
+  const Real* from_y = from_x + coarse.size();
+  const Real* bound = fine.bound();
+  Real* to_x = fine.traction();
+  Real* to_y = to_x + fine.size();
+  const auto neighbour = [](std::size_t index, std::size_t count) -> std::optional<std::size_t> {
+    const std::size_t own = index / 2;
+    if (index % 2 == 1) {
+      return own + 1 < count ? std::optional(own + 1) : std::nullopt;
+    }
+    return own > 0 ? std::optional(own - 1) : std::nullopt;
+  };
+  for (std::size_t i = 0; i < fine.shape().rows; ++i) {
+    const std::array<std::optional<std::size_t>, 2> rows{i / 2, neighbour(i, coarse.shape().rows)};
+    for (std::size_t j = 0; j < fine.shape().columns; ++j) {
+      const std::size_t place = i * fine.pitch() + j;
+      const std::array<std::optional<std::size_t>, 2> columns{j / 2,
+                                                              neighbour(j, coarse.shape().columns)};
+      Real x = 0;
+      Real y = 0;
+      Real weights = 0;
+      for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t b = 0; b < 2; ++b) {
+          if (rows[a] && columns[b]) {
+            const std::size_t at = *rows[a] * coarse.pitch() + *columns[b];
+            if (coarse_bound[at] > Real{0}) {
+              const Real weight =
+                  (a == 0 ? Real(0.75) : Real(0.25)) * (b == 0 ? Real(0.75) : Real(0.25));
+              weights += weight;
+              x += weight * from_x[at] / coarse_bound[at];
+              y += weight * from_y[at] / coarse_bound[at];
+            }
+          }
+        }
+      }
+      const Real share = weights > Real{0} ? bound[place] / weights : Real{0};
+      to_x[place] = share * x;
+      to_y[place] = share * y;
+    }
+  }
+}
+
+/// The grids of a cascade, finest first, for one shape of elements; kept while they serve.
+template <typename Real> class Cascade {
+public:
+  Cascade(const ScaledTractions& scaled, const RollingProblem& problem, LinePlans& plans) {
+    const TractionShape& finest = scaled.box().shape;
+    TractionGrid grid{finest, 2.0 / (scaled.aspect() * static_cast<double>(finest.columns))};
+    const TractionTable table = scaled.table();
+    double times = 1.0;
+    while (true) {
+      levels_.push_back(std::make_unique<TractionNewton<Real>>(
+          grid, problem.poisson, difference_of(problem, times).weights, problem.motion, table,
+          plans));
+      if (std::min(grid.shape.rows, grid.shape.columns) < 2 * min_cascade_side) {
+        break;
+      }
+      grid.shape = {(grid.shape.rows + 1) / 2, (grid.shape.columns + 1) / 2};
+      grid.step_over_width *= 2.0;
+      times *= 2.0;
+    }
+  }
+
+  NewtonOutcome solve(const ScaledTractions& scaled, const RollingProblem& problem) {
+    scaled.fill_bound(finest().bound(), finest().pitch());
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+      coarsen_bound(*levels_[level - 1], *levels_[level]);
+    }
+    NewtonOutcome all;
+    for (std::size_t level = levels_.size(); level-- > 0;) {
+      TractionNewton<Real>& at = *levels_[level];
+      if (level + 1 < levels_.size()) {
+        prolong_traction(*levels_[level + 1], at);
+      } else {
+        std::fill_n(at.traction(), 2 * at.size(), Real{0});
+      }
+      scaled.fill_rigid_slip(at.rigid_slip(), at.shape(), at.pitch(), level);
+      const double tolerance =
+          level == 0
+              ? problem.tolerance
+              : std::clamp(10.0 * problem.tolerance, min_cascade_tolerance, max_cascade_tolerance);
+      const NewtonOutcome outcome =
+          at.solve({std::max(tolerance, problem.tolerance), problem.maximum_iterations});
+      all.iterations += outcome.iterations;
+      all.convolutions += outcome.convolutions;
+      all.residual = outcome.residual;
+      all.converged = outcome.converged;
+    }
+    return all;
+  }
+
+  TractionNewton<Real>& finest() { return *levels_.front(); }
+
+private:
+  std::vector<std::unique_ptr<TractionNewton<Real>>> levels_;
+};
+
+/// What a cascade was made for.
+using CascadeKey =
+    std::tuple<std::size_t, std::size_t, double, double, TangentialMotion, SlipDifference>;
+
+} // namespace
+
+struct RollingSolver::State {
+  std::shared_ptr<LinePlans> plans;
+  CascadeKey key{};
+  std::optional<Cascade<float>> coarse;
+  std::optional<Cascade<double>> accurate;
+
+  template <typename Real>
+  NewtonOutcome solve(std::optional<Cascade<Real>>& cascade, const ScaledTractions& scaled,
+                      const RollingProblem& problem, RollingSolution& solution) {
+    if (!cascade) {
+      cascade.emplace(scaled, problem, *plans);
+    }
+    const NewtonOutcome outcome = cascade->solve(scaled, problem);
+    TractionNewton<Real>& level = cascade->finest();
+    scaled.read_back(level.traction(), level.slip(), level.pitch(), solution);
+    return outcome;
+  }
+};
+
+RollingSolver::RollingSolver(std::shared_ptr<LinePlans> plans) : state_(new State) {
+  state_->plans = std::move(plans);
+}
+RollingSolver::~RollingSolver() = default;
+RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
+RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
+
+RollingSolution RollingSolver::solve(const RollingProblem& problem) {
+  check_problem(problem);
+  RollingSolution solution;
+  solution.traction_x.resize(problem.grid.element_count());
+  solution.traction_y.resize(problem.grid.element_count());
+  solution.slip_x.resize(problem.grid.element_count());
+  solution.slip_y.resize(problem.grid.element_count());
+  const ScaledTractions scaled(problem, *state_->plans);
+  if (scaled.empty()) {
+    return solution;
+  }
+  const CascadeKey key{scaled.box().shape.rows, scaled.box().shape.columns,
+                       scaled.aspect(),         problem.poisson,
+                       problem.motion,          problem.difference};
+  if (key != state_->key) {
+    state_->coarse.reset();
+    state_->accurate.reset();
+    state_->key = key;
+  }
+  const NewtonOutcome outcome = problem.tolerance >= single_precision_tolerance
+                                    ? state_->solve(state_->coarse, scaled, problem, solution)
+                                    : state_->solve(state_->accurate, scaled, problem, solution);
+  solution.iterations = outcome.iterations;
+  solution.convolutions = outcome.convolutions;
+  solution.residual = outcome.residual;
+  solution.converged = outcome.converged;
+  scaled.sum_up(solution);
+  return solution;
+}
+
+} // namespace wrc

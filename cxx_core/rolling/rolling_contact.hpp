@@ -1,0 +1,118 @@
+/// The tangential contact problem of two half-spaces with Coulomb friction, and its answer.
+///
+/// Steady rolling in +x: with u = A q the displacement of body 1 (wheel) relative to body 2 (rail)
+/// under the tractions q on body 1,
+///   s = w - du/dx,  w = (xi - phi y, eta + phi x)         slip and rigid slip over the speed
+///   |q| <= g = mu p;  s = 0 where |q| < g;  q = -g s/|s| where s is not 0
+/// (Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, ch. 1 and 5). A step of
+/// transient rolling, by one element h, has s = w + (u(x) - u'(x + h))/h with u' the displacement
+/// before the step, and a shift s = w + u - u' with w in mm (xi and eta in mm, phi in rad).
+/// Frame: x rolling direction, y to the left; the leading edge is at large x. Creepages are wheel
+/// minus rail, forces act on the wheel. Units mm, N, MPa, rad.
+/// Derivatives along x are upstream-biased differences inside the influence coefficients
+/// (traction_convolution.hpp). Pressures are given: like bodies do not change them, unlike bodies
+/// are not coupled here.
+/// Thread rule: one RollingSolver serves one thread at a time. Same input, same bits, whatever was
+/// solved before.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/grid.hpp"
+#include "half_space/influence_cache.hpp"
+
+namespace wrc {
+
+/// Rigid slip of a patch over the speed, or of a shift in mm and rad.
+struct Creepages {
+  double longitudinal = 0.0; ///< xi
+  double lateral = 0.0;      ///< eta
+  double spin = 0.0;         ///< phi, 1/mm, positive turns x to y
+};
+
+/// What moves: a steady state of rolling, one step of rolling by one element, or one shift without
+/// rolling (CONTACT's T = 3, 2 and 1).
+enum class TangentialMotion { rolling, transient, shift };
+
+/// How the derivative along x is taken.
+enum class SlipDifference {
+  biased,     ///< four points, second order up to the contact's edges
+  first_order ///< one element upstream, as CONTACT (Vollebregt) does: for comparison
+};
+
+struct RollingProblem {
+  Grid grid;
+  std::span<const double> pressure; ///< MPa per element, >= 0
+  double friction = 0.3;            ///< mu, >= 0
+  double shear_modulus = 0.0;       ///< G, MPa: 1/G = (1/G1 + 1/G2)/2
+  double poisson = 0.0;             ///< nu: nu/G = (nu1/G1 + nu2/G2)/2, 0 to 0.5
+  Creepages creepages;
+  /// Tractions before a step or a shift, MPa per element of the same grid, which moves with the
+  /// contact; empty: none.
+  std::span<const double> previous_x;
+  std::span<const double> previous_y;
+  TangentialMotion motion = TangentialMotion::rolling;
+  SlipDifference difference = SlipDifference::biased;
+  double tolerance = 1e-3; ///< of the residual, see TangentialResiduals::natural
+  int maximum_iterations = 30;
+};
+
+struct RollingSolution {
+  std::vector<double> traction_x; ///< MPa per element, on the wheel
+  std::vector<double> traction_y;
+  std::vector<double> slip_x; ///< s per element in contact, over the speed (a shift: mm); 0 outside
+  std::vector<double> slip_y;
+  double longitudinal_force = 0.0; ///< N
+  double lateral_force = 0.0;      ///< N
+  double spin_moment = 0.0;        ///< N mm about the origin
+  double slip_area = 0.0;          ///< mm^2
+  double adhesion_area = 0.0;      ///< mm^2
+  /// -F.w in N: frictional power over the speed. Exact for steady rolling of like bodies, where the
+  /// elastic energy does not change (docs/creep.md).
+  double friction_power = 0.0;
+  double numerical_loss = 0.0; ///< share of it that slip times traction does not show
+  int iterations = 0;
+  int convolutions = 0;  ///< on all grids
+  double residual = 0.0; ///< reached by the iteration
+  bool converged = true; ///< the residual met the tolerance
+};
+
+/// How well tractions solve a problem, from a convolution in double precision of its own.
+struct TangentialResiduals {
+  /// sum |q - cut(q - r s)| / sum |q|, cut: onto the circle of radius g; r: `natural_step`.
+  double natural = 0.0;
+  double excess = 0.0;          ///< max |q|/g - 1
+  double complementarity = 0.0; ///< sum (g |s| + q.s) / sum g |w|
+  double adhesion_slip = 0.0;   ///< mean |s| of elements in adhesion over mean |w|
+  double angle = 0.0; ///< mean angle between q and -s of elements in slip, weighted by |s|
+};
+
+/// Throws Error(invalid_argument) for a problem outside its permitted ranges; names the argument.
+void check_problem(const RollingProblem& problem);
+
+TangentialResiduals compute_residuals(const RollingProblem& problem,
+                                      std::span<const double> traction_x,
+                                      std::span<const double> traction_y, LinePlans& plans);
+
+/// Keeps buffers, coefficients and spectra from one solution to the next.
+class RollingSolver {
+public:
+  RollingSolver() : RollingSolver(std::make_shared<LinePlans>()) {}
+  explicit RollingSolver(std::shared_ptr<LinePlans> plans);
+  ~RollingSolver();
+  RollingSolver(RollingSolver&&) noexcept;
+  RollingSolver& operator=(RollingSolver&&) noexcept;
+
+  /// Throws Error(invalid_argument) like check_problem.
+  RollingSolution solve(const RollingProblem& problem);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace wrc

@@ -1,0 +1,82 @@
+/// A tangential problem without units, on the rectangle that holds the contact.
+///
+/// Tractions over mu times the largest pressure, slips times G over that, lengths in longitudinal
+/// steps. Rows of constant x are counted from the leading edge (large x) downstream.
+/// A step from earlier tractions has their displacements taken into its rigid slip.
+/// Thread rule: constant after construction.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "half_space/traction_convolution.hpp"
+#include "rolling/rolling_contact.hpp"
+
+namespace wrc {
+
+/// Weights of -d/dx in elements and where their derivative is, in elements upstream of the centre.
+struct SlipDifferenceWeights {
+  DifferenceWeights weights{};
+  double place = 0.0;
+};
+
+/// On grids of elements `times` as long as the problem's.
+SlipDifferenceWeights difference_of(const RollingProblem& problem, double times = 1.0);
+
+/// r of the natural residual for elements of this influence on themselves.
+double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
+                       TangentialMotion motion);
+
+class ScaledTractions {
+public:
+  /// The elements in contact, by their place in the problem's grid.
+  struct Box {
+    TractionShape shape;
+    std::size_t first_longitudinal = 0;
+    std::size_t first_lateral = 0;
+  };
+
+  ScaledTractions(const RollingProblem& problem, LinePlans& plans);
+
+  /// Nothing can be transmitted: no pressure or no friction.
+  [[nodiscard]] bool empty() const { return box_.shape.rows == 0; }
+  [[nodiscard]] const Box& box() const { return box_; }
+  [[nodiscard]] double aspect() const { return aspect_; }
+  [[nodiscard]] TractionTable table() const {
+    return traction_table(aspect_, box_.shape.table_rows(), box_.shape.table_columns());
+  }
+
+  template <typename Real> void fill_bound(Real* bound, std::size_t pitch) const;
+  /// Rigid slip at the centres of elements 2^level times as large, x components first.
+  template <typename Real>
+  void fill_rigid_slip(Real* slip, const TractionShape& shape, std::size_t pitch,
+                       std::size_t level) const;
+  /// The problem's tractions without units, x components first.
+  void read_tractions(std::span<const double> x, std::span<const double> y, double* traction,
+                      std::size_t pitch) const;
+  template <typename Real>
+  void read_back(const Real* traction, const Real* slip, std::size_t pitch,
+                 RollingSolution& solution) const;
+  /// Forces, areas and power from tractions and slips of the whole grid.
+  void sum_up(RollingSolution& solution) const;
+
+private:
+  [[nodiscard]] std::size_t element(std::size_t row, std::size_t column) const;
+  void find_box();
+  void take_in_previous(LinePlans& plans);
+  [[nodiscard]] std::array<double, 2> previous_slip_at(std::size_t row, std::size_t column,
+                                                       std::size_t level) const;
+
+  const RollingProblem& problem_;
+  Box box_;
+  double aspect_ = 1.0;
+  double bound_ = 0.0;      ///< mu times the largest pressure, MPa
+  double slip_scale_ = 0.0; ///< a slip of 1 without units
+  SlipDifferenceWeights difference_;
+  /// Displacements of the previous tractions, without units; empty: none.
+  std::vector<double> previous_slip_;
+};
+
+} // namespace wrc

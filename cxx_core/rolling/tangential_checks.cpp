@@ -1,0 +1,145 @@
+// What of a tangential problem is checked: its permitted ranges before it is solved, and how well
+// an answer solves it, afterwards.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/reductions.hpp"
+#include "half_space/traction_convolution.hpp"
+#include "mechanics/normal_contact.hpp"
+#include "rolling/constants.hpp"
+#include "rolling/rolling_contact.hpp"
+#include "rolling/scaled_tractions.hpp"
+#include "rolling/traction_loops.hpp"
+
+namespace wrc {
+
+namespace {
+
+void check_finite(const std::string& argument, double value) {
+  if (!std::isfinite(value)) {
+    throw_invalid_argument(argument, value, "must be finite");
+  }
+}
+
+} // namespace
+
+void check_problem(const RollingProblem& problem) {
+  check_grid(problem.grid);
+  if (problem.pressure.size() != problem.grid.element_count()) {
+    throw_invalid_argument("pressure.size", static_cast<double>(problem.pressure.size()),
+                           "must be the grid's " + std::to_string(problem.grid.element_count()) +
+                               " elements");
+  }
+  const auto wrong = std::find_if(problem.pressure.begin(), problem.pressure.end(),
+                                  [](double p) { return !std::isfinite(p) || p < 0.0; });
+  if (wrong != problem.pressure.end()) {
+    throw_invalid_argument("pressure[" + std::to_string(wrong - problem.pressure.begin()) + "]",
+                           *wrong, "must be finite and not negative");
+  }
+  if (!(problem.friction >= 0.0) || !std::isfinite(problem.friction)) {
+    throw_invalid_argument("friction", problem.friction, "must be finite and not negative");
+  }
+  if (!(problem.shear_modulus > 0.0) || !std::isfinite(problem.shear_modulus)) {
+    throw_invalid_argument("shear_modulus", problem.shear_modulus,
+                           "must be finite and greater than 0");
+  }
+  if (!(problem.poisson >= 0.0 && problem.poisson <= 0.5)) {
+    throw_invalid_argument("poisson", problem.poisson, "must be from 0 to 0.5");
+  }
+  for (const auto& [name, values] :
+       {std::pair{"previous_x", problem.previous_x}, std::pair{"previous_y", problem.previous_y}}) {
+    if (values.size() != problem.previous_x.size() ||
+        (!values.empty() && values.size() != problem.pressure.size())) {
+      throw_invalid_argument(std::string(name) + ".size", static_cast<double>(values.size()),
+                             "must be the number of pressures, or 0 in both directions");
+    }
+    if (!values.empty() && !all_finite(values.data(), values.size())) {
+      throw_invalid_argument(name, "a value that is not finite", "all must be finite");
+    }
+  }
+  check_finite("longitudinal_creepage", problem.creepages.longitudinal);
+  check_finite("lateral_creepage", problem.creepages.lateral);
+  check_finite("spin_creepage", problem.creepages.spin);
+  if (!(problem.tolerance > 0.0 && problem.tolerance < 1.0)) {
+    throw_invalid_argument("tolerance", problem.tolerance, "must be between 0 and 1");
+  }
+  if (problem.maximum_iterations < 1) {
+    throw_invalid_argument("maximum_iterations", problem.maximum_iterations, "must be at least 1");
+  }
+}
+
+TangentialResiduals compute_residuals(const RollingProblem& problem,
+                                      std::span<const double> traction_x,
+                                      std::span<const double> traction_y, LinePlans& plans) {
+  check_problem(problem);
+  TangentialResiduals residuals;
+  const ScaledTractions scaled(problem, plans);
+  if (scaled.empty()) {
+    return residuals;
+  }
+  const TractionShape& shape = scaled.box().shape;
+  const std::size_t pitch = shape.columns;
+  const std::size_t count = shape.rows * pitch;
+  const TractionConvolution<double> convolution(
+      shape, pitch, problem.poisson, difference_of(problem).weights, scaled.table(), plans);
+  std::vector<double> bound(count);
+  std::vector<double> rigid(2 * count);
+  std::vector<double> q(2 * count);
+  std::vector<double> s(2 * count);
+  scaled.fill_bound(bound.data(), pitch);
+  scaled.fill_rigid_slip(rigid.data(), shape, pitch, 0);
+  scaled.read_tractions(traction_x, traction_y, q.data(), pitch);
+  ConvolutionWorkspace<double> workspace;
+  convolution.apply(q.data(), q.data() + count, s.data(), s.data() + count, workspace);
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    s[i] += rigid[i];
+  }
+  const double step = natural_step_of(shape, convolution.self_influence(), problem.motion);
+  const ResidualSums sums = natural_residual(q.data(), s.data(), bound.data(), step, count);
+  double whole_q = 0.0;
+  double gap = 0.0;
+  double rigid_power = 0.0;
+  double adhesion = 0.0;
+  double rigid_sum = 0.0;
+  double angles = 0.0;
+  double speeds = 0.0;
+  std::size_t sticking = 0;
+  std::size_t contacts = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double g = bound[i];
+    if (!(g > 0.0)) {
+      continue;
+    }
+    ++contacts;
+    const double length = std::hypot(q[i], q[count + i]);
+    const double speed = std::hypot(s[i], s[count + i]);
+    const double rigid_speed = std::hypot(rigid[i], rigid[count + i]);
+    const double along = q[i] * s[i] + q[count + i] * s[count + i];
+    whole_q += length;
+    gap += g * speed + along;
+    rigid_power += g * rigid_speed;
+    rigid_sum += rigid_speed;
+    residuals.excess = std::max(residuals.excess, length / g - 1.0);
+    if (length < g * (1.0 - 1e-6)) {
+      adhesion += speed;
+      ++sticking;
+    } else if (speed > 0.0) {
+      angles += speed * std::acos(std::clamp(-along / (length * speed), -1.0, 1.0));
+      speeds += speed;
+    }
+  }
+  residuals.natural = whole_q > 0.0 ? sums.change / whole_q : sums.ratio();
+  residuals.complementarity = rigid_power > 0.0 ? gap / rigid_power : 0.0;
+  residuals.adhesion_slip =
+      sticking > 0 && rigid_sum > 0.0
+          ? adhesion / static_cast<double>(sticking) / (rigid_sum / static_cast<double>(contacts))
+          : 0.0;
+  residuals.angle = speeds > 0.0 ? angles / speeds : 0.0;
+  return residuals;
+}
+
+} // namespace wrc
