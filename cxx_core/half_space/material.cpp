@@ -27,4 +27,20 @@ double combined_modulus(const Material& wheel, const Material& rail) {
   return 1.0 / (compliance(wheel, "wheel") + compliance(rail, "rail"));
 }
 
+ShearConstants shear_constants(const Material& wheel, const Material& rail) {
+  (void)combined_modulus(wheel, rail); // checks
+  const auto compliance_of = [](const Material& material) {
+    return 2.0 * (1.0 + material.poisson) / material.youngs_modulus;
+  };
+  const double of_wheel = compliance_of(wheel);
+  const double of_rail = compliance_of(rail);
+  ShearConstants constants;
+  constants.modulus = 2.0 / (of_wheel + of_rail);
+  constants.poisson = 0.5 * constants.modulus * (wheel.poisson * of_wheel + rail.poisson * of_rail);
+  constants.difference =
+      0.25 * constants.modulus *
+      ((1.0 - 2.0 * wheel.poisson) * of_wheel - (1.0 - 2.0 * rail.poisson) * of_rail);
+  return constants;
+}
+
 } // namespace wrc

@@ -1,8 +1,10 @@
 /// Elastic constants of wheel and rail, and the one modulus the normal problem needs.
 ///
 ///   1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2     (Johnson, Contact Mechanics, 1985, eq. 4.24)
-/// Units: moduli in MPa, Poisson's ratio without unit. Knows nothing of shear or of plastic flow:
-/// bodies of different materials are coupled in the tangential direction, which is left out here.
+/// and those of tangential contact (Kalker, Three-Dimensional Elastic Bodies in Rolling Contact,
+/// 1990, eq. 1.44):
+///   1/G = (1/G1 + 1/G2)/2,  nu/G = (nu1/G1 + nu2/G2)/2,  K/G = ((1-2 nu1)/G1 - (1-2 nu2)/G2)/4
+/// Units: moduli in MPa, Poisson's ratio without unit. Knows nothing of plastic flow.
 #pragma once
 
 namespace wrc {
@@ -15,5 +17,14 @@ struct Material {
 
 /// E* in MPa. Throws Error(invalid_argument) for constants outside their range.
 double combined_modulus(const Material& wheel, const Material& rail);
+
+/// Of wheel (1) and rail (2) together in tangential contact.
+struct ShearConstants {
+  double modulus = 0.0;    ///< G, MPa
+  double poisson = 0.0;    ///< nu
+  double difference = 0.0; ///< K: 0 where pressures and tractions do not affect each other
+};
+
+ShearConstants shear_constants(const Material& wheel, const Material& rail);
 
 } // namespace wrc

@@ -145,7 +145,7 @@ WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::si
 
 // Both precisions of each loop: the attribute does not work on templates themselves.
 // NOLINTBEGIN(bugprone-macro-parentheses)
-#define WRC_TRACTION_LOOPS(Real)                                                                   \
+#define TRACTION_LOOPS(Real)                                                                       \
   template <>                                                                                      \
   WRC_VECTOR_CLONES ResidualSums natural_residual(const Real* q, const Real* s, const Real* g,     \
                                                   double step, std::size_t n) {                    \
@@ -181,9 +181,9 @@ WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::si
     scale_body(to, static_cast<Real>(factor), from, count);                                        \
   }
 
-WRC_TRACTION_LOOPS(float)
-WRC_TRACTION_LOOPS(double)
-#undef WRC_TRACTION_LOOPS
+TRACTION_LOOPS(float)
+TRACTION_LOOPS(double)
+#undef TRACTION_LOOPS
 // NOLINTEND(bugprone-macro-parentheses)
 
 } // namespace wrc

@@ -29,7 +29,7 @@ enum class Quantity : std::uint8_t {
   area,
   stress,
   moment,   ///< force times length
-  stiffness ///< force per length
+  stiffness ///< force or angle per length
 };
 
 /// What a number is: its quantity, and whether it changes its sign with the frame.
@@ -49,6 +49,7 @@ inline constexpr Dimension surface{Quantity::area, false};
 inline constexpr Dimension stress{Quantity::stress, false};
 inline constexpr Dimension moment{Quantity::moment, false};
 inline constexpr Dimension turning_moment{Quantity::moment, true};
+inline constexpr Dimension turning_curvature{Quantity::stiffness, true}; ///< angle per length
 inline constexpr Dimension stiffness{Quantity::stiffness, false};
 } // namespace dimensions
 

@@ -70,6 +70,35 @@ template <class Coordinate> Values wheel_outline(const WheelResult& side, Coordi
   return values;
 }
 
+/// Of the creep grid; empty without creep forces, and of a patch with parts.
+Values creep_field(const PatchResult& patch, std::vector<double> CreepResult::*field,
+                   double mirror = 1.0) {
+  if (!patch.creep) {
+    return {};
+  }
+  Values values = (*patch.creep).*field;
+  for (double& value : values) {
+    value *= mirror;
+  }
+  return values;
+}
+
+/// Places of the creep grid's elements in the track frame.
+template <class Coordinate> Values creep_places(const PatchResult& patch, Coordinate&& coordinate) {
+  Values values;
+  if (!patch.creep) {
+    return values;
+  }
+  const Grid& grid = patch.creep->grid;
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
+      values.push_back(
+          coordinate(patch.frame.to_track(grid.longitudinal(column), grid.lateral(row), 0.0)));
+    }
+  }
+  return values;
+}
+
 struct PatchField {
   std::string_view name;
   Dimension dimension;
@@ -94,6 +123,43 @@ constexpr std::array patch_fields{
     PatchField{"undeformed_distance", length, undeformed_distance},
     PatchField{"pressure", {Quantity::stress, false}, pressure},
     PatchField{"displacement", length, displacement},
+    PatchField{"traction_x",
+               {Quantity::stress, false},
+               [](const WheelDetails&, const PatchResult& patch) {
+                 return creep_field(patch, &CreepResult::traction_x);
+               }},
+    PatchField{"traction_y",
+               {Quantity::stress, true},
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 return creep_field(patch, &CreepResult::traction_y, side.mirror);
+               }},
+    PatchField{"slip_x", pure,
+               [](const WheelDetails&, const PatchResult& patch) {
+                 return creep_field(patch, &CreepResult::slip_x);
+               }},
+    PatchField{"slip_y", turning_angle,
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 return creep_field(patch, &CreepResult::slip_y, side.mirror);
+               }},
+    PatchField{"creep_pressure",
+               {Quantity::stress, false},
+               [](const WheelDetails&, const PatchResult& patch) {
+                 return creep_field(patch, &CreepResult::pressure);
+               }},
+    PatchField{"creep_x", length,
+               [](const WheelDetails&, const PatchResult& patch) {
+                 return creep_places(patch, [](const Vector3& place) { return place.x; });
+               }},
+    PatchField{"creep_y", turning_length,
+               [](const WheelDetails& side, const PatchResult& patch) {
+                 const double mirror = side.mirror;
+                 return creep_places(patch,
+                                     [mirror](const Vector3& place) { return mirror * place.y; });
+               }},
+    PatchField{"creep_z", turning_length,
+               [](const WheelDetails&, const PatchResult& patch) {
+                 return creep_places(patch, [](const Vector3& place) { return place.z; });
+               }},
 };
 
 /// All in the track frame: y and z.

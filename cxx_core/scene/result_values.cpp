@@ -127,6 +127,48 @@ constexpr std::array patch_numbers{
                         [](const PatchResult& p) { return p.grid.longitudinal_step; }},
 };
 
+/// With creep forces only.
+constexpr std::array creep_numbers{
+    Number<CreepResult>{"creepage.longitudinal", pure,
+                        [](const CreepResult& c) { return c.creepages.longitudinal; }},
+    Number<CreepResult>{"creepage.lateral", turning_angle,
+                        [](const CreepResult& c) { return c.creepages.lateral; }},
+    Number<CreepResult>{"creepage.spin", turning_curvature,
+                        [](const CreepResult& c) { return c.creepages.spin; }},
+    Number<CreepResult>{"creep_force.longitudinal", pure,
+                        [](const CreepResult& c) { return c.longitudinal_force; }},
+    Number<CreepResult>{"creep_force.lateral", turning_force,
+                        [](const CreepResult& c) { return c.lateral_force; }},
+    Number<CreepResult>{"spin_moment", turning_moment,
+                        [](const CreepResult& c) { return c.spin_moment; }},
+    Number<CreepResult>{"slip_area", surface, [](const CreepResult& c) { return c.slip_area; }},
+    Number<CreepResult>{"adhesion_area", surface,
+                        [](const CreepResult& c) { return c.adhesion_area; }},
+    Number<CreepResult>{"traction_max", stress,
+                        [](const CreepResult& c) { return c.largest_traction; }},
+    Number<CreepResult>{"wear_number", pure,
+                        [](const CreepResult& c) { return c.power_per_speed; }},
+    Number<CreepResult>{"friction_power", moment,
+                        [](const CreepResult& c) { return c.friction_power; }},
+    Number<CreepResult>{"numerical_loss", pure,
+                        [](const CreepResult& c) { return c.numerical_loss; }},
+    Number<CreepResult>{"creep_error_estimate", pure,
+                        [](const CreepResult& c) { return c.error_estimate; }},
+    Number<CreepResult>{"creep_residual", pure, [](const CreepResult& c) { return c.residual; }},
+    Number<CreepResult>{"creep_convolutions", pure,
+                        [](const CreepResult& c) { return static_cast<double>(c.convolutions); }},
+    Number<CreepResult>{
+        "creep_grid.0", pure,
+        [](const CreepResult& c) { return static_cast<double>(c.grid.lateral_count); }},
+    Number<CreepResult>{
+        "creep_grid.1", pure,
+        [](const CreepResult& c) { return static_cast<double>(c.grid.longitudinal_count); }},
+    Number<CreepResult>{"creep_element_size.0", length,
+                        [](const CreepResult& c) { return c.grid.lateral_step; }},
+    Number<CreepResult>{"creep_element_size.1", length,
+                        [](const CreepResult& c) { return c.grid.longitudinal_step; }},
+};
+
 constexpr std::array side_numbers{
     Number<WheelResult>{"vertical", turning_length,
                         [](const WheelResult& r) { return r.vertical; }},
@@ -210,6 +252,8 @@ constexpr std::array time_numbers{
     Number<StageMilliseconds>{"remesh", pure, [](const StageMilliseconds& t) { return t.remesh; }},
     Number<StageMilliseconds>{"mechanics", pure,
                               [](const StageMilliseconds& t) { return t.mechanics; }},
+    Number<StageMilliseconds>{"rolling", pure,
+                              [](const StageMilliseconds& t) { return t.rolling; }},
     Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
 };
 
@@ -240,7 +284,10 @@ std::optional<Value> patch_value(const PatchResult& patch, std::string_view name
   if (strip_prefix(name, "centroid.")) {
     return touch_value(patch.centroid, name);
   }
-  const auto value = find_in(patch_numbers, patch, name);
+  auto value = find_in(patch_numbers, patch, name);
+  if (!value && patch.creep) {
+    value = find_in(creep_numbers, *patch.creep, name);
+  }
   return value ? value : find_in(place_numbers, patch.reference, name);
 }
 
@@ -293,6 +340,9 @@ void add_patch_names(std::vector<std::string>& names, const std::string& prefix,
   add_names(names, prefix, patch_numbers);
   add_names(names, prefix, place_numbers);
   add_centroid_names(names, prefix + "centroid.");
+  if (patch.creep) {
+    add_names(names, prefix, creep_numbers);
+  }
   for (std::size_t i = 0; i < patch.parts.size(); ++i) {
     add_patch_names(names, prefix + "parts." + std::to_string(i) + '.', patch.parts[i]);
   }

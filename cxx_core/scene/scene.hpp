@@ -15,6 +15,7 @@
 #include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "profile/profile.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "scene/convention.hpp"
 #include "wheel/wheel_request.hpp"
 
@@ -22,6 +23,8 @@ namespace wrc {
 
 enum class SideChoice { both, left, right };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
+
+enum class CreepModelRequest { automatic, none, full };
 
 /// As keys and results call it.
 constexpr std::string_view name_of(SolverChoice solver) {
@@ -52,6 +55,14 @@ struct Scene : WheelOptions {
   double left_load = 80000.0; ///< vertical force on the left wheel
   double right_load = 80000.0;
   std::optional<double> normal_load; ///< instead: force along the patch's normal, each wheel
+
+  /// Of all patches of a wheel, at their references; without: no creep forces.
+  std::optional<Creepages> left_creepages;
+  std::optional<Creepages> right_creepages;
+  double left_friction = 0.3;
+  double right_friction = 0.3;
+  double speed = 0.0; ///< along the track, mm/s
+  CreepModelRequest creep = CreepModelRequest::automatic;
 
   SideChoice side = SideChoice::both;
   ModelRequest model = ModelRequest::automatic;

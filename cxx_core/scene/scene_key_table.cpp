@@ -1,6 +1,7 @@
 #include "scene/scene_key_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -9,6 +10,10 @@ namespace wrc {
 namespace {
 
 using namespace dimensions;
+
+/// Largest of a permitted creepage, and spin in 1/mm: full sliding in every case.
+/// origin: permitted range.
+constexpr double max_creepage = 10.0;
 
 /// Permitted, ends included.
 struct Range {
@@ -270,6 +275,78 @@ std::vector<Key> load_keys() {
   return keys;
 }
 
+/// [longitudinal, lateral, spin], or none.
+Key creepage_key(std::string_view name, std::string_view meaning,
+                 std::optional<Creepages> Scene::*member) {
+  constexpr std::array dimensions_of{pure, turning_angle, turning_curvature};
+  Key key;
+  key.description = {name, "\"none\"",
+                     "[longitudinal, lateral, spin], each -10 to 10 (spin 1/mm), or \"none\"",
+                     meaning};
+  key.get = [member, dimensions_of](const Scene& scene) {
+    if (!(scene.*member)) {
+      return KeyValue(std::string("none"));
+    }
+    const Creepages& creepages = *(scene.*member);
+    std::vector<double> values{creepages.longitudinal, creepages.lateral, creepages.spin};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = to_caller(values[i], scene.convention, dimensions_of[i]);
+    }
+    return KeyValue(values);
+  };
+  key.set_text = [member](Scene& scene, std::string_view value) {
+    if (value == "none") {
+      (scene.*member).reset();
+    }
+    return value == "none";
+  };
+  key.set_numbers = [member, dimensions_of](Scene& scene, std::span<const double> values) {
+    if (values.size() != dimensions_of.size()) {
+      return false;
+    }
+    std::array<double, 3> inside{};
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      inside[i] = from_caller(values[i], scene.convention, dimensions_of[i]);
+      if (!(std::abs(inside[i]) <= max_creepage)) {
+        return false;
+      }
+    }
+    scene.*member = Creepages{inside[0], inside[1], inside[2]};
+    return true;
+  };
+  return key;
+}
+
+std::vector<Key> rolling_keys() {
+  constexpr Range range{0.0, 10.0};
+  constexpr std::string_view allowed = "0 to 10";
+  const auto left = &Scene::left_friction;
+  const auto right = &Scene::right_friction;
+  return {
+      number_key({"friction.coefficient", "0.3", allowed, "coefficient of friction of each wheel"},
+                 range, pure, left, right),
+      number_key({"friction.left", "0.3", allowed, "coefficient of friction of the left wheel"},
+                 range, pure, left),
+      number_key({"friction.right", "0.3", allowed, "coefficient of friction of the right wheel"},
+                 range, pure, right),
+      creepage_key("creepage.left",
+                   "creepages of the left wheel, wheel minus rail over the speed, in the plane of "
+                   "each patch at its reference; creep forces are computed then",
+                   &Scene::left_creepages),
+      creepage_key("creepage.right", "creepages of the right wheel", &Scene::right_creepages),
+      number_key({"motion.speed", "0.0", "-1e6 to 1e6 mm/s",
+                  "along the track; frictional power is at this speed"},
+                 {-1e6, 1e6}, length, &Scene::speed),
+      word_key<CreepModelRequest>(
+          {"solve.creep", "\"auto\"", "\"auto\", \"none\" or \"full\"",
+           "model of creep forces; full: Kalker's full theory; auto: full where creepages are "
+           "given"},
+          {{"auto", CreepModelRequest::automatic},
+           {"none", CreepModelRequest::none},
+           {"full", CreepModelRequest::full}},
+          &Scene::creep)};
+}
+
 constexpr double max_count = 8192.0;
 constexpr std::string_view by_accuracy = "by accuracy";
 
@@ -410,7 +487,7 @@ std::vector<Key> solution_keys() {
 std::vector<Key> make_scene_keys() {
   std::vector<Key> collected;
   for (auto* part : {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys,
-                     load_keys, method_keys, accuracy_keys, solution_keys}) {
+                     load_keys, rolling_keys, method_keys, accuracy_keys, solution_keys}) {
     for (Key& key : part()) {
       collected.push_back(std::move(key));
     }

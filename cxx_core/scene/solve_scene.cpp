@@ -38,6 +38,23 @@ EquilibriumRequest equilibrium_request_of(const Scene& scene) {
   return request;
 }
 
+/// `mirror`: 1 for the left wheel, -1 for the right one.
+CreepRequest creep_request_of(const Scene& scene, double mirror) {
+  const bool left = mirror > 0.0;
+  const auto& creepages = left ? scene.left_creepages : scene.right_creepages;
+  CreepRequest request;
+  if (!creepages || scene.creep == CreepModelRequest::none) {
+    return request;
+  }
+  request.model = CreepModel::full;
+  request.creepages = *creepages;
+  request.friction = left ? scene.left_friction : scene.right_friction;
+  request.accuracy = scene.accuracy;
+  request.speed = scene.speed;
+  request.material = shear_constants(scene.wheel_material, scene.rail_material);
+  return request;
+}
+
 /// The displacement of one patch by another is interpolated; boxes nearly in touch spoil that.
 void warn_of_residuals(WheelResult& wheel, double accuracy) {
   if (!wheel.details.interaction || wheel.patches.empty()) {
@@ -70,7 +87,8 @@ struct SceneTask {
 
   /// `mirror`: 1 for the left wheel, -1 for the right one.
   [[nodiscard]] WheelResult complete(WheelSolution solution, const SideEquilibrium& side,
-                                     double mirror, StageMilliseconds& time) const {
+                                     double mirror, RollingSolver& rolling,
+                                     StageMilliseconds& time) const {
     time.remesh += 1e3 * solution.times.remesh;
     time.mechanics += 1e3 * solution.times.mechanics;
     WheelResult result =
@@ -78,6 +96,12 @@ struct SceneTask {
     result.model = model.name;
     result.model_reason = model.reason;
     warn_of_residuals(result, scene.accuracy);
+    const CreepRequest creep = creep_request_of(scene, mirror);
+    if (creep.model != CreepModel::none && result.solved) {
+      const Stopwatch watch;
+      solve_creep_forces(result, creep, rolling);
+      time.rolling += watch.milliseconds();
+    }
     return result;
   }
 };
@@ -95,6 +119,7 @@ struct SceneSolver::State {
   std::shared_ptr<Shared> shared = std::make_shared<Shared>();
   std::optional<NormalSolver> left;
   std::optional<NormalSolver> right;
+  std::optional<RollingSolver> rolling;
   PlannerRigor planner = PlannerRigor::estimate; ///< of the solvers
   Precision precision = Precision::mixed;
 
@@ -113,6 +138,9 @@ void SceneSolver::State::prepare_solvers(const Scene& scene) {
       solver->emplace(std::shared_ptr<LinePlans>(shared, plans), scene.precision);
     }
   }
+  if (others || !rolling) {
+    rolling.emplace(std::shared_ptr<LinePlans>(shared, plans));
+  }
   planner = scene.planner;
   precision = scene.precision;
 }
@@ -129,10 +157,10 @@ void SceneSolver::State::solve_wheels(const SceneTask& task, const WheelsetEquil
   }
   if (equilibrium.left) {
     result.left = task.complete(task.solve(*equilibrium.left, task.scene.left_load, *left),
-                                *equilibrium.left, 1.0, result.time);
+                                *equilibrium.left, 1.0, *rolling, result.time);
   }
   if (equilibrium.right) {
-    result.right = task.complete(other.get(), *equilibrium.right, -1.0, result.time);
+    result.right = task.complete(other.get(), *equilibrium.right, -1.0, *rolling, result.time);
   }
   if (result.left && result.right) {
     result.rolling_radius_difference =

@@ -27,6 +27,7 @@ struct StageMilliseconds {
   double geometry = 0.0;
   double remesh = 0.0;
   double mechanics = 0.0;
+  double rolling = 0.0; ///< creep forces
   double total = 0.0;
 };
 

@@ -154,4 +154,36 @@ inline constexpr std::size_t max_elements_ratio = 16;
 /// origin: measured: what the rates neglect is more (wheel_sensitivities.hpp).
 inline constexpr double sensitivity_tolerance = 1e-4;
 
+/// Error of creep forces over mu N on a grid of one element along the contact, and the power by
+/// which it falls with their number: bounds 95 of 100 errors.
+/// origin: measured (wrc_tradeoff --creep): ellipses of a/b from 0.2 to 5, 0.1 to 10 times
+/// saturation, spin included.
+inline constexpr double creep_error_of_one_column = 0.6;
+
+/// origin: measured: as creep_error_of_one_column.
+inline constexpr double creep_error_order = 1.45;
+
+/// Of the accuracy, what elements may leave of it by that law; 99 of 100 errors are then within the
+/// accuracy.
+/// origin: measured: as creep_error_of_one_column.
+inline constexpr double share_of_creep_columns = 0.6;
+
+/// The fewest elements along a contact.
+/// origin: measured (wrc_tradeoff --creep): with fewer, errors exceed a tenth.
+inline constexpr double min_creep_columns = 8.0;
+
+/// Elements across for each along.
+/// origin: measured (wrc_tradeoff --creep): with half as many the largest errors double, with as
+/// many they are the same.
+inline constexpr double creep_rows_by_columns = 0.75;
+
+/// Tolerance of the tangential iteration, in accuracies, ...
+/// origin: measured (steps of 0.1 um, nine places): forces leave their line by 4 to 8 % of the
+/// accuracy at most, with 0.5 by 12 %; below, the elements that enter the contact show.
+inline constexpr double creep_iteration_share = 0.2;
+
+/// ... and error of forces for each unit of its residual.
+/// origin: measured: as creep_iteration_share.
+inline constexpr double creep_error_by_residual = 0.3;
+
 } // namespace wrc

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "wheel/creep_forces.hpp"
 #include "wheel/sensitivities.hpp"
 #include "wheel/wheel_solution.hpp"
 
@@ -45,6 +46,7 @@ struct PatchResult : Patch {
   double radius_lateral = 0.0;
   double fill = 0.0; ///< share of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
+  std::optional<CreepResult> creep; ///< if creep forces were requested
   /// Of several patches that share a plane, each as it was solved; else empty. All else is then
   /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are
   /// computed on request.

@@ -1,0 +1,203 @@
+#include "wheel/creep_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "mechanics/cascade.hpp"
+#include "wheel/constants.hpp"
+#include "wheel/wheel_result.hpp"
+
+namespace wrc {
+namespace {
+
+/// How far beyond an element's centre the edge of contact lies, in elements: p^2 is nearly linear
+/// there, with `near` in that element and `far` in the next one inside.
+double edge_beyond(double near, double far) {
+  const double drop = far * far - near * near;
+  return drop > 0.0 ? std::min(near * near / drop, 1.0) : 0.5;
+}
+
+/// First and last place with pressure of a line of elements, in elements from the first centre.
+struct Extent {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+std::optional<Extent> extent_of(const double* pressure, std::size_t count, std::size_t stride) {
+  const auto at = [&](std::size_t index) { return pressure[index * stride]; };
+  std::size_t first = 0;
+  while (first < count && !(at(first) > 0.0)) {
+    ++first;
+  }
+  if (first == count) {
+    return std::nullopt;
+  }
+  std::size_t last = count - 1;
+  while (!(at(last) > 0.0)) {
+    --last;
+  }
+  const double after = first < last ? at(first + 1) : 0.0;
+  const double before = first < last ? at(last - 1) : 0.0;
+  return Extent{static_cast<double>(first) - edge_beyond(at(first), after),
+                static_cast<double>(last) + edge_beyond(at(last), before)};
+}
+
+/// The largest extent of all lines.
+Extent extent_of_all(const double* pressure, std::size_t lines, std::size_t line_stride,
+                     std::size_t count, std::size_t stride) {
+  std::optional<Extent> all;
+  for (std::size_t line = 0; line < lines; ++line) {
+    if (const auto one = extent_of(pressure + line * line_stride, count, stride)) {
+      all = all ? Extent{std::min(all->first, one->first), std::max(all->last, one->last)} : *one;
+    }
+  }
+  return all.value_or(Extent{});
+}
+
+/// So many elements over an extent in elements of another size.
+void divide(const Extent& extent, std::size_t count, double& first, double& step) {
+  const double length = (extent.last - extent.first) * step;
+  const double begin = first + extent.first * step;
+  step = length / static_cast<double>(count);
+  first = begin + 0.5 * step;
+}
+
+/// The grid over the rectangle around the contact.
+Grid grid_around_contact(const Grid& grid, const std::vector<double>& pressure, double accuracy,
+                         int lobes) {
+  const double columns =
+      std::max(std::pow(share_of_creep_columns * accuracy / creep_error_of_one_column,
+                        -1.0 / creep_error_order),
+               min_creep_columns);
+  const auto even = [](double count) {
+    return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
+  };
+  Grid result = grid;
+  result.longitudinal_count = even(columns);
+  result.lateral_count = even(creep_rows_by_columns * columns * static_cast<double>(lobes));
+  divide(extent_of_all(pressure.data(), grid.lateral_count, grid.longitudinal_count,
+                       grid.longitudinal_count, 1),
+         result.longitudinal_count, result.longitudinal_first, result.longitudinal_step);
+  divide(extent_of_all(pressure.data(), grid.longitudinal_count, 1, grid.lateral_count,
+                       grid.longitudinal_count),
+         result.lateral_count, result.lateral_first, result.lateral_step);
+  return result;
+}
+
+/// Creepages at a place of a patch's plane from those at its reference.
+Creepages creepages_at(const Creepages& reference, double longitudinal, double lateral) {
+  return {reference.longitudinal - reference.spin * lateral,
+          reference.lateral + reference.spin * longitudinal, reference.spin};
+}
+
+Creepages mirrored(const Creepages& creepages, double mirror) {
+  return {creepages.longitudinal, mirror * creepages.lateral, mirror * creepages.spin};
+}
+
+/// `creepages`: at the patch's origin, left-hand frame of the side.
+CreepResult solve_patch(const PatchResult& patch, const Creepages& creepages,
+                        const CreepRequest& request, double mirror, RollingSolver& solver) {
+  CreepResult creep;
+  creep.creepages = mirrored(creepages, mirror);
+  if (!(patch.normal_force > 0.0)) {
+    return creep;
+  }
+  creep.grid = grid_around_contact(patch.grid, patch.pressure, request.accuracy, patch.lobes);
+  refine_pressure(patch.grid, patch.pressure, creep.grid, creep.pressure);
+  const double force = std::accumulate(creep.pressure.begin(), creep.pressure.end(), 0.0) *
+                       creep.grid.element_area();
+  for (double& p : creep.pressure) {
+    p *= force > 0.0 ? patch.normal_force / force : 0.0;
+  }
+  RollingProblem problem;
+  problem.grid = creep.grid;
+  problem.pressure = creep.pressure;
+  problem.friction = request.friction;
+  problem.shear_modulus = request.material.modulus;
+  problem.poisson = request.material.poisson;
+  problem.creepages = creepages;
+  problem.tolerance = creep_iteration_share * request.accuracy;
+  RollingSolution solution = solver.solve(problem);
+  creep.longitudinal_force = solution.longitudinal_force;
+  creep.lateral_force = mirror * solution.lateral_force;
+  creep.spin_moment = mirror * solution.spin_moment;
+  creep.slip_area = solution.slip_area;
+  creep.adhesion_area = solution.adhesion_area;
+  for (std::size_t i = 0; i < solution.traction_x.size(); ++i) {
+    creep.largest_traction = std::max(creep.largest_traction,
+                                      std::hypot(solution.traction_x[i], solution.traction_y[i]));
+  }
+  creep.power_per_speed = solution.friction_power;
+  creep.friction_power = request.speed * solution.friction_power;
+  creep.numerical_loss = solution.numerical_loss;
+  creep.residual = solution.residual;
+  creep.convolutions = solution.convolutions;
+  creep.error_estimate =
+      creep_error_of_one_column *
+          std::pow(static_cast<double>(creep.grid.longitudinal_count), -creep_error_order) +
+      creep_error_by_residual * solution.residual;
+  creep.traction_x = std::move(solution.traction_x);
+  creep.traction_y = std::move(solution.traction_y);
+  creep.slip_x = std::move(solution.slip_x);
+  creep.slip_y = std::move(solution.slip_y);
+  return creep;
+}
+
+/// Parts of one plane together, about its origin.
+void add_part(CreepResult& whole, const CreepResult& part, double weight, double longitudinal,
+              double lateral) {
+  whole.longitudinal_force += part.longitudinal_force;
+  whole.lateral_force += part.lateral_force;
+  whole.spin_moment +=
+      part.spin_moment + longitudinal * part.lateral_force - lateral * part.longitudinal_force;
+  whole.slip_area += part.slip_area;
+  whole.adhesion_area += part.adhesion_area;
+  whole.largest_traction = std::max(whole.largest_traction, part.largest_traction);
+  // The loss is a share of the power: first what is lost, at the end over the whole.
+  whole.numerical_loss += part.numerical_loss * part.power_per_speed;
+  whole.power_per_speed += part.power_per_speed;
+  whole.friction_power += part.friction_power;
+  whole.error_estimate += weight * part.error_estimate;
+  whole.residual = std::max(whole.residual, part.residual);
+  whole.convolutions += part.convolutions;
+}
+
+} // namespace
+
+void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver) {
+  const double mirror = wheel.details.mirror;
+  const Creepages creepages = mirrored(request.creepages, mirror);
+  for (PatchResult& patch : wheel.patches) {
+    if (patch.parts.empty()) {
+      patch.creep = solve_patch(patch, creepages, request, mirror, solver);
+    } else {
+      CreepResult& whole = patch.creep.emplace();
+      whole.creepages = request.creepages;
+      for (PatchResult& part : patch.parts) {
+        const Vector3 apart = part.frame.origin - patch.frame.origin;
+        const double longitudinal = dot(apart, patch.frame.longitudinal);
+        const double lateral = dot(apart, patch.frame.lateral);
+        part.creep = solve_patch(part, creepages_at(creepages, longitudinal, lateral), request,
+                                 mirror, solver);
+        add_part(whole, *part.creep, part.normal_force / patch.normal_force, longitudinal,
+                 mirror * lateral);
+      }
+      if (whole.power_per_speed > 0.0) {
+        whole.numerical_loss /= whole.power_per_speed;
+      }
+    }
+    if (patch.creep->error_estimate > request.accuracy) {
+      wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +
+                               " not reached: estimated error " +
+                               short_text_of(patch.creep->error_estimate));
+    }
+  }
+  if (request.material.difference != 0.0 && !wheel.patches.empty()) {
+    wheel.warnings.emplace_back("creep forces of unlike materials: what pressures and tractions "
+                                "change in each other is left out");
+  }
+}
+
+} // namespace wrc

@@ -1,0 +1,64 @@
+/// Creep forces of the patches of a wheel, from the pressures found.
+///
+/// Each patch is solved by itself on a grid of its own over the rectangle around its contact, with
+/// the pressures interpolated to it and scaled to its normal force. The number of elements follows
+/// from the requested accuracy alone, so that forces are continuous functions of the scene. Patches
+/// of one plane are solved one by one as well, each with the rigid slip at its place.
+/// Results are in the track frame, both sides alike: x forward, y to the left along the patch's
+/// plane; forces on the wheel, moments about the contact reference. Units mm, N, MPa, rad.
+/// Thread rule: as the solver's.
+/// Not known here: what tractions change in the pressures of unlike bodies, and what the tractions
+/// of patches displace at each other.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/grid.hpp"
+#include "half_space/material.hpp"
+#include "rolling/rolling_contact.hpp"
+
+namespace wrc {
+
+struct WheelResult;
+
+/// How creep forces are computed.
+enum class CreepModel { none, full };
+
+/// What a wheel's creep forces follow from.
+struct CreepRequest {
+  CreepModel model = CreepModel::none;
+  Creepages creepages; ///< at the reference of each patch, track frame
+  double friction = 0.3;
+  double accuracy = 1e-3; ///< error of forces, and of the moment over sqrt(a b), over mu N
+  double speed = 0.0;     ///< mm/s, for the power
+  ShearConstants material;
+};
+
+/// The tangential contact of one patch.
+struct CreepResult {
+  Creepages creepages;
+  double longitudinal_force = 0.0;
+  double lateral_force = 0.0;
+  double spin_moment = 0.0;
+  double slip_area = 0.0;
+  double adhesion_area = 0.0;
+  double largest_traction = 0.0;
+  double power_per_speed = 0.0; ///< -F.w, N
+  double friction_power = 0.0;  ///< N mm/s
+  double numerical_loss = 0.0;  ///< share of it that the discretisation ate
+  double error_estimate = 0.0;  ///< of forces over mu N
+  double residual = 0.0;
+  int convolutions = 0;
+  Grid grid;                      ///< of the fields, left-hand frame of the side; none with parts
+  std::vector<double> pressure;   ///< on it
+  std::vector<double> traction_x; ///< left-hand frame of the side, as all fields
+  std::vector<double> traction_y;
+  std::vector<double> slip_x; ///< over the speed
+  std::vector<double> slip_y;
+};
+
+/// Fills in the creep forces of all patches, and the warnings they give rise to.
+void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver);
+
+} // namespace wrc

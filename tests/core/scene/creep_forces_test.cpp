@@ -1,0 +1,234 @@
+/// Creep forces of whole wheels: against CONTACT's wheel/rail cases, between mirrored wheels, along
+/// small steps, in other units.
+#include "wheel/creep_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/scene_keys.hpp"
+#include "scene/solve_scene.hpp"
+
+namespace wrc::test {
+namespace {
+
+Scene scene_at(double lateral, const Creepages& left, double accuracy = 1e-3) {
+  Scene scene;
+  scene.lateral = lateral;
+  scene.accuracy = accuracy;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.left_creepages = left;
+  scene.right_creepages = {left.longitudinal, -left.lateral, -left.spin};
+  return scene;
+}
+
+const CreepResult& creep_of(const std::optional<WheelResult>& wheel, std::size_t patch = 0) {
+  return wheel.value().patches.at(patch).creep.value();
+}
+
+constexpr Creepages moderate{1e-3, 5e-4, 2e-4};
+
+TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
+  Scene scene = scene_at(3.0, moderate);
+  scene.right_creepages.reset();
+  const SceneResult with = solve_scene(scene);
+  EXPECT_TRUE(with.left->patches[0].creep);
+  EXPECT_FALSE(with.right->patches[0].creep);
+  scene.creep = CreepModelRequest::none;
+  const SceneResult without = solve_scene(scene);
+  EXPECT_FALSE(without.left->patches[0].creep);
+  EXPECT_EQ(without.left->patches[0].normal_force, with.left->patches[0].normal_force);
+  EXPECT_EQ(without.left->pmax, with.left->pmax);
+}
+
+TEST(CreepForces, ZeroCreepagesAndZeroFrictionGiveNone) {
+  for (const bool frictionless : {false, true}) {
+    Scene scene = scene_at(3.0, frictionless ? moderate : Creepages{});
+    scene.left_friction = frictionless ? 0.0 : 0.3;
+    const SceneResult result = solve_scene(scene);
+    const CreepResult& creep = creep_of(result.left);
+    EXPECT_EQ(creep.longitudinal_force, 0.0);
+    EXPECT_EQ(creep.lateral_force, 0.0);
+    EXPECT_EQ(creep.friction_power, 0.0);
+  }
+}
+
+TEST(CreepForces, MirroredWheelsHaveMirroredForces) {
+  Scene scene = scene_at(0.0, moderate);
+  scene.roll = 0.0;
+  scene.speed = 2e4;
+  const SceneResult result = solve_scene(scene);
+  const CreepResult& left = creep_of(result.left);
+  const CreepResult& right = creep_of(result.right);
+  EXPECT_EQ(left.longitudinal_force, right.longitudinal_force);
+  EXPECT_EQ(left.lateral_force, -right.lateral_force);
+  EXPECT_EQ(left.spin_moment, -right.spin_moment);
+  EXPECT_LT(left.longitudinal_force, 0.0); // against the creepage
+  EXPECT_DOUBLE_EQ(left.friction_power, 2e4 * left.power_per_speed);
+  EXPECT_NEAR(
+      left.power_per_speed,
+      -(left.longitudinal_force * 1e-3 + left.lateral_force * 5e-4 + left.spin_moment * 2e-4),
+      1e-9 * left.power_per_speed);
+}
+
+TEST(CreepForces, SumOfTractionsIsTheForce) {
+  const SceneResult result = solve_scene(scene_at(3.0, moderate));
+  const CreepResult& creep = creep_of(result.right);
+  double x = 0.0;
+  double y = 0.0;
+  double normal = 0.0;
+  for (std::size_t i = 0; i < creep.pressure.size(); ++i) {
+    x += creep.traction_x[i] * creep.grid.element_area();
+    y += creep.traction_y[i] * creep.grid.element_area();
+    normal += creep.pressure[i] * creep.grid.element_area();
+  }
+  EXPECT_NEAR(x, creep.longitudinal_force, 1e-3);
+  EXPECT_NEAR(-y, creep.lateral_force, 1e-3); // fields are of the side's left-hand frame
+  EXPECT_NEAR(normal, result.right->patches[0].normal_force, 1e-6 * normal);
+}
+
+// The two patches of one plane are solved one by one: the spin of the whole turns about its
+// reference.
+TEST(CreepForces, PartsOfOnePlaneAddUp) {
+  Scene scene = scene_at(5.0, {5e-4, 0.0, 3e-4});
+  scene.rail = "UIC60-Manchester";
+  scene.left_load = 10000.0;
+  const SceneResult result = solve_scene(scene);
+  const PatchResult& patch = result.left.value().patches.at(0);
+  ASSERT_EQ(patch.parts.size(), 2U);
+  const CreepResult& one = *patch.parts[0].creep;
+  const CreepResult& other = *patch.parts[1].creep;
+  const CreepResult& whole = *patch.creep;
+  EXPECT_EQ(whole.longitudinal_force, one.longitudinal_force + other.longitudinal_force);
+  EXPECT_EQ(whole.slip_area, one.slip_area + other.slip_area);
+  EXPECT_NE(one.creepages.longitudinal, other.creepages.longitudinal);
+  EXPECT_EQ(one.creepages.spin, other.creepages.spin);
+  // -F.w of the whole, with the creepages at its reference, is that of the parts with theirs.
+  EXPECT_NEAR(whole.power_per_speed, -(whole.longitudinal_force * 5e-4 + whole.spin_moment * 3e-4),
+              1e-9 * whole.power_per_speed);
+}
+
+// Steps of 0.1 um: forces follow a line but for a small share of the accuracy.
+TEST(CreepForces, AreContinuousFunctionsOfTheScene) {
+  SceneSolver solver;
+  for (const double lateral : {-2.0, 1.0, 4.0}) {
+    std::vector<double> forces;
+    for (int step = 0; step < 40; ++step) {
+      const SceneResult result = solver.solve(scene_at(lateral + 1e-4 * step, moderate, 1e-2));
+      forces.push_back(creep_of(result.left).lateral_force);
+    }
+    for (std::size_t i = 1; i + 1 < forces.size(); ++i) {
+      const double bend = forces[i + 1] - 2.0 * forces[i] + forces[i - 1];
+      EXPECT_LE(std::abs(bend), 0.1 * 1e-2 * 0.3 * 80000.0) << lateral << " step " << i;
+    }
+  }
+}
+
+TEST(CreepForces, SameBitsWhateverWasSolvedBefore) {
+  SceneSolver used;
+  (void)used.solve(scene_at(-4.0, {3e-3, 0.0, 0.0}, 1e-2));
+  const Scene scene = scene_at(2.0, moderate);
+  const SceneResult one = used.solve(scene);
+  const SceneResult other = solve_scene(scene);
+  EXPECT_EQ(creep_of(one.left).lateral_force, creep_of(other.left).lateral_force);
+  EXPECT_EQ(creep_of(one.right).spin_moment, creep_of(other.right).spin_moment);
+}
+
+TEST(CreepForces, UnlikeMaterialsAreWarnedOf) {
+  Scene scene = scene_at(3.0, moderate);
+  scene.rail_material = {70000.0, 0.33};
+  const SceneResult result = solve_scene(scene);
+  ASSERT_FALSE(result.left->warnings.empty());
+  EXPECT_NE(result.left->warnings.back().find("unlike materials"), std::string::npos);
+}
+
+TEST(CreepForces, KeysInOtherUnitsAndFrames) {
+  Scene scene;
+  set_text(scene, "convention.units", "SI");
+  set_text(scene, "convention.frame", "right-down");
+  const std::vector<double> given{1e-3, -5e-4, -0.2}; // 1/m
+  set_numbers(scene, "creepage.left", given);
+  EXPECT_DOUBLE_EQ(scene.left_creepages->lateral, 5e-4);
+  EXPECT_DOUBLE_EQ(scene.left_creepages->spin, 2e-4);
+  EXPECT_EQ(std::get<std::vector<double>>(key_value(scene, "creepage.left")), given);
+  SceneResult result = solve_scene(scene);
+  EXPECT_DOUBLE_EQ(number_value(result, "left.patches.0.creepage.spin", scene.convention).value(),
+                   -0.2);
+  EXPECT_DOUBLE_EQ(
+      number_value(result, "left.patches.0.creep_force.lateral", scene.convention).value(),
+      -creep_of(result.left).lateral_force);
+  EXPECT_ANY_THROW(set_numbers(scene, "creepage.left", std::vector<double>{1.0, 2.0}));
+  EXPECT_ANY_THROW(set_numbers(scene, "creepage.left", std::vector<double>{11.0, 0.0, 0.0}));
+  set_text(scene, "creepage.left", "none");
+  EXPECT_FALSE(scene.left_creepages);
+}
+
+/// CONTACT's frame has x forward, y right, z down, and its first body is the rail.
+Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
+  Scene scene;
+  const std::string folder = std::string(WRCONTACT_REFERENCE_DIR) + '/';
+  scene.wheel = folder + input.at("wheel").get<std::string>();
+  scene.rail = folder + input.at("rail").get<std::string>();
+  scene.track.cant = input.at("cant_rad");
+  scene.track.gauge = input.at("gauge_mm");
+  scene.track.gauge_height = input.at("gauge_height_mm");
+  scene.wheelset.radius = input.at("nominal_radius_mm");
+  scene.wheelset.back_to_back = input.at("flange_back_distance_mm");
+  const double poisson = input.at("nu");
+  scene.wheel_material =
+      scene.rail_material = {2.0 * input.at("G_MPa").get<double>() * (1.0 + poisson), poisson};
+  scene.lateral = -input.at("y_ws_mm").get<double>();
+  scene.yaw = -input.at("yaw_rad").get<double>();
+  scene.roll = input.at("roll_rad").get<double>();
+  scene.normal_load = patch.at("Fn_N").get<double>();
+  scene.left_friction = scene.right_friction = input.at("mu");
+  const Creepages creepages{-patch.at("cksi").get<double>(), patch.at("ceta").get<double>(),
+                            patch.at("cphi_per_mm").get<double>()};
+  const bool left = input.at("side") == "left";
+  scene.side = left ? SideChoice::left : SideChoice::right;
+  (left ? scene.left_creepages : scene.right_creepages) = creepages;
+  scene.accuracy_of = AccuracyOf::forces;
+  return scene;
+}
+
+// Cases with one patch. CONTACT's elements of 0.2 mm leave 0.3 % of mu N as a rule, up to 1.2 %.
+TEST(CreepForces, WheelsOfCreepCases) {
+  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/creep_cases.json");
+  if (!file) {
+    GTEST_SKIP() << "no creep_cases.json in " << WRCONTACT_REFERENCE_DIR;
+  }
+  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  double squares = 0.0;
+  int compared = 0;
+  for (const auto& entry : cases) {
+    if (entry.at("kind") != "wheel_rail" || entry.at("input").at("material_digit") == 3 ||
+        entry.at("input").at("discretisation_digit") != 2) {
+      continue;
+    }
+    const nlohmann::json& patches = entry.at("grids").back().at("patches");
+    if (patches.size() != 1) {
+      continue;
+    }
+    SCOPED_TRACE(entry.at("id").get<std::string>());
+    const nlohmann::json& patch = patches[0];
+    const Scene scene = scene_of_case(entry.at("input"), patch);
+    const SceneResult result = solve_scene(scene);
+    const CreepResult& creep = creep_of(result.left ? result.left : result.right);
+    const double whole = entry.at("input").at("mu").get<double>() * patch.at("Fn_N").get<double>();
+    const double x = (creep.longitudinal_force + patch.at("Fx_N").get<double>()) / whole;
+    const double y = (creep.lateral_force - patch.at("Fs_N").get<double>()) / whole;
+    EXPECT_LE(std::abs(x), 0.012);
+    EXPECT_LE(std::abs(y), 0.012);
+    squares += x * x + y * y;
+    ++compared;
+  }
+  ASSERT_GE(compared, 20);
+  EXPECT_LE(std::sqrt(squares / (2.0 * compared)), 0.003);
+}
+
+} // namespace
+} // namespace wrc::test
