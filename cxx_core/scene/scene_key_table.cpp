@@ -1,78 +1,17 @@
 #include "scene/scene_key_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "scene/key_makers.hpp"
 
 namespace wrc {
 namespace {
 
 using namespace dimensions;
-
-/// Largest of a permitted creepage, and spin in 1/mm: full sliding in every case.
-/// origin: permitted range.
-constexpr double max_creepage = 10.0;
-
-/// Permitted, ends included.
-struct Range {
-  double min;
-  double max;
-};
-
-/// A number with one place in the scene: a member, or a function of a scene, const or not.
-template <class Place>
-Key number_key(KeyDescription description, Range range, Dimension dimension, Place place) {
-  Key key;
-  key.description = description;
-  key.dimension = dimension;
-  key.min = range.min;
-  key.max = range.max;
-  key.get = [place](const Scene& scene) { return KeyValue(std::invoke(place, scene)); };
-  key.set_number = [place](Scene& scene, double value) { std::invoke(place, scene) = value; };
-  return key;
-}
-
-/// A number that is held in two places, of wheel and rail or left and right.
-template <class Place, class Other>
-Key number_key(KeyDescription description, Range range, Dimension dimension, Place place,
-               Other other) {
-  Key key = number_key(description, range, dimension, place);
-  key.get = [place, other](const Scene& scene) {
-    return std::invoke(place, scene) == std::invoke(other, scene)
-               ? KeyValue(std::invoke(place, scene))
-               : KeyValue();
-  };
-  key.set_number = [place, other](Scene& scene, double value) {
-    std::invoke(place, scene) = value;
-    std::invoke(other, scene) = value;
-  };
-  return key;
-}
-
-/// A word for each value of an enumeration.
-template <class Value, class Place>
-Key word_key(KeyDescription description, std::vector<std::pair<std::string_view, Value>> words,
-             Place place) {
-  Key key;
-  key.description = description;
-  key.get = [words, place](const Scene& scene) {
-    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& word) {
-      return word.second == std::invoke(place, scene);
-    });
-    return KeyValue(std::string(found->first));
-  };
-  key.set_text = [words, place](Scene& scene, std::string_view value) {
-    const auto found = std::find_if(words.begin(), words.end(),
-                                    [value](const auto& word) { return word.first == value; });
-    if (found != words.end()) {
-      std::invoke(place, scene) = found->second;
-    }
-    return found != words.end();
-  };
-  return key;
-}
+using namespace key_makers;
 
 /// The name of a profile, which takes the place of a profile given by the program.
 Key profile_key(KeyDescription description, std::string Scene::*name,
@@ -87,27 +26,6 @@ Key profile_key(KeyDescription description, std::string Scene::*name,
     scene.*name = value; // first: it may run out of memory
     (scene.*profile).reset();
     return true;
-  };
-  return key;
-}
-
-/// A number that a word unsets.
-Key optional_key(KeyDescription description, Range range, Dimension dimension,
-                 std::optional<double> Scene::*member, std::string_view word) {
-  Key key;
-  key.description = description;
-  key.dimension = dimension;
-  key.min = range.min;
-  key.max = range.max;
-  key.get = [member, word](const Scene& scene) {
-    return scene.*member ? KeyValue(*(scene.*member)) : KeyValue(std::string(word));
-  };
-  key.set_number = [member](Scene& scene, double value) { scene.*member = value; };
-  key.set_text = [member, word](Scene& scene, std::string_view value) {
-    if (value == word) {
-      (scene.*member).reset();
-    }
-    return value == word;
   };
   return key;
 }
@@ -275,78 +193,6 @@ std::vector<Key> load_keys() {
   return keys;
 }
 
-/// [longitudinal, lateral, spin], or none.
-Key creepage_key(std::string_view name, std::string_view meaning,
-                 std::optional<Creepages> Scene::*member) {
-  constexpr std::array dimensions_of{pure, turning_angle, turning_curvature};
-  Key key;
-  key.description = {name, "\"none\"",
-                     "[longitudinal, lateral, spin], each -10 to 10 (spin 1/mm), or \"none\"",
-                     meaning};
-  key.get = [member, dimensions_of](const Scene& scene) {
-    if (!(scene.*member)) {
-      return KeyValue(std::string("none"));
-    }
-    const Creepages& creepages = *(scene.*member);
-    std::vector<double> values{creepages.longitudinal, creepages.lateral, creepages.spin};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = to_caller(values[i], scene.convention, dimensions_of[i]);
-    }
-    return KeyValue(values);
-  };
-  key.set_text = [member](Scene& scene, std::string_view value) {
-    if (value == "none") {
-      (scene.*member).reset();
-    }
-    return value == "none";
-  };
-  key.set_numbers = [member, dimensions_of](Scene& scene, std::span<const double> values) {
-    if (values.size() != dimensions_of.size()) {
-      return false;
-    }
-    std::array<double, 3> inside{};
-    for (std::size_t i = 0; i < inside.size(); ++i) {
-      inside[i] = from_caller(values[i], scene.convention, dimensions_of[i]);
-      if (!(std::abs(inside[i]) <= max_creepage)) {
-        return false;
-      }
-    }
-    scene.*member = Creepages{inside[0], inside[1], inside[2]};
-    return true;
-  };
-  return key;
-}
-
-std::vector<Key> rolling_keys() {
-  constexpr Range range{0.0, 10.0};
-  constexpr std::string_view allowed = "0 to 10";
-  const auto left = &Scene::left_friction;
-  const auto right = &Scene::right_friction;
-  return {
-      number_key({"friction.coefficient", "0.3", allowed, "coefficient of friction of each wheel"},
-                 range, pure, left, right),
-      number_key({"friction.left", "0.3", allowed, "coefficient of friction of the left wheel"},
-                 range, pure, left),
-      number_key({"friction.right", "0.3", allowed, "coefficient of friction of the right wheel"},
-                 range, pure, right),
-      creepage_key("creepage.left",
-                   "creepages of the left wheel, wheel minus rail over the speed, in the plane of "
-                   "each patch at its reference; creep forces are computed then",
-                   &Scene::left_creepages),
-      creepage_key("creepage.right", "creepages of the right wheel", &Scene::right_creepages),
-      number_key({"motion.speed", "0.0", "-1e6 to 1e6 mm/s",
-                  "along the track; frictional power is at this speed"},
-                 {-1e6, 1e6}, length, &Scene::speed),
-      word_key<CreepModelRequest>(
-          {"solve.creep", "\"auto\"", "\"auto\", \"none\" or \"full\"",
-           "model of creep forces; full: Kalker's full theory; auto: full where creepages are "
-           "given"},
-          {{"auto", CreepModelRequest::automatic},
-           {"none", CreepModelRequest::none},
-           {"full", CreepModelRequest::full}},
-          &Scene::creep)};
-}
-
 constexpr double max_count = 8192.0;
 constexpr std::string_view by_accuracy = "by accuracy";
 
@@ -487,7 +333,7 @@ std::vector<Key> solution_keys() {
 std::vector<Key> make_scene_keys() {
   std::vector<Key> collected;
   for (auto* part : {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys,
-                     load_keys, rolling_keys, method_keys, accuracy_keys, solution_keys}) {
+                     load_keys, make_rolling_keys, method_keys, accuracy_keys, solution_keys}) {
     for (Key& key : part()) {
       collected.push_back(std::move(key));
     }

@@ -28,5 +28,7 @@ struct Key {
 
 /// All keys, in the order of a scene file. Made anew by each call.
 std::vector<Key> make_scene_keys();
+/// Of them, those of friction, creepages and speed.
+std::vector<Key> make_rolling_keys();
 
 } // namespace wrc

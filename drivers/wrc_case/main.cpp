@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   std::string vtk;
   std::string plot;
   std::string field;
+  std::string creep_field;
   std::string save;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add_option("--set", assignments,
@@ -42,8 +43,12 @@ int main(int argc, char** argv) {
   app.add_flag("--json", json, "print one JSON object instead of the table");
   app.add_flag("--csv", csv, "print CSV, one line per side, instead of the table");
   app.add_option("--vtk", vtk, "write the fields of all patches as legacy VTK")->type_name("FILE");
-  app.add_option("--plot", plot, "draw profiles, patches and pressures")->type_name("FILE.png|svg");
+  app.add_option("--plot", plot, "draw profiles, patches, pressures and tractions")
+      ->type_name("FILE.png|svg");
   app.add_option("--field", field, "write the fields of all patches as CSV, one line per element")
+      ->type_name("FILE.csv");
+  app.add_option("--creep-field", creep_field,
+                 "write tractions and slips as CSV, one line per element")
       ->type_name("FILE.csv");
   app.add_option("--save", save, "write the scene with all its keys, to be solved again")
       ->type_name("FILE.toml");
@@ -51,7 +56,8 @@ int main(int argc, char** argv) {
              "\nExamples:\n"
              "  wrc_case --set pose.lateral=5 --plot picture.png\n"
              "  wrc_case --set track.rail=CHN60 wheelset.wheel=LMA track.gauge_height=16 --json\n"
-             "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n");
+             "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n"
+             "  wrc_case --set creepage.left=[0.001,0.0005,0.0002] --plot tractions.png\n");
   return driver::run_program(app, argc, argv, [&] {
     if (json && csv) {
       throw driver::Failure("--json --csv: allowed is one of them");
@@ -73,6 +79,9 @@ int main(int argc, char** argv) {
     }
     if (!field.empty()) {
       driver::write_field(scene, field);
+    }
+    if (!creep_field.empty()) {
+      driver::write_creep_field(scene, creep_field);
     }
     // ... what people look at says its units.
     scene.set("convention.units", "mm");

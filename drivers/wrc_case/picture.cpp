@@ -36,6 +36,11 @@ struct DrawnPatch {
   Range lateral;       ///< of the contact, from the reference, positive to the left
   Range longitudinal;  ///< of the contact, track x
 
+  std::vector<std::string> areas;  ///< blocks: x, y, half sizes and colour of the elements
+  std::vector<std::string> arrows; ///< blocks: x, y, traction to the left and forward
+  double largest_traction = 0.0;
+  double arrow_step = 0.0; ///< between arrows, mm
+
   std::string block;         ///< of data
   bool has_contours = false; ///< lines of equal pressure; none on a grid of one row or column
   [[nodiscard]] std::string contours() const { return block + "_contours"; }
@@ -107,6 +112,55 @@ void write_pressure(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
       length > 1 && x.size() > length && *std::max_element(pressure.begin(), pressure.end()) > 0.0;
 }
 
+constexpr const char* adhesion_colour = "0xcfe2f3";
+constexpr const char* slip_colour = "0xf6c7b6";
+
+/// The tractions of a patch, or of its parts, over lateral (from its reference) and x.
+void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
+  for (const PatchName& one : creep_patches_of(scene, patch.name)) {
+    const auto field = [&](const char* name) { return scene.field(one.prefix + name); };
+    const auto x = field("creep_x");
+    const auto y = field("creep_y");
+    const auto z = field("creep_z");
+    const auto pressure = field("creep_pressure");
+    const auto along = field("traction_x");
+    const auto across = field("traction_y");
+    const double friction = scene.get_number("friction." + one.side);
+    const double half_width = 0.5 * scene.number(one.prefix + "creep_element_size.0");
+    const double half_length = 0.5 * scene.number(one.prefix + "creep_element_size.1");
+    const auto columns = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.1"));
+    const auto rows = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.0"));
+    constexpr std::size_t most_arrows = 14; // along and across
+    const std::size_t row_step = (rows + most_arrows - 1) / most_arrows;
+    const std::size_t column_step = (columns + most_arrows - 1) / most_arrows;
+    std::ostringstream areas;
+    std::ostringstream arrows;
+    areas.precision(9);
+    arrows.precision(9);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!(pressure[i] > 0.0)) {
+        continue;
+      }
+      const double lateral =
+          (y[i] - patch.y) * std::cos(patch.angle) + (z[i] - patch.z) * std::sin(patch.angle);
+      const double traction = std::hypot(along[i], across[i]);
+      constexpr double on_bound = 1.0 - 1e-6;
+      const bool slips = traction >= on_bound * friction * pressure[i];
+      patch.largest_traction = std::max(patch.largest_traction, traction);
+      areas << lateral << ' ' << x[i] << ' ' << half_width << ' ' << half_length << ' '
+            << (slips ? slip_colour : adhesion_colour) << '\n';
+      if ((i / columns) % row_step == row_step / 2 &&
+          (i % columns) % column_step == column_step / 2) {
+        arrows << lateral << ' ' << x[i] << ' ' << across[i] << ' ' << along[i] << '\n';
+      }
+    }
+    patch.arrow_step = std::max({patch.arrow_step, 2.0 * half_width * static_cast<double>(row_step),
+                                 2.0 * half_length * static_cast<double>(column_step)});
+    patch.areas.push_back(gnuplot.block(areas.str()));
+    patch.arrows.push_back(gnuplot.block(arrows.str()));
+  }
+}
+
 /// Lines at fifths of the largest pressure of the side, as a block of data.
 void write_contours(std::ostream& out, const DrawnPatch& patch, double largest) {
   out << "set contour base\nunset surface\nset cntrparam levels discrete ";
@@ -135,6 +189,7 @@ DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& na
     drawn.angle = number("angle");
     drawn.force = number("normal_force");
     write_pressure(gnuplot, scene, drawn);
+    write_tractions(gnuplot, scene, drawn);
     if (drawn.has_contours) {
       write_contours(gnuplot.script(), drawn, scene.number(name + ".pmax"));
     }
@@ -260,6 +315,61 @@ void plot_pressure(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
   out << "unset label\n";
 }
 
+/// The tractions of all patches of a side as arrows, on areas of slip and adhesion.
+void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
+                    const PressureAxes& axes) {
+  std::ostream& out = gnuplot.script();
+  double largest = 0.0;
+  double step = 0.0;
+  for (const DrawnPatch& patch : side.patches) {
+    largest = std::max(largest, patch.largest_traction);
+    step = std::max(step, patch.arrow_step);
+  }
+  out << "set xrange [" << side.across.middle() + 0.5 * axes.width << ':'
+      << side.across.middle() - 0.5 * axes.width << "]\nset yrange ["
+      << side.along.middle() - 0.5 * axes.length << ':' << side.along.middle() + 0.5 * axes.length
+      << "]\nset size ratio -1\n";
+  if (!(largest > 0.0)) {
+    out << "set title '" << side.name << " wheel: no tractions'\nplot NaN notitle\n";
+    return;
+  }
+  double along = 0.0;
+  double across = 0.0;
+  for (const DrawnPatch& patch : side.patches) {
+    const auto number = [&](const char* name) { return scene.number(patch.name.prefix + name); };
+    if (!patch.areas.empty()) {
+      along += number("creep_force.longitudinal");
+      across += number("creep_force.lateral");
+    }
+  }
+  out << "set title 'tractions on the wheel: " << fixed(1e-3 * along, 2) << " kN forward, "
+      << fixed(1e-3 * across, 2) << " kN to the left, at most " << fixed(largest, 0)
+      << " MPa'\nset xlabel 'along the planes of the patches, mm (to the left)'\n"
+      << "set ylabel 'track x, mm (forward)'\nset key top right opaque width 1\n";
+  std::vector<std::string> items;
+  for (const DrawnPatch& patch : side.patches) {
+    const std::string place = "($1+(" + general(patch.across, 9) + ")):2";
+    for (const std::string& block : patch.areas) {
+      items.push_back(block + " using " + place +
+                      ":3:4:5 with boxxyerror fs solid noborder lc rgb variable notitle");
+    }
+  }
+  // Arrows of neighbours touch where the traction is largest.
+  const double scale = 1.2 * step / largest;
+  for (const DrawnPatch& patch : side.patches) {
+    const std::string place = "($1+(" + general(patch.across, 9) + ")):2";
+    for (const std::string& block : patch.arrows) {
+      items.push_back(block + " using " + place + ":(" + general(scale, 9) + "*$3):(" +
+                      general(scale, 9) +
+                      "*$4) with vectors head size screen 0.004,20 lc rgb '#303030' lw 1 notitle");
+    }
+  }
+  items.push_back(std::string("NaN with boxes fs solid lc rgb ") + adhesion_colour +
+                  " title 'adhesion'");
+  items.push_back(std::string("NaN with boxes fs solid lc rgb ") + slip_colour + " title 'slip'");
+  gnuplot.plot(items);
+}
+
 } // namespace
 
 void draw_scene(const Scene& scene, const std::filesystem::path& path) {
@@ -275,7 +385,12 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
     axes.include(side);
   }
   gnuplot.script() << "set grid lc rgb '#dddddd'\nset tics out nomirror\n" << pressure_palette;
-  gnuplot.begin_multiplot(has_pressures ? 2 : 1, sides.size());
+  const bool has_tractions = std::any_of(sides.begin(), sides.end(), [](const DrawnSide& side) {
+    return std::any_of(side.patches.begin(), side.patches.end(),
+                       [](const DrawnPatch& patch) { return !patch.areas.empty(); });
+  });
+  const std::size_t rows = 1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U);
+  gnuplot.begin_multiplot(rows, sides.size());
   for (const DrawnSide& side : sides) {
     plot_outlines(gnuplot, scene, side);
   }
@@ -284,8 +399,13 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
       plot_pressure(gnuplot, scene, side, axes);
     }
   }
+  if (has_tractions) {
+    for (const DrawnSide& side : sides) {
+      plot_tractions(gnuplot, scene, side, axes);
+    }
+  }
   const int columns = std::max(static_cast<int>(sides.size()), 1);
-  gnuplot.draw(path, 650 * columns, has_pressures ? 900 : 450);
+  gnuplot.draw(path, 650 * columns, 450 * static_cast<int>(rows));
 }
 
 } // namespace driver

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 
 #include "support/csv_table.hpp"
 #include "support/json.hpp"
@@ -76,8 +77,13 @@ public:
     double factor = 1.0;
   };
 
-  PatchPrinter(const Scene& scene, std::ostream& out) : scene_(scene), out_(out) {
+  /// Of patches that have the result `needed`.
+  PatchPrinter(const Scene& scene, std::ostream& out, const char* needed = "pmax")
+      : scene_(scene), out_(out) {
     for (const PatchName& patch : all_patches(scene)) {
+      if (!scene.has_number(patch.prefix + needed)) {
+        continue;
+      }
       const std::string index = std::to_string(patch.index);
       lines_.push_back({padded("  " + patch.side, 8) + padded_left(index), patch.prefix});
       const int parts = scene.count_of(patch.prefix + "parts");
@@ -156,6 +162,20 @@ void print_patch_forces(const Scene& scene, std::ostream& out) {
   table.print("Patches", forces);
 }
 
+void print_creep_forces(const Scene& scene, std::ostream& out) {
+  const PatchPrinter table(scene, out, "creep_force.longitudinal");
+  table.print("Creep", {{"creepage", "1e-3", "creepage.longitudinal", 10, 3, 1e3},
+                        {"lateral", "1e-3", "creepage.lateral", 9, 3, 1e3},
+                        {"spin", "1e-3/mm", "creepage.spin", 9, 3, 1e3},
+                        {"force", "x, N", "creep_force.longitudinal", 11, 1},
+                        {"", "y, N", "creep_force.lateral", 11, 1},
+                        {"moment", "N mm", "spin_moment", 11, 0},
+                        {"in slip", "mm2", "slip_area", 9, 2},
+                        {"adhesion", "mm2", "adhesion_area", 10, 2},
+                        {"traction", "MPa", "traction_max", 10, 1},
+                        {"-F.w", "N", "wear_number", 9, 3}});
+}
+
 void print_patch_places(const Scene& scene, std::ostream& out) {
   const PatchPrinter table(scene, out);
   table.print("Places", {{"reference", "y, mm", "y", 11, 3},
@@ -196,8 +216,9 @@ void print_texts(const Scene& scene, std::ostream& out) {
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array counts{".iterations", ".convolutions", ".solutions", ".regions",
-                              ".lobes",      ".grid.0",       ".grid.1"};
+  constexpr std::array counts{
+      ".iterations", ".convolutions", ".solutions",    ".regions",      ".lobes",
+      ".grid.0",     ".grid.1",       ".creep_grid.0", ".creep_grid.1", ".creep_convolutions"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }
@@ -271,6 +292,7 @@ void print_table(const Scene& scene, std::ostream& out) {
   table.print(out);
   if (until == "mechanics") {
     print_patch_forces(scene, out);
+    print_creep_forces(scene, out);
   }
   if (until != "geometry") {
     print_patch_places(scene, out);
@@ -279,7 +301,8 @@ void print_table(const Scene& scene, std::ostream& out) {
   print_near_contacts(scene, out);
   print_texts(scene, out);
   out << "Time in ms:";
-  for (const char* stage : {"profile", "setup", "geometry", "remesh", "mechanics", "total"}) {
+  for (const char* stage :
+       {"profile", "setup", "geometry", "remesh", "mechanics", "rolling", "total"}) {
     out << ' ' << stage << ' ' << fixed(scene.number(std::string("time_ms.") + stage), 2);
   }
   out << '\n';
@@ -330,14 +353,18 @@ void print_csv(const Scene& scene, std::ostream& out) {
   }
 }
 
-void write_field(const Scene& scene, const std::filesystem::path& path) {
+namespace {
+
+template <class Names>
+void write_fields(const Scene& scene, const std::vector<PatchName>& patches, const Names& names,
+                  const std::filesystem::path& path) {
   OutputFile file(path);
   std::ofstream& out = file.stream();
-  CsvLine(out).add(words("side patch")).add(element_fields);
-  for (const PatchName& patch : all_patches(scene)) {
-    std::array<std::vector<double>, element_fields.size()> columns;
+  CsvLine(out).add(words("side patch")).add(names);
+  for (const PatchName& patch : patches) {
+    std::array<std::vector<double>, std::tuple_size_v<Names>> columns;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      columns[i] = scene.field(patch.prefix + element_fields[i]);
+      columns[i] = scene.field(patch.prefix + names[i]);
     }
     for (std::size_t element = 0; element < columns[0].size(); ++element) {
       CsvLine line(out);
@@ -348,6 +375,44 @@ void write_field(const Scene& scene, const std::filesystem::path& path) {
     }
   }
   file.commit();
+}
+
+} // namespace
+
+void write_field(const Scene& scene, const std::filesystem::path& path) {
+  write_fields(scene, all_patches(scene), element_fields, path);
+}
+
+std::vector<PatchName> creep_patches_of(const Scene& scene, const PatchName& patch) {
+  std::vector<PatchName> patches;
+  if (!scene.has_number(patch.prefix + "creep_force.longitudinal")) {
+    return patches;
+  }
+  const int parts = scene.count_of(patch.prefix + "parts");
+  if (parts == 0) {
+    patches.push_back(patch);
+  }
+  for (int part = 0; part < parts; ++part) {
+    patches.push_back(
+        {patch.side, patch.index, patch.prefix + "parts." + std::to_string(part) + '.'});
+  }
+  return patches;
+}
+
+void write_creep_field(const Scene& scene, const std::filesystem::path& path) {
+  constexpr std::array names{"creep_x",    "creep_y",    "creep_z", "creep_pressure",
+                             "traction_x", "traction_y", "slip_x",  "slip_y"};
+  std::vector<PatchName> patches;
+  for (const PatchName& patch : all_patches(scene)) {
+    for (PatchName& one : creep_patches_of(scene, patch)) {
+      patches.push_back(std::move(one));
+    }
+  }
+  if (patches.empty()) {
+    throw Failure("--creep-field " + path.string() +
+                  ": there are no creep forces; set creepage.left or creepage.right");
+  }
+  write_fields(scene, patches, names, path);
 }
 
 } // namespace driver

@@ -34,6 +34,12 @@ void print_csv(const Scene& scene, std::ostream& out);
 /// undeformed_distance, pressure, displacement.
 void write_field(const Scene& scene, const std::filesystem::path& path);
 
+/// The patches that have tractions of their own: a patch with creep forces, or its parts.
+std::vector<PatchName> creep_patches_of(const Scene& scene, const PatchName& patch);
+/// Tractions and slips of them, a line per element: side, patch, creep_x, creep_y, creep_z,
+/// creep_pressure, traction_x, traction_y, slip_x, slip_y. Throws Failure if there are none.
+void write_creep_field(const Scene& scene, const std::filesystem::path& path);
+
 /// A legacy VTK unstructured grid: one quadrilateral per element, at its place in the track frame,
 /// of all patches of all sides. Values of cells: undeformed_distance, pressure, displacement;
 /// `patch` (N of patches.N) and `side` (1 left, -1 right) tell them apart.

@@ -167,6 +167,21 @@ TEST(CreepForces, KeysInOtherUnitsAndFrames) {
   EXPECT_FALSE(scene.left_creepages);
 }
 
+TEST(CreepForces, KeysOfOneComponentSetBothWheels) {
+  Scene scene;
+  EXPECT_EQ(std::get<std::string>(key_value(scene, "creepage.spin")), "none");
+  set_number(scene, "creepage.longitudinal", 1e-3);
+  set_number(scene, "creepage.spin", 2e-4);
+  EXPECT_EQ(scene.left_creepages->longitudinal, 1e-3);
+  EXPECT_EQ(scene.left_creepages->lateral, 0.0);
+  EXPECT_EQ(scene.right_creepages->spin, 2e-4);
+  EXPECT_EQ(std::get<double>(key_value(scene, "creepage.spin")), 2e-4);
+  scene.left_creepages->spin = 0.0; // differ now
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(key_value(scene, "creepage.spin")));
+  set_text(scene, "creepage.lateral", "none");
+  EXPECT_FALSE(scene.left_creepages || scene.right_creepages);
+}
+
 /// CONTACT's frame has x forward, y right, z down, and its first body is the rail.
 Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
   Scene scene;
