@@ -15,10 +15,10 @@
 
 namespace wrc {
 
-/// Next number of a handle, different for all kinds. Multiples of 16 leave low bits to callers that
+/// Next number of a handle, different for all kinds. Multiples of 32 leave low bits to callers that
 /// mark their handles.
 inline std::uintptr_t next_handle_number() noexcept {
-  constexpr std::uintptr_t step = 16;
+  constexpr std::uintptr_t step = 32;
   static std::atomic<std::uintptr_t> last{0};
   return last.fetch_add(step, std::memory_order_relaxed) + step;
 }

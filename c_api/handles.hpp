@@ -16,6 +16,7 @@
 #include "mechanics/normal_solver.hpp"
 #include "pressure/pressure_field.hpp"
 #include "profile/profile.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"
 #include "wrcontact.h"
@@ -73,6 +74,22 @@ struct NormalObject {
   std::string error;
 };
 
+struct RollingObject {
+  RollingObject() {
+    const Material steel{210000.0, 0.28};
+    problem.shear_modulus = steel.youngs_modulus / (2.0 * (1.0 + steel.poisson));
+    problem.poisson = steel.poisson;
+  }
+
+  std::vector<double> pressure;
+  std::vector<double> previous_x; ///< tractions before a step or a shift; empty: none
+  std::vector<double> previous_y;
+  RollingProblem problem; ///< its spans are set at each solve
+  RollingSolver solver;
+  std::optional<RollingSolution> result;
+  std::string error;
+};
+
 /// From the kind of a handle to the kind of object it stands for, and the table of these.
 template <class Handle> struct ObjectOf;
 template <> struct ObjectOf<wrc_scene> {
@@ -90,6 +107,10 @@ template <> struct ObjectOf<wrc_profile> {
 template <> struct ObjectOf<wrc_normal> {
   using type = NormalObject;
   static constexpr const char* missing = "normal = NULL: a handle must be given";
+};
+template <> struct ObjectOf<wrc_rolling> {
+  using type = RollingObject;
+  static constexpr const char* missing = "rolling = NULL: a handle must be given";
 };
 
 template <class Handle> using Object = typename ObjectOf<std::remove_const_t<Handle>>::type;

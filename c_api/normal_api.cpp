@@ -1,34 +1,17 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
+#include "grid_contact.hpp"
 #include "half_space/displacement_operator.hpp"
-#include "handles.hpp"
 #include "pressure/contact_area.hpp"
 
 namespace {
 
-constexpr double most_iterations = 1e9;
 /// What double precision reaches on any grid (docs/stability.md); that of solve.tolerance too.
 constexpr double min_tolerance = 1e-13;
 
-[[noreturn]] void refuse_name(const char* what, const std::string& name, const char* known) {
-  throw wrc::Error(wrc::ErrorCode::unknown_name, std::string("no ") + what +
-                                                     " of a normal contact is named \"" + name +
-                                                     "\"; there are " + known);
-}
-
-/// True for `second`, false for `first`; throws Error(invalid_argument) for any other.
-bool is_second(const char* key, std::string_view value, std::string_view first,
-               std::string_view second) {
-  if (value != first && value != second) {
-    wrc::throw_invalid_argument(key, '"' + std::string(value) + '"',
-                                "allowed is \"" + std::string(first) + "\" or \"" +
-                                    std::string(second) + '"');
-  }
-  return value == second;
+[[noreturn]] void refuse(const char* what, const std::string& name, const char* known) {
+  wrc::refuse_name(what, "normal contact", name, known);
 }
 
 void set_number(wrc::NormalProblem& problem, const std::string& key, double value) {
@@ -52,24 +35,12 @@ void set_number(wrc::NormalProblem& problem, const std::string& key, double valu
     check(value >= min_tolerance && value <= 0.1, "allowed is 1e-13 to 0.1");
     problem.tolerance = value;
   } else if (key == "maximum_iterations") {
-    check(value >= 1.0 && value <= most_iterations && value == std::floor(value),
+    check(value >= 1.0 && value <= wrc::most_iterations && value == std::floor(value),
           "allowed is a whole number, 1 to 1e9");
     problem.maximum_iterations = static_cast<int>(value);
   } else {
-    refuse_name("number", key,
-                "combined_modulus, normal_load, approach, tolerance, maximum_iterations");
+    refuse("number", key, "combined_modulus, normal_load, approach, tolerance, maximum_iterations");
   }
-}
-
-/// Runs a body that needs results.
-template <class Body> wrc_status with_result(wrc_normal* normal, Body&& body) {
-  return wrc::guard(normal, [&](wrc::NormalObject& object) -> wrc_status {
-    if (!object.result) {
-      object.error = "the normal contact has not been solved yet";
-      return WRC_NO_RESULT;
-    }
-    return body(object, *object.result);
-  });
 }
 
 const std::vector<double>& displacement_of(wrc::NormalResult& result) {
@@ -123,9 +94,9 @@ double number_of(wrc::NormalResult& result, const std::string& name) {
   if (name == "residuals.complementarity") {
     return residuals_of(result).complementarity;
   }
-  refuse_name("number", name,
-              "approach, normal_force, pmax, pmax_element, area, fill, iterations, "
-              "residuals.load_balance, residuals.least_gap, residuals.complementarity");
+  refuse("number", name,
+         "approach, normal_force, pmax, pmax_element, area, fill, iterations, "
+         "residuals.load_balance, residuals.least_gap, residuals.complementarity");
 }
 
 } // namespace
@@ -148,32 +119,17 @@ wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                int64_t longitudinal_count, double lateral_step,
                                double longitudinal_step) {
   return wrc::guard(normal, [&](wrc::NormalObject& object) {
-    wrc::Grid grid;
-    // A negative number becomes 0, which check_grid refuses too.
-    grid.lateral_count = static_cast<std::size_t>(std::max<int64_t>(lateral_count, 0));
-    grid.longitudinal_count = static_cast<std::size_t>(std::max<int64_t>(longitudinal_count, 0));
-    grid.lateral_step = lateral_step;
-    grid.longitudinal_step = longitudinal_step;
-    wrc::check_grid(grid);
-    object.problem.grid = grid;
+    object.problem.grid =
+        wrc::checked_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count) {
   return wrc::guard(normal, [&](wrc::NormalObject& object) {
-    wrc::require_pointer(values, "values");
-    if (count < 1 || count > static_cast<int64_t>(wrc::maximum_element_count)) {
-      wrc::throw_invalid_argument("count", std::to_string(count), "allowed is 1 to 2^26");
-    }
-    const double* end = values + count;
-    const double* bad =
-        std::find_if(values, end, [](double value) { return !std::isfinite(value); });
-    if (bad != end) {
-      wrc::throw_invalid_argument("values[" + std::to_string(bad - values) + ']', *bad,
-                                  "a distance must be finite, mm");
-    }
-    object.distance = std::make_shared<const std::vector<double>>(values, end);
+    object.distance = std::make_shared<const std::vector<double>>(wrc::copied(
+        "values", values, count, [](double value) { return std::isfinite(value); },
+        "a distance must be finite, mm"));
     return WRC_OK;
   });
 }
@@ -192,26 +148,27 @@ wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* 
     wrc::require_pointer(value, "value");
     const std::string_view requested = key;
     if (requested == "solver") {
-      object.paper_method = is_second(key, value, "default", "paper");
+      object.paper_method = wrc::chosen<bool>(key, value, {{"default", false}, {"paper", true}});
     } else if (requested == "precision") {
-      const auto precision = is_second(key, value, "mixed", "double") ? wrc::Precision::double_only
-                                                                      : wrc::Precision::mixed;
+      const auto precision = wrc::chosen<wrc::Precision>(
+          key, value, {{"mixed", wrc::Precision::mixed}, {"double", wrc::Precision::double_only}});
       if (precision != object.precision) {
         object.precision = precision;
         object.solver.reset();
       }
     } else if (requested == "elements") {
-      object.elements = is_second(key, value, "smooth", "constant") ? wrc::Elements::constant
-                                                                    : wrc::Elements::smooth;
+      object.elements = wrc::chosen<wrc::Elements>(
+          key, value, {{"smooth", wrc::Elements::smooth}, {"constant", wrc::Elements::constant}});
     } else if (requested == "planner") {
-      const auto rigor = is_second(key, value, "estimate", "measure") ? wrc::PlannerRigor::measure
-                                                                      : wrc::PlannerRigor::estimate;
+      const auto rigor = wrc::chosen<wrc::PlannerRigor>(
+          key, value,
+          {{"estimate", wrc::PlannerRigor::estimate}, {"measure", wrc::PlannerRigor::measure}});
       if (rigor != object.rigor) {
         object.rigor = rigor;
         object.solver.reset();
       }
     } else {
-      refuse_name("text", key, "solver, elements, precision, planner");
+      refuse("text", key, "solver, elements, precision, planner");
     }
     return WRC_OK;
   });
@@ -251,7 +208,7 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
 }
 
 wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value) {
-  return with_result(normal, [&](wrc::NormalObject&, wrc::NormalResult& result) {
+  return wrc::with_result(normal, [&](wrc::NormalObject&, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     *value = number_of(result, name);
@@ -260,11 +217,11 @@ wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value
 }
 
 wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value) {
-  return with_result(normal, [&](wrc::NormalObject&, wrc::NormalResult& result) {
+  return wrc::with_result(normal, [&](wrc::NormalObject&, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     if (std::string_view(name) != "stop_reason") {
-      refuse_name("text", name, "stop_reason");
+      refuse("text", name, "stop_reason");
     }
     // The name is a string literal, so the view ends with a zero byte.
     *value = wrc::name_of(result.solution.stop_reason).data();
@@ -274,11 +231,11 @@ wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** va
 
 wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values, int64_t capacity,
                             int64_t* count) {
-  return with_result(normal, [&](wrc::NormalObject& object, wrc::NormalResult& result) {
+  return wrc::with_result(normal, [&](wrc::NormalObject& object, wrc::NormalResult& result) {
     wrc::require_pointer(name, "name");
     const std::string_view requested = name;
     if (requested != "pressure" && requested != "displacement") {
-      refuse_name("field", name, "pressure, displacement");
+      refuse("field", name, "pressure, displacement");
     }
     const std::size_t length = result.solution.pressure.size();
     const double* from = result.solution.pressure.data();

@@ -30,7 +30,7 @@ module wrcontact
   implicit none
   private
 
-  public :: contact_scene, contact_solver, contact_profile, normal_contact
+  public :: contact_scene, contact_solver, contact_profile, normal_contact, rolling_contact
   public :: solve_batch, library_version, status_name, scene_key_count, scene_key
   public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, measure_transform
 
@@ -51,16 +51,19 @@ module wrcontact
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1
 
-  integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4
+  integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4, &
+    rolling_kind = 5
 
   !> Shared by variables that were assigned to each other.
   type :: shared_handle
     type(c_ptr) :: handle = c_null_ptr
     integer :: kind = 0
     integer :: references = 0
-    !> Of a normal contact: elements along and across the rail, the shape of a distance of rank 2 (0
-    !> if there is none), and the elements when it was last solved.
-    integer(c_int64_t) :: grid(2) = 0, distance(2) = 0, solved(2) = 0
+    !> Of a normal or rolling contact: elements along and across the rail, and those when it was
+    !> last solved; shapes of distances or pressures and of previous tractions, if of rank 2 (else 0).
+    integer(c_int64_t) :: grid(2) = 0, solved(2) = 0, given(2) = 0, previous(2) = 0
+    !> Of a rolling contact: whether it needs previous tractions.
+    logical :: in_steps = .false.
   end type shared_handle
 
   !> A wheel or rail profile.
@@ -189,6 +192,41 @@ module wrcontact
     procedure, private :: share => normal_share
     final :: normal_release
   end type normal_contact
+
+  !> Tangential contact of pressures given by the caller; keys and names of results in wrcontact.h.
+  type :: rolling_contact
+    private
+    type(shared_handle), pointer :: shared => null()
+  contains
+    !> An empty problem; one held before is given up.
+    procedure :: create => rolling_create
+    !> set_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step)
+    procedure :: set_grid => rolling_set_grid
+    !> set_pressure(values): of rank 1, longitudinal index fastest, or of rank 2, shaped
+    !> (longitudinal, lateral).
+    generic :: set_pressure => set_pressure_1, set_pressure_2
+    !> set_previous(traction_x, traction_y): tractions before a step or a shift, of either rank;
+    !> without them: there are none.
+    generic :: set_previous => set_previous_1, set_previous_2
+    !> set(key, value): a real(real64), an integer or a character.
+    generic :: set => set_number, set_integer, set_text
+    procedure :: solve => rolling_solve
+    !> The tractions just found become the previous ones.
+    procedure :: advance => rolling_advance
+    procedure :: number => rolling_number
+    procedure :: field => rolling_field
+    procedure :: field_2d => rolling_field_2d
+    generic :: assignment(=) => share
+    procedure, private :: set_pressure_1 => rolling_set_pressure_1
+    procedure, private :: set_pressure_2 => rolling_set_pressure_2
+    procedure, private :: set_previous_1 => rolling_set_previous_1
+    procedure, private :: set_previous_2 => rolling_set_previous_2
+    procedure, private :: set_number => rolling_set_number
+    procedure, private :: set_integer => rolling_set_integer
+    procedure, private :: set_text => rolling_set_text
+    procedure, private :: share => rolling_share
+    final :: rolling_release
+  end type rolling_contact
 
   include 'wrcontact_c.inc'
 
@@ -604,6 +642,7 @@ contains
   end subroutine solve_batch
 
   include 'wrcontact_normal.inc'
+  include 'wrcontact_rolling.inc'
   include 'wrcontact_profile.inc'
   include 'wrcontact_namelist.inc'
 
@@ -627,6 +666,7 @@ contains
       case (solver_kind); status = wrc_solver_create(fresh%handle)
       case (profile_kind); status = wrc_profile_create(fresh%handle)
       case (normal_kind); status = wrc_normal_create(fresh%handle)
+      case (rolling_kind); status = wrc_rolling_create(fresh%handle)
       end select
       if (status == wrc_ok) then
         fresh%kind = kind
@@ -662,6 +702,7 @@ contains
       case (solver_kind); call wrc_solver_destroy(shared%handle)
       case (profile_kind); call wrc_profile_destroy(shared%handle)
       case (normal_kind); call wrc_normal_destroy(shared%handle)
+      case (rolling_kind); call wrc_rolling_destroy(shared%handle)
       end select
       deallocate (shared)
     end if
@@ -675,6 +716,23 @@ contains
     handle = c_null_ptr
     if (associated(shared)) handle = shared%handle
   end function address
+
+  !> Whether an array of rank 2 has the grid's shape: the library counts values only, and a
+  !> transposed one would pass. Reports if not.
+  function fits(shared, what, given, stat, errmsg)
+    type(shared_handle), pointer, intent(in) :: shared
+    character(*), intent(in) :: what
+    integer(c_int64_t), intent(in) :: given(2)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    logical :: fits
+    character(120) :: failure
+    fits = all(given == 0) .or. all(given == shared%grid)
+    if (fits) return
+    write (failure, '(a, 2(a, i0, a, i0))') what, ' shaped ', given(1), ' x ', given(2), &
+      ', the grid (longitudinal, lateral) ', shared%grid(1), ' x ', shared%grid(2)
+    call report(int(wrc_invalid_argument, c_int32_t), trim(failure), stat, errmsg)
+  end function fits
 
   subroutine report_of(shared, kind, status, stat, errmsg)
     type(shared_handle), pointer, intent(in) :: shared
@@ -695,6 +753,8 @@ contains
       call report(status, fortran_text(wrc_profile_error(address(shared))), stat, errmsg)
     case (normal_kind)
       call report(status, fortran_text(wrc_normal_error(address(shared))), stat, errmsg)
+    case (rolling_kind)
+      call report(status, fortran_text(wrc_rolling_error(address(shared))), stat, errmsg)
     end select
   end subroutine report_of
 

@@ -3,7 +3,8 @@ c no module, nothing to include for the caller. Compile this file (which
 c includes wrcontact_f77.inc) with the program, link with -lwrcontact;
 c docs/fortran.md shows a complete program.
 c
-c   INTEGER*8 HANDLE         scene, solver, profile or normal contact
+c   INTEGER*8 HANDLE         scene, solver, profile, normal or rolling
+c                            contact
 c   REAL*8                   all numbers; mm, N, MPa, rad, y left, z up,
 c                            unless the scene's convention differs
 c   CHARACTER*(*)            keys and texts; trailing blanks do not
@@ -24,26 +25,28 @@ c exactly so, and marks the handle with it. A handle may be used only
 c by program parts compiled with the same option.
 c
 c   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    makes a 'scene', 'solver',
-c                                          'profile' or 'normal'
+c                                          'profile', 'normal' or
+c                                          'rolling'
 c   WRCDEL(HANDLE, IERR)                   destroys it, sets it to 0
 c   WRCERR(HANDLE, TEXT, IERR)             text of its last failure
 c   WRCVER(TEXT)                           version of the library
 c
-c   WRCSET(HANDLE, KEY, VALUE, IERR)       number of a scene or normal
-c   WRCSTX(HANDLE, KEY, TEXT, IERR)        text of a scene or normal
+c   WRCSET(HANDLE, KEY, VALUE, IERR)       number of a scene or contact
+c   WRCSTX(HANDLE, KEY, TEXT, IERR)        text of a scene or contact
 c   WRCSTN(SCENE, KEY, VALUES, N, IERR)    numbers
 c   WRCGET(SCENE, KEY, VALUE, IERR)        the number of a key
 c   WRCGTX(SCENE, KEY, TEXT, IERR)         the text of a key
 c   WRCPUT(SCENE, KEY, PROFIL, IERR)       lets the scene use a profile
 c   WRCWRT(SCENE, PATH, IERR)              a file that wrc_case replays
 c
-c   WRCSOL(HANDLE, IERR)                   solves a scene or normal
+c   WRCSOL(HANDLE, IERR)                   solves a scene or contact
 c   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
 c                                          scene with what is kept
 c   WRCFOR(SOLVER, MODE, IERR)             forgets: 1 all, 0 nothing
 c
-c   WRCNUM(HANDLE, NAME, VALUE, IERR)      a result of a scene or normal
-c   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text, also of a profile
+c   WRCNUM(HANDLE, NAME, VALUE, IERR)      result of a scene or contact
+c   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text of a scene, profile or
+c                                          normal contact
 c   WRCFLD(HANDLE, NAME, VALUES, LENV, N, IERR)
 c        a field: N values, longitudinal index fastest, if LENV is at
 c        least N; otherwise N only. LENV = 0 returns N, without error
@@ -53,9 +56,13 @@ c   WRCFIL(PROFIL, PATH, IERR)             a profile's file
 c   WRCPTS(PROFIL, NAME, IKIND, Y, Z, N, IERR)
 c        a profile through points; IKIND 0: wheel, 1: rail
 c
-c   WRCGRD(NORMAL, NLAT, NLON, DLAT, DLON, IERR)   grid
+c   WRCGRD(HANDLE, NLAT, NLON, DLAT, DLON, IERR)   grid of a contact
 c   WRCGAP(NORMAL, DIST, N, IERR)          undeformed distance at the
 c                                          element centres, as a field
+c   WRCPRS(ROLLNG, PRESS, N, IERR)         pressures, as a field
+c   WRCPRV(ROLLNG, QX, QY, N, IERR)        tractions before a step or a
+c                                          shift; N = 0: none
+c   WRCADV(ROLLNG, IERR)                   those found become them
 c
 c If a call fails, numbers keep their values and texts become blank.
 
@@ -67,13 +74,15 @@ c The C interface, and what the subroutines share.
 
       integer, parameter :: scene_mark = 1, solver_mark = 2
       integer, parameter :: profile_mark = 4, normal_mark = 8
+      integer, parameter :: rolling_mark = 16, any_mark = 31
+      integer, parameter :: contact_mark = normal_mark + rolling_mark
 
       include 'wrcontact_f77.inc'
 
       contains
 
-c Handles are multiples of 16. The low two bits say how many bytes the
-c caller's integers have (1: 4, 2: 8), the next two what the handle is.
+c Handles are multiples of 32. The low two bits say how many bytes the
+c caller's integers have (1: 4, 2: 8), the next three what it is.
 
 c Address and width of a handle that is of one of the kinds; status 1
 c without. The width is that of IERR in any case.
@@ -86,8 +95,8 @@ c without. The width is that of IERR in any case.
       integer(c_int64_t) :: number
       width = 4*int(iand(handle, 3_c_int64_t))
       kind = int(ishft(1_c_int64_t, int(iand(ishft(handle, -2),
-     &  3_c_int64_t))))
-      number = iand(handle, not(15_c_int64_t))
+     &  7_c_int64_t))))
+      number = iand(handle, not(31_c_int64_t))
       address = transfer(number, c_null_ptr)
       status = 0
       if (width .ne. 4 .and. width .ne. 8 .or. number .eq. 0) then
@@ -195,6 +204,9 @@ c     are 8, or 0 where the most significant ones come first.
       else if (what .eq. 'normal' .or. what .eq. 'NORMAL') then
         mark = 3
         status = wrc_normal_create(made)
+      else if (what .eq. 'rolling' .or. what .eq. 'ROLLING') then
+        mark = 4
+        status = wrc_rolling_create(made)
       else
         status = 2
       end if
@@ -210,11 +222,12 @@ c     are 8, or 0 where the most significant ones come first.
       integer*4 ierr(*), status
       type(c_ptr) address
       integer kind, width
-      call look(handle, 15, address, kind, width, status)
+      call look(handle, any_mark, address, kind, width, status)
       if (kind .eq. scene_mark) call wrc_scene_destroy(address)
       if (kind .eq. solver_mark) call wrc_solver_destroy(address)
       if (kind .eq. profile_mark) call wrc_profile_destroy(address)
       if (kind .eq. normal_mark) call wrc_normal_destroy(address)
+      if (kind .eq. rolling_mark) call wrc_rolling_destroy(address)
       handle = 0
       call finish(status, ierr, width)
       end
@@ -227,7 +240,7 @@ c     are 8, or 0 where the most significant ones come first.
       integer*4 ierr(*), status
       type(c_ptr) address, found
       integer kind, width
-      call look(handle, 15, address, kind, width, status)
+      call look(handle, any_mark, address, kind, width, status)
       if (status .ne. 0) then
         text = 'the handle was not made by WRCNEW with KIND(0)'
       else
@@ -236,6 +249,7 @@ c     are 8, or 0 where the most significant ones come first.
         if (kind .eq. solver_mark) found = wrc_solver_error(address)
         if (kind .eq. profile_mark) found = wrc_profile_error(address)
         if (kind .eq. normal_mark) found = wrc_normal_error(address)
+        if (kind .eq. rolling_mark) found = wrc_rolling_error(address)
         call copy(found, text, status)
       end if
       call finish(status, ierr, width)
@@ -259,13 +273,15 @@ c     are 8, or 0 where the most significant ones come first.
       integer*4 ierr(*), status
       type(c_ptr) address
       integer kind, width
-      call look(handle, scene_mark + normal_mark, address, kind, width,
+      call look(handle, scene_mark + contact_mark, address, kind, width,
      &  status)
       if (status .eq. 0) then
         if (kind .eq. scene_mark) then
           status = wrc_scene_set_number(address, letters(key), value)
-        else
+        else if (kind .eq. normal_mark) then
           status = wrc_normal_set_number(address, letters(key), value)
+        else
+          status = wrc_rolling_set_number(address, letters(key), value)
         end if
       end if
       call finish(status, ierr, width)
@@ -279,14 +295,17 @@ c     are 8, or 0 where the most significant ones come first.
       integer*4 ierr(*), status
       type(c_ptr) address
       integer kind, width
-      call look(handle, scene_mark + normal_mark, address, kind, width,
+      call look(handle, scene_mark + contact_mark, address, kind, width,
      &  status)
       if (status .eq. 0) then
         if (kind .eq. scene_mark) then
           status = wrc_scene_set_text(address, letters(key),
      &      letters(text))
-        else
+        else if (kind .eq. normal_mark) then
           status = wrc_normal_set_text(address, letters(key),
+     &      letters(text))
+        else
+          status = wrc_rolling_set_text(address, letters(key),
      &      letters(text))
         end if
       end if
@@ -375,13 +394,15 @@ c     are 8, or 0 where the most significant ones come first.
       integer*4 ierr(*), status
       type(c_ptr) address
       integer kind, width
-      call look(handle, scene_mark + normal_mark, address, kind, width,
+      call look(handle, scene_mark + contact_mark, address, kind, width,
      &  status)
       if (status .eq. 0) then
         if (kind .eq. scene_mark) then
           status = wrc_scene_solve(address)
-        else
+        else if (kind .eq. normal_mark) then
           status = wrc_normal_solve(address)
+        else
+          status = wrc_rolling_solve(address)
         end if
       end if
       call finish(status, ierr, width)
@@ -422,13 +443,15 @@ c     are 8, or 0 where the most significant ones come first.
       integer*4 ierr(*), status
       type(c_ptr) address
       integer kind, width
-      call look(handle, scene_mark + normal_mark, address, kind, width,
+      call look(handle, scene_mark + contact_mark, address, kind, width,
      &  status)
       if (status .eq. 0) then
         if (kind .eq. scene_mark) then
           status = wrc_scene_number(address, letters(name), value)
-        else
+        else if (kind .eq. normal_mark) then
           status = wrc_normal_number(address, letters(name), value)
+        else
+          status = wrc_rolling_number(address, letters(name), value)
         end if
       end if
       call finish(status, ierr, width)
@@ -468,7 +491,7 @@ c     are 8, or 0 where the most significant ones come first.
       type(c_ptr) address
       integer kind, width
       integer*8 capacity, count
-      call look(handle, scene_mark + normal_mark, address, kind, width,
+      call look(handle, scene_mark + contact_mark, address, kind, width,
      &  status)
       if (status .eq. 0) then
         count = 0
@@ -476,8 +499,11 @@ c     are 8, or 0 where the most significant ones come first.
         if (kind .eq. scene_mark) then
           status = wrc_scene_field(address, letters(name), values,
      &      capacity, count)
-        else
+        else if (kind .eq. normal_mark) then
           status = wrc_normal_field(address, letters(name), values,
+     &      capacity, count)
+        else
+          status = wrc_rolling_field(address, letters(name), values,
      &      capacity, count)
         end if
         call give(count, n, width)
@@ -538,17 +564,24 @@ c     are 8, or 0 where the most significant ones come first.
       call finish(status, ierr, width)
       end
 
-      subroutine wrcgrd(normal, nlat, nlon, dlat, dlon, ierr)
+      subroutine wrcgrd(handle, nlat, nlon, dlat, dlon, ierr)
       use wrcontact_f77_c
       implicit none
-      integer*8 normal
+      integer*8 handle
       integer*4 nlat(*), nlon(*), ierr(*), status
       real*8 dlat, dlon
       type(c_ptr) address
       integer kind, width
-      call look(normal, normal_mark, address, kind, width, status)
-      if (status .eq. 0) status = wrc_normal_set_grid(address,
-     &  taken(nlat, width), taken(nlon, width), dlat, dlon)
+      call look(handle, contact_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        if (kind .eq. normal_mark) then
+          status = wrc_normal_set_grid(address, taken(nlat, width),
+     &      taken(nlon, width), dlat, dlon)
+        else
+          status = wrc_rolling_set_grid(address, taken(nlat, width),
+     &      taken(nlon, width), dlat, dlon)
+        end if
+      end if
       call finish(status, ierr, width)
       end
 
@@ -563,5 +596,45 @@ c     are 8, or 0 where the most significant ones come first.
       call look(normal, normal_mark, address, kind, width, status)
       if (status .eq. 0) status = wrc_normal_set_distance(address, dist,
      &  taken(n, width))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcprs(rollng, press, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 rollng
+      real*8 press(*)
+      integer*4 n(*), ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(rollng, rolling_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_rolling_set_pressure(address,
+     &  press, taken(n, width))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcprv(rollng, qx, qy, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 rollng
+      real*8 qx(*), qy(*)
+      integer*4 n(*), ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(rollng, rolling_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_rolling_set_previous(address, qx,
+     &  qy, taken(n, width))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcadv(rollng, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 rollng
+      integer*4 ierr(*), status
+      type(c_ptr) address
+      integer kind, width
+      call look(rollng, rolling_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_rolling_advance(address)
       call finish(status, ierr, width)
       end

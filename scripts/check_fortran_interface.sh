@@ -150,7 +150,7 @@ diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/paramet
 
 # Every function bound is called.
 while read -r _ name _; do
-  grep -qE "[^a-z_]$name\(" "$folder/wrcontact.f90" "$folder"/wrcontact_{normal,profile,namelist}.inc ||
+  grep -qE "[^a-z_]$name\(" "$folder/wrcontact.f90" "$folder"/wrcontact_{normal,rolling,profile,namelist}.inc ||
     fail "the module binds $name and never calls it"
 done < <(grep '^function' "$work/module")
 exit "$failures"

@@ -38,7 +38,7 @@ room models base geometry patches
 room accuracy base patches remesh mechanics pressure
 room wheel base half_space pressure geometry patches remesh mechanics rolling models accuracy
 room scene base profile half_space pressure geometry patches mechanics rolling accuracy wheel
-check c_api 'base/|profile/|half_space/|pressure/|mechanics/|scene/|(handles|handle_table|floating_point)\.hpp|wrcontact\.h'
+check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|(handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'base/error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'

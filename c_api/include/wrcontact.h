@@ -269,6 +269,107 @@ WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const c
 WRC_API wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values,
                                     int64_t capacity, int64_t* count);
 
+/* ---- Tangential contact of pressures given by the caller ------------------------------------ */
+
+/**
+ * Tractions and slip of two bodies of like elasticity that press on each other with given pressures
+ * p and roll in +x, with Coulomb friction:
+ *   s = w - du/dx,  w = (xi - phi y, eta + phi x)       slip and rigid slip, over the speed
+ *   |q| <= friction p;  s = 0 where |q| is less;  q against s where s is not 0
+ * with q the tractions on the wheel, u the displacements of the wheel relative to the rail, xi, eta
+ * and phi the creepages, wheel minus rail (Kalker 1990). Frame: of the contact's plane, x forward,
+ * y to the left, origin in the middle of the grid. Forces and moments act on the wheel. Changing
+ * the problem does not touch the results: they are those of the last wrc_rolling_solve. Answers do
+ * not depend on earlier calls, but for tractions set as previous ones.
+ */
+typedef struct wrc_rolling wrc_rolling;
+
+/** An empty problem. On failure *rolling is NULL. Since 0.3. */
+WRC_API wrc_status wrc_rolling_create(wrc_rolling** rolling);
+/** Does nothing with NULL. Since 0.3. */
+WRC_API void wrc_rolling_destroy(wrc_rolling* rolling);
+/** Text of the last failure, "" if there was none. Since 0.3. */
+WRC_API const char* wrc_rolling_error(const wrc_rolling* rolling);
+
+/** The grid, around the origin; as wrc_normal_set_grid. Since 0.3. */
+WRC_API wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_count,
+                                        int64_t longitudinal_count, double lateral_step,
+                                        double longitudinal_step);
+/**
+ * The pressures at the element centres, 0 to 1e30 MPa, 0 outside the contact; `count` values with
+ * the longitudinal index fastest, x and y growing with the indices, which are copied.
+ * wrc_rolling_solve needs as many as the grid has elements. WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values,
+                                            int64_t count);
+/**
+ * The tractions before a step or a shift ("contact" below), -1e30 to 1e30 MPa on the wheel,
+ * `count` values each on the grid of the pressures, which moves with the contact; they are copied.
+ * They stay until they are replaced, and steady rolling does not use them. With count 0 there are
+ * none, as at first: the bodies were free of tractions. WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
+                                            const double* traction_y, int64_t count);
+/**
+ * Numbers by key:
+ *   "shear_modulus"          MPa, 1e-30 to 1e30; 1/G = (1/G1 + 1/G2)/2; steel by default:
+ *                            210000/(2 (1 + 0.28))
+ *   "poisson"                0 to 0.5, default 0.28; nu/G = (nu1/G1 + nu2/G2)/2
+ *   "friction"               0 to 1e3, default 0.3
+ *   "longitudinal_creepage"  xi, -1e30 to 1e30, default 0; of a shift: mm
+ *   "lateral_creepage"       eta, the same
+ *   "spin_creepage"          phi, 1/mm, the same, positive turns x to y; of a shift: rad
+ *   "tolerance"              1e-10 to 0.1, default 1e-3: sum of the changes of q in one step of the
+ *                            natural iteration q - r s, cut to the bound, over the sum of |q|
+ *   "maximum_iterations"     of each of the grids gone through: a whole number, 1 to 1e9, default
+ * 30 WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value);
+/**
+ * Texts by key; the first is the default:
+ *   "model"       "full": the problem above
+ *   "contact"     "rolling": steady rolling; "transient": a step of rolling by the length h of one
+ *                 element from the previous tractions, s = w + (u(x) - u'(x + h))/h; or "shift":
+ * one without rolling, s = w + u - u' in mm "difference"  of rolling: "biased", upstream and of
+ * second order; or "first-order", as CONTACT (Vollebregt) takes it, for comparison
+ * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_text(wrc_rolling* rolling, const char* key, const char* value);
+
+/**
+ * Solves the problem. WRC_NOT_CONVERGED comes with usable results; on any other failure the results
+ * of the last success remain. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_solve(wrc_rolling* rolling);
+/**
+ * Makes the tractions of the results the previous ones, for the next step or shift; solving does
+ * not. WRC_NO_RESULT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
+
+/**
+ * A scalar result by name:
+ *   "longitudinal_force", "lateral_force"  N
+ *   "spin_moment"                   N mm, about the origin
+ *   "slip_area", "adhesion_area"    mm^2, counted in elements
+ *   "friction_power"                lost to friction, over the speed, N: -(force and moment times
+ *                                   creepages); exact for steady rolling; of a shift: N mm
+ *   "numerical_loss"                the share of it that slip times traction does not show, from
+ *                                   elements of finite size; 0 but for steady rolling
+ *   "iterations", "convolutions"    on all grids
+ *   "residual"                      reached; see "tolerance"
+ *   "converged"                     1, or 0 with WRC_NOT_CONVERGED
+ * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value);
+/**
+ * "traction_x", "traction_y" (MPa, on the wheel), "slip_x" or "slip_y" (over the speed; of a shift:
+ * mm; 0 outside the contact), one value per element with the longitudinal index fastest; copied as
+ * by wrc_scene_field. WRC_NO_RESULT, WRC_UNKNOWN_NAME, WRC_TOO_SMALL. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* values,
+                                     int64_t capacity, int64_t* count);
+
 /* ---- Profiles ------------------------------------------------------------------------------ */
 
 typedef struct wrc_profile wrc_profile;

@@ -136,6 +136,18 @@ const char* any_text() {
                                   "solver",
                                   "precision",
                                   "stop_reason",
+                                  "shear_modulus",
+                                  "friction",
+                                  "longitudinal_creepage",
+                                  "spin_creepage",
+                                  "contact",
+                                  "transient",
+                                  "shift",
+                                  "difference",
+                                  "first-order",
+                                  "lateral_force",
+                                  "traction_x",
+                                  "slip_y",
                                   "title",
                                   "name"};
     list.push_back(endless.c_str());
@@ -222,7 +234,7 @@ public:
     case 1:
       return reinterpret_cast<Handle*>(any_bits());
     case 2: // of any kind: numbers are small
-      return reinterpret_cast<Handle*>(16 * below(4000));
+      return reinterpret_cast<Handle*>(32 * below(4000));
     default:
       return any_of(handles_);
     }
@@ -253,6 +265,7 @@ Pool<wrc_scene> scenes(wrc_scene_create, wrc_scene_destroy);
 Pool<wrc_solver> solvers(wrc_solver_create, wrc_solver_destroy);
 Pool<wrc_profile> profiles(wrc_profile_create, wrc_profile_destroy);
 Pool<wrc_normal> normals(wrc_normal_create, wrc_normal_destroy);
+Pool<wrc_rolling> rollings(wrc_rolling_create, wrc_rolling_destroy);
 
 /// Solutions that take milliseconds: a small grid, at most.
 void bound_cost(wrc_scene* scene) {
@@ -438,6 +451,44 @@ wrc_status call_normal() {
   }
 }
 
+wrc_status call_rolling() {
+  wrc_rolling* rolling = rollings.any();
+  double number = 0.0;
+  std::int64_t count = 0;
+  switch (below(12)) {
+  case 0:
+    rollings.make();
+    return WRC_OK;
+  case 1:
+    rollings.destroy_one();
+    return WRC_OK;
+  case 2:
+    return wrc_rolling_set_grid(rolling, any_count(), any_count(), any_number(), any_number());
+  case 3:
+    return wrc_rolling_set_grid(rolling, 16, 16, std::abs(any_number()), 0.1);
+  case 4:
+    return wrc_rolling_set_pressure(rolling, any_array(), below(2) == 0 ? 256 : any_count());
+  case 5:
+    return wrc_rolling_set_previous(rolling, any_array(), any_array(),
+                                    below(2) == 0 ? 256 : any_count());
+  case 6:
+    return wrc_rolling_set_number(rolling, any_text(), any_number());
+  case 7:
+    wrc_rolling_set_number(rolling, "maximum_iterations", 20.0);
+    return wrc_rolling_solve(rolling);
+  case 8:
+    return wrc_rolling_set_text(rolling, any_text(), any_text());
+  case 9:
+    return wrc_rolling_number(rolling, any_text(), maybe(&number));
+  case 10:
+    return wrc_rolling_advance(rolling);
+  default:
+    return wrc_rolling_error(rolling) != nullptr
+               ? wrc_rolling_field(rolling, any_text(), any_array(), any_capacity(), maybe(&count))
+               : -1;
+  }
+}
+
 wrc_status call_process() {
   double time = 0.0;
   void (*const one_function)(void*) = below(2) == 0 ? nullptr : +[](void*) {};
@@ -462,7 +513,7 @@ wrc_status call_process() {
 }
 
 wrc_status any_call() {
-  switch (below(16)) {
+  switch (below(19)) {
   case 0:
     return call_process();
   case 1:
@@ -477,6 +528,10 @@ wrc_status any_call() {
   case 8:
   case 9:
     return call_normal();
+  case 10:
+  case 11:
+  case 12:
+    return call_rolling();
   default:
     return call_scene();
   }
@@ -489,6 +544,7 @@ void make_handles() {
   solvers.make_all();
   profiles.make_all();
   normals.make_all();
+  rollings.make_all();
 }
 
 void destroy_handles() {
@@ -496,6 +552,7 @@ void destroy_handles() {
   solvers.destroy_all();
   profiles.destroy_all();
   normals.destroy_all();
+  rollings.destroy_all();
   values.fill(0.0);
 }
 

@@ -37,6 +37,12 @@ TEST(Handles, MayBeDestroyedTwice) {
   wrc_normal_destroy(normal);
   wrc_normal_destroy(normal);
   EXPECT_EQ(wrc_normal_solve(normal), WRC_INVALID_ARGUMENT);
+  wrc_rolling* rolling = nullptr;
+  ASSERT_EQ(wrc_rolling_create(&rolling), WRC_OK);
+  wrc_rolling_destroy(rolling);
+  wrc_rolling_destroy(rolling);
+  EXPECT_EQ(wrc_rolling_solve(rolling), WRC_INVALID_ARGUMENT);
+  EXPECT_TRUE(contains(wrc_rolling_error(rolling), "destroyed"));
 }
 
 TEST(Handles, AnyNumberIsRefused) {
@@ -45,6 +51,7 @@ TEST(Handles, AnyNumberIsRefused) {
         std::numeric_limits<std::uintptr_t>::max()}) {
     EXPECT_EQ(wrc_scene_solve(handle_of<wrc_scene>(number)), WRC_INVALID_ARGUMENT);
     EXPECT_EQ(wrc_normal_solve(handle_of<wrc_normal>(number)), WRC_INVALID_ARGUMENT);
+    EXPECT_EQ(wrc_rolling_solve(handle_of<wrc_rolling>(number)), WRC_INVALID_ARGUMENT);
     wrc_profile_destroy(handle_of<wrc_profile>(number));
     EXPECT_EQ(wrc_scene_number_count(handle_of<wrc_scene>(number)), 0);
   }

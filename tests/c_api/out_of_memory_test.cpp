@@ -5,6 +5,7 @@
 
 #include "failing_allocator.hpp"
 #include "owned_handles.hpp"
+#include "wrcontact.hpp"
 
 namespace {
 
@@ -23,6 +24,15 @@ TEST(OutOfMemory, NoHandleIsMade) {
   wrc_normal* normal = nullptr;
   EXPECT_EQ(with_allocations(0, [&] { return wrc_normal_create(&normal); }), WRC_OUT_OF_MEMORY);
   EXPECT_EQ(normal, nullptr);
+  // The object of a rolling contact has parts of its own.
+  wrc_rolling* rolling = nullptr;
+  long count = 0;
+  while (with_allocations(count, [&] { return wrc_rolling_create(&rolling); }) != WRC_OK) {
+    EXPECT_EQ(rolling, nullptr);
+    ++count;
+  }
+  EXPECT_GT(count, 2);
+  wrc_rolling_destroy(rolling);
   wrc_profile* profile = nullptr;
   EXPECT_EQ(with_allocations(0, [&] { return wrc_profile_create(&profile); }), WRC_OUT_OF_MEMORY);
   EXPECT_EQ(profile, nullptr);
@@ -139,6 +149,55 @@ TEST(OutOfMemory, ANormalContactKeepsItsResults) {
   }
   EXPECT_GT(failures, 10);
   EXPECT_EQ(pmax_of(normal.get()), pmax_of(untouched.get())) << "failures have left traces";
+}
+
+TEST(OutOfMemory, ARollingContactKeepsItsResults) {
+  constexpr int side = 40;
+  const std::vector<double> pressure(side * side, 1000.0);
+  const auto prepare = [&](wrcontact::RollingContact& contact, double creepage) {
+    contact.set_grid(side, side, 0.1, 0.1);
+    contact.set_pressure(pressure);
+    contact.set("contact", "transient");
+    contact.set("longitudinal_creepage", creepage);
+  };
+  wrcontact::RollingContact untouched;
+  prepare(untouched, -0.002);
+  ASSERT_TRUE(untouched.solve());
+
+  wrcontact::RollingContact contact;
+  prepare(contact, -0.001);
+  contact.set("poisson", 0.3); // nothing that is kept serves below
+  ASSERT_TRUE(contact.solve());
+  contact.set("poisson", 0.28);
+  wrc_rolling* rolling = contact.handle();
+  const double before = contact.number("longitudinal_force");
+  EXPECT_EQ(with_allocations(
+                0, [&] { return wrc_rolling_set_pressure(rolling, pressure.data() + 1, side); }),
+            WRC_OUT_OF_MEMORY);
+  for (const long count : {0L, 1L}) {
+    EXPECT_EQ(with_allocations(count,
+                               [&] {
+                                 return wrc_rolling_set_previous(rolling, pressure.data(),
+                                                                 pressure.data(), side * side);
+                               }),
+              WRC_OUT_OF_MEMORY);
+    EXPECT_EQ(with_allocations(count, [&] { return wrc_rolling_advance(rolling); }),
+              WRC_OUT_OF_MEMORY);
+  }
+  contact.set("longitudinal_creepage", -0.002);
+  wrc_status status = WRC_OUT_OF_MEMORY;
+  long failures = 0;
+  for (long count = 0; status != WRC_OK; ++count) {
+    status = with_allocations(count, [&] { return wrc_rolling_solve(rolling); });
+    if (status != WRC_OK) {
+      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_rolling_error(rolling);
+      ASSERT_EQ(contact.number("longitudinal_force"), before) << count;
+      ++failures;
+    }
+  }
+  EXPECT_GT(failures, 10);
+  EXPECT_EQ(contact.number("longitudinal_force"), untouched.number("longitudinal_force"))
+      << "failures have left traces";
 }
 
 } // namespace

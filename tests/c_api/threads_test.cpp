@@ -7,6 +7,7 @@
 
 #include "all_results.hpp"
 #include "host_transform.hpp"
+#include "wrcontact.hpp"
 
 namespace {
 
@@ -328,6 +329,31 @@ TEST(Threads, GoOnWhileTheHostUsesFftwToo) {
       EXPECT_EQ(difference, "");
     }
   }
+}
+
+TEST(Threads, RollingContactsOfTheirOwnGiveTheSameBits) {
+  const auto solve = [](int side) {
+    wrcontact::RollingContact contact;
+    contact.set_grid(side, side, 0.2, 0.2);
+    contact.set_pressure(std::vector<double>(
+        static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 900.0));
+    contact.set("longitudinal_creepage", -0.001);
+    contact.set("spin_creepage", 0.0003);
+    EXPECT_TRUE(contact.solve());
+    return contact.field("traction_y");
+  };
+  constexpr std::array sides{16, 21, 33, 40};
+  std::array<std::vector<double>, sides.size()> alone;
+  std::array<std::vector<double>, sides.size()> together;
+  std::transform(sides.begin(), sides.end(), alone.begin(), solve);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    threads.emplace_back([&, i] { together[i] = solve(sides[i]); });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  EXPECT_EQ(together, alone);
 }
 
 } // namespace

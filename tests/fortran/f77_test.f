@@ -9,6 +9,7 @@ c filled with ones before each call, so that half a write is seen.
       call tscene
       call tstep
       call tnorm
+      call troll
       call tprof
       call trefus
       if (nbad .ne. 0) then
@@ -216,6 +217,82 @@ c     0.15/45**2 by the grid, twice that to be safe.
       call wrcdel(normal, ierr)
       end
 
+c Steps of rolling from tractions of none: the force grows.
+      subroutine troll
+      implicit none
+      integer nx, ny, n
+      parameter (nx = 8, ny = 4, n = nx*ny)
+      integer*8 rollng
+      integer ierr, m, i
+      real*8 p(n), qx(n), qy(n), one, two, value
+      character*60 text
+      do 10 i = 1, n
+        p(i) = 1000.0d0
+   10 continue
+      ierr = -1
+      call wrcnew(rollng, 'rolling', kind(0), ierr)
+      call expect(ierr .eq. 0, 'a rolling contact')
+      ierr = -1
+      call wrcgrd(rollng, ny, nx, 0.5d0, 0.5d0, ierr)
+      call expect(ierr .eq. 0, 'its grid')
+      ierr = -1
+      call wrcadv(rollng, ierr)
+      call expect(ierr .eq. 10, 'no step yet')
+      ierr = -1
+      call wrcprs(rollng, p, n, ierr)
+      call expect(ierr .eq. 0, 'pressures')
+      ierr = -1
+      call wrcset(rollng, 'longitudinal_creepage', -0.002d0, ierr)
+      call expect(ierr .eq. 0, 'a creepage')
+      ierr = -1
+      call wrcstx(rollng, 'contact', 'transient', ierr)
+      call expect(ierr .eq. 0, 'a step')
+      ierr = -1
+      call wrcsol(rollng, ierr)
+      call expect(ierr .eq. 0, 'a first step')
+      ierr = -1
+      call wrcnum(rollng, 'longitudinal_force', one, ierr)
+      call expect(ierr .eq. 0 .and. one .gt. 0.0d0, 'its force')
+      ierr = -1
+      m = -1
+      call wrcfld(rollng, 'traction_x', qx, n, m, ierr)
+      call expect(ierr .eq. 0 .and. m .eq. n, 'its tractions')
+      call wrcfld(rollng, 'traction_y', qy, n, m, ierr)
+      ierr = -1
+      call wrcadv(rollng, ierr)
+      call expect(ierr .eq. 0, 'to the next step')
+      call wrcsol(rollng, ierr)
+      call wrcnum(rollng, 'longitudinal_force', two, ierr)
+      call expect(two .gt. one, 'grows')
+      ierr = -1
+      call wrcprv(rollng, qx, qy, 0, ierr)
+      call expect(ierr .eq. 0, 'no history')
+      call wrcsol(rollng, ierr)
+      call wrcnum(rollng, 'longitudinal_force', value, ierr)
+      call expect(abs(value - one) .le. 0.0d0, 'the first step')
+      ierr = -1
+      call wrcprv(rollng, qx, qy, n, ierr)
+      call expect(ierr .eq. 0, 'a history')
+      call wrcsol(rollng, ierr)
+      call wrcnum(rollng, 'longitudinal_force', value, ierr)
+      call expect(abs(value - two) .le. 0.0d0, 'the second step')
+      ierr = -1
+      call wrctxt(rollng, 'stop_reason', text, ierr)
+      call expect(ierr .eq. 1 .and. text .eq. ' ', 'no texts')
+      ierr = -1
+      call wrcgap(rollng, p, n, ierr)
+      call expect(ierr .eq. 1, 'no gap')
+      ierr = -1
+      call wrcprs(rollng, p, 7, ierr)
+      call wrcsol(rollng, ierr)
+      call expect(ierr .eq. 1, 'a pressure for each element')
+      call wrcerr(rollng, text, ierr)
+      call expect(index(text, 'pressure') .gt. 0, 'and says so')
+      ierr = -1
+      call wrcdel(rollng, ierr)
+      call expect(ierr .eq. 0 .and. rollng .eq. 0, 'given back')
+      end
+
 c A circle of 300 mm as a rail: its radius of curvature is found.
       subroutine tprof
       implicit none
@@ -314,7 +391,7 @@ c Wrong handles and wrong widths: never a crash, always IERR.
       call wrcset(handle, 'pose.lateral', 1.0d0, ierr)
       call expect(ierr .eq. 1, 'given back before')
       ierr = 0
-      call wrcset(handle - mod(handle, 16_8), 'pose.lateral', 1.0d0,
+      call wrcset(handle - mod(handle, 32_8), 'pose.lateral', 1.0d0,
      &  ierr)
       call expect(ierr .ne. 0, 'a handle without its mark')
       ierr = -1

@@ -22,7 +22,7 @@ end module counted_lock
 
 !> Everything the Fortran module offers besides a single scene (scene_test.f90) and namelists
 !> (namelist_test.f90): keys, convention, names of results, fields of rank 2, profiles, solvers,
-!> batches, normal contact, the library.
+!> batches, normal and rolling contact, the library.
 program module_test
   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
   use, intrinsic :: iso_fortran_env, only: real64
@@ -48,6 +48,8 @@ program module_test
   call batch_is_each_scene()
   call sphere_is_hertzian()
   call distance_is_checked_for_its_shape()
+  call rolling_contact_has_forces()
+  call steps_of_rolling_have_a_history()
   call written_scene_is_there()
   call the_library_tells_of_itself()
   call handles_without_create_are_refused()
@@ -367,6 +369,101 @@ contains
     call expect(stat == wrc_invalid_argument, 'no elements')
   end subroutine distance_is_checked_for_its_shape
 
+  !> Of more creepage than friction can hold, and of none.
+  subroutine rolling_contact_has_forces()
+    integer, parameter :: n = 12
+    !> Slip differs from the creepage by about 300 MPa over the shear modulus; tractions turn by as
+    !> much, and the force loses half the square of it.
+    real(real64), parameter :: turned = 2.0e-5_real64
+    type(rolling_contact) :: rolling, other
+    real(real64) :: pressure(n, n)
+    real(real64), allocatable :: q(:, :), flat(:)
+    integer :: stat
+    character(200) :: errmsg
+    pressure = 1000.0_real64
+    call rolling%create()
+    call expect(is_nan(rolling%number('lateral_force', stat)), 'not solved')
+    call expect(stat == wrc_no_result, 'and says so')
+    q = rolling%field_2d('traction_x', stat)
+    call expect(stat == wrc_no_result .and. size(q) == 0, 'no field yet')
+    call rolling%advance(stat, errmsg)
+    call expect(stat == wrc_no_result .and. index(errmsg, 'not been solved') > 0, 'no step yet')
+    call rolling%set_grid(n, n, 0.5_real64, 0.5_real64)
+    call rolling%set_pressure(pressure)
+    call rolling%set('shear_modulus', 80000)
+    call rolling%set('longitudinal_creepage', -1)
+    call rolling%set('maximum_iterations', 40)
+    call rolling%set('difference', 'first-order')
+    call rolling%set('model', 'red', stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'model = "red"') > 0, 'no such model')
+    call rolling%solve()
+    call expect(near(rolling%number('longitudinal_force'), 0.3_real64*sum(pressure)*0.25_real64, &
+      turned), 'all of it slips')
+    call expect(near(rolling%number('slip_area'), n*n*0.25_real64, rounding), 'everywhere')
+    q = rolling%field_2d('traction_x')
+    call expect(all(shape(q) == [n, n]), 'the grid''s shape')
+    flat = rolling%field('traction_x')
+    call expect(all(same(flat, reshape(q, [n*n]))), 'the same field')
+    call rolling%set_pressure(reshape(pressure, [n*n]))
+    other = rolling
+    call other%solve()
+    call expect(all(same(rolling%field('traction_x'), flat)), 'of rank 1 the same')
+    call rolling%set('longitudinal_creepage', 0)
+    call rolling%solve()
+    call expect(abs(rolling%number('longitudinal_force')) <= 0.0_real64, 'nothing slips')
+    call rolling%set('tolerance', 1.0_real64, stat)
+    call expect(stat == wrc_invalid_argument, 'out of its range')
+    flat = rolling%field('colour', stat)
+    call expect(stat == wrc_unknown_name .and. size(flat) == 0, 'no such field')
+  end subroutine rolling_contact_has_forces
+
+  subroutine steps_of_rolling_have_a_history()
+    type(rolling_contact) :: rolling
+    real(real64) :: pressure(8, 4)
+    real(real64), allocatable :: x(:, :), y(:, :)
+    real(real64) :: first, second
+    integer :: stat
+    character(200) :: errmsg
+    pressure = 1000.0_real64
+    call rolling%create()
+    call rolling%set('longitudinal_creepage', -0.002_real64)
+    call rolling%set('contact', 'transient')
+    call rolling%set_pressure(pressure)
+    call rolling%set_grid(8, 4, 0.5_real64, 0.5_real64)
+    call rolling%solve(stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, '8 x 4') > 0, 'transposed')
+    call rolling%set_grid(4, 8, 0.5_real64, 0.5_real64)
+    call rolling%solve()
+    first = rolling%number('longitudinal_force')
+    x = rolling%field_2d('traction_x')
+    y = rolling%field_2d('traction_y')
+    call rolling%solve()
+    call expect(same(rolling%number('longitudinal_force'), first), 'solving is no step')
+    call rolling%advance()
+    call rolling%solve()
+    second = rolling%number('longitudinal_force')
+    call expect(second > first, 'a second step')
+    call rolling%set_previous()
+    call rolling%solve()
+    call expect(same(rolling%number('longitudinal_force'), first), 'forgotten')
+    call rolling%set_previous(x, y)
+    call rolling%solve()
+    call expect(same(rolling%number('longitudinal_force'), second), 'given')
+    call rolling%set_previous(reshape(x, [32]), reshape(y, [32]))
+    call rolling%solve()
+    call expect(same(rolling%number('longitudinal_force'), second), 'of rank 1 the same')
+    call rolling%set_previous(transpose(x), transpose(y))
+    call rolling%solve(stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'previous') > 0, 'transposed too')
+    call rolling%set('contact', 'rolling')
+    call rolling%solve(stat)
+    call expect(stat == wrc_ok, 'steady rolling has no history')
+    call rolling%set_previous(x, transpose(y), stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'differ') > 0, 'of two shapes')
+    call rolling%set_previous(traction_x=reshape(x, [32]), stat=stat)
+    call expect(stat == wrc_invalid_argument, 'one without the other')
+  end subroutine steps_of_rolling_have_a_history
+
   subroutine written_scene_is_there()
     type(contact_scene) :: scene
     integer :: stat
@@ -432,6 +529,7 @@ contains
     type(contact_solver) :: solver
     type(contact_profile) :: profile
     type(normal_contact) :: normal
+    type(rolling_contact) :: rolling
     integer :: stat
     character(200) :: errmsg
     errmsg = ''
@@ -452,6 +550,18 @@ contains
     call expect(stat == wrc_invalid_argument, 'its grid')
     call normal%set_distance([1.0_real64], stat)
     call expect(stat == wrc_invalid_argument, 'its distance')
+    call rolling%solve(stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'rolling = NULL') > 0, 'rolling')
+    call rolling%set_grid(4, 4, 1.0_real64, 1.0_real64, stat)
+    call expect(stat == wrc_invalid_argument, 'its grid')
+    call rolling%set_pressure([1.0_real64], stat)
+    call expect(stat == wrc_invalid_argument, 'its pressure')
+    call rolling%set_previous(stat=stat)
+    call expect(stat == wrc_invalid_argument, 'its history')
+    call rolling%set('contact', 'shift', stat)
+    call expect(stat == wrc_invalid_argument, 'its text')
+    call rolling%advance(stat)
+    call expect(stat == wrc_invalid_argument, 'its step')
   end subroutine handles_without_create_are_refused
 
 end program module_test

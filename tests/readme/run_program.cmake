@@ -3,6 +3,9 @@
 # it prints with what WRC_CASE prints for the same scene. OPTIONS are added to the command.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${PROJECT}/${DOCUMENT} text)
+if(MARK)
+  string(REGEX REPLACE ".*<!-- program: ${MARK} -->" "" text "${text}")
+endif()
 string(REGEX MATCH "```${LANGUAGE}\n([^`]*)```\n\n```\n([^`]*)\n```" found "${text}")
 if(NOT found)
   message(FATAL_ERROR "${DOCUMENT} has no program in ${LANGUAGE} with a command below it")
@@ -19,6 +22,28 @@ execute_process(COMMAND sh -c "${command} ${OPTIONS}" WORKING_DIRECTORY ${FOLDER
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ./a.out WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
   COMMAND_ERROR_IS_FATAL ANY)
+
+if(MARK)
+  string(REGEX MATCH "prints\n\n```\n([^`]*)```" found "${text}")
+  file(WRITE ${FOLDER}/shown "${CMAKE_MATCH_1}")
+  file(WRITE ${FOLDER}/printed "${printed}")
+  execute_process(WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE differs COMMAND awk [[
+    NR == FNR { shown[FNR] = $0; lines = FNR; next }
+    {
+      n = split($0, word); m = split(shown[FNR], other)
+      if (n != m) { exit bad = 1 }
+      for (i = 1; i <= n; ++i) {
+        unit = other[i] ~ /\./ ? 10 ^ -length(substr(other[i], index(other[i], ".") + 1)) : 0
+        difference = word[i] - other[i]
+        if (word[i] != other[i] && !(difference * difference < 2 * unit * unit)) { exit bad = 1 }
+      }
+    }
+    END { exit bad || FNR != lines }]] shown printed)
+  if(differs)
+    message(FATAL_ERROR "${DOCUMENT}: the program prints\n${printed}")
+  endif()
+  return()
+endif()
 
 # The numbers have 17 significant digits, in other notations: awk compares them as numbers.
 execute_process(COMMAND ${WRC_CASE} --set pose.lateral=3 --json OUTPUT_VARIABLE json

@@ -1,0 +1,88 @@
+/// What the contacts on a grid of the caller's have in common, normal and rolling: the grid, arrays
+/// that are taken in, words and names that are refused.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/grid.hpp"
+#include "handles.hpp"
+
+namespace wrc {
+
+/// Iterations are counted in an int.
+inline constexpr double most_iterations = 1e9;
+
+/// Throws Error(unknown_name): no `what` of a `contact` has this name; there are the `known` ones.
+[[noreturn]] void refuse_name(const char* what, const char* contact, const std::string& name,
+                              const std::string& known);
+
+/// Throws Error(invalid_argument): a text is none of the words that are allowed.
+[[noreturn]] void refuse_word(const std::string& key, const std::string& text,
+                              const std::vector<std::string>& words);
+
+/// A word and what it stands for.
+template <class Value> struct Word {
+  const char* word;
+  Value value;
+};
+
+/// What a text stands for; throws Error(invalid_argument) if it is none of the words.
+template <class Value>
+Value chosen(const std::string& key, const std::string& text,
+             std::initializer_list<Word<Value>> words) {
+  std::vector<std::string> known;
+  for (const auto& [word, value] : words) {
+    if (text == word) {
+      return value;
+    }
+    known.emplace_back(word);
+  }
+  refuse_word(key, text, known);
+}
+
+/// A grid whose first element is at 0. Throws Error(invalid_argument).
+Grid checked_grid(std::int64_t lateral_count, std::int64_t longitudinal_count, double lateral_step,
+                  double longitudinal_step);
+
+/// Copies `count` values; throws Error(invalid_argument) for NULL, a count that no grid has, and
+/// the first value that is not permitted, with the text of what is.
+std::vector<double> copied(const char* name, const double* values, std::int64_t count,
+                           bool (*permitted)(double), const char* allowed);
+
+/// The names of a table's entries, with commas.
+template <class Table> std::string names_in(const Table& table) {
+  std::string names;
+  for (const auto& entry : table) {
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  return names;
+}
+
+/// The entry of a name in a table; throws Error(unknown_name) if there is none.
+template <class Table>
+const auto& entry_in(const Table& table, const char* what, const char* contact,
+                     const std::string& name) {
+  for (const auto& entry : table) {
+    if (name == entry.name) {
+      return entry;
+    }
+  }
+  refuse_name(what, contact, name, names_in(table));
+}
+
+/// Runs a body that needs results.
+template <class Handle, class Body> wrc_status with_result(Handle* handle, Body&& body) {
+  return guard(handle, [&](Object<Handle>& object) -> wrc_status {
+    if (!object.result) {
+      object.error = "the contact has not been solved yet";
+      return WRC_NO_RESULT;
+    }
+    return std::forward<Body>(body)(object, *object.result);
+  });
+}
+
+} // namespace wrc

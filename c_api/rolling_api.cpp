@@ -1,0 +1,232 @@
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "grid_contact.hpp"
+
+namespace {
+
+using Object = wrc::RollingObject;
+using Problem = wrc::RollingProblem;
+using Solution = wrc::RollingSolution;
+
+constexpr const char* rolling_contact = "rolling contact";
+/// MPa; forces on any grid, and their power, remain finite numbers.
+constexpr double largest_pressure = 1e30;
+
+struct NumberKey {
+  const char* name;
+  double least;
+  double largest;
+  const char* allowed;
+  void (*set)(Problem&, double);
+  bool whole = false;
+};
+
+constexpr auto number_keys = std::to_array<NumberKey>({
+    {"shear_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
+     [](Problem& problem, double value) { problem.shear_modulus = value; }},
+    {"poisson", 0.0, 0.5, "allowed is 0 to 0.5",
+     [](Problem& problem, double value) { problem.poisson = value; }},
+    {"friction", 0.0, 1e3, "allowed is 0 to 1e3",
+     [](Problem& problem, double value) { problem.friction = value; }},
+    {"longitudinal_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
+     [](Problem& problem, double value) { problem.creepages.longitudinal = value; }},
+    {"lateral_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
+     [](Problem& problem, double value) { problem.creepages.lateral = value; }},
+    {"spin_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30 1/mm",
+     [](Problem& problem, double value) { problem.creepages.spin = value; }},
+    {"tolerance", 1e-10, 0.1, "allowed is 1e-10 to 0.1",
+     [](Problem& problem, double value) { problem.tolerance = value; }},
+    {"maximum_iterations", 1.0, wrc::most_iterations, "allowed is a whole number, 1 to 1e9",
+     [](Problem& problem, double value) { problem.maximum_iterations = static_cast<int>(value); },
+     true},
+});
+
+struct TextKey {
+  const char* name;
+  void (*set)(Object&, const char* key, const char* value);
+};
+
+constexpr auto text_keys = std::to_array<TextKey>({
+    {"model", // the only one so far
+     [](Object&, const char* key, const char* value) {
+       wrc::chosen<bool>(key, value, {{"full", true}});
+     }},
+    {"contact",
+     [](Object& object, const char* key, const char* value) {
+       using Motion = wrc::TangentialMotion;
+       object.problem.motion = wrc::chosen<Motion>(key, value,
+                                                   {{"rolling", Motion::rolling},
+                                                    {"transient", Motion::transient},
+                                                    {"shift", Motion::shift}});
+     }},
+    {"difference",
+     [](Object& object, const char* key, const char* value) {
+       using Difference = wrc::SlipDifference;
+       object.problem.difference = wrc::chosen<Difference>(
+           key, value, {{"biased", Difference::biased}, {"first-order", Difference::first_order}});
+     }},
+});
+
+struct Number {
+  const char* name;
+  double (*of)(const Solution&);
+};
+
+constexpr auto numbers = std::to_array<Number>({
+    {"longitudinal_force", [](const Solution& solution) { return solution.longitudinal_force; }},
+    {"lateral_force", [](const Solution& solution) { return solution.lateral_force; }},
+    {"spin_moment", [](const Solution& solution) { return solution.spin_moment; }},
+    {"slip_area", [](const Solution& solution) { return solution.slip_area; }},
+    {"adhesion_area", [](const Solution& solution) { return solution.adhesion_area; }},
+    {"friction_power", [](const Solution& solution) { return solution.friction_power; }},
+    {"numerical_loss", [](const Solution& solution) { return solution.numerical_loss; }},
+    {"iterations", [](const Solution& solution) { return double(solution.iterations); }},
+    {"convolutions", [](const Solution& solution) { return double(solution.convolutions); }},
+    {"residual", [](const Solution& solution) { return solution.residual; }},
+    {"converged", [](const Solution& solution) { return solution.converged ? 1.0 : 0.0; }},
+});
+
+struct Field {
+  const char* name;
+  std::vector<double> Solution::*values;
+};
+
+constexpr auto fields = std::to_array<Field>({{"traction_x", &Solution::traction_x},
+                                              {"traction_y", &Solution::traction_y},
+                                              {"slip_x", &Solution::slip_x},
+                                              {"slip_y", &Solution::slip_y}});
+
+} // namespace
+
+extern "C" {
+
+wrc_status wrc_rolling_create(wrc_rolling** rolling) {
+  return wrc::create(rolling);
+}
+
+void wrc_rolling_destroy(wrc_rolling* rolling) {
+  wrc::destroy(rolling);
+}
+
+const char* wrc_rolling_error(const wrc_rolling* rolling) {
+  return wrc::error_of(rolling);
+}
+
+wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_count,
+                                int64_t longitudinal_count, double lateral_step,
+                                double longitudinal_step) {
+  return wrc::guard(rolling, [&](Object& object) {
+    wrc::Grid grid =
+        wrc::checked_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step);
+    grid.lateral_first = -0.5 * static_cast<double>(lateral_count - 1) * lateral_step;
+    grid.longitudinal_first =
+        -0.5 * static_cast<double>(longitudinal_count - 1) * longitudinal_step;
+    object.problem.grid = grid;
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values, int64_t count) {
+  return wrc::guard(rolling, [&](Object& object) {
+    object.pressure = wrc::copied(
+        "values", values, count, [](double p) { return p >= 0.0 && p <= largest_pressure; },
+        "allowed is 0 to 1e30 MPa");
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
+                                    const double* traction_y, int64_t count) {
+  return wrc::guard(rolling, [&](Object& object) {
+    std::vector<double> previous_x;
+    std::vector<double> previous_y;
+    if (count != 0) {
+      const auto permitted = [](double q) { return std::abs(q) <= largest_pressure; };
+      const char* allowed = "allowed is -1e30 to 1e30 MPa";
+      previous_x = wrc::copied("traction_x", traction_x, count, permitted, allowed);
+      previous_y = wrc::copied("traction_y", traction_y, count, permitted, allowed);
+    }
+    object.previous_x.swap(previous_x);
+    object.previous_y.swap(previous_y);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value) {
+  return wrc::guard(rolling, [&](Object& object) {
+    wrc::require_pointer(key, "key");
+    const NumberKey& entry = wrc::entry_in(number_keys, "number", rolling_contact, key);
+    if (!(value >= entry.least && value <= entry.largest) ||
+        (entry.whole && value != std::floor(value))) {
+      wrc::throw_invalid_argument(key, value, entry.allowed);
+    }
+    entry.set(object.problem, value);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_set_text(wrc_rolling* rolling, const char* key, const char* value) {
+  return wrc::guard(rolling, [&](Object& object) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(value, "value");
+    wrc::entry_in(text_keys, "text", rolling_contact, key).set(object, key, value);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
+  return wrc::guard(rolling, [&](Object& object) -> wrc_status {
+    if (object.problem.grid.element_count() == 0) {
+      wrc::throw_invalid_argument("grid", "none", "wrc_rolling_set_grid must be called first");
+    }
+    if (object.pressure.empty()) {
+      wrc::throw_invalid_argument("pressure", "none",
+                                  "wrc_rolling_set_pressure must be called first");
+    }
+    Problem problem = object.problem;
+    problem.pressure = object.pressure;
+    if (problem.motion != wrc::TangentialMotion::rolling) {
+      problem.previous_x = object.previous_x;
+      problem.previous_y = object.previous_y;
+    }
+    Solution solution = object.solver.solve(problem);
+    const bool converged = solution.converged;
+    std::string error =
+        converged ? "" : "not converged: residual = " + wrc::short_text_of(solution.residual);
+    // From here on nothing fails: the handle has the old results or all of the new ones.
+    object.result = std::move(solution);
+    object.error.swap(error);
+    return converged ? WRC_OK : WRC_NOT_CONVERGED;
+  });
+}
+
+wrc_status wrc_rolling_advance(wrc_rolling* rolling) {
+  return wrc::with_result(rolling, [](Object& object, const Solution& solution) {
+    std::vector<double> previous_x = solution.traction_x;
+    std::vector<double> previous_y = solution.traction_y;
+    object.previous_x.swap(previous_x);
+    object.previous_y.swap(previous_y);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value) {
+  return wrc::with_result(rolling, [&](Object&, const Solution& solution) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(value, "value");
+    *value = wrc::entry_in(numbers, "number", rolling_contact, name).of(solution);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* values,
+                             int64_t capacity, int64_t* count) {
+  return wrc::with_result(rolling, [&](Object& object, const Solution& solution) {
+    wrc::require_pointer(name, "name");
+    const auto& found = solution.*wrc::entry_in(fields, "field", rolling_contact, name).values;
+    return wrc::copy_values(found.data(), found.size(), values, capacity, count, object.error);
+  });
+}
+}
