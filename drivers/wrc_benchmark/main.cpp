@@ -23,7 +23,7 @@ struct Options {
   bool both_wheels = false;
 };
 
-enum class Kind { gap, scene, vehicle, batch, service };
+enum class Kind { gap, scene, vehicle, batch, service, rolling };
 
 struct Case {
   benchmark::CaseDescription description;
@@ -41,6 +41,8 @@ std::vector<Case> all_cases() {
   all.push_back(
       {{"vehicle-step", "scene: a hunting wheelset, both wheels, step by step"}, Kind::vehicle});
   all.push_back({{"batch", "scene: 64 of them on one and on two threads"}, Kind::batch});
+  all.push_back({{"rolling", "pressures: creep forces of 40 ellipses on 8x4 to 256x128 elements"},
+                 Kind::rolling});
   all.push_back(
       {{"service", "scene: a run over irregular track, three pairs of profiles; takes over "
                    "a minute and is not among all"},
@@ -143,6 +145,8 @@ benchmark::Report measure(const std::vector<Case>& cases, const std::vector<Grid
     std::cerr << "wrc_benchmark: " << chosen.description.name << " ...\n";
     if (chosen.kind == Kind::vehicle) {
       append(benchmark::measure_vehicle_steps(plan), report);
+    } else if (chosen.kind == Kind::rolling) {
+      report.rolling = benchmark::measure_rolling(plan.repeat);
     } else if (chosen.kind == Kind::service) {
       report.service = benchmark::measure_service(plan);
     } else {
@@ -205,8 +209,8 @@ int main(int argc, char** argv) {
   app.add_option(
          "--grid", options.grid,
          "elements across x along the rail (default 256x128), or \"all\": 32x16 to 4096x2048, "
-         "for hertz-circle and two-lobes if no case is given; vehicle-step, batch and service "
-         "choose their own")
+         "for hertz-circle and two-lobes if no case is given; vehicle-step, batch, rolling and "
+         "service choose their own")
       ->type_name("NxM");
   app.add_option(
          "--accuracy", options.plan.accuracy,
@@ -226,6 +230,8 @@ int main(int argc, char** argv) {
                  "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
+  app.add_flag("--creep", options.plan.creep,
+               "with service: creep forces as well, beside rows without");
   app.add_flag("--json", options.json, "print one JSON object instead of the tables");
   app.add_flag("--first-solve", options.first_solve,
                "only solve the one case given, once, to --accuracy as the solver's tolerance, and "

@@ -78,6 +78,7 @@ struct Plan {
   std::optional<double> accuracy;
   int repeat = 15;          ///< warm solutions; fewer where they take seconds
   std::optional<int> steps; ///< of motions
+  bool creep = false;       ///< of service: with creep forces, too
 
   [[nodiscard]] std::vector<double> accuracies() const {
     return accuracy ? std::vector{*accuracy} : std::vector{1e-2, 1e-3};

@@ -96,6 +96,7 @@ json json_of(const ServiceRow& row) {
           {"accuracy", row.accuracy},
           {"accuracy_of", row.accuracy_of},
           {"prescribed", row.prescribed},
+          {"creep", row.creep},
           {"steps", row.steps},
           {"error_depth", json_of(row.errors.depth)},
           {"error_normal_force", json_of(row.errors.normal_force)},
@@ -207,11 +208,12 @@ void print_service(const std::vector<ServiceRow>& rows) {
              "worst"});
   for (const ServiceRow& row : rows) {
     table.add({"service", row.wheel + " on " + row.rail, power(row.accuracy, 0), row.accuracy_of,
-               row.prescribed, power(row.errors.depth, 1), power(row.errors.normal_force, 1),
-               power(row.errors.lateral_force, 1), power(row.errors.pmax, 1),
-               fixed(row.solutions_mean, 2), fixed(row.solutions_max, 0), time_text(row.times.mean),
-               time_text(row.fft_pair_ms), fixed(row.pairs(&Times::mean), 2),
-               fixed(row.pairs(&Times::median), 2), fixed(row.pairs(&Times::percentile_99), 2),
+               row.prescribed + (row.creep ? ", creep" : ""), power(row.errors.depth, 1),
+               power(row.errors.normal_force, 1), power(row.errors.lateral_force, 1),
+               power(row.errors.pmax, 1), fixed(row.solutions_mean, 2), fixed(row.solutions_max, 0),
+               time_text(row.times.mean), time_text(row.fft_pair_ms),
+               fixed(row.pairs(&Times::mean), 2), fixed(row.pairs(&Times::median), 2),
+               fixed(row.pairs(&Times::percentile_99), 2),
                fixed(row.pairs(&Times::percentile_999), 2), fixed(row.pairs(&Times::worst), 2)});
   }
   if (table.row_count() > 1) {
@@ -276,6 +278,9 @@ json json_of(const Report& report) {
   for (const ServiceRow& row : report.service) {
     made["rows"].push_back(json_of(row));
   }
+  for (const RollingRow& row : report.rolling) {
+    made["rows"].push_back(json_of(row));
+  }
   made["paper_over_default"] = json::array();
   for (const Ratio& ratio : ratios(report.rows)) {
     made["paper_over_default"].push_back(
@@ -302,6 +307,7 @@ void print_tables(const Report& report) {
   print_cases(report.rows);
   print_motions(report.rows);
   print_service(report.service);
+  print_rolling(report.rolling);
   print_ratios(report.rows);
   if (report.batch) {
     std::cout << "batch: 64 scenes at accuracy 1e-3";

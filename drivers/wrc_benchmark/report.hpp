@@ -7,12 +7,14 @@
 #include "support/json.hpp"
 #include "wrc_benchmark/motion_cases.hpp"
 #include "wrc_benchmark/problem.hpp"
+#include "wrc_benchmark/rolling_case.hpp"
 
 namespace benchmark {
 
 struct Report {
   std::vector<Row> rows; ///< of all cases but service
   std::vector<ServiceRow> service;
+  std::vector<RollingRow> rolling;
   std::optional<Batch> batch; ///< its rows are among those above
 };
 

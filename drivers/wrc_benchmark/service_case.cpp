@@ -67,8 +67,8 @@ struct WheelResult {
 class Wheelset {
 public:
   Wheelset(const Pairing& pair, Prescribed prescribed, double accuracy,
-           const std::string& accuracy_of)
-      : prescribed_(prescribed), scenes_(prescribed == Prescribed::load ? 1 : 2) {
+           const std::string& accuracy_of, bool creep = false)
+      : prescribed_(prescribed), creep_(creep), scenes_(prescribed == Prescribed::load ? 1 : 2) {
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       driver::Scene& scene = scenes_[i];
       driver::make_pair(pair.wheel, pair.rail).apply(scene);
@@ -118,6 +118,13 @@ private:
       scene.set("pose.roll", step.roll);
       scene.set("pose.vertical", step.height.at(index));
     }
+    if (creep_) {
+      // Of a wheelset that runs straight: conicity 0.1 and an angle of contact of 0.05 rad.
+      constexpr double radius = 460.0;
+      const double longitudinal = 0.1 * step.lateral / radius;
+      scene.set("creepage.left", std::vector{-longitudinal, -step.yaw, 0.05 / radius});
+      scene.set("creepage.right", std::vector{longitudinal, -step.yaw, -0.05 / radius});
+    }
   }
 
   [[nodiscard]] const driver::Scene& scene_of(std::size_t side) const {
@@ -131,6 +138,7 @@ private:
   }
 
   Prescribed prescribed_;
+  bool creep_;
   std::vector<driver::Scene> scenes_;
   driver::Solver solver_;
 };
@@ -201,8 +209,8 @@ void judge(const std::array<WheelResult, 2>& results, const std::array<WheelResu
 }
 
 ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
-                       const std::string& accuracy_of) {
-  Wheelset wheelset(run.pair, prescribed, accuracy, accuracy_of);
+                       const std::string& accuracy_of, bool creep) {
+  Wheelset wheelset(run.pair, prescribed, accuracy, accuracy_of, creep);
   wheelset.solve(run.steps.front()); // reads profiles, makes plans
   ServiceRow row;
   std::vector<double> times;
@@ -233,6 +241,7 @@ ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
   row.accuracy_of = accuracy_of;
   row.prescribed = prescribed == Prescribed::load ? "load" : "position";
   row.accuracy = accuracy;
+  row.creep = creep;
   row.steps = static_cast<int>(times.size());
   row.solutions_mean = driver::mean(solutions);
   row.solutions_max = quantile(solutions, 1.0);
@@ -253,10 +262,12 @@ std::vector<ServiceRow> measure_service(const Plan& plan) {
     for (const double accuracy : plan.accuracies()) {
       for (const char* accuracy_of : {"forces", "pressures"}) {
         for (const Prescribed prescribed : {Prescribed::load, Prescribed::position}) {
-          rows.push_back(measure_row(run, prescribed, accuracy, accuracy_of));
-          std::cerr << "wrc_benchmark: service, " << name << ", " << accuracy << " of "
-                    << accuracy_of << ", " << rows.back().prescribed << ": "
-                    << driver::fixed(rows.back().times.mean, 3) << " ms per step\n";
+          for (const bool creep : plan.creep ? std::vector{false, true} : std::vector{false}) {
+            rows.push_back(measure_row(run, prescribed, accuracy, accuracy_of, creep));
+            std::cerr << "wrc_benchmark: service, " << name << ", " << accuracy << " of "
+                      << accuracy_of << ", " << rows.back().prescribed << (creep ? ", creep" : "")
+                      << ": " << driver::fixed(rows.back().times.mean, 3) << " ms per step\n";
+          }
         }
       }
     }
