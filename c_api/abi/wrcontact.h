@@ -14,17 +14,17 @@
  *          y to the right and z down (key convention.frame).
  * Errors:  functions return WRC_OK or another wrc_status. The text of the last failure of a handle
  *          stays on the handle (wrc_scene_error and so on) until its next call. A failed call
- *          leaves the handle as it was. Nothing throws, prints or ends the program, but for one
- *          case that is not ours: FFTW itself stops it when there is no memory for a plan.
- * Handles: a handle is a number in a pointer's clothes, looked up at each call: one that was
- *          destroyed, or is of another kind, is refused with WRC_INVALID_ARGUMENT.
- * Threads: all functions may be called by any thread. A handle serves one call at a time; another
- *          one meanwhile gets WRC_BUSY. Different handles are independent.
- * Floats:  the caller's rounding mode, traps and flags do not matter, and stay as they are.
- * Text:    UTF-8, ended by a zero byte. Returned text belongs to the handle and lives until the
+ *          leaves the handle unchanged. Nothing throws, prints or ends the program, with one
+ *          exception: FFTW itself aborts it if there is no memory for a plan.
+ * Handles: a handle is a number disguised as a pointer and looked up at each call: one that has
+ *          been destroyed, or is of another kind, is rejected with WRC_INVALID_ARGUMENT.
+ * Threads: all functions may be called from any thread. A handle serves one call at a time; a
+ *          second one meanwhile returns WRC_BUSY. Different handles are independent.
+ * Floats:  the caller's rounding mode, traps and flags have no effect and are preserved.
+ * Text:    UTF-8, null-terminated. Returned text belongs to the handle and is valid until the
  *          handle is changed or destroyed.
  *
- * Every declaration carries the version that brought it.
+ * Every declaration states the version that introduced it.
  */
 #ifndef WRCONTACT_H
 #define WRCONTACT_H
@@ -51,10 +51,10 @@ typedef int32_t wrc_status;
 #define WRC_FILE_UNREADABLE 3  /**< a file that cannot be opened, read or written */
 #define WRC_FILE_MALFORMED 4   /**< a file whose content cannot be understood */
 #define WRC_NO_CONTACT 5       /**< wheel and rail do not meet in the scene as posed */
-#define WRC_OUT_OF_MEMORY 6    /**< memory could not be had */
+#define WRC_OUT_OF_MEMORY 6    /**< memory could not be allocated */
 #define WRC_INTERNAL 7         /**< a fault of the library itself */
-#define WRC_NOT_CONVERGED 8    /**< results are there, but not to the tolerance; see stop_reason */
-#define WRC_TOO_SMALL 9  /**< the caller's array is too small; the length needed is returned */
+#define WRC_NOT_CONVERGED 8    /**< results exist, but miss the tolerance; see stop_reason */
+#define WRC_TOO_SMALL 9  /**< the caller's array is too small; the required length is returned */
 #define WRC_NO_RESULT 10 /**< the handle has not been solved or loaded yet */
 #define WRC_BUSY 11      /**< the handle is in use by another thread; since 0.2 */
 
@@ -63,7 +63,7 @@ WRC_API const char* wrc_status_name(wrc_status status);
 /** Version of the library, for example "0.1.0". Since 0.1. */
 WRC_API const char* wrc_version(void);
 
-/* ---- Scene: what is asked, and its results ------------------------------------------------- */
+/* ---- Scene: the input and its results ------------------------------------------------------ */
 
 typedef struct wrc_scene wrc_scene;
 
@@ -76,10 +76,10 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
 
 /**
  * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
- * defaults and permitted values. Keys of one subject replace each other: the later call counts
+ * defaults and permitted values. Keys of one subject replace each other: the last call applies
  * (load.vertical and load.left, material.poisson and material.wheel.poisson, solve.accuracy and
- * solve.grid). The keys convention.units and convention.frame say in which units and frame numbers
- * are given to and told by the calls that follow; what was set before keeps its meaning. The key
+ * solve.grid). The keys convention.units and convention.frame set the units and frame of numbers
+ * passed to and returned by the calls that follow; what was set before keeps its meaning. The key
  * solve.until stops after one of the three modules. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT.
  * Since 0.1.
  */
@@ -89,9 +89,9 @@ WRC_API wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, cons
                                          int64_t count);
 
 /**
- * The values of keys, in the scene's convention: a text where a word stands ("solve", "none"), or
- * else a number or a list, copied as by wrc_scene_field. WRC_INVALID_ARGUMENT if the value is of
- * another type, or if there is no single one (load.vertical with different loads of the wheels).
+ * The values of keys, in the scene's convention: a text if it is a word ("solve", "none"),
+ * otherwise a number or a list, copied as by wrc_scene_field. WRC_INVALID_ARGUMENT if the value is
+ * of another type, or if there is no single one (load.vertical with different loads on the wheels).
  * Since 0.2.
  */
 WRC_API wrc_status wrc_scene_get_number(wrc_scene* scene, const char* key, double* value);
@@ -99,13 +99,13 @@ WRC_API wrc_status wrc_scene_get_text(wrc_scene* scene, const char* key, const c
 WRC_API wrc_status wrc_scene_get_numbers(wrc_scene* scene, const char* key, double* values,
                                          int64_t capacity, int64_t* count);
 
-/** What is told of a key; each text belongs to the library and stays. Since 0.1. */
+/** Description of a key; the texts belong to the library and stay valid. Since 0.1. */
 WRC_API int64_t wrc_scene_key_count(void);
 WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_value,
                                  const char** allowed, const char** meaning);
 
 /**
- * Solves geometry, remesh and mechanics of the sides asked for. WRC_NOT_CONVERGED comes with
+ * Solves geometry, remesh and mechanics of the wheels in solve.side. WRC_NOT_CONVERGED comes with
  * usable results; on any other failure the results of the last success remain. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
@@ -121,8 +121,8 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
 /**
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
  * "left.patches.1.centroid.y", "time_ms.total" and so on (docs/results.md lists and defines them).
- * Names of a side are of all its patches together; patches are numbered from 0, largest normal
- * force first, and wrc_scene_number_name tells how many there are. Patches that share a plane are
+ * Names of a wheel refer to all its patches together; patches are numbered from 0, largest normal
+ * force first, and wrc_scene_number_name shows how many there are. Patches that share a plane are
  * one, with parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME for the index of a patch that is
  * not there. Since 0.1.
  */
@@ -138,12 +138,12 @@ WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char
  * that of a part as it was solved. Of a side the outlines
  * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
- * tells the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
+ * returns the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
  * Since 0.1.
  */
 WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
                                    int64_t capacity, int64_t* count);
-/** Names of all results at hand, in a fixed order. Since 0.1. */
+/** Names of all available results, in a fixed order. Since 0.1. */
 WRC_API int64_t wrc_scene_number_count(const wrc_scene* scene);
 WRC_API const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index);
 WRC_API int64_t wrc_scene_text_count(const wrc_scene* scene);
@@ -154,25 +154,23 @@ WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
 typedef struct wrc_solver wrc_solver;
 
 /**
- * Keeps profiles, influence coefficients, transform plans and memory between solutions, and the
- * positions, extents and pressures of the last contact as the start of the next one. For vehicle
- * simulations: one solver a wheelset, solved every time step. A jump of the contact is never
- * missed: every search is global. "left.jump" tells it. Since 0.1.
+ * Keeps profiles, surfaces, influence coefficients, transform plans and memory between solutions:
+ * what saves time and changes no bit of a result. For vehicle simulations: one solver per wheelset,
+ * solved every time step, in any order of steps. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_create(wrc_solver** solver);
 WRC_API void wrc_solver_destroy(wrc_solver* solver);
 WRC_API const char* wrc_solver_error(const wrc_solver* solver);
 
 /**
- * As wrc_scene_solve, with what the solver keeps. Results are on the scene's handle; they agree
- * with those of wrc_scene_solve within the accuracy asked. After a failure the next solution starts
- * without positions of earlier ones. The error text is on the scene. The caller may use one scene's
- * handle again and again, changing its pose. Since 0.1.
+ * As wrc_scene_solve, bit for bit, whatever was solved before, with what the solver keeps. Results
+ * and the error text are on the scene's handle. A scene's handle may be used
+ * repeatedly, with its pose changed. Since 0.1; the same bits since 0.3.
  */
 WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
 /**
- * Drops positions, so that the next solution is bit for bit that of wrc_scene_solve; with
- * `profiles` not 0 also everything else (profile files are read again). Since 0.1.
+ * With `profiles` not 0 drops everything that is kept, so that profile files are read again; with 0
+ * does nothing: since 0.3 there are no positions to forget. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
 
@@ -211,30 +209,30 @@ WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count
                                        double longitudinal_step);
 /**
  * The undeformed distance h at the element centres, mm, finite, positive when apart; `count` values
- * with the longitudinal index fastest, which are copied. wrc_normal_solve asks for as many as the
+ * with the longitudinal index fastest, which are copied. wrc_normal_solve needs as many as the
  * grid has elements. WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count);
 /**
  * Numbers by key:
  *   "combined_modulus"    MPa, 1e-30 to 1e30; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on
- *                         steel if not set: 210000/(2 (1 - 0.3^2))
+ *                         steel by default: 210000/(2 (1 - 0.3^2))
  *   "normal_load"         N, 0 or 1e-60 to 1e60; replaces the approach
  *   "approach"            mm, -1e60 to 1e60; replaces the normal load
- *   "tolerance"           1e-13 to 0.1, 1e-6 if not set. Solver "default": largest error of the
- *                         pressures relative to their largest, against the exact solution on this
- *                         grid, by measurement. Solver "paper": update of the pressures and
+ *   "tolerance"           1e-13 to 0.1, default 1e-6. Solver "default": largest error of the
+ *                         pressures relative to the largest, against the exact solution on this
+ *                         grid, as measured. Solver "paper": update of the pressures and
  *                         complementarity
- *   "maximum_iterations"  a whole number, 1 to 1e9; 5000 if not set
+ *   "maximum_iterations"  a whole number, 1 to 1e9, default 5000
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value);
 /**
- * Texts by key; the first is taken if not set:
+ * Texts by key; the first is the default:
  *   "solver"     "default", or "paper" (Polonsky & Keer 1999, always in double precision)
  *   "elements"   "smooth": a pressure is the value at the element's centre of one that is smooth
  *                inside the contact; or "constant": it is that everywhere on the element (Love
- *                1929), at five to ten times the error. Solver "paper": "constant" if not set
+ *                1929), at five to ten times the error. Solver "paper": "constant" by default
  *   "precision"  "mixed": directions of the iteration in single precision; or "double"
  *   "planner"    "estimate": plans of transforms at once; or "measure": faster ones after seconds
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
@@ -255,21 +253,122 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  *   "fill"          share of the elements under pressure, 0 to 1
  *   "iterations"    of all grids the solver went through
  *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
- *                   how well the problem is solved, recomputed in double precision when first asked
- *                   for: |force - load|/load (0 for a given approach), least gap without pressure
- *                   (< 0: overlap) and largest |gap| under pressure, both over the largest
- *                   displacement
+ *                   how well the problem is solved, recomputed in double precision when first
+ *                   requested: |force - load|/load (0 for a given approach), least gap without
+ *                   pressure (< 0: overlap) and largest |gap| under pressure, both over the
+ *                   largest displacement
  * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value);
 /** "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
 WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
 /**
- * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first asked for), one
+ * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first requested), one
  * value per element with the longitudinal index fastest; copied as by wrc_scene_field. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values,
                                     int64_t capacity, int64_t* count);
+
+/* ---- Tangential contact of pressures given by the caller ------------------------------------ */
+
+/**
+ * Tractions and slip of two bodies of like elasticity that press on each other with given pressures
+ * p and roll in +x, with Coulomb friction:
+ *   s = w - du/dx,  w = (xi - phi y, eta + phi x)       slip and rigid slip, over the speed
+ *   |q| <= friction p;  s = 0 where |q| is less;  q against s where s is not 0
+ * with q the tractions on the wheel, u the displacements of the wheel relative to the rail, xi, eta
+ * and phi the creepages, wheel minus rail (Kalker 1990). Frame: of the contact's plane, x forward,
+ * y to the left, origin in the middle of the grid. Forces and moments act on the wheel. Changing
+ * the problem does not touch the results: they are those of the last wrc_rolling_solve. Answers do
+ * not depend on earlier calls, but for tractions set as previous ones.
+ */
+typedef struct wrc_rolling wrc_rolling;
+
+/** An empty problem. On failure *rolling is NULL. Since 0.3. */
+WRC_API wrc_status wrc_rolling_create(wrc_rolling** rolling);
+/** Does nothing with NULL. Since 0.3. */
+WRC_API void wrc_rolling_destroy(wrc_rolling* rolling);
+/** Text of the last failure, "" if there was none. Since 0.3. */
+WRC_API const char* wrc_rolling_error(const wrc_rolling* rolling);
+
+/** The grid, around the origin; as wrc_normal_set_grid. Since 0.3. */
+WRC_API wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_count,
+                                        int64_t longitudinal_count, double lateral_step,
+                                        double longitudinal_step);
+/**
+ * The pressures at the element centres, 0 to 1e30 MPa, 0 outside the contact; `count` values with
+ * the longitudinal index fastest, x and y growing with the indices, which are copied.
+ * wrc_rolling_solve needs as many as the grid has elements. WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values,
+                                            int64_t count);
+/**
+ * The tractions before a step or a shift ("contact" below), -1e30 to 1e30 MPa on the wheel,
+ * `count` values each on the grid of the pressures, which moves with the contact; they are copied.
+ * They stay until they are replaced, and steady rolling does not use them. With count 0 there are
+ * none, as at first: the bodies were free of tractions. WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
+                                            const double* traction_y, int64_t count);
+/**
+ * Numbers by key:
+ *   "shear_modulus"          MPa, 1e-30 to 1e30; 1/G = (1/G1 + 1/G2)/2; steel by default:
+ *                            210000/(2 (1 + 0.28))
+ *   "poisson"                0 to 0.5, default 0.28; nu/G = (nu1/G1 + nu2/G2)/2
+ *   "friction"               0 to 1e3, default 0.3
+ *   "longitudinal_creepage"  xi, -1e30 to 1e30, default 0; of a shift: mm
+ *   "lateral_creepage"       eta, the same
+ *   "spin_creepage"          phi, 1/mm, the same, positive turns x to y; of a shift: rad
+ *   "tolerance"              1e-10 to 0.1, default 1e-3: sum of the changes of q in one step of the
+ *                            natural iteration q - r s, cut to the bound, over the sum of |q|
+ *   "maximum_iterations"     of each of the grids gone through: a whole number, 1 to 1e9, default
+ * 30 WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value);
+/**
+ * Texts by key; the first is the default:
+ *   "model"       "full": the problem above
+ *   "contact"     "rolling": steady rolling; "transient": a step of rolling by the length h of one
+ *                 element from the previous tractions, s = w + (u(x) - u'(x + h))/h; or "shift":
+ * one without rolling, s = w + u - u' in mm "difference"  of rolling: "biased", upstream and of
+ * second order; or "first-order", as CONTACT (Vollebregt) takes it, for comparison
+ * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_text(wrc_rolling* rolling, const char* key, const char* value);
+
+/**
+ * Solves the problem. WRC_NOT_CONVERGED comes with usable results; on any other failure the results
+ * of the last success remain. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_solve(wrc_rolling* rolling);
+/**
+ * Makes the tractions of the results the previous ones, for the next step or shift; solving does
+ * not. WRC_NO_RESULT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
+
+/**
+ * A scalar result by name:
+ *   "longitudinal_force", "lateral_force"  N
+ *   "spin_moment"                   N mm, about the origin
+ *   "slip_area", "adhesion_area"    mm^2, counted in elements
+ *   "friction_power"                lost to friction, over the speed, N: -(force and moment times
+ *                                   creepages); exact for steady rolling; of a shift: N mm
+ *   "numerical_loss"                the share of it that slip times traction does not show, from
+ *                                   elements of finite size; 0 but for steady rolling
+ *   "iterations", "convolutions"    on all grids
+ *   "residual"                      reached; see "tolerance"
+ *   "converged"                     1, or 0 with WRC_NOT_CONVERGED
+ * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value);
+/**
+ * "traction_x", "traction_y" (MPa, on the wheel), "slip_x" or "slip_y" (over the speed; of a shift:
+ * mm; 0 outside the contact), one value per element with the longitudinal index fastest; copied as
+ * by wrc_scene_field. WRC_NO_RESULT, WRC_UNKNOWN_NAME, WRC_TOO_SMALL. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* values,
+                                     int64_t capacity, int64_t* count);
 
 /* ---- Profiles ------------------------------------------------------------------------------ */
 
@@ -310,7 +409,7 @@ WRC_API wrc_status wrc_profile_write(wrc_profile* profile, const char* path, dou
 
 /**
  * A profile through points, `count` of each coordinate in mm in either order, copied; treated as
- * the points of a file (docs of the options above), whose kind must be given. `name` stands for
+ * the points of a file (docs of the options above), whose kind must be given. `name` identifies
  * them in messages. WRC_INVALID_ARGUMENT. Since 0.2.
  */
 WRC_API wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name,
@@ -318,7 +417,7 @@ WRC_API wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name
                                           int64_t count, const wrc_read_options* options);
 /**
  * Lets a scene use a loaded profile, of which it keeps a copy: a wheel for "wheelset.wheel", a rail
- * for "track.rail". Setting that key by name takes it away again. WRC_INVALID_ARGUMENT,
+ * for "track.rail". Setting that key by name removes it again. WRC_INVALID_ARGUMENT,
  * WRC_NO_RESULT for an empty profile. Since 0.2.
  */
 WRC_API wrc_status wrc_scene_set_profile(wrc_scene* scene, const char* key, wrc_profile* profile);
@@ -326,7 +425,7 @@ WRC_API wrc_status wrc_scene_set_profile(wrc_scene* scene, const char* key, wrc_
 /** Kind, and texts: "name", "title", "source", "confidence". Since 0.1. */
 WRC_API wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind);
 WRC_API wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value);
-/** What was corrected while reading, one line each; NULL past the end. Since 0.1. */
+/** Corrections made while reading, one line each; NULL past the end. Since 0.1. */
 WRC_API const char* wrc_profile_correction(const wrc_profile* profile, int64_t index);
 
 /** Arc length of the curve, mm. Since 0.1. */
@@ -348,15 +447,15 @@ WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* late
  * Fast Fourier transforms are planned one at a time in the whole process, under a lock of the
  * library. A program that plans with FFTW itself sets its own lock here, which is then held around
  * all planning too; both functions are called with `context` and must not throw. A program that
- * calls the library while it holds its lock needs a recursive one. Both NULL takes it away again.
- * To be called while no other thread uses the library. WRC_INVALID_ARGUMENT for one function
+ * calls the library while it holds its lock needs a recursive one. Both NULL removes it again.
+ * Must be called while no other thread uses the library. WRC_INVALID_ARGUMENT for one function
  * without the other. Since 0.1.
  */
 WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlock)(void* context),
                                         void* context);
 /**
- * Wisdom: what the planner "measure" has found out in this process. The file is read or written by
- * these calls and at no other time. WRC_INVALID_ARGUMENT, WRC_FILE_UNREADABLE,
+ * Wisdom: what the planner "measure" has learnt in this process. The file is read or written by
+ * these calls only. WRC_INVALID_ARGUMENT, WRC_FILE_UNREADABLE,
  * WRC_FILE_MALFORMED. Since 0.1.
  */
 WRC_API wrc_status wrc_load_wisdom(const char* path);
