@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text,
-# constants, sizes, address sanitizer (by clang, with static analysis), thread sanitizer, release,
-# the outputs that pages show, instruction sets.
+# constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release, the
+# outputs that pages show, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -17,14 +17,14 @@ case "$#:${1:-}" in
     ;;
 esac
 
-# build_and_test PRESET [TARGET TESTS [OPTION...]]: one target and the tests that match a pattern,
-# or everything ("all" and "."). Options are CMake's.
+# build_and_test PRESET [PROGRAM]: one program of tests, whose label is its name, or everything.
 build_and_test() {
-  local preset=$1 target=${2:-all} tests=${3:-.} start=$SECONDS built
-  local folder=build/$preset
+  local preset=$1 target=${2:-all} start=$SECONDS built
+  local folder=build/$preset select=()
+  [ "$target" = all ] || select=(-L "^$target\$")
   echo "== $preset: build"
   mkdir -p "$folder"
-  cmake --preset "$preset" "${@:4}" >"$folder/configure.log" 2>&1 || {
+  cmake --preset "$preset" >"$folder/configure.log" 2>&1 || {
     tail -n 40 "$folder/configure.log"
     exit 1
   }
@@ -34,7 +34,7 @@ build_and_test() {
   }
   built=$SECONDS
   echo "== $preset: tests"
-  ctest --preset "$preset" -j "$(nproc)" -R "$tests" >"$folder/test.log" 2>&1 || {
+  ctest --preset "$preset" -j "$(nproc)" "${select[@]}" >"$folder/test.log" 2>&1 || {
     grep -vE '^ *Start|Passed' "$folder/test.log" | tail -n 100
     exit 1
   }
@@ -52,8 +52,10 @@ if [ "$all" = yes ]; then
   scripts/check_text.sh
   scripts/list_constants.sh >/dev/null
   scripts/check_sizes.sh >/dev/null
-  build_and_test asan all . -DWRCONTACT_CLANG_TIDY=ON
-  build_and_test tsan threads_test '^(Batch|Threads)\.'
+  echo "== static analysis"
+  scripts/check_static.sh
+  build_and_test asan
+  build_and_test tsan threads_test
 fi
 build_and_test release
 if [ "$all" = yes ]; then

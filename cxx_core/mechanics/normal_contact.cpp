@@ -31,7 +31,7 @@ void check_scale(const std::string& argument, double value) {
   }
 }
 
-void check_size(const std::string& argument, std::size_t size, std::size_t expected) {
+void check_entries(const std::string& argument, std::size_t size, std::size_t expected) {
   if (size != expected) {
     throw_invalid_argument(argument + ".size", static_cast<double>(size),
                            "must be " + std::to_string(expected) + " elements");
@@ -75,7 +75,7 @@ void check_grid(const Grid& grid) {
 namespace {
 
 void check_distances(std::span<const double> distance, const Grid& grid) {
-  check_size("undeformed_distance", distance.size(), grid.element_count());
+  check_entries("undeformed_distance", distance.size(), grid.element_count());
   if (all_finite(distance.data(), distance.size())) {
     return;
   }
@@ -135,8 +135,9 @@ void check_problem(const JointProblem& problem) {
   check_request(problem, problem.load, "load");
   if (problem.interaction != nullptr) {
     const std::size_t count = problem.patches.size();
-    check_size("interaction.places", problem.interaction->places.size(), count);
-    check_size("interaction.closeness", problem.interaction->coupling_weight.size(), count * count);
+    check_entries("interaction.places", problem.interaction->places.size(), count);
+    check_entries("interaction.closeness", problem.interaction->coupling_weight.size(),
+                  count * count);
     for (const double coupling_weight : problem.interaction->coupling_weight) {
       if (!(coupling_weight >= 0.0 && coupling_weight <= 1.0)) {
         throw_invalid_argument("interaction.closeness", coupling_weight, "must lie in 0 to 1");
@@ -157,8 +158,8 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach) {
   check_problem(problem);
-  check_size("pressure", pressure.size(), problem.grid.element_count());
-  check_size("displacement", displacement.size(), problem.grid.element_count());
+  check_entries("pressure", pressure.size(), problem.grid.element_count());
+  check_entries("displacement", displacement.size(), problem.grid.element_count());
   const std::span<const double> distance = problem.undeformed_distance;
   double pressure_sum = 0.0;
   double largest_displacement = 0.0;

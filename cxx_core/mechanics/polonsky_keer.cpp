@@ -32,7 +32,7 @@ namespace wrc {
 namespace {
 
 /// The problem without dimensions: distances from the least one, modulus 1, longitudinal step 1.
-struct ScaledProblem {
+struct DimensionlessProblem {
   Grid grid;
   std::vector<double> distance;
   bool load_prescribed;
@@ -42,7 +42,7 @@ struct ScaledProblem {
   double pressure_scale = 0.0; ///< MPa for pressure 1
 };
 
-struct ScaledResult {
+struct DimensionlessResult {
   std::vector<double> pressure;
   int iterations;
   StopReason stop_reason;
@@ -82,12 +82,12 @@ double quantile_of(std::span<const double> distance, double share) {
 
 class ActiveSetIteration {
 public:
-  ActiveSetIteration(const ScaledProblem& problem, std::vector<double> start)
+  ActiveSetIteration(const DimensionlessProblem& problem, std::vector<double> start)
       : problem_(problem), operator_(problem.grid, 1.0, problem.elements),
         pressure_(std::move(start)), gap_(pressure_.size()), direction_(pressure_.size(), 0.0),
         response_(pressure_.size()) {}
 
-  ScaledResult run(double tolerance, int maximum_iterations);
+  DimensionlessResult run(double tolerance, int maximum_iterations);
 
 private:
   /// Gap of the present pressures; returns their complementarity error.
@@ -102,7 +102,7 @@ private:
 
   [[nodiscard]] bool in_contact(std::size_t index) const { return pressure_[index] > 0.0; }
 
-  const ScaledProblem& problem_;
+  const DimensionlessProblem& problem_;
   DisplacementOperator operator_;
   std::vector<double> pressure_;
   std::vector<double> gap_;
@@ -233,8 +233,8 @@ double ActiveSetIteration::move(double step) {
   return sum > 0.0 ? change / sum : std::numeric_limits<double>::infinity();
 }
 
-ScaledResult ActiveSetIteration::run(double tolerance, int maximum_iterations) {
-  ScaledResult best{pressure_, 0, StopReason::iteration_limit};
+DimensionlessResult ActiveSetIteration::run(double tolerance, int maximum_iterations) {
+  DimensionlessResult best{pressure_, 0, StopReason::iteration_limit};
   double least_error = std::numeric_limits<double>::infinity();
   double update = std::numeric_limits<double>::infinity();
   int best_iteration = 0;
@@ -262,10 +262,10 @@ ScaledResult ActiveSetIteration::run(double tolerance, int maximum_iterations) {
 }
 
 /// A problem with a contact to be found: load > 0, or approach above the least distance.
-ScaledProblem scale_problem(const NormalProblem& problem, double least_distance) {
+DimensionlessProblem scale_problem(const NormalProblem& problem, double least_distance) {
   const Grid& grid = problem.grid;
   const double step = grid.longitudinal_step;
-  ScaledProblem scaled{
+  DimensionlessProblem scaled{
       {grid.lateral_count, grid.longitudinal_count, grid.lateral_step / step, 1.0, 0.0, 0.0},
       std::vector<double>(problem.undeformed_distance.size()),
       problem.normal_load.has_value(),
@@ -288,7 +288,7 @@ ScaledProblem scale_problem(const NormalProblem& problem, double least_distance)
   return scaled;
 }
 
-std::vector<double> start_pressures(const ScaledProblem& scaled) {
+std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
   const double level = scaled.load_prescribed
                            ? quantile_of(scaled.distance, polonsky_keer_start_quantile)
                            : scaled.approach;
@@ -355,9 +355,9 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
     return solution;
   }
 
-  const ScaledProblem scaled = scale_problem(problem, least_distance);
-  ScaledResult result = ActiveSetIteration(scaled, start_pressures(scaled))
-                            .run(problem.tolerance, problem.maximum_iterations);
+  const DimensionlessProblem scaled = scale_problem(problem, least_distance);
+  DimensionlessResult result = ActiveSetIteration(scaled, start_pressures(scaled))
+                                   .run(problem.tolerance, problem.maximum_iterations);
   solution.pressure = std::move(result.pressure);
   for (double& value : solution.pressure) {
     value *= scaled.pressure_scale;

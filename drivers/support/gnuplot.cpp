@@ -147,7 +147,7 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
                   ": gnuplot failed; is it installed (Debian package gnuplot-nox)?");
   }
   if (!is_whole(file.aside(), extension)) {
-    throw Failure("--plot " + path.string() + ": cannot be written whole: is the disk full?");
+    throw Failure("--plot " + path.string() + ": cannot be written completely: is the disk full?");
   }
   file.commit();
 }

@@ -12,12 +12,13 @@ namespace fs = std::filesystem;
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), aside_(path_) {
   std::error_code unknown;
   if (fs::exists(path_, unknown) && !fs::is_regular_file(path_, unknown)) {
-    throw Failure("cannot write " + path_.string() + ": it is there and is no regular file");
+    throw Failure("cannot write " + path_.string() + ": exists and is not a regular file");
   }
   aside_ += ".part" + std::to_string(getpid()) + path_.extension().string();
   stream_.open(aside_);
   if (!stream_) {
-    throw Failure("cannot write " + path_.string() + ": is the folder there and writable?");
+    throw Failure("cannot write " + path_.string() +
+                  ": does the folder exist, and is it writable?");
   }
   stream_.precision(std::numeric_limits<double>::max_digits10);
 }
@@ -33,7 +34,7 @@ OutputFile::~OutputFile() {
 void OutputFile::commit() {
   stream_.close();
   if (!stream_) {
-    throw Failure("cannot write " + path_.string() + " whole: is the disk full?");
+    throw Failure("cannot write all of " + path_.string() + ": is the disk full?");
   }
   std::error_code trouble;
   fs::rename(aside_, path_, trouble);

@@ -156,7 +156,8 @@ void Journal::lock() {
   constexpr mode_t everybody = 0666; // less the user's mask
   locked_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everybody);
   if (locked_ < 0) {
-    throw Failure("cannot write " + path_.string() + ": is the folder there and writable?");
+    throw Failure("cannot write " + path_.string() +
+                  ": does the folder exist, and is it writable?");
   }
   // Two runs that write the same results would spoil them. File systems without locks do not tell.
   if (flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
@@ -170,7 +171,8 @@ void Journal::start(const Study& study) {
   const std::string header = header_of(study);
   file_ << header << std::flush;
   if (!file_) {
-    throw Failure("cannot write " + path_.string() + ": is the folder there and writable?");
+    throw Failure("cannot write " + path_.string() +
+                  ": does the folder exist, and is it writable?");
   }
   end_ = static_cast<std::int64_t>(header.size());
 }

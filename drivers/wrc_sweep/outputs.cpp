@@ -46,8 +46,7 @@ void in_own_process(const std::filesystem::path& path, const std::function<void(
   close(ends[0]);
   int status = -1;
   if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
-    throw Failure(text.empty() ? "cannot write " + path.string() + " whole: is the disk full?"
-                               : text);
+    throw Failure(text.empty() ? "cannot write " + path.string() + ": is the disk full?" : text);
   }
 }
 

@@ -90,14 +90,14 @@ inline ScenePointer make_varied_scene(int index) {
   const auto pair = pairs[static_cast<std::size_t>(index) % pairs.size()];
   ScenePointer scene = make_scene();
   wrc_scene* s = scene.get();
-  EXPECT_EQ(wrc_scene_set_text(s, "wheelset.wheel", pair.first), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_text(s, "track.rail", pair.second), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(s, "pose.lateral", 0.7 * (index % 9) - 2.5), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(s, "pose.yaw", 1e-3 * (index % 4)), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(s, "load.vertical", 20e3 * (1 + index % 5)), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(s, "solve.accuracy", 1e-2), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(s, "solve.threads", index % 8 == 0 ? 2 : 1), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_text(s, "solve.precision", index % 4 == 3 ? "double" : "mixed"), WRC_OK);
+  set(s, {{"wheelset.wheel", pair.first},
+          {"track.rail", pair.second},
+          {"pose.lateral", 0.7 * (index % 9) - 2.5},
+          {"pose.yaw", 1e-3 * (index % 4)},
+          {"load.vertical", 20e3 * (1 + index % 5)},
+          {"solve.accuracy", 1e-2},
+          {"solve.threads", index % 8 == 0 ? 2.0 : 1.0},
+          {"solve.precision", index % 4 == 3 ? "double" : "mixed"}});
   if (index % 2 == 1) {
     const std::array grid{20.0 + index % 7, 30.0 - index % 5};
     EXPECT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid.data(), 2), WRC_OK);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -65,91 +66,37 @@ double any_number() {
   return (below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent);
 }
 
-/// Keys, names, words, paths and nonsense.
+/// Keys, names, words, paths and nonsense, with bars between them.
+constexpr const char* words =
+    "|.|left.|left.patches.|left.patches.0.|left.patches.99999999999999999999.pmax|"
+    "left.patches.-1.pmax|left.patches.0.pressure|right.patches.1.undeformed_distance|"
+    "left.displacement|right.rail_y|left.wheel_z|left.pmax|right.area|"
+    "left.residuals.least_gap|left.sensitivities.vertical_force.vertical|"
+    "left.sensitivities.at_load.vertical.roll|roll|units|model|left.stop_reason|"
+    "left.warnings.0|solve|none|both|left|tangent|vertical|geometry|remesh|mechanics|SI|mm|"
+    "right-down|left-up|paper|default|double|mixed|1:20|-1:1e999|S1002|60E1|CHN60|LMA|"
+    "a file.txt|a scene.toml|wheel.prw|rail.prr|worn.whl|/|/dev/zero|/proc/self/mem|"
+    "nowhere/at all.txt|\xff\xfe\x01\n\"\\|pmax|approach|pressure|displacement|normal_load|"
+    "combined_modulus|tolerance|maximum_iterations|solver|precision|stop_reason|shear_modulus|"
+    "friction|"
+    "longitudinal_creepage|spin_creepage|contact|transient|shift|difference|first-order|"
+    "lateral_force|traction_x|slip_y|title|name";
+
 const char* any_text() {
   static const std::string endless(20000, 'x');
+  static const std::vector<std::string> kept = [] {
+    std::vector<std::string> all;
+    std::istringstream from(words);
+    for (std::string word; std::getline(from, word, '|');) {
+      all.push_back(word);
+    }
+    return all;
+  }();
   static const std::vector<const char*> texts = [] {
-    std::vector<const char*> list{nullptr,
-                                  "",
-                                  ".",
-                                  "left.",
-                                  "left.patches.",
-                                  "left.patches.0.",
-                                  "left.patches.99999999999999999999.pmax",
-                                  "left.patches.-1.pmax",
-                                  "left.patches.0.pressure",
-                                  "right.patches.1.undeformed_distance",
-                                  "left.displacement",
-                                  "right.rail_y",
-                                  "left.wheel_z",
-                                  "left.pmax",
-                                  "right.area",
-                                  "left.residuals.least_gap",
-                                  "left.sensitivities.vertical_force.vertical",
-                                  "left.sensitivities.at_load.vertical.roll",
-                                  "roll",
-                                  "units",
-                                  "model",
-                                  "left.stop_reason",
-                                  "left.warnings.0",
-                                  "solve",
-                                  "none",
-                                  "both",
-                                  "left",
-                                  "tangent",
-                                  "vertical",
-                                  "geometry",
-                                  "remesh",
-                                  "mechanics",
-                                  "SI",
-                                  "mm",
-                                  "right-down",
-                                  "left-up",
-                                  "paper",
-                                  "default",
-                                  "double",
-                                  "mixed",
-                                  "1:20",
-                                  "-1:1e999",
-                                  "S1002",
-                                  "60E1",
-                                  "CHN60",
-                                  "LMA",
-                                  "a file.txt",
-                                  "a scene.toml",
-                                  "wheel.prw",
-                                  "rail.prr",
-                                  "worn.whl",
-                                  "/",
-                                  "/dev/zero",
-                                  "/proc/self/mem",
-                                  "nowhere/at all.txt",
-                                  "\xff\xfe\x01\n\"\\",
-                                  "pmax",
-                                  "approach",
-                                  "pressure",
-                                  "displacement",
-                                  "normal_load",
-                                  "combined_modulus",
-                                  "tolerance",
-                                  "maximum_iterations",
-                                  "solver",
-                                  "precision",
-                                  "stop_reason",
-                                  "shear_modulus",
-                                  "friction",
-                                  "longitudinal_creepage",
-                                  "spin_creepage",
-                                  "contact",
-                                  "transient",
-                                  "shift",
-                                  "difference",
-                                  "first-order",
-                                  "lateral_force",
-                                  "traction_x",
-                                  "slip_y",
-                                  "title",
-                                  "name"};
+    std::vector<const char*> list{nullptr};
+    for (const std::string& word : kept) {
+      list.push_back(word.c_str());
+    }
     list.push_back(endless.c_str());
     for (std::int64_t i = 0; i < wrc_scene_key_count(); ++i) {
       const char* text[4] = {};

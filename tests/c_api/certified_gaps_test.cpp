@@ -202,8 +202,8 @@ TEST(CertifiedGaps, OutsideTheyAreRefusedWithArgumentValueAndWhatIsAllowed) {
   // An approach has the load's limits.
   const NormalPointer normal = make_normal();
   EXPECT_EQ(wrc_normal_set_number(normal.get(), "approach", 1e60), WRC_OK);
-  EXPECT_EQ(wrc_normal_set_number(normal.get(), "approach", -1.1e60), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(normal.get()), "approach = -1.1e+60: allowed is -1e60"));
+  expect_error(normal.get(), wrc_normal_set_number(normal.get(), "approach", -1.1e60),
+               WRC_INVALID_ARGUMENT, "approach = -1.1e+60: allowed is -1e60");
 }
 
 TEST(CertifiedGaps, NoLoadAndNoTouchBearNothing) {

@@ -73,7 +73,7 @@ struct Outside {
 
 ScenePointer left_scene() {
   ScenePointer scene = make_scene();
-  EXPECT_EQ(wrc_scene_set_text(scene.get(), "solve.side", "left"), WRC_OK);
+  set(scene.get(), {{"solve.side", "left"}});
   return scene;
 }
 
@@ -81,7 +81,7 @@ void expect_solved(const Inside& inside) {
   SCOPED_TRACE(inside.name);
   const ScenePointer scene = left_scene();
   ASSERT_EQ(inside.setup(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+  solve(scene.get());
   double load = 0.0;
   ASSERT_EQ(wrc_scene_get_number(scene.get(), "load.left", &load), WRC_OK);
   EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), load, load_rounding * load);
@@ -221,10 +221,9 @@ TEST(CertifiedRanges, ErrorsOfFineGridsByHandAreWithinTheirEstimates) {
   for (const double lateral : {0.0, 3.0, 6.5}) {
     const auto solved = [&](double rows, double columns) {
       ScenePointer scene = left_scene();
-      EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", lateral), WRC_OK);
-      EXPECT_EQ(wrc_scene_set_number(scene.get(), "solve.tolerance", 1e-8), WRC_OK);
+      set(scene.get(), {{"pose.lateral", lateral}, {"solve.tolerance", 1e-8}});
       EXPECT_EQ(grid(rows, columns)(scene.get()), WRC_OK);
-      EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+      solve(scene.get());
       return scene;
     };
     const ScenePointer truth = solved(1024.0, 512.0);
@@ -256,13 +255,13 @@ TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
       {"no load", number("load.vertical", 0.0), false, "no load"},
       {"load below what positions can tell", number("load.vertical", 1e-8), false,
        "the load, 1e-08 N, is treated as zero load"},
-      {"load at which rounding is felt", number("load.vertical", 2e-6), true,
+      {"load at which rounding counts", number("load.vertical", 2e-6), true,
        "rounding of positions changes the pressures"},
       {"load above that", number("load.vertical", 1e-5), true, ""},
       {"the same, to a finer accuracy",
        both(number("load.vertical", 1e-5), number("solve.accuracy", 2e-4)), true,
        "rounding of positions changes the pressures"},
-      {"load at which rounding is felt on the flange",
+      {"load at which rounding counts on the flange",
        both(number("load.vertical", 2e-6), number("pose.lateral", 6.5)), true,
        "rounding of positions changes the pressures"},
       {"load above that on the flange",
@@ -280,7 +279,7 @@ TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
     SCOPED_TRACE(state.name);
     const ScenePointer scene = left_scene();
     ASSERT_EQ(state.setup(scene.get()), WRC_OK);
-    ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+    solve(scene.get());
     const std::string warnings = warnings_of(scene.get());
     if (std::string(state.warning).empty()) {
       EXPECT_EQ(warnings, "");
@@ -325,7 +324,7 @@ ScenePointer wedged_scene(double wider, double lateral) {
   for (const auto& [key, value] :
        {std::pair{"track.cant", 0.0}, std::pair{"pose.roll", 0.0},
         std::pair{"pose.lateral", lateral}, std::pair{"solve.accuracy", 1e-2}}) {
-    EXPECT_EQ(wrc_scene_set_number(scene.get(), key, value), WRC_OK);
+    set(scene.get(), {{key, value}});
   }
   return scene;
 }

@@ -13,14 +13,6 @@ namespace {
 /// Powers of ten are exact in double precision: only the last rounding is left.
 constexpr double rounding = 1e-15;
 
-void set_text(const ScenePointer& scene, const char* key, const char* value) {
-  ASSERT_EQ(wrc_scene_set_text(scene.get(), key, value), WRC_OK) << wrc_scene_error(scene.get());
-}
-
-void set_number(const ScenePointer& scene, const char* key, double value) {
-  ASSERT_EQ(wrc_scene_set_number(scene.get(), key, value), WRC_OK) << wrc_scene_error(scene.get());
-}
-
 std::map<std::string, double> numbers_of(wrc_scene* scene) {
   std::map<std::string, double> numbers;
   for (std::int64_t i = 0; const char* name = wrc_scene_number_name(scene, i); ++i) {
@@ -31,16 +23,15 @@ std::map<std::string, double> numbers_of(wrc_scene* scene) {
 
 TEST(Convention, MetresAndPascalsGiveTheSameScene) {
   const ScenePointer in_mm = make_small_scene();
-  set_number(in_mm, "pose.lateral", 4.0);
-  set_number(in_mm, "track.gauge", 1437.0);
-  set_number(in_mm, "material.youngs_modulus", 2.1e5);
+  set(in_mm.get(),
+      {{"pose.lateral", 4.0}, {"track.gauge", 1437.0}, {"material.youngs_modulus", 2.1e5}});
   const ScenePointer in_m = make_small_scene();
-  set_text(in_m, "convention.units", "SI");
-  set_number(in_m, "pose.lateral", 4.0e-3);
-  set_number(in_m, "track.gauge", 1.437);
-  set_number(in_m, "material.youngs_modulus", 2.1e11);
-  ASSERT_EQ(wrc_scene_solve(in_mm.get()), WRC_OK);
-  ASSERT_EQ(wrc_scene_solve(in_m.get()), WRC_OK);
+  set(in_m.get(), {{"convention.units", "SI"},
+                   {"pose.lateral", 4.0e-3},
+                   {"track.gauge", 1.437},
+                   {"material.youngs_modulus", 2.1e11}});
+  solve(in_mm.get());
+  solve(in_m.get());
   const char* units = nullptr;
   ASSERT_EQ(wrc_scene_text(in_m.get(), "units", &units), WRC_OK);
   EXPECT_STREQ(units, "m, N, Pa, rad");
@@ -75,16 +66,13 @@ TEST(Convention, MetresAndPascalsGiveTheSameScene) {
 TEST(Convention, EveryNumberIsTheSameOneTurnedOrScaled) {
   // With the results of one solution, told in four ways.
   const ScenePointer scene = make_small_scene();
-  set_number(scene, "pose.lateral", 4.0);
-  set_number(scene, "pose.yaw", 5e-3);
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get(), {{"pose.lateral", 4.0}, {"pose.yaw", 5e-3}});
   const auto usual = numbers_of(scene.get());
-  set_text(scene, "convention.units", "SI");
+  set(scene.get(), {{"convention.units", "SI"}});
   const auto si = numbers_of(scene.get());
-  set_text(scene, "convention.units", "mm");
-  set_text(scene, "convention.frame", "right-down");
+  set(scene.get(), {{"convention.units", "mm"}, {"convention.frame", "right-down"}});
   const auto turned = numbers_of(scene.get());
-  set_text(scene, "convention.frame", "left-up");
+  set(scene.get(), {{"convention.frame", "left-up"}});
   EXPECT_EQ(numbers_of(scene.get()), usual);
   ASSERT_EQ(usual.size(), si.size());
   ASSERT_EQ(usual.size(), turned.size());
@@ -114,27 +102,23 @@ TEST(Convention, EveryNumberIsTheSameOneTurnedOrScaled) {
 
 TEST(Convention, ATurnedSceneIsTheSameScene) {
   const ScenePointer usual = make_small_scene();
-  set_number(usual, "pose.lateral", 3.0);
-  set_number(usual, "pose.yaw", 4e-3);
-  set_number(usual, "pose.vertical", 459.85);
-  ASSERT_EQ(wrc_scene_solve(usual.get()), WRC_OK);
+  solve(usual.get(), {{"pose.lateral", 3.0}, {"pose.yaw", 4e-3}, {"pose.vertical", 459.85}});
   const ScenePointer turned = make_small_scene();
-  set_text(turned, "convention.frame", "right-down");
-  set_number(turned, "pose.lateral", -3.0);
-  set_number(turned, "pose.yaw", -4e-3);
-  set_number(turned, "pose.vertical", -459.85);
-  ASSERT_EQ(wrc_scene_solve(turned.get()), WRC_OK) << wrc_scene_error(turned.get());
+  solve(turned.get(), {{"convention.frame", "right-down"},
+                       {"pose.lateral", -3.0},
+                       {"pose.yaw", -4e-3},
+                       {"pose.vertical", -459.85}});
   EXPECT_EQ(number_of(turned.get(), "left.lateral_force"),
             -number_of(usual.get(), "left.lateral_force"));
   EXPECT_EQ(field_of(turned.get(), "left.y").front(), -field_of(usual.get(), "left.y").front());
   EXPECT_EQ(field_of(turned.get(), "left.x"), field_of(usual.get(), "left.x"));
-  set_text(turned, "convention.frame", "left-up");
+  set(turned.get(), {{"convention.frame", "left-up"}});
   expect_same_bits(usual.get(), turned.get(), "seen from the usual frame again");
 }
 
 TEST(Convention, RefusedValuesAreToldInBothUnits) {
   const ScenePointer scene = make_scene();
-  set_text(scene, "convention.units", "SI");
+  set(scene.get(), {{"convention.units", "SI"}});
   EXPECT_EQ(wrc_scene_set_number(scene.get(), "track.gauge", 1435.0), WRC_INVALID_ARGUMENT);
   const std::string text = wrc_scene_error(scene.get());
   EXPECT_TRUE(contains(text, "1435 ")) << text;
@@ -151,21 +135,19 @@ TEST(Inputs, AreTheirDefaultsAndThenWhatWasSet) {
   EXPECT_EQ(number, 1435.0);
   EXPECT_EQ(wrc_scene_get_text(s, "pose.roll", &text), WRC_OK);
   EXPECT_STREQ(text, "solve");
-  set_number(scene, "pose.roll", 1e-3);
-  EXPECT_EQ(wrc_scene_get_text(s, "pose.roll", &text), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_scene_error(s), "pose.roll"));
+  set(scene.get(), {{"pose.roll", 1e-3}});
+  expect_error(s, wrc_scene_get_text(s, "pose.roll", &text), WRC_INVALID_ARGUMENT, "pose.roll");
   EXPECT_EQ(wrc_scene_get_number(s, "pose.roll", &number), WRC_OK);
   EXPECT_EQ(number, 1e-3);
-  set_text(scene, "pose.roll", "solve");
+  set(scene.get(), {{"pose.roll", "solve"}});
   EXPECT_EQ(wrc_scene_get_text(s, "pose.roll", &text), WRC_OK);
-  set_number(scene, "load.left", 5e4);
+  set(scene.get(), {{"load.left", 5e4}});
   EXPECT_EQ(wrc_scene_get_number(s, "load.vertical", &number), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_scene_get_number(s, "load.left", &number), WRC_OK);
   EXPECT_EQ(number, 5e4);
   EXPECT_EQ(wrc_scene_get_text(s, "solve.grid", &text), WRC_OK);
   EXPECT_STREQ(text, "by accuracy");
-  const double grid[] = {30.0, 20.0};
-  EXPECT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);
+  set(s, {{"solve.grid", std::vector{30.0, 20.0}}});
   double read[2] = {};
   std::int64_t count = 0;
   EXPECT_EQ(wrc_scene_get_numbers(s, "solve.grid", nullptr, 0, &count), WRC_OK);
@@ -174,7 +156,7 @@ TEST(Inputs, AreTheirDefaultsAndThenWhatWasSet) {
   EXPECT_EQ(wrc_scene_get_numbers(s, "solve.grid", read, 2, &count), WRC_OK);
   EXPECT_EQ(read[0], 30.0);
   EXPECT_EQ(read[1], 20.0);
-  set_text(scene, "convention.units", "SI");
+  set(scene.get(), {{"convention.units", "SI"}});
   EXPECT_EQ(wrc_scene_get_number(s, "track.gauge", &number), WRC_OK);
   EXPECT_EQ(number, 1.435);
   EXPECT_EQ(wrc_scene_get_number(s, "track.width", &number), WRC_UNKNOWN_NAME);
@@ -190,34 +172,29 @@ TEST(Inputs, EveryKeyHasAValueThatMaySetItAgain) {
     double number = 0.0;
     const char* text = nullptr;
     if (wrc_scene_get_number(s, name, &number) == WRC_OK) {
-      EXPECT_EQ(wrc_scene_set_number(s, name, number), WRC_OK) << name;
+      set(s, {{name, number}});
     } else {
       ASSERT_EQ(wrc_scene_get_text(s, name, &text), WRC_OK) << name;
       const std::string value = text;
       EXPECT_EQ('"' + value + '"', default_value) << name;
-      EXPECT_EQ(wrc_scene_set_text(s, name, value.c_str()), WRC_OK) << name;
+      set(s, {{name, value.c_str()}});
     }
   }
 }
 
 TEST(Modules, StopWhereTheyAreAsked) {
   const ScenePointer scene = make_scene();
-  const double grid[] = {64.0, 32.0};
-  ASSERT_EQ(wrc_scene_set_numbers(scene.get(), "solve.grid", grid, 2), WRC_OK);
-  set_number(scene, "pose.lateral", 3.0);
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get(), {{"solve.grid", std::vector{64.0, 32.0}}, {"pose.lateral", 3.0}});
   const double roll = number_of(scene.get(), "roll");
   const double pmax = number_of(scene.get(), "left.pmax");
 
-  set_text(scene, "solve.until", "geometry");
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get(), {{"solve.until", "geometry"}});
   EXPECT_EQ(number_of(scene.get(), "roll"), roll);
   double value = 0.0;
   EXPECT_EQ(wrc_scene_number(scene.get(), "left.patches.0.angle", &value), WRC_UNKNOWN_NAME);
   EXPECT_EQ(wrc_scene_number(scene.get(), "left.residuals.least_gap", &value), WRC_UNKNOWN_NAME);
 
-  set_text(scene, "solve.until", "remesh");
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get(), {{"solve.until", "remesh"}});
   EXPECT_EQ(number_of(scene.get(), "left.grid.0"), 64.0);
   EXPECT_EQ(number_of(scene.get(), "left.grid.1"), 32.0);
   EXPECT_EQ(wrc_scene_number(scene.get(), "left.residuals.least_gap", &value), WRC_UNKNOWN_NAME);
@@ -247,10 +224,7 @@ TEST(Modules, StopWhereTheyAreAsked) {
 
 TEST(Modules, TheSamePositionGivesTheSameDistances) {
   const ScenePointer scene = make_small_scene();
-  set_number(scene, "pose.lateral", 3.0);
-  set_number(scene, "pose.vertical", 459.85);
-  set_text(scene, "solve.until", "remesh");
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get(), {{"pose.lateral", 3.0}, {"pose.vertical", 459.85}, {"solve.until", "remesh"}});
   double least = 0.0;
   for (const double distance : field_of(scene.get(), "left.undeformed_distance")) {
     least = std::min(least, distance);
@@ -293,33 +267,30 @@ TEST_F(SceneFile, ProfilesOfTheProgramAreThoseOfAFile) {
   const ProfilePointer rail = make_profile();
   set_simple_points(rail.get(), WRC_RAIL);
   const ScenePointer scene = make_small_scene();
-  EXPECT_EQ(wrc_scene_set_profile(scene.get(), "track.rail", wheel.get()), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "track.rail"));
+  expect_error(scene.get(), wrc_scene_set_profile(scene.get(), "track.rail", wheel.get()),
+               WRC_INVALID_ARGUMENT, "track.rail");
   EXPECT_EQ(wrc_scene_set_profile(scene.get(), "track.gauge", rail.get()), WRC_INVALID_ARGUMENT);
   const ProfilePointer empty = make_profile();
   EXPECT_EQ(wrc_scene_set_profile(scene.get(), "track.rail", empty.get()), WRC_NO_RESULT);
   EXPECT_EQ(wrc_scene_set_profile(scene.get(), "track.rail", nullptr), WRC_INVALID_ARGUMENT);
   ASSERT_EQ(wrc_scene_set_profile(scene.get(), "wheelset.wheel", wheel.get()), WRC_OK);
   ASSERT_EQ(wrc_scene_set_profile(scene.get(), "track.rail", rail.get()), WRC_OK);
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "track.rail_smoothing", 2.0), WRC_OK);
+  solve(scene.get());
+  set(scene.get(), {{"track.rail_smoothing", 2.0}});
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT);
-  set_number(scene, "track.rail_smoothing", 0.0);
+  set(scene.get(), {{"track.rail_smoothing", 0.0}});
 
   ASSERT_EQ(wrc_scene_write(scene.get(), path("scene.toml").c_str()), WRC_OK);
   const ScenePointer by_file = make_small_scene();
-  set_text(by_file, "wheelset.wheel", path("scene.wheel.txt").c_str());
-  set_text(by_file, "track.rail", path("scene.rail.txt").c_str());
-  ASSERT_EQ(wrc_scene_solve(by_file.get()), WRC_OK) << wrc_scene_error(by_file.get());
+  solve(by_file.get(), {{"wheelset.wheel", path("scene.wheel.txt").c_str()},
+                        {"track.rail", path("scene.rail.txt").c_str()}});
   for (const char* name : {"left.pmax", "right.pmax", "roll", "left.approach"}) {
     EXPECT_EQ(number_of(scene.get(), name), number_of(by_file.get(), name)) << name;
   }
   // By name again.
-  set_text(scene, "track.rail", "60E1");
-  set_text(scene, "wheelset.wheel", "S1002");
-  ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get(), {{"track.rail", "60E1"}, {"wheelset.wheel", "S1002"}});
   const ScenePointer standard = make_small_scene();
-  ASSERT_EQ(wrc_scene_solve(standard.get()), WRC_OK);
+  solve(standard.get());
   expect_same_bits(scene.get(), standard.get(), "the standard profiles");
 }
 
@@ -337,12 +308,12 @@ TEST_F(SceneFile, ABuiltInProfileStaysOne) {
 
 TEST_F(SceneFile, CannotBeWrittenWhereThereIsNoFolder) {
   const ScenePointer scene = make_scene();
-  EXPECT_EQ(wrc_scene_write(scene.get(), path("nowhere/scene.toml").c_str()), WRC_FILE_UNREADABLE);
-  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "nowhere"));
+  expect_error(scene.get(), wrc_scene_write(scene.get(), path("nowhere/scene.toml").c_str()),
+               WRC_FILE_UNREADABLE, "nowhere");
   EXPECT_EQ(wrc_scene_write(scene.get(), nullptr), WRC_INVALID_ARGUMENT);
   std::filesystem::create_directory(path("folder.toml"));
-  EXPECT_EQ(wrc_scene_write(scene.get(), path("folder.toml").c_str()), WRC_FILE_UNREADABLE);
-  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "not a regular file"));
+  expect_error(scene.get(), wrc_scene_write(scene.get(), path("folder.toml").c_str()),
+               WRC_FILE_UNREADABLE, "not a regular file");
 }
 
 TEST(ProfilePoints, AreRefusedWithTheirFault) {

@@ -19,8 +19,7 @@ TEST(Handles, MayBeDestroyedTwice) {
   ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
   wrc_scene_destroy(scene);
   wrc_scene_destroy(scene);
-  EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_scene_error(scene), "destroyed"));
+  expect_error(scene, wrc_scene_solve(scene), WRC_INVALID_ARGUMENT, "destroyed");
   wrc_solver* solver = nullptr;
   ASSERT_EQ(wrc_solver_create(&solver), WRC_OK);
   wrc_solver_destroy(solver);
@@ -61,8 +60,7 @@ TEST(Handles, OneOfAnotherKindIsRefused) {
   const ScenePointer scene = make_small_scene();
   const SolverPointer solver = make_solver();
   auto* mistaken = reinterpret_cast<wrc_scene*>(solver.get());
-  EXPECT_EQ(wrc_scene_solve(mistaken), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_scene_error(mistaken), "another kind"));
+  expect_error(mistaken, wrc_scene_solve(mistaken), WRC_INVALID_ARGUMENT, "another kind");
   wrc_scene_destroy(mistaken);
   EXPECT_EQ(wrc_solver_solve(solver.get(), mistaken), WRC_INVALID_ARGUMENT);
   EXPECT_TRUE(contains(wrc_solver_error(solver.get()), "another kind"));
@@ -86,7 +84,7 @@ TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INTERNAL);
   EXPECT_STREQ(wrc_scene_error(scene.get()), "a lock that throws");
   throws = false;
-  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get());
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
 }
 
@@ -95,13 +93,13 @@ TEST(FloatingPoint, FlagsAndRoundingStayTheCallers) {
   std::feclearexcept(FE_ALL_EXCEPT);
   std::feraiseexcept(FE_DIVBYZERO);
   ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
-  EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+  solve(scene.get());
   EXPECT_EQ(std::fegetround(), FE_UPWARD);
   EXPECT_EQ(std::fetestexcept(FE_ALL_EXCEPT), FE_DIVBYZERO);
   std::fesetround(FE_TONEAREST);
   std::feclearexcept(FE_ALL_EXCEPT);
   const ScenePointer usual = make_small_scene();
-  EXPECT_EQ(wrc_scene_solve(usual.get()), WRC_OK);
+  solve(usual.get());
   expect_same_bits(scene.get(), usual.get(), "rounding upward outside");
 }
 

@@ -79,33 +79,19 @@ TEST(NormalHandle, NullArgumentsAreNamed) {
   wrc_normal* n = normal.get();
   double value = 0.0;
   const char* text = nullptr;
-  const auto says = [n](const char* argument) {
-    return contains(wrc_normal_error(n), std::string(argument) + " = NULL");
-  };
-  EXPECT_EQ(wrc_normal_set_distance(n, nullptr, 4), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("values"));
-  EXPECT_EQ(wrc_normal_set_number(n, nullptr, 1.0), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("key"));
-  EXPECT_EQ(wrc_normal_set_text(n, nullptr, "paper"), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("key"));
-  EXPECT_EQ(wrc_normal_set_text(n, "solver", nullptr), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("value"));
+  expect_null_told(n, wrc_normal_set_distance(n, nullptr, 4), "values");
+  expect_null_told(n, wrc_normal_set_number(n, nullptr, 1.0), "key");
+  expect_null_told(n, wrc_normal_set_text(n, nullptr, "paper"), "key");
+  expect_null_told(n, wrc_normal_set_text(n, "solver", nullptr), "value");
   ASSERT_EQ(wrc_normal_solve(n), WRC_OK);
-  EXPECT_EQ(wrc_normal_number(n, nullptr, &value), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("name"));
-  EXPECT_EQ(wrc_normal_number(n, "pmax", nullptr), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("value"));
-  EXPECT_EQ(wrc_normal_text(n, nullptr, &text), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("name"));
-  EXPECT_EQ(wrc_normal_text(n, "stop_reason", nullptr), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("value"));
+  expect_null_told(n, wrc_normal_number(n, nullptr, &value), "name");
+  expect_null_told(n, wrc_normal_number(n, "pmax", nullptr), "value");
+  expect_null_told(n, wrc_normal_text(n, nullptr, &text), "name");
+  expect_null_told(n, wrc_normal_text(n, "stop_reason", nullptr), "value");
   std::int64_t count = 0;
-  EXPECT_EQ(wrc_normal_field(n, nullptr, &value, 1, &count), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("name"));
-  EXPECT_EQ(wrc_normal_field(n, "pressure", nullptr, 64, &count), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("values"));
-  EXPECT_EQ(wrc_normal_field(n, "pressure", &value, 1, nullptr), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(says("count"));
+  expect_null_told(n, wrc_normal_field(n, nullptr, &value, 1, &count), "name");
+  expect_null_told(n, wrc_normal_field(n, "pressure", nullptr, 64, &count), "values");
+  expect_null_told(n, wrc_normal_field(n, "pressure", &value, 1, nullptr), "count");
 }
 
 TEST(NormalHandle, ThereAreNoResultsBeforeSolving) {
@@ -113,8 +99,8 @@ TEST(NormalHandle, ThereAreNoResultsBeforeSolving) {
   double value = 7.0;
   const char* text = "kept";
   std::int64_t count = 5;
-  EXPECT_EQ(wrc_normal_number(normal.get(), "pmax", &value), WRC_NO_RESULT);
-  EXPECT_TRUE(contains(wrc_normal_error(normal.get()), "not been solved"));
+  expect_error(normal.get(), wrc_normal_number(normal.get(), "pmax", &value), WRC_NO_RESULT,
+               "not been solved");
   EXPECT_EQ(wrc_normal_text(normal.get(), "stop_reason", &text), WRC_NO_RESULT);
   EXPECT_EQ(wrc_normal_field(normal.get(), "pressure", nullptr, 0, &count), WRC_NO_RESULT);
   EXPECT_EQ(value, 7.0);
@@ -126,15 +112,12 @@ TEST(NormalProblem, WhatIsMissingIsNamed) {
   const NormalPointer normal = make_normal();
   wrc_normal* n = normal.get();
   const std::vector<double> gap(6, 0.0);
-  EXPECT_EQ(wrc_normal_solve(n), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "grid"));
+  expect_error(n, wrc_normal_solve(n), WRC_INVALID_ARGUMENT, "grid");
   ASSERT_EQ(wrc_normal_set_grid(n, 2, 4, 1.0, 1.0), WRC_OK);
-  EXPECT_EQ(wrc_normal_solve(n), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "undeformed_distance"));
+  expect_error(n, wrc_normal_solve(n), WRC_INVALID_ARGUMENT, "undeformed_distance");
   ASSERT_EQ(wrc_normal_set_distance(n, gap.data(), 6), WRC_OK);
   ASSERT_EQ(wrc_normal_set_number(n, "normal_load", 1.0), WRC_OK);
-  EXPECT_EQ(wrc_normal_solve(n), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "8 elements")) << wrc_normal_error(n);
+  expect_error(n, wrc_normal_solve(n), WRC_INVALID_ARGUMENT, "8 elements");
   ASSERT_EQ(wrc_normal_set_grid(n, 2, 3, 1.0, 1.0), WRC_OK);
   EXPECT_EQ(wrc_normal_solve(n), WRC_OK);
   EXPECT_STREQ(wrc_normal_error(n), "");
@@ -142,8 +125,8 @@ TEST(NormalProblem, WhatIsMissingIsNamed) {
   const NormalPointer unloaded = make_normal();
   ASSERT_EQ(wrc_normal_set_grid(unloaded.get(), 2, 3, 1.0, 1.0), WRC_OK);
   ASSERT_EQ(wrc_normal_set_distance(unloaded.get(), gap.data(), 6), WRC_OK);
-  EXPECT_EQ(wrc_normal_solve(unloaded.get()), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(unloaded.get()), "normal_load"));
+  expect_error(unloaded.get(), wrc_normal_solve(unloaded.get()), WRC_INVALID_ARGUMENT,
+               "normal_load");
 }
 
 TEST(NormalProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
@@ -153,18 +136,16 @@ TEST(NormalProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
   constexpr std::int64_t large = std::int64_t{1} << 26;
   const std::array<double, 3> bad_gap{0.0, nan, 0.0};
   EXPECT_EQ(wrc_normal_set_grid(n, 0, 4, 1.0, 1.0), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_normal_set_grid(n, 4, -1, 1.0, 1.0), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "longitudinal_count"));
+  expect_error(n, wrc_normal_set_grid(n, 4, -1, 1.0, 1.0), WRC_INVALID_ARGUMENT,
+               "longitudinal_count");
   EXPECT_EQ(wrc_normal_set_grid(n, large, 2, 1.0, 1.0), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_normal_set_grid(n, std::numeric_limits<std::int64_t>::max(), 2, 1.0, 1.0),
             WRC_INVALID_ARGUMENT);
   for (const double step : {0.0, -1.0, nan, infinity}) {
-    EXPECT_EQ(wrc_normal_set_grid(n, 4, 4, step, 1.0), WRC_INVALID_ARGUMENT);
-    EXPECT_TRUE(contains(wrc_normal_error(n), "lateral_step"));
+    expect_error(n, wrc_normal_set_grid(n, 4, 4, step, 1.0), WRC_INVALID_ARGUMENT, "lateral_step");
     EXPECT_EQ(wrc_normal_set_grid(n, 4, 4, 1.0, step), WRC_INVALID_ARGUMENT);
   }
-  EXPECT_EQ(wrc_normal_set_distance(n, bad_gap.data(), 3), WRC_INVALID_ARGUMENT);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "values[1]"));
+  expect_error(n, wrc_normal_set_distance(n, bad_gap.data(), 3), WRC_INVALID_ARGUMENT, "values[1]");
   EXPECT_EQ(wrc_normal_set_distance(n, bad_gap.data(), 0), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_normal_set_distance(n, bad_gap.data(), -3), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_normal_set_distance(n, bad_gap.data(), large + 1), WRC_INVALID_ARGUMENT);
@@ -183,8 +164,7 @@ TEST(NormalProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
     EXPECT_EQ(wrc_normal_set_number(n, "maximum_iterations", value), WRC_INVALID_ARGUMENT);
   }
   for (const char* key : {"solver", "precision", "planner"}) {
-    EXPECT_EQ(wrc_normal_set_text(n, key, "fast"), WRC_INVALID_ARGUMENT);
-    EXPECT_TRUE(contains(wrc_normal_error(n), key) && contains(wrc_normal_error(n), "fast"));
+    expect_error(n, wrc_normal_set_text(n, key, "fast"), WRC_INVALID_ARGUMENT, key, "fast");
   }
   ASSERT_EQ(wrc_normal_solve(n), WRC_OK);
   ASSERT_EQ(wrc_normal_solve(plain.get()), WRC_OK);
@@ -197,13 +177,12 @@ TEST(NormalProblem, UnknownNamesAreToldWithThoseThatAreKnown) {
   double value = 7.0;
   const char* text = "kept";
   std::int64_t count = 5;
-  EXPECT_EQ(wrc_normal_set_number(n, "load", 1.0), WRC_UNKNOWN_NAME);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "\"load\"") &&
-              contains(wrc_normal_error(n), "normal_load"));
+  expect_error(n, wrc_normal_set_number(n, "load", 1.0), WRC_UNKNOWN_NAME, "\"load\"",
+               "normal_load");
   EXPECT_EQ(wrc_normal_set_text(n, "method", "paper"), WRC_UNKNOWN_NAME);
   ASSERT_EQ(wrc_normal_solve(n), WRC_OK);
-  EXPECT_EQ(wrc_normal_number(n, "pmaximum", &value), WRC_UNKNOWN_NAME);
-  EXPECT_TRUE(contains(wrc_normal_error(n), "residuals.least_gap"));
+  expect_error(n, wrc_normal_number(n, "pmaximum", &value), WRC_UNKNOWN_NAME,
+               "residuals.least_gap");
   EXPECT_EQ(wrc_normal_text(n, "reason", &text), WRC_UNKNOWN_NAME);
   EXPECT_EQ(wrc_normal_field(n, "gap", nullptr, 0, &count), WRC_UNKNOWN_NAME);
   EXPECT_EQ(value, 7.0);
@@ -370,8 +349,7 @@ TEST(NormalResults, NotConvergedComesWithUsableResults) {
     ASSERT_EQ(wrc_normal_set_text(n, "solver", solver), WRC_OK);
     ASSERT_EQ(wrc_normal_set_number(n, "tolerance", 1e-9), WRC_OK);
     ASSERT_EQ(wrc_normal_set_number(n, "maximum_iterations", 3.0), WRC_OK);
-    EXPECT_EQ(wrc_normal_solve(n), WRC_NOT_CONVERGED);
-    EXPECT_TRUE(contains(wrc_normal_error(n), "stop_reason"));
+    expect_error(n, wrc_normal_solve(n), WRC_NOT_CONVERGED, "stop_reason");
     const char* reason = nullptr;
     ASSERT_EQ(wrc_normal_text(n, "stop_reason", &reason), WRC_OK);
     EXPECT_STREQ(reason, "iteration_limit");

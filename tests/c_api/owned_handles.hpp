@@ -4,11 +4,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <unistd.h>
-
-#include <unistd.h>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,11 +28,36 @@ inline ScenePointer make_scene() {
   return {scene, wrc_scene_destroy};
 }
 
+using Value = std::variant<double, const char*, std::vector<double>>;
+using Values = std::initializer_list<std::pair<const char*, Value>>;
+
+inline wrc_status set_value(wrc_scene* scene, const char* key, const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return wrc_scene_set_number(scene, key, *number);
+  }
+  if (const auto* text = std::get_if<const char*>(&value)) {
+    return wrc_scene_set_text(scene, key, *text);
+  }
+  const auto& all = std::get<std::vector<double>>(value);
+  return wrc_scene_set_numbers(scene, key, all.data(), static_cast<std::int64_t>(all.size()));
+}
+
+inline void set(wrc_scene* scene, Values values) {
+  for (const auto& [key, value] : values) {
+    EXPECT_EQ(set_value(scene, key, value), WRC_OK) << key << ": " << wrc_scene_error(scene);
+  }
+}
+
+/// Sets the values and solves.
+inline void solve(wrc_scene* scene, Values values = {}) {
+  set(scene, values);
+  EXPECT_EQ(wrc_scene_solve(scene), WRC_OK) << wrc_scene_error(scene);
+}
+
 /// A scene on a small grid, which is solved in milliseconds.
 inline ScenePointer make_small_scene() {
   ScenePointer scene = make_scene();
-  const double grid[] = {24.0, 20.0};
-  EXPECT_EQ(wrc_scene_set_numbers(scene.get(), "solve.grid", grid, 2), WRC_OK);
+  set(scene.get(), {{"solve.grid", std::vector{24.0, 20.0}}});
   return scene;
 }
 
@@ -50,8 +79,39 @@ inline double number_of(wrc_scene* scene, const char* name) {
   return value;
 }
 
+inline std::vector<std::string> words_of(const char* text) {
+  std::istringstream from(text);
+  return {std::istream_iterator<std::string>(from), {}};
+}
+
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+inline std::string error_of(const wrc_scene* handle) {
+  return wrc_scene_error(handle);
+}
+inline std::string error_of(const wrc_normal* handle) {
+  return wrc_normal_error(handle);
+}
+inline std::string error_of(const wrc_profile* handle) {
+  return wrc_profile_error(handle);
+}
+
+/// A call on a handle that failed as it should, with a text that has these parts.
+template <class Handle, class... Parts>
+void expect_error(const Handle* handle, wrc_status status, wrc_status expected,
+                  const Parts&... parts) {
+  EXPECT_EQ(status, expected) << error_of(handle);
+  for (const std::string& part : {std::string(parts)...}) {
+    EXPECT_TRUE(contains(error_of(handle), part)) << part << " is not in: " << error_of(handle);
+  }
+}
+
+/// The same for an argument that must not be NULL.
+template <class Handle>
+void expect_null_told(const Handle* handle, wrc_status status, const char* argument) {
+  expect_error(handle, status, WRC_INVALID_ARGUMENT, std::string(argument) + " = NULL");
 }
 
 class WithFolder : public ::testing::Test {

@@ -40,10 +40,10 @@ struct Step {
 
 ScenePointer make_scene_at(const Step& step, double accuracy) {
   ScenePointer scene = make_scene();
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "solve.accuracy", accuracy), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", step.lateral), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.yaw", step.yaw), WRC_OK);
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", step.load), WRC_OK);
+  set(scene.get(), {{"solve.accuracy", accuracy},
+                    {"pose.lateral", step.lateral},
+                    {"pose.yaw", step.yaw},
+                    {"load.vertical", step.load}});
   return scene;
 }
 
@@ -52,7 +52,7 @@ void expect_the_same(wrc_solver* solver, wrc_scene* scene, wrc_scene* alone,
                      const std::string& where) {
   SCOPED_TRACE(where);
   ASSERT_EQ(wrc_solver_solve(solver, scene), WRC_OK) << wrc_scene_error(scene);
-  ASSERT_EQ(wrc_scene_solve(alone), WRC_OK) << wrc_scene_error(alone);
+  solve(alone);
   expect_same_bits(scene, alone, where);
 }
 
@@ -87,7 +87,7 @@ TEST(Solver, SettlesOnFewRowsOfASteepContact) {
     ScenePointer scene = make_scene();
     for (const auto& [key, text] :
          {std::pair{"wheelset.wheel", "LM"}, std::pair{"track.rail", "50E6"}}) {
-      EXPECT_EQ(wrc_scene_set_text(scene.get(), key, text), WRC_OK);
+      set(scene.get(), {{key, text}});
     }
     for (const auto& [key, value] :
          {std::pair{"track.cant", 0.049958395721942765},
@@ -99,10 +99,9 @@ TEST(Solver, SettlesOnFewRowsOfASteepContact) {
           std::pair{"load.left", share * 38.66016290526467},
           std::pair{"load.right", share * 53895.89315811987},
           std::pair{"solve.tolerance", 0.009228579474895734}}) {
-      EXPECT_EQ(wrc_scene_set_number(scene.get(), key, value), WRC_OK) << key;
+      set(scene.get(), {{key, value}});
     }
-    const double grid[] = {4.0, 58.0};
-    EXPECT_EQ(wrc_scene_set_numbers(scene.get(), "solve.grid", grid, 2), WRC_OK);
+    set(scene.get(), {{"solve.grid", std::vector{4.0, 58.0}}});
     return wrc_solver_solve(solver.get(), scene.get());
   };
   constexpr double lateral = -7.516088928447349;
@@ -125,11 +124,11 @@ TEST(Solver, GoesOnAfterAStepThatDidNotSettle) {
   SolverPointer solver = make_solver();
   for (const double load : {23474.0, 24200.0, 24926.0, 24200.0}) {
     ScenePointer scene = make_scene();
-    ASSERT_EQ(wrc_scene_set_text(scene.get(), "track.rail", "UIC60-Manchester"), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_text(scene.get(), "solve.side", "left"), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 5.0), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_number(scene.get(), "solve.accuracy", 3e-5), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", load), WRC_OK);
+    set(scene.get(), {{"track.rail", "UIC60-Manchester"},
+                      {"solve.side", "left"},
+                      {"pose.lateral", 5.0},
+                      {"solve.accuracy", 3e-5},
+                      {"load.vertical", load}});
     ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK) << load;
     EXPECT_NEAR(number_of(scene.get(), "left.vertical_force"), load, 1e-6 * load);
     EXPECT_GT(number_of(scene.get(), "left.pmax"), 1900.0);
@@ -157,8 +156,7 @@ TEST(Solver, IsASceneByItselfAfterChangesOfProfilesAndYaw) {
       const ScenePointer scene = make_scene_at({2.0, yaw}, accuracy);
       const ScenePointer alone = make_scene_at({2.0, yaw}, accuracy);
       for (wrc_scene* each : {scene.get(), alone.get()}) {
-        ASSERT_EQ(wrc_scene_set_text(each, "wheelset.wheel", wheel), WRC_OK);
-        ASSERT_EQ(wrc_scene_set_text(each, "track.rail", rail), WRC_OK);
+        set(each, {{"wheelset.wheel", wheel}, {"track.rail", rail}});
       }
       expect_the_same(solver.get(), scene.get(), alone.get(),
                       std::string(wheel) + " on " + rail + ", yaw " + std::to_string(yaw));
@@ -177,7 +175,7 @@ TEST(Solver, IsASceneByItselfAtPrescribedHeightsAndWithoutContact) {
     const ScenePointer scene = make_scene_at({2.0}, accuracy);
     const ScenePointer alone = make_scene_at({2.0}, accuracy);
     for (wrc_scene* each : {scene.get(), alone.get()}) {
-      ASSERT_EQ(wrc_scene_set_number(each, "pose.vertical", touch - depth), WRC_OK);
+      set(each, {{"pose.vertical", touch - depth}});
     }
     expect_the_same(solver.get(), scene.get(), alone.get(), "depth " + std::to_string(depth));
     EXPECT_EQ(number_of(scene.get(), "left.pmax") > 0.0, depth > 0.0);
@@ -244,7 +242,7 @@ TEST(Solver, StaysUsableAfterAFailure) {
     const AllResults before(s);
     spoil(s, failure);
     // The failing scene also asks for other plans than those kept.
-    ASSERT_EQ(wrc_scene_set_text(s, "solve.precision", "double"), WRC_OK);
+    set(s, {{"solve.precision", "double"}});
     EXPECT_EQ(wrc_solver_solve(solver.get(), s), failure.status);
     EXPECT_STRNE(wrc_scene_error(s), "");
     EXPECT_EQ(AllResults(s).difference_to(before), "");
@@ -254,9 +252,7 @@ TEST(Solver, StaysUsableAfterAFailure) {
     expect_the_same(solver.get(), next.get(), alone.get(), "after a failure");
 
     // The scene that failed is solved as soon as it can be.
-    ASSERT_EQ(wrc_scene_set_text(s, "wheelset.wheel", "S1002"), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_number(s, "pose.lateral", 1.0), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_text(s, "solve.precision", "mixed"), WRC_OK);
+    set(s, {{"wheelset.wheel", "S1002"}, {"pose.lateral", 1.0}, {"solve.precision", "mixed"}});
     ASSERT_EQ(wrc_solver_solve(solver.get(), s), WRC_OK);
     EXPECT_STREQ(wrc_scene_error(s), "");
     EXPECT_EQ(AllResults(s).difference_to(before), "");
@@ -271,7 +267,7 @@ TEST_F(SolverFiles, AreReadAgainOnceForgotten) {
   ASSERT_EQ(wrc_profile_write(profile.get(), path("rail.prr").c_str(), 0.1), WRC_OK);
   const SolverPointer solver = make_solver();
   const ScenePointer scene = make_scene_at({1.0}, 1e-2);
-  ASSERT_EQ(wrc_scene_set_text(scene.get(), "track.rail", path("rail.prr").c_str()), WRC_OK);
+  set(scene.get(), {{"track.rail", path("rail.prr").c_str()}});
   ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK) << wrc_scene_error(scene.get());
   const AllResults before(scene.get());
   std::filesystem::remove(path("rail.prr"));

@@ -34,7 +34,7 @@ const std::vector<AllResults>& single_results() {
   static const std::vector<AllResults> results = [] {
     std::vector<AllResults> list;
     for (const ScenePointer& scene : make_varied_scenes()) {
-      EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << wrc_scene_error(scene.get());
+      solve(scene.get());
       list.emplace_back(scene.get());
     }
     return list;
@@ -62,9 +62,8 @@ TEST(Batch, ABadSceneSpoilsNoOther) {
   for (const std::int32_t threads : {1, 2}) {
     const std::vector<ScenePointer> scenes = make_varied_scenes();
     const std::vector<wrc_scene*> handles = handles_of(scenes);
-    ASSERT_EQ(wrc_scene_set_text(handles[unknown], "track.rail", "no such rail"), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_number(handles[off_the_rail], "pose.lateral", 90.0), WRC_OK);
-    ASSERT_EQ(wrc_scene_set_text(handles[off_the_rail], "solve.precision", "double"), WRC_OK);
+    set(handles[unknown], {{"track.rail", "no such rail"}});
+    set(handles[off_the_rail], {{"pose.lateral", 90.0}, {"solve.precision", "double"}});
     std::vector<wrc_status> statuses(handles.size(), -1);
     EXPECT_EQ(wrc_solve_batch(handles.data(), scene_count, threads, statuses.data()),
               WRC_UNKNOWN_NAME);
@@ -113,7 +112,7 @@ TEST(Threads, WithSolversOfTheirOwnAreBitForBitASerialRun) {
     const SolverPointer solver = make_solver();
     for (int i = 0; i < steps; ++i) {
       const ScenePointer scene = make_varied_scene(thread + 4 * (i / 3));
-      ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 0.1 * i), WRC_OK);
+      set(scene.get(), {{"pose.lateral", 0.1 * i}});
       ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
       results.emplace_back(scene.get());
     }
@@ -185,8 +184,7 @@ TEST(Threads, PlanOnlyUnderTheHostsLock) {
       double time = 0.0;
       ASSERT_EQ(wrc_measure_transform(8 + thread, 10 + round, 1, &time), WRC_OK);
       const ScenePointer scene = make_small_scene();
-      ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 0.1 * round), WRC_OK);
-      ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
+      solve(scene.get(), {{"pose.lateral", 0.1 * round}});
     }
   };
   std::vector<std::thread> threads;
@@ -263,8 +261,8 @@ TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
   }
   double value = 0.0;
   EXPECT_EQ(wrc_scene_number(scene.get(), "roll", &value), WRC_BUSY);
-  EXPECT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 1.0), WRC_BUSY);
-  EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "in use"));
+  expect_error(scene.get(), wrc_scene_set_number(scene.get(), "pose.lateral", 1.0), WRC_BUSY,
+               "in use");
   EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
   wrc_scene* scenes[] = {scene.get()};
   EXPECT_EQ(wrc_solve_batch(scenes, 1, 1, nullptr), WRC_BUSY);

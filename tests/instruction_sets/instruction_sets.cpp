@@ -15,13 +15,12 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "wrcontact.h"
+#include "wrcontact.hpp"
 
 namespace {
 
@@ -48,31 +47,19 @@ struct Result {
 };
 using Results = std::map<std::string, Result>; // by "problem; accuracy; name"
 
-void require(wrc_status status, const std::string& what) {
-  if (status != WRC_OK) {
-    throw std::runtime_error(what + ": " + wrc_status_name(status));
-  }
-}
-
-/// Takes numbers and fields of a handle by name.
-template <class Handle, class GetNumber, class GetField> class Recorder {
+/// Takes numbers and fields by name.
+template <class Solved> class Recorder {
 public:
-  Recorder(Results& results, Handle* handle, GetNumber get_number, GetField get_field,
-           std::string problem, double allowed)
-      : results_(results), handle_(handle), get_number_(get_number), get_field_(get_field),
-        problem_(std::move(problem)), allowed_(allowed) {}
+  Recorder(Results& results, const Solved& solved, std::string problem, double allowed)
+      : results_(results), solved_(solved), problem_(std::move(problem)), allowed_(allowed) {}
 
   void take_number(const std::string& name) {
-    double value = 0.0;
-    require(get_number_(handle_, name.c_str(), &value), problem_ + ", " + name);
+    const double value = solved_.number(name);
     const bool is_relative = name.find("residuals") != std::string::npos;
     results_[problem_ + "; " + name] = {{value}, is_relative ? 1.0 : std::abs(value), allowed_};
   }
   void take_field(const std::string& name) {
-    std::int64_t count = 0;
-    require(get_field_(handle_, name.c_str(), nullptr, 0, &count), problem_ + ", " + name);
-    std::vector<double> values(static_cast<std::size_t>(count));
-    require(get_field_(handle_, name.c_str(), values.data(), count, &count), problem_);
+    std::vector<double> values = solved_.field(name);
     double scale = 0.0;
     for (const double value : values) {
       scale = std::max(scale, std::abs(value));
@@ -82,12 +69,16 @@ public:
 
 private:
   Results& results_;
-  Handle* handle_;
-  GetNumber get_number_;
-  GetField get_field_;
+  const Solved& solved_;
   std::string problem_;
   double allowed_;
 };
+
+template <class Problem> void solve(Problem& problem, const std::string& name) {
+  if (!problem.solve()) {
+    throw std::runtime_error(name + ": not converged");
+  }
+}
 
 struct ScenePlace {
   const char* name;
@@ -103,20 +94,16 @@ constexpr std::array<ScenePlace, 4> scene_places{{{"centred", 0.0, 0.0, "S1002",
 
 void record_scene(const ScenePlace& place, const Accuracy& accuracy, Results& results) {
   const std::string problem = std::string(place.name) + "; " + accuracy.text();
-  wrc_scene* created = nullptr;
-  require(wrc_scene_create(&created), problem);
-  const std::unique_ptr<wrc_scene, void (*)(wrc_scene*)> owner(created, wrc_scene_destroy);
-  wrc_scene* scene = owner.get();
-  constexpr std::array grid{40.0, 50.0};
-  require(wrc_scene_set_numbers(scene, "solve.grid", grid.data(), 2), problem);
-  require(wrc_scene_set_text(scene, "solve.precision", accuracy.precision), problem);
-  require(wrc_scene_set_number(scene, "solve.tolerance", accuracy.tolerance), problem);
-  require(wrc_scene_set_text(scene, "wheelset.wheel", place.wheel), problem);
-  require(wrc_scene_set_text(scene, "track.rail", place.rail), problem);
-  require(wrc_scene_set_number(scene, "pose.lateral", place.lateral), problem);
-  require(wrc_scene_set_number(scene, "pose.yaw", place.yaw), problem);
-  require(wrc_scene_solve(scene), problem);
-  Recorder recorder(results, scene, wrc_scene_number, wrc_scene_field, problem, accuracy.allowed());
+  wrcontact::Scene scene;
+  scene.set("solve.grid", std::vector{40.0, 50.0});
+  scene.set("solve.precision", accuracy.precision);
+  scene.set("solve.tolerance", accuracy.tolerance);
+  scene.set("wheelset.wheel", place.wheel);
+  scene.set("track.rail", place.rail);
+  scene.set("pose.lateral", place.lateral);
+  scene.set("pose.yaw", place.yaw);
+  solve(scene, problem);
+  Recorder recorder(results, scene, problem, accuracy.allowed());
   recorder.take_number("roll");
   recorder.take_number("vertical");
   for (const std::string side : {"left", "right"}) {
@@ -145,10 +132,6 @@ void record_normal(const std::string& shape, bool load_is_given, const Accuracy&
                    Results& results) {
   const std::string problem =
       shape + (load_is_given ? ", load given" : ", approach given") + "; " + accuracy.text();
-  wrc_normal* created = nullptr;
-  require(wrc_normal_create(&created), problem);
-  const std::unique_ptr<wrc_normal, void (*)(wrc_normal*)> owner(created, wrc_normal_destroy);
-  wrc_normal* normal = owner.get();
   constexpr std::int64_t rows = 61;
   constexpr std::int64_t columns = 80;
   std::vector<double> distance;
@@ -158,16 +141,14 @@ void record_normal(const std::string& shape, bool load_is_given, const Accuracy&
                                      2.0 * (static_cast<double>(column) + 0.5) / columns - 1.0));
     }
   }
-  require(wrc_normal_set_grid(normal, rows, columns, 2.0 / rows, 2.0 / columns), problem);
-  require(wrc_normal_set_distance(normal, distance.data(), rows * columns), problem);
-  require(wrc_normal_set_number(normal, load_is_given ? "normal_load" : "approach",
-                                load_is_given ? 2000.0 : 0.02),
-          problem);
-  require(wrc_normal_set_number(normal, "tolerance", accuracy.tolerance), problem);
-  require(wrc_normal_set_text(normal, "precision", accuracy.precision), problem);
-  require(wrc_normal_solve(normal), problem);
-  Recorder recorder(results, normal, wrc_normal_number, wrc_normal_field, problem,
-                    accuracy.allowed());
+  wrcontact::NormalContact normal;
+  normal.set_grid(rows, columns, 2.0 / rows, 2.0 / columns);
+  normal.set_distance(distance);
+  normal.set(load_is_given ? "normal_load" : "approach", load_is_given ? 2000.0 : 0.02);
+  normal.set("tolerance", accuracy.tolerance);
+  normal.set("precision", accuracy.precision);
+  solve(normal, problem);
+  Recorder recorder(results, normal, problem, accuracy.allowed());
   for (const char* name : {"approach", "normal_force", "pmax", "area", "residuals.load_balance",
                            "residuals.least_gap", "residuals.complementarity"}) {
     recorder.take_number(name);

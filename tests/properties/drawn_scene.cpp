@@ -8,28 +8,6 @@ namespace properties {
 
 namespace {
 
-template <class Create, class Destroy, class Handle>
-std::unique_ptr<Handle, void (*)(Handle*)> make(Create create, Destroy destroy, Handle* handle) {
-  create(&handle);
-  return {handle, destroy};
-}
-
-ScenePointer make_scene() {
-  return make(wrc_scene_create, wrc_scene_destroy, static_cast<wrc_scene*>(nullptr));
-}
-
-ProfilePointer make_profile() {
-  return make(wrc_profile_create, wrc_profile_destroy, static_cast<wrc_profile*>(nullptr));
-}
-
-std::vector<std::string> names_of(std::int32_t kind) {
-  std::vector<std::string> names;
-  for (std::int64_t i = 0; const char* name = wrc_profile_standard_name(kind, i); ++i) {
-    names.emplace_back(name);
-  }
-  return names;
-}
-
 /// A bump of wear at a place, with a width, and roughness of a height.
 struct Wear {
   double place = 0.0;
@@ -42,19 +20,16 @@ WornProfile worn(std::int32_t kind, const std::string& name, const Wear& wear, d
                  std::mt19937_64& random) {
   WornProfile result;
   result.kind = kind;
-  const ProfilePointer profile = make_profile();
-  double length = 0.0;
-  wrc_profile_load_standard(profile.get(), name.c_str());
-  wrc_profile_length(profile.get(), &length);
+  wrcontact::Profile profile;
+  profile.load_standard(name);
+  const double length = profile.length();
   std::normal_distribution<double> rough;
   const auto count = static_cast<int>(length / spacing);
   for (int i = 0; i <= count; ++i) {
-    double lateral = 0.0;
-    double height = 0.0;
-    wrc_profile_at(profile.get(), length * i / count, &lateral, &height, nullptr, nullptr);
-    const double from = (lateral - wear.place) / wear.width;
-    result.lateral.push_back(lateral);
-    result.height.push_back(height - wear.depth * std::exp(-from * from) +
+    const wrcontact::Profile::Point at = profile.at(length * i / count);
+    const double from = (at.lateral - wear.place) / wear.width;
+    result.lateral.push_back(at.lateral);
+    result.height.push_back(at.height - wear.depth * std::exp(-from * from) +
                             wear.noise * rough(random));
   }
   return result;
@@ -72,22 +47,13 @@ double unit_of(const std::string& key) {
   return key.ends_with("youngs_modulus") ? 1e-6 : 1.0;
 }
 
-bool set_value(wrc_scene* scene, const std::string& key, const Value& value, double factor,
-               std::string& refusal) {
-  wrc_status status = WRC_OK;
+void set_value(wrcontact::Scene& scene, const std::string& key, const Value& value,
+               double factor = 1.0) {
   if (const double* number = std::get_if<double>(&value)) {
-    status = wrc_scene_set_number(scene, key.c_str(), *number * factor);
-  } else if (const auto* text = std::get_if<std::string>(&value)) {
-    status = wrc_scene_set_text(scene, key.c_str(), text->c_str());
+    scene.set(key, *number * factor);
   } else {
-    const auto& list = std::get<std::vector<double>>(value);
-    status = wrc_scene_set_numbers(scene, key.c_str(), list.data(),
-                                   static_cast<std::int64_t>(list.size()));
+    std::visit([&](const auto& other) { scene.set(key, other); }, value);
   }
-  if (status != WRC_OK) {
-    refusal = wrc_scene_error(scene);
-  }
-  return status == WRC_OK;
 }
 
 } // namespace
@@ -109,7 +75,8 @@ double DrawnScene::between_by_ratio(double least, double greatest) {
 }
 
 void DrawnScene::draw_profiles() {
-  static const std::array names{names_of(WRC_WHEEL), names_of(WRC_RAIL)};
+  static const std::array names{wrcontact::standard_profile_names(WRC_WHEEL),
+                                wrcontact::standard_profile_names(WRC_RAIL)};
   constexpr std::array keys{"wheelset.wheel", "track.rail"};
   for (const std::int32_t kind : {WRC_WHEEL, WRC_RAIL}) {
     const auto index = static_cast<std::size_t>(kind);
@@ -168,13 +135,14 @@ void DrawnScene::draw_load() {
     set("material.rail.poisson", between(0.0, 0.5));
   }
   if (chance(0.2)) { // the position instead: below where the first wheel touches
-    std::string refusal;
-    const ScenePointer scene = handle(refusal);
-    double height = 0.0;
-    if (scene && wrc_scene_set_text(scene.get(), "solve.until", "geometry") == WRC_OK &&
-        wrc_scene_solve(scene.get()) == WRC_OK &&
-        wrc_scene_number(scene.get(), "vertical", &height) == WRC_OK) {
-      set("pose.vertical", height - between_by_ratio(1e-3, 0.4));
+    try {
+      wrcontact::Scene scene = made();
+      scene.set("solve.until", "geometry");
+      if (scene.solve()) {
+        set("pose.vertical", scene.number("vertical") - between_by_ratio(1e-3, 0.4));
+      }
+    } catch (const wrcontact::Error&) {
+      return; // refused, or off the rail: told where this scene is solved
     }
   }
 }
@@ -250,69 +218,40 @@ DrawnScene DrawnScene::stiffer(double factor) const {
   return other;
 }
 
-bool DrawnScene::set_profiles(wrc_scene* scene, std::string& refusal) const {
+void DrawnScene::set_profiles(wrcontact::Scene& scene) const {
   for (const auto* worn : {&wheel_, &rail_}) {
-    if (!*worn) {
-      continue;
-    }
-    const WornProfile& points = **worn;
-    const ProfilePointer profile = make_profile();
-    wrc_read_options options{};
-    options.struct_size = sizeof options;
-    options.kind = points.kind;
-    options.kind_given = 1;
-    options.mirror_lateral = options.mirror_height = -1;
-    options.scale = 1.0;
-    options.smoothing_wavelength = points.smoothing_wavelength;
-    if (wrc_profile_set_points(profile.get(), "worn", points.lateral.data(), points.height.data(),
-                               static_cast<std::int64_t>(points.lateral.size()),
-                               &options) != WRC_OK) {
-      refusal = wrc_profile_error(profile.get());
-      return false;
-    }
-    const char* key = points.kind == WRC_WHEEL ? "wheelset.wheel" : "track.rail";
-    if (wrc_scene_set_profile(scene, key, profile.get()) != WRC_OK) {
-      refusal = wrc_scene_error(scene);
-      return false;
+    if (*worn) {
+      wrcontact::Profile profile;
+      profile.set_points("worn", (*worn)->kind, (*worn)->lateral, (*worn)->height,
+                         (*worn)->smoothing_wavelength);
+      scene.set((*worn)->kind == WRC_WHEEL ? "wheelset.wheel" : "track.rail", profile);
     }
   }
-  return true;
 }
 
-ScenePointer DrawnScene::handle(std::string& refusal) const {
-  ScenePointer scene = make_scene();
+wrcontact::Scene DrawnScene::made() const {
+  wrcontact::Scene scene;
   for (const auto& [key, value] : values_) {
-    if (!set_value(scene.get(), key, value, 1.0, refusal)) {
-      scene.reset();
-      return scene;
-    }
+    set_value(scene, key, value);
   }
-  if (!set_profiles(scene.get(), refusal)) {
-    scene.reset();
-  }
+  set_profiles(scene);
   return scene;
 }
 
-ScenePointer DrawnScene::handle_in_si(std::string& refusal) {
-  ScenePointer scene = make_scene();
-  wrc_scene_set_text(scene.get(), "convention.units", "SI");
-  for (auto& [key, value] : values_) {
-    if (!set_value(scene.get(), key, value, 1.0 / unit_of(key), refusal)) {
-      scene.reset();
-      return scene;
-    }
+wrcontact::Scene DrawnScene::made_in_si() {
+  wrcontact::Scene scene;
+  scene.set("convention.units", "SI");
+  for (const auto& [key, value] : values_) {
+    set_value(scene, key, value, 1.0 / unit_of(key));
   }
-  if (!set_profiles(scene.get(), refusal)) {
-    scene.reset();
-    return scene;
-  }
-  wrc_scene_set_text(scene.get(), "convention.units", "mm");
+  set_profiles(scene);
+  scene.set("convention.units", "mm");
   for (auto& [key, value] : values_) {
     if (double* number = std::get_if<double>(&value)) {
-      wrc_scene_get_number(scene.get(), key.c_str(), number);
+      *number = scene.get_number(key);
     }
   }
-  wrc_scene_set_text(scene.get(), "convention.units", "SI");
+  scene.set("convention.units", "SI");
   return scene;
 }
 

@@ -5,20 +5,17 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <random>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "wrcontact.h"
+#include "wrcontact.hpp"
 
 namespace properties {
 
 using Value = std::variant<double, std::string, std::vector<double>>;
-using ScenePointer = std::unique_ptr<wrc_scene, void (*)(wrc_scene*)>;
-using ProfilePointer = std::unique_ptr<wrc_profile, void (*)(wrc_profile*)>;
 
 /// Points of a built-in profile with wear and noise, joined anew.
 struct WornProfile {
@@ -48,11 +45,11 @@ public:
   /// With moduli and loads multiplied.
   [[nodiscard]] DrawnScene stiffer(double factor) const;
 
-  /// A handle with these values; null if one is refused, as `refusal` then tells.
-  [[nodiscard]] ScenePointer handle(std::string& refusal) const;
+  /// A scene with these values; throws wrcontact::Error if one is refused.
+  [[nodiscard]] wrcontact::Scene made() const;
   /// The same through convention.units = "SI". The values of this scene become those that the
-  /// handle holds after the conversion, which rounds.
-  [[nodiscard]] ScenePointer handle_in_si(std::string& refusal);
+  /// made scene holds after the conversion, which rounds.
+  [[nodiscard]] wrcontact::Scene made_in_si();
 
 private:
   void draw_profiles();
@@ -62,7 +59,7 @@ private:
   [[nodiscard]] double between(double least, double greatest);
   [[nodiscard]] double between_by_ratio(double least, double greatest);
   [[nodiscard]] bool chance(double share) { return between(0.0, 1.0) < share; }
-  [[nodiscard]] bool set_profiles(wrc_scene* scene, std::string& refusal) const;
+  void set_profiles(wrcontact::Scene& scene) const;
 
   std::mt19937_64 random_;
   std::map<std::string, Value> values_;

@@ -6,38 +6,24 @@
 
 namespace properties {
 
-Outcome::Outcome(wrc_scene* scene, wrc_status status_, bool with_fields)
-    : status(status_), error(wrc_scene_error(scene)) {
+Outcome::Outcome(const wrcontact::Scene& scene, wrc_status status_, bool with_fields)
+    : status(status_), error(wrc_scene_error(scene.handle())) {
   if (!has_results()) {
     return;
   }
-  for (std::int64_t i = 0; i < wrc_scene_number_count(scene); ++i) {
-    const std::string name = wrc_scene_number_name(scene, i);
-    double value = 0.0;
-    if (!name.starts_with("time_ms.") && name.find("sensitivities") == std::string::npos &&
-        wrc_scene_number(scene, name.c_str(), &value) == WRC_OK) {
-      numbers.emplace(name, value);
-    }
-  }
-  for (std::int64_t i = 0; i < wrc_scene_text_count(scene); ++i) {
-    const std::string name = wrc_scene_text_name(scene, i);
-    const char* value = nullptr;
-    if (wrc_scene_text(scene, name.c_str(), &value) == WRC_OK) {
-      texts.emplace(name, value);
-    }
-  }
   constexpr std::string_view told_of_all = ".pmax_element";
-  for (auto number = numbers.begin(); with_fields && number != numbers.end(); ++number) {
-    const std::string& name = number->first;
-    if (name.find(".patches.") == std::string::npos || !name.ends_with(told_of_all)) {
+  for (const std::string& name : scene.number_names()) {
+    if (name.starts_with("time_ms.") || name.find("sensitivities") != std::string::npos) {
       continue;
     }
-    const std::string patch = name.substr(0, name.size() - told_of_all.size());
-    std::int64_t count = 0;
-    wrc_scene_field(scene, (patch + ".pressure").c_str(), nullptr, 0, &count);
-    std::vector<double>& field = pressures[patch];
-    field.resize(static_cast<std::size_t>(count));
-    wrc_scene_field(scene, (patch + ".pressure").c_str(), field.data(), count, &count);
+    numbers.emplace(name, scene.number(name));
+    if (with_fields && name.find(".patches.") != std::string::npos && name.ends_with(told_of_all)) {
+      const std::string patch = name.substr(0, name.size() - told_of_all.size());
+      pressures[patch] = scene.field(patch + ".pressure");
+    }
+  }
+  for (const std::string& name : scene.text_names()) {
+    texts.emplace(name, scene.text(name));
   }
 }
 

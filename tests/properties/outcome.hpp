@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "wrcontact.h"
+#include "wrcontact.hpp"
 
 namespace properties {
 
@@ -17,7 +17,7 @@ struct Outcome {
   /// Of the patches and their parts ("left.patches.0.parts.1"), with `with_fields`.
   std::map<std::string, std::vector<double>> pressures;
 
-  Outcome(wrc_scene* scene, wrc_status status, bool with_fields = false);
+  Outcome(const wrcontact::Scene& scene, wrc_status status, bool with_fields = false);
 
   [[nodiscard]] bool has_results() const { return status == WRC_OK || status == WRC_NOT_CONVERGED; }
   [[nodiscard]] bool has(const std::string& name) const { return numbers.contains(name); }

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <unistd.h>
 
@@ -86,18 +87,21 @@ int main(int argc, char** argv) {
   for (current = begin; current < begin + count; ++current) {
     alarm(longest);
     const DrawnScene scene(seed * 1000000007ULL + static_cast<std::uint64_t>(current));
-    std::string refusal;
-    const ScenePointer handle = scene.handle(refusal);
-    if (!handle) {
-      ++statuses["refused: " + refusal.substr(0, refusal.find('='))];
+    std::optional<wrcontact::Scene> made;
+    try {
+      made = scene.made();
+    } catch (const wrcontact::Error& refusal) {
+      const std::string text = refusal.what();
+      ++statuses["refused: " + text.substr(0, text.find('='))];
       continue;
     }
     const std::string file =
         "scene_" + std::to_string(seed) + '_' + std::to_string(current) + ".toml";
     if (count == 1) {
-      wrc_scene_write(handle.get(), file.c_str());
+      made->write(file);
     }
-    const Outcome outcome(handle.get(), wrc_scene_solve(handle.get()), true);
+    const wrc_status status = wrc_scene_solve(made->handle());
+    const Outcome outcome(*made, status, true);
     ++statuses[wrc_status_name(outcome.status) +
                (outcome.error.empty() ? "" : ": " + outcome.error.substr(0, 60))];
     for (const std::string& side : outcome.sides()) {
@@ -106,13 +110,13 @@ int main(int argc, char** argv) {
     const std::string wrong = checked(scene, outcome, current);
     if (!wrong.empty()) {
       ++failures;
-      wrc_scene_write(handle.get(), file.c_str());
+      made->write(file);
       std::printf("scene %ld: %s\n", current, wrong.c_str());
       std::fflush(stdout);
     }
   }
-  for (const auto& [status, times] : statuses) {
-    std::printf("%ld %s\n", times, status.c_str());
+  for (const auto& [text, times] : statuses) {
+    std::printf("%ld %s\n", times, text.c_str());
   }
   std::printf("%ld wheels told that the accuracy was not reached\n", inaccurate);
   std::printf("%ld scenes, %ld failures\n", count, failures);

@@ -10,13 +10,11 @@ namespace properties {
 
 namespace {
 
-using SolverPointer = std::unique_ptr<wrc_solver, void (*)(wrc_solver*)>;
-
 /// Sums of a few thousand pressures round.
 constexpr double summation = 1e-10;
 /// Of the conversion of units, on the way in and out.
 constexpr double conversion = 1e-12;
-/// Where patches feel each other their influence is interpolated (docs/results.md).
+/// Where patches interact their influence is interpolated (docs/results.md).
 constexpr double interpolation = 2e-3;
 /// The same where contact reaches the boundary between them, which a warning tells.
 constexpr double boundary = 5e-2;
@@ -154,10 +152,14 @@ std::string check_load(const DrawnScene& scene, const Outcome& outcome, const st
 
 } // namespace
 
+wrc_status status_of(wrcontact::Scene& scene) {
+  return wrc_scene_solve(scene.handle());
+}
+
 Outcome solved(const DrawnScene& drawn, bool with_fields) {
-  std::string refusal;
-  const ScenePointer scene = drawn.handle(refusal);
-  return {scene.get(), wrc_scene_solve(scene.get()), with_fields};
+  wrcontact::Scene scene = drawn.made();
+  const wrc_status status = status_of(scene);
+  return {scene, status, with_fields};
 }
 
 std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
@@ -231,12 +233,9 @@ std::string check_mirror(const DrawnScene& scene, const Outcome& outcome) {
 
 std::string check_units(const DrawnScene& scene) {
   DrawnScene same = scene;
-  std::string refusal;
-  const ScenePointer in_si = same.handle_in_si(refusal);
-  if (!in_si) {
-    return "refused in SI: " + refusal;
-  }
-  const Outcome si(in_si.get(), wrc_scene_solve(in_si.get()));
+  wrcontact::Scene in_si = same.made_in_si();
+  const wrc_status status = status_of(in_si);
+  const Outcome si(in_si, status);
   const Outcome mm = solved(same);
   if (si.status != mm.status) {
     return differ("status in SI", si.status, mm.status);
@@ -298,41 +297,28 @@ std::string check_monotony(const DrawnScene& scene, const Outcome& outcome) {
 }
 
 std::string check_solver(const DrawnScene& scene, const Outcome& outcome) {
-  wrc_solver* created = nullptr;
-  wrc_solver_create(&created);
-  const SolverPointer solver(created, wrc_solver_destroy);
   DrawnScene before = scene;
   before.set("pose.lateral", 0.97 * scene.number("pose.lateral") + 0.1);
   for (const char* key : {"load.left", "load.right", "load.normal"}) {
     before.multiply(key, 0.9);
   }
-  std::string refusal;
-  const ScenePointer first = before.handle(refusal);
-  if (!first) {
-    return "";
-  }
-  wrc_solver_solve(solver.get(), first.get());
-  const ScenePointer second = scene.handle(refusal);
-  const Outcome found(second.get(), wrc_solver_solve(solver.get(), second.get()));
+  const wrcontact::Solver solver;
+  const wrcontact::Scene first = before.made();
+  wrc_solver_solve(solver.handle(), first.handle());
+  const wrcontact::Scene second = scene.made();
+  const wrc_status status = wrc_solver_solve(solver.handle(), second.handle());
+  const Outcome found(second, status);
   const std::string name = found.difference_to(outcome);
   return name.empty() ? "" : "through a solver another " + name;
 }
 
 std::string check_batch(const DrawnScene& scene, const Outcome& outcome) {
-  std::string refusal;
-  DrawnScene other = scene.mirrored();
-  const std::array<ScenePointer, 3> scenes{scene.handle(refusal), other.handle(refusal),
-                                           scene.handle(refusal)};
-  std::array<wrc_scene*, 3> handles{};
-  std::array<wrc_status, 3> statuses{};
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    handles[i] = scenes[i].get();
-  }
+  std::array<wrcontact::Scene, 3> scenes{scene.made(), scene.mirrored().made(), scene.made()};
   constexpr std::int32_t threads = 2;
-  wrc_solve_batch(handles.data(), static_cast<std::int64_t>(handles.size()), threads,
-                  statuses.data());
+  const std::vector<wrc_status> statuses =
+      wrcontact::solve_batch({&scenes[0], &scenes[1], &scenes[2]}, threads);
   for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
-    const std::string name = Outcome(handles[i], statuses[i]).difference_to(outcome);
+    const std::string name = Outcome(scenes[i], statuses[i]).difference_to(outcome);
     if (!name.empty()) {
       return "in a batch another " + name;
     }

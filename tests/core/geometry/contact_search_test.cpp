@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "support/brute_force.hpp"
+#include "support/errors.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test {
@@ -133,13 +134,8 @@ TEST(ContactSearchFollow, FindsTheLeastPlaceNearbyAtAnotherPose) {
 TEST(ContactSearchErrors, WheelOffTheRail) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
-  try {
-    search_contacts(wheel, rail, {500.0, 0.0, 0.0}, 0.0, false);
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::no_contact);
-    EXPECT_NE(std::string(error.what()).find("wheel off the rail"), std::string::npos);
-  }
+  const auto search = [&] { search_contacts(wheel, rail, {500.0, 0.0, 0.0}, 0.0, false); };
+  expect_error(ErrorCode::no_contact, search, "wheel off the rail");
 }
 
 TEST(ContactSearchEnds, FlangeTipOnTheRailIsNotAProfileEnd) {

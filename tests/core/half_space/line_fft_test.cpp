@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/errors.hpp"
 
 namespace wrc::test {
 namespace {
@@ -223,12 +224,7 @@ TEST(PlannerLock, OneOfTwoFunctionsIsAnError) {
   LockRecord record;
   for (const PlannerLock& half :
        {PlannerLock{note_lock, nullptr, &record}, PlannerLock{nullptr, note_unlock, &record}}) {
-    try {
-      set_planner_lock(half);
-      FAIL() << "accepted";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-    }
+    expect_error(ErrorCode::invalid_argument, [&] { set_planner_lock(half); });
   }
   const LineFft<double> plan(32, PlannerRigor::estimate);
   EXPECT_EQ(record.locked + record.unlocked, 0) << "what was refused is not used";
@@ -307,12 +303,8 @@ TEST(Wisdom, BadFilesAreErrors) {
   const std::string text(std::istreambuf_iterator<char>(good), {});
   EXPECT_EQ(code_of_loading(write("half", text.substr(0, text.size() / 2))),
             ErrorCode::file_malformed);
-  try {
-    save_wisdom(folder.file("no such folder/wisdom"));
-    FAIL() << "written";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::file_unreadable);
-  }
+  expect_error(ErrorCode::file_unreadable,
+               [&] { save_wisdom(folder.file("no such folder/wisdom")); });
   // Plans can still be made after all this.
   EXPECT_NO_THROW(LineFft<double>(12, PlannerRigor::measure));
 }

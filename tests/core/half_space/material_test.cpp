@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/errors.hpp"
 
 namespace wrc {
 namespace {
@@ -30,13 +31,12 @@ TEST(Material, RefusesConstantsOutsideTheirRange) {
     EXPECT_THROW(combined_modulus({210000.0, poisson}, steel), Error);
     EXPECT_THROW(combined_modulus(steel, {210000.0, poisson}), Error);
   }
-  try {
-    combined_modulus(steel, {210000.0, 0.6});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-    EXPECT_STREQ(error.what(), "rail.poisson = 0.6: must lie in 0 to 0.5");
-  }
+  test::expect_error(
+      ErrorCode::invalid_argument,
+      [&] {
+        combined_modulus(steel, {210000.0, 0.6});
+      },
+      "rail.poisson = 0.6: must lie in 0 to 0.5");
 }
 
 } // namespace

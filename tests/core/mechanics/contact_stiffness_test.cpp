@@ -154,9 +154,24 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
   EXPECT_LE(worst, tolerance * largest(expected)) << name;
 }
 
-TEST(ContactStiffness, IsThatOfDenseElimination) {
+class ContactStiffnessTest : public testing::Test {
+protected:
+  void set_contact(const Grid& grid, const std::vector<double>& pressure) {
+    const std::vector<SolvedPatch> patches{{grid, pressure}};
+    stiffness.set_contact(patches, steel_modulus);
+  }
+  Fields answer_to(const Fields& change, double tolerance = exact) {
+    Fields answer;
+    outcome = stiffness.solve(spans_of(change), answer, tolerance);
+    return answer;
+  }
+
   InfluenceCache cache;
-  ContactStiffness stiffness(cache);
+  ContactStiffness stiffness{cache};
+  StiffnessOutcome outcome{}; ///< of the last answer
+};
+
+TEST_F(ContactStiffnessTest, IsThatOfDenseElimination) {
   for (const double aspect : {0.05, 0.4, 1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(23, 17, 1.0 / aspect)) {
       const NormalSolution solution =
@@ -164,10 +179,8 @@ TEST(ContactStiffness, IsThatOfDenseElimination) {
       const std::vector<SolvedPatch> patches{{example.grid, solution.pressure}};
       stiffness.set_contact(patches, steel_modulus);
       for (const std::uint64_t seed : {1U, 2U}) {
-        Fields change{random_field(example.grid.element_count(), seed)};
-        Fields pressure;
-        const StiffnessOutcome outcome = stiffness.solve(spans_of(change), pressure, exact);
-        expect_near(pressure[0], solve_dense(patches, change)[0], rounding,
+        const Fields change{random_field(example.grid.element_count(), seed)};
+        expect_near(answer_to(change)[0], solve_dense(patches, change)[0], rounding,
                     example.name + ", aspect " + std::to_string(aspect));
         EXPECT_EQ(outcome.stop_reason, StopReason::tolerance_met) << example.name;
       }
@@ -175,40 +188,32 @@ TEST(ContactStiffness, IsThatOfDenseElimination) {
   }
 }
 
-TEST(ContactStiffness, ToleranceBoundsTheErrorOfForces) {
+TEST_F(ContactStiffnessTest, ToleranceBoundsTheErrorOfForces) {
   // Forces were right to 0.16 of the tolerance; <r, M r> was down to 0.6 of the error's energy.
   constexpr double slack = 2.0;
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   for (const double aspect : {0.2, 1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(60, 44, aspect)) {
       const NormalSolution solution =
           solve_exactly(with_load(example.grid, example.distance, case_load * aspect, 1e-11));
-      const std::vector<SolvedPatch> patches{{example.grid, solution.pressure}};
       std::vector<double> slope(example.grid.element_count());
       for (std::size_t i = 0; i < slope.size(); ++i) {
         slope[i] = 1.0 + 0.1 * example.grid.lateral(i / example.grid.longitudinal_count);
       }
       const Fields one{std::vector<double>(slope.size(), 1.0)};
       const Fields other{slope};
-      Fields answer;
-      Fields best;
-      stiffness.set_contact(patches, steel_modulus);
-      stiffness.solve(spans_of(one), best, exact);
-      const double quadratic = force_of(example.grid, best[0]);
-      stiffness.solve(spans_of(other), best, exact);
-      const double force = force_of(example.grid, best[0]);
+      const auto force_for = [&](const Fields& change, double tolerance) {
+        set_contact(example.grid, solution.pressure);
+        return force_of(example.grid, answer_to(change, tolerance)[0]);
+      };
+      const double quadratic = force_for(one, exact);
+      const double force = force_for(other, exact);
       for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8}) {
-        stiffness.set_contact(patches, steel_modulus);
-        StiffnessOutcome outcome = stiffness.solve(spans_of(other), answer, tolerance);
-        EXPECT_LE(outcome.error, tolerance);
-        EXPECT_LE(std::abs(force_of(example.grid, answer[0]) / force - 1.0), tolerance)
+        EXPECT_LE(std::abs(force_for(other, tolerance) / force - 1.0), tolerance)
             << example.name << " " << tolerance;
-        stiffness.set_contact(patches, steel_modulus);
-        outcome = stiffness.solve(spans_of(one), answer, tolerance);
+        EXPECT_LE(outcome.error, tolerance);
         // By rounding, later iterations lose what makes the error quadratic: in rough contacts
         // early.
-        EXPECT_LE(std::abs(force_of(example.grid, answer[0]) / quadratic - 1.0),
+        EXPECT_LE(std::abs(force_for(one, tolerance) / quadratic - 1.0),
                   slack * tolerance * (tolerance >= 1e-4 ? tolerance : 1.0))
             << example.name << " " << tolerance;
       }
@@ -216,11 +221,9 @@ TEST(ContactStiffness, ToleranceBoundsTheErrorOfForces) {
   }
 }
 
-TEST(ContactStiffness, IsTheDerivativeOfTheContactProblem) {
+TEST_F(ContactStiffnessTest, IsTheDerivativeOfTheContactProblem) {
   // Pressures are linear in the change as long as no element joins or leaves, so the step may be as
   // large as that allows; the solver's 1e-11 counts over the step.
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   int unchanged = 0;
   for (const double aspect : {0.05, 1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(40, 36, 1.0 / aspect)) {
@@ -250,10 +253,8 @@ TEST(ContactStiffness, IsTheDerivativeOfTheContactProblem) {
         continue;
       }
       ++unchanged;
-      const std::vector<SolvedPatch> patches{{example.grid, middle.pressure}};
-      stiffness.set_contact(patches, steel_modulus);
-      Fields pressure;
-      stiffness.solve(spans_of({change}), pressure, exact);
+      set_contact(example.grid, middle.pressure);
+      const Fields pressure = answer_to({change});
       expect_near(pressure[0], difference, 1e-5, example.name + std::to_string(aspect));
       const double force = force_of(example.grid, pressure[0]);
       EXPECT_NEAR(force, (ahead.normal_force - behind.normal_force) / (2.0 * step),
@@ -264,14 +265,12 @@ TEST(ContactStiffness, IsTheDerivativeOfTheContactProblem) {
   EXPECT_GE(unchanged, 14) << "of 18";
 }
 
-TEST(ContactStiffness, HertzInTheLimit) {
+TEST_F(ContactStiffnessTest, HertzInTheLimit) {
   // N goes with the approach to the power of 3/2. What the elements at the edge do to the
   // derivative of the discrete force is chance, so the error falls irregularly: 0.03 for 16
   // elements, 0.004 for 64, 0.0003 for 256.
   constexpr double order = 1.25;
   constexpr double largest_share = 1.2;
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   for (const double curvature : {1.0 / 460.0, 1.0 / 80.0}) {
     const HertzContact hertz = solve_hertz(1.0 / 460.0, curvature, steel_modulus, 80000.0);
     for (const std::size_t count : {16U, 32U, 64U, 128U, 256U}) {
@@ -283,8 +282,7 @@ TEST(ContactStiffness, HertzInTheLimit) {
         const std::vector<double> distance = hertz_gap(grid, 1.0 / 460.0, curvature);
         const NormalSolution solution =
             solve_exactly(with_approach(grid, distance, hertz.approach, 1e-9));
-        const std::vector<SolvedPatch> patches{{grid, solution.pressure}};
-        stiffness.set_contact(patches, steel_modulus);
+        set_contact(grid, solution.pressure);
         const Fields one{std::vector<double>(grid.element_count(), 1.0)};
         Fields pressure;
         stiffness.solve(spans_of(one), pressure);
@@ -296,37 +294,29 @@ TEST(ContactStiffness, HertzInTheLimit) {
   }
 }
 
-TEST(ContactStiffness, OneElement) {
+TEST_F(ContactStiffnessTest, OneElement) {
   const Grid grid{5, 7, 0.3, 0.2, -0.6, -0.6};
   std::vector<double> pressure(grid.element_count(), 0.0);
   pressure[17] = 12.0;
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
-  const std::vector<SolvedPatch> patches{{grid, pressure}};
-  stiffness.set_contact(patches, steel_modulus);
-  const Fields one{std::vector<double>(grid.element_count(), 1.0)};
-  Fields answer;
-  stiffness.solve(spans_of(one), answer, exact);
+  set_contact(grid, pressure);
+  const Fields answer = answer_to({std::vector<double>(grid.element_count(), 1.0)});
   const double expected = 1.0 / influence_coefficient(0.0, 0.0, 0.2, 0.3, steel_modulus);
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     EXPECT_NEAR(answer[0][i], i == 17 ? expected : 0.0, 1e-12 * expected);
   }
 }
 
-TEST(ContactStiffness, AllElementsAndScales) {
+TEST_F(ContactStiffnessTest, AllElementsAndScales) {
   // A change of all lengths by a factor changes the answer to one unit of displacement by its
   // inverse.
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   Fields first;
   for (const double scale : {1.0, 1e-15, 1e18}) {
     const Grid grid = centred_grid(13, 21, 0.2 * scale, 0.1 * scale);
     const std::vector<double> pressure(grid.element_count(), 3.0);
     const std::vector<SolvedPatch> patches{{grid, pressure}};
     stiffness.set_contact(patches, steel_modulus);
-    Fields answer;
     const Fields change{random_field(grid.element_count(), 4)};
-    stiffness.solve(spans_of(change), answer, exact);
+    Fields answer = answer_to(change);
     if (scale == 1.0) {
       expect_near(answer[0], solve_dense(patches, change)[0], rounding, "all elements");
       first = answer;
@@ -338,7 +328,7 @@ TEST(ContactStiffness, AllElementsAndScales) {
   }
 }
 
-TEST(ContactStiffness, TouchingWithoutPressureIsNoContact) {
+TEST_F(ContactStiffnessTest, TouchingWithoutPressureIsNoContact) {
   // Two elements far enough in a row; the second touches with no pressure. Pressing it down on the
   // first only lifts the gap there: the derivative of the direction in which it parts.
   const Grid grid = centred_grid(1, 8, 0.1, 0.1);
@@ -352,13 +342,8 @@ TEST(ContactStiffness, TouchingWithoutPressureIsNoContact) {
     const double x = static_cast<double>(i);
     distance[i] = -5.0 * (coefficient(x - 2.0) + coefficient(x - 3.0));
   }
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
-  const std::vector<SolvedPatch> patches{{grid, pressure}};
-  stiffness.set_contact(patches, steel_modulus);
-  Fields change{{0, 0, 1.0, 1.0, 0, 0, 0, 0}};
-  Fields answer;
-  stiffness.solve(spans_of(change), answer, exact);
+  set_contact(grid, pressure);
+  const Fields answer = answer_to({{0, 0, 1.0, 1.0, 0, 0, 0, 0}});
   EXPECT_EQ(answer[0][4], 0.0);
   const double step = 1e-7;
   for (const double by : {step, -step}) {
@@ -403,57 +388,45 @@ struct TwoPatches {
   }
 };
 
-TEST(ContactStiffness, PatchesThatDoNotFeelEachOther) {
+TEST_F(ContactStiffnessTest, PatchesThatDoNotInteract) {
   const TwoPatches two;
   const Grid empty = centred_grid(3, 3, 0.1, 0.1);
   const std::vector<double> nothing(9, 0.0);
   std::vector<SolvedPatch> patches = two.patches();
   patches.insert(patches.begin() + 1, SolvedPatch{empty, nothing});
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   stiffness.set_contact(patches, steel_modulus);
   const Fields change{random_field(two.left.element_count(), 5), std::vector<double>(9, 1.0),
                       random_field(two.right.element_count(), 6)};
-  Fields together;
-  stiffness.solve(spans_of(change), together, exact);
+  const Fields together = answer_to(change);
   EXPECT_EQ(together[1], nothing);
   for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
     stiffness.set_contact(std::span(patches).subspan(k, 1), steel_modulus);
-    Fields alone;
-    stiffness.solve(spans_of({change[k]}), alone, exact);
-    expect_near(together[k], alone[0], rounding, "alone");
+    expect_near(together[k], answer_to({change[k]})[0], rounding, "alone");
   }
 }
 
-TEST(ContactStiffness, PatchesThatFeelEachOther) {
+TEST_F(ContactStiffnessTest, PatchesThatInteract) {
   const TwoPatches two;
   const std::vector<SolvedPatch> patches = two.patches();
   PointForces influence({two.left, two.right}, 0.8);
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   stiffness.set_contact(patches, steel_modulus, &influence);
   for (const std::uint64_t seed : {7U, 8U}) {
     const Fields change{random_field(two.left.element_count(), seed),
                         random_field(two.right.element_count(), seed + 2)};
-    Fields answer;
-    const StiffnessOutcome outcome = stiffness.solve(spans_of(change), answer, exact);
+    const Fields answer = answer_to(change);
     EXPECT_EQ(outcome.stop_reason, StopReason::tolerance_met);
     const Fields expected = solve_dense(patches, change, &influence);
     expect_near(answer[0], expected[0], rounding, "left");
     expect_near(answer[1], expected[1], rounding, "right");
   }
   // One patch moves, the other answers.
-  const Fields only_left{std::vector<double>(two.left.element_count(), 1.0), {}};
-  Fields answer;
-  stiffness.solve(spans_of(only_left), answer, exact);
+  const Fields answer = answer_to({std::vector<double>(two.left.element_count(), 1.0), {}});
   EXPECT_LT(force_of(two.right, answer[1]), 0.0);
 }
 
-TEST(ContactStiffness, AnswersAreKeptUntilTheContactChanges) {
+TEST_F(ContactStiffnessTest, AnswersAreKeptUntilTheContactChanges) {
   const TwoPatches two;
   const std::vector<SolvedPatch> patches = two.patches();
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   stiffness.set_contact(patches, steel_modulus);
   const Fields one{std::vector<double>(two.left.element_count(), 1.0),
                    std::vector<double>(two.right.element_count(), 1.0)};
@@ -484,23 +457,16 @@ TEST(ContactStiffness, AnswersAreKeptUntilTheContactChanges) {
   EXPECT_GT(stiffness.solve(spans_of(one), first, 1e-10).iterations, 5);
 }
 
-TEST(ContactStiffness, WithoutContactThereIsNone) {
+TEST_F(ContactStiffnessTest, WithoutContactThereIsNone) {
   const Grid grid = centred_grid(4, 5, 0.1, 0.1);
   const std::vector<double> nothing(grid.element_count(), 0.0);
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
-  const std::vector<SolvedPatch> patches{{grid, nothing}};
-  stiffness.set_contact(patches, steel_modulus);
-  const Fields one{std::vector<double>(grid.element_count(), 1.0)};
-  Fields answer;
-  EXPECT_EQ(stiffness.solve(spans_of(one), answer).stop_reason, StopReason::tolerance_met);
-  EXPECT_EQ(answer[0], nothing);
+  set_contact(grid, nothing);
+  EXPECT_EQ(answer_to({std::vector<double>(grid.element_count(), 1.0)})[0], nothing);
+  EXPECT_EQ(outcome.stop_reason, StopReason::tolerance_met);
 }
 
-TEST(ContactStiffness, LimitOfIterations) {
+TEST_F(ContactStiffnessTest, LimitOfIterations) {
   const TwoPatches two;
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   stiffness.set_contact(two.patches(), steel_modulus);
   const Fields noise{random_field(two.left.element_count(), 1),
                      random_field(two.right.element_count(), 2)};
@@ -514,12 +480,10 @@ TEST(ContactStiffness, LimitOfIterations) {
   EXPECT_EQ(stuck.stop_reason, StopReason::stagnation);
 }
 
-TEST(ContactStiffness, RefusesWhatItCannotSolve) {
+TEST_F(ContactStiffnessTest, RefusesWhatItCannotSolve) {
   const Grid grid = centred_grid(4, 5, 0.1, 0.1);
   const std::vector<double> pressure(grid.element_count(), 1.0);
   const std::vector<double> shorter(3, 1.0);
-  InfluenceCache cache;
-  ContactStiffness stiffness(cache);
   const std::vector<SolvedPatch> patches{{grid, pressure}};
   const std::vector<SolvedPatch> misfit{{grid, shorter}};
   EXPECT_THROW(stiffness.set_contact({}, steel_modulus), Error);

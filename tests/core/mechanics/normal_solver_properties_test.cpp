@@ -1,5 +1,5 @@
 /// What every answer must satisfy: nothing kept between calls shows, both precisions and both
-/// methods agree, symmetry, shift, invariance of units and scale.
+/// methods agree; and of each method symmetry, shift, invariance of units and scale.
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +13,6 @@ namespace wrc::test {
 namespace {
 
 constexpr double fine_tolerance = 1e-9;
-/// Two answers, each within the tolerance of the same exact one.
-constexpr double same_answer = 2.0 * fine_tolerance;
 /// Errors of Polonsky & Keer's pressures over the tolerance of its gaps: up to 70 seen.
 constexpr double paper_amplification = 150.0;
 
@@ -105,6 +103,23 @@ TEST(NormalSolver, MethodsAgree) {
   }
 }
 
+/// What holds for the default method and for that of Polonsky & Keer.
+class EachMethod : public testing::TestWithParam<bool> {
+protected:
+  NormalSolution solve(const NormalProblem& problem) {
+    return is_paper ? solve_with_polonsky_keer(problem) : solver_.solve(problem);
+  }
+  const bool is_paper = GetParam();
+  /// Two answers, each within the tolerance of the same exact one.
+  const double same_answer = 2.0 * fine_tolerance * (is_paper ? paper_amplification : 1.0);
+
+private:
+  NormalSolver solver_;
+};
+INSTANTIATE_TEST_SUITE_P(Methods, EachMethod, testing::Bool(), [](const auto& tested) {
+  return std::string(tested.param ? "PolonskyKeer" : "Default");
+});
+
 /// Rows, columns or both in reverse order.
 std::vector<double> mirror(const Grid& grid, const std::vector<double>& values, bool rows,
                            bool columns) {
@@ -118,18 +133,17 @@ std::vector<double> mirror(const Grid& grid, const std::vector<double>& values, 
   return result;
 }
 
-TEST(NormalSolver, MirroredGapGivesMirroredPressure) {
-  NormalSolver solver;
+TEST_P(EachMethod, MirroredGapGivesMirroredPressure) {
   for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{24, 19}, {70, 45}}) {
     for (const ContactCase& example : contact_cases(rows, columns, 1.0)) {
       const NormalSolution straight =
-          solver.solve(with_load(example.grid, example.distance, case_load, fine_tolerance));
+          solve(with_load(example.grid, example.distance, case_load, fine_tolerance));
       for (const auto& [flip_rows, flip_columns] :
            {std::pair{true, false}, {false, true}, {true, true}}) {
         const std::vector<double> mirrored =
             mirror(example.grid, example.distance, flip_rows, flip_columns);
         const NormalSolution reflected =
-            solver.solve(with_load(example.grid, mirrored, case_load, fine_tolerance));
+            solve(with_load(example.grid, mirrored, case_load, fine_tolerance));
         EXPECT_LE(pressure_error(mirror(example.grid, reflected.pressure, flip_rows, flip_columns),
                                  straight.pressure),
                   same_answer)
@@ -139,8 +153,7 @@ TEST(NormalSolver, MirroredGapGivesMirroredPressure) {
   }
 }
 
-TEST(NormalSolver, TransposedGapGivesTransposedPressure) {
-  NormalSolver solver;
+TEST_P(EachMethod, TransposedGapGivesTransposedPressure) {
   for (const ContactCase& example : contact_cases(70, 45, 3.0)) {
     const Grid& grid = example.grid;
     const Grid turned = centred_grid(grid.longitudinal_count, grid.lateral_count,
@@ -154,9 +167,9 @@ TEST(NormalSolver, TransposedGapGivesTransposedPressure) {
     };
     const std::vector<double> distance = transpose(example.distance, grid.longitudinal_count);
     const NormalSolution straight =
-        solver.solve(with_load(grid, example.distance, 3.0 * case_load, fine_tolerance));
+        solve(with_load(grid, example.distance, 3.0 * case_load, fine_tolerance));
     const NormalSolution across =
-        solver.solve(with_load(turned, distance, 3.0 * case_load, fine_tolerance));
+        solve(with_load(turned, distance, 3.0 * case_load, fine_tolerance));
     EXPECT_LE(
         pressure_error(transpose(across.pressure, turned.longitudinal_count), straight.pressure),
         same_answer)
@@ -164,16 +177,15 @@ TEST(NormalSolver, TransposedGapGivesTransposedPressure) {
   }
 }
 
-TEST(NormalSolver, ShiftByOneElementShiftsThePressure) {
+TEST_P(EachMethod, ShiftByOneElementShiftsThePressure) {
   const Grid grid = centred_grid(73, 58, 0.1, 0.12);
   Grid moved = grid;
   moved.lateral_first += grid.lateral_step;
   moved.longitudinal_first += grid.longitudinal_step;
-  NormalSolver solver;
   const std::vector<double> first = hertz_gap(grid, 1.0 / 400.0, 1.0 / 100.0);
   const std::vector<double> second = hertz_gap(moved, 1.0 / 400.0, 1.0 / 100.0);
-  const NormalSolution before = solver.solve(with_load(grid, first, 2000.0, fine_tolerance));
-  const NormalSolution after = solver.solve(with_load(moved, second, 2000.0, fine_tolerance));
+  const NormalSolution before = solve(with_load(grid, first, 2000.0, fine_tolerance));
+  const NormalSolution after = solve(with_load(moved, second, 2000.0, fine_tolerance));
   std::vector<double> shifted(before.pressure.size(), 0.0);
   for (std::size_t row = 1; row < grid.lateral_count; ++row) {
     std::copy_n(before.pressure.data() + row * 58 + 1, 57, shifted.data() + (row - 1) * 58);
@@ -211,14 +223,13 @@ TEST(NormalSolver, UnitsInPowersOfTwoChangeNoBit) {
   }
 }
 
-TEST(NormalSolver, PressuresOfAPunchAreProportionalToTheLoad) {
+TEST_P(EachMethod, PressuresOfAPunchAreProportionalToTheLoad) {
   const Grid grid = centred_grid(40, 62, 0.2, 0.1);
   const std::vector<double> flat(grid.element_count(), 0.0);
-  NormalSolver solver;
-  const NormalSolution unit = solver.solve(with_load(grid, flat, 1.0, fine_tolerance));
+  const NormalSolution unit = solve(with_load(grid, flat, 1.0, fine_tolerance));
   EXPECT_GT(*std::min_element(unit.pressure.begin(), unit.pressure.end()), 0.0);
   for (const double load : {1e-9, 3.0, 1e12}) {
-    NormalSolution scaled = solver.solve(with_load(grid, flat, load, fine_tolerance));
+    NormalSolution scaled = solve(with_load(grid, flat, load, fine_tolerance));
     for (double& value : scaled.pressure) {
       value /= load;
     }
@@ -227,33 +238,41 @@ TEST(NormalSolver, PressuresOfAPunchAreProportionalToTheLoad) {
   }
 }
 
-TEST(NormalSolver, AddedHeightMovesTheApproachOnly) {
+TEST_P(EachMethod, AddedHeightMovesTheApproachOnly) {
   const Grid grid = centred_grid(50, 40, 0.2, 0.2);
   std::vector<double> distance = hertz_gap(grid, 1.0 / 128.0, 1.0 / 64.0);
-  NormalSolver solver;
-  const NormalSolution low = solver.solve(with_load(grid, distance, 3000.0, fine_tolerance));
+  const NormalSolution low = solve(with_load(grid, distance, 3000.0, fine_tolerance));
   for (double& value : distance) {
     value -= 0.5;
   }
-  const NormalSolution high = solver.solve(with_load(grid, distance, 3000.0, fine_tolerance));
+  const NormalSolution high = solve(with_load(grid, distance, 3000.0, fine_tolerance));
   EXPECT_LE(pressure_error(high.pressure, low.pressure), same_answer);
   EXPECT_NEAR(high.approach, low.approach - 0.5, load_rounding);
 }
 
-TEST(NormalSolver, NothingPressedNothingIsSolved) {
+TEST_P(EachMethod, NothingPressedNothingIsSolved) {
   const Grid grid = centred_grid(4, 5, 1.0, 1.0);
   std::vector<double> distance(20, 1e3);
   distance[7] = -0.25;
-  NormalSolver solver;
-  const NormalSolution unloaded = solver.solve(with_load(grid, distance, 0.0, 1e-6));
+  const NormalSolution unloaded = solve(with_load(grid, distance, 0.0, 1e-6));
   EXPECT_EQ(unloaded.approach, -0.25);
-  const NormalSolution apart = solver.solve(with_approach(grid, distance, -0.3, 1e-6));
+  const NormalSolution apart = solve(with_approach(grid, distance, -0.3, 1e-6));
   EXPECT_EQ(apart.approach, -0.3);
-  const NormalSolution touching = solver.solve(with_approach(grid, distance, -0.25, 1e-6));
+  const NormalSolution touching = solve(with_approach(grid, distance, -0.25, 1e-6));
+  if (is_paper) { // which recomputes its residuals
+    EXPECT_DOUBLE_EQ(apart.residuals.least_gap, 1.0);
+    EXPECT_EQ(apart.displacement, std::vector<double>(20, 0.0));
+  }
   for (const NormalSolution& solution : {unloaded, apart, touching}) {
     EXPECT_EQ(solution.pressure, std::vector<double>(20, 0.0));
     EXPECT_EQ(solution.normal_force, 0.0);
     EXPECT_EQ(solution.iterations, 0);
+    const Residuals residuals =
+        compute_residuals(with_approach(grid, distance, solution.approach, 1e-6), solution.pressure,
+                          solution.approach);
+    EXPECT_EQ(residuals.complementarity, 0.0);
+    EXPECT_GE(residuals.least_gap, 0.0);
+    EXPECT_EQ(residuals.load_balance, 0.0);
     EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met);
   }
 }

@@ -197,9 +197,9 @@ TEST(ContactPatches, LobesInOnePlaneByTheirDistance) {
   EXPECT_NEAR(far.patches[0].weight, 0.5, 0.02);
 }
 
-TEST(ContactPatches, TurnAndFeelEachOtherByTheirDistanceInMillimetres) {
+TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
   // Two bowls of half widths sqrt(200 d) = 4 and sqrt(200 (d - 0.06)) = 2 mm, planes 0.1 rad apart:
-  // strangers by their widths when penetrations are 4 mm apart or more.
+  // independent by their widths when penetrations are 4 mm apart or more.
   constexpr double depth = 0.08;
   constexpr double joining_distance = 1.6;
   constexpr double nodes = 0.1; // mm; penetrations end between nodes

@@ -39,6 +39,11 @@ inline std::string rows_of(const std::vector<Position>& points,
   return text;
 }
 
+/// With coordinates multiplied.
+inline std::string rows_of(const std::vector<Position>& points, double lateral, double height) {
+  return rows_of(points, [&](Position p) { return Position{lateral * p[0], height * p[1]}; });
+}
+
 /// The text of the error, or "accepted". Expects it to name the file.
 inline std::string refusal_of(const std::string& text, ProfileFormat format,
                               const ReadOptions& options = {}) {

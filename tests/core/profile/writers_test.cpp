@@ -10,6 +10,7 @@
 #include "nearest.hpp"
 #include "profile/writers.hpp"
 #include "samples.hpp"
+#include "support/errors.hpp"
 
 namespace wrc {
 namespace {
@@ -80,12 +81,8 @@ TEST_F(Writers, RefusesBadArguments) {
 TEST_F(Writers, FaultLeavesTheOldFileAndNothingElse) {
   // The target is a folder that is not empty: writing aside works, renaming does not.
   std::filesystem::create_directories(folder_ / "taken.txt" / "inside");
-  try {
-    write_profile(standard_profile("S1002"), folder_ / "taken.txt", 1.0);
-    ADD_FAILURE() << "accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::file_unreadable);
-  }
+  test::expect_error(ErrorCode::file_unreadable,
+                     [&] { write_profile(standard_profile("S1002"), folder_ / "taken.txt", 1.0); });
   EXPECT_TRUE(std::filesystem::exists(folder_ / "taken.txt" / "inside"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "taken.txt.partial"));
   EXPECT_THROW(write_profile(standard_profile("S1002"), folder_ / "no" / "a.txt", 1.0), Error);

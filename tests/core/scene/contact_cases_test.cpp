@@ -1,7 +1,6 @@
 // Cases computed by an independent boundary element program (CONTACT), tangent convention.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -170,14 +169,6 @@ TEST(ContactCases, AllAgree) {
       EXPECT_NEAR(patch.reference.z, value("z_track_mm"), place_tolerance);
       EXPECT_NEAR(patch.reference.s_wheel, value("s_wheel_mm"), place_tolerance);
       EXPECT_NEAR(patch.angle, value("contact_angle_rad"), angle_tolerance);
-      std::printf(
-          "%-14s %zu pmax %8.2f %+.2f %% (%.2f %%) approach %+.2f %% (%.2f %%) angle "
-          "%+.2f mrad y %+.3f z %+.3f s %+.3f x %+.3f N %+.2f %%\n",
-          id.c_str(), k, pmax, 100.0 * (told[k].pmax / pmax - 1.0), 100.0 * change[k].pmax / pmax,
-          100.0 * (told[k].approach / approach - 1.0), 100.0 * change[k].approach / approach,
-          1e3 * (patch.angle - value("contact_angle_rad")), patch.reference.y - value("y_track_mm"),
-          patch.reference.z - value("z_track_mm"), patch.reference.s_wheel - value("s_wheel_mm"),
-          patch.reference.x - value("x_track_mm"), 100.0 * (told[k].normal_force / force - 1.0));
     }
     // On the right wheel the rail pushes to the left: positive in both conventions.
     const double lateral = entry.at("total_lateral_force_N_right_positive");

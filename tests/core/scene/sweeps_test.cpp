@@ -1,7 +1,6 @@
 // Sweeps of load and lateral position: nothing fails, nothing jumps.
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <span>
 #include <string>
@@ -181,7 +180,6 @@ TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
   const JointSolution both = solve(two, 60e3);
   // A convolution goes over all boxes: as many elements in both.
   EXPECT_LE(both.convolutions, 1.3 * single.convolutions);
-  std::printf("convolutions: two patches %d, one %d\n", both.convolutions, single.convolutions);
 }
 
 TEST(Costs, AGivenGridTakesAFewSolutions) {

@@ -87,7 +87,7 @@ TEST_F(CombinedContact, ItsGridIsCoarserWherePartsLieFarApart) {
 }
 
 /// What a part displaces beside another counts by the weight of their interaction.
-TEST_F(CombinedContact, DisplacementsAreThoseThatThePartsFeel) {
+TEST_F(CombinedContact, DisplacementsAreThoseThatActOnTheParts) {
   PatchResult whole = whole_of({part_at(-3.0, 300.0), part_at(3.0, 100.0)});
   WheelDetails details;
   details.combined_modulus = 1e5;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.hpp"
+#include "support/errors.hpp"
 
 namespace wrc::test {
 namespace {
@@ -27,15 +27,9 @@ GridSolution solution_with(double overlap) {
 
 TEST(DepthChecks, ADepthOfBodiesThatDoNotFaceEachOtherIsRefused) {
   for (const double depth : {1002.5, 50.0, -50.0, -1002.5}) {
-    try {
-      check_found_depth(loaded(7e3), depth);
-      ADD_FAILURE() << depth;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::no_contact);
-      const std::string text = error.what();
-      EXPECT_NE(text.find("7000 N"), std::string::npos) << text;
-      EXPECT_NE(text.find("allowed is less than 50 mm"), std::string::npos) << text;
-    }
+    expect_error(
+        ErrorCode::no_contact, [&] { check_found_depth(loaded(7e3), depth); }, "7000 N",
+        "allowed is less than 50 mm");
   }
   EXPECT_NO_THROW(check_found_depth(loaded(7e3), 49.9));
   WheelRequest prescribed;

@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-/// Does nothing: only the way of the solution is that of patches that feel each other.
+/// Does nothing: only the way of the solution is that of patches that interact.
 class NoInfluence : public PatchInfluence {
 public:
   void add(std::span<const std::vector<double>> /*pressure*/,
