@@ -94,6 +94,9 @@ inline std::string error_of(const wrc_scene* handle) {
 inline std::string error_of(const wrc_normal* handle) {
   return wrc_normal_error(handle);
 }
+inline std::string error_of(const wrc_rolling* handle) {
+  return wrc_rolling_error(handle);
+}
 inline std::string error_of(const wrc_profile* handle) {
   return wrc_profile_error(handle);
 }
