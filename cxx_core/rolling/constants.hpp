@@ -76,4 +76,21 @@ inline constexpr double min_cascade_tolerance = 0.01;
 /// origin: derived: rounding in single precision leaves a residual of some 1e-6.
 inline constexpr double single_precision_tolerance = 1e-4;
 
+/// Elements that span a patch on the grid its flexibilities are computed on, at most: along, ...
+/// origin: measured (60 patches of compare_creep_models, against 128 x 64): flexibilities are off
+/// by 1.4 to 2.6 % rms, with half as many by 3 to 7 %, which shows beside the springs' own error.
+inline constexpr std::size_t flexibility_elements_along = 32;
+/// ... and across.
+/// origin: measured (60 patches of compare_creep_models): as above.
+inline constexpr std::size_t flexibility_elements_across = 16;
+
+/// Tolerance of the solutions without slip that flexibilities are taken from.
+/// origin: measured (60 patches of compare_creep_models): flexibilities within 6e-4 rms; 1e-2:
+/// 5e-3.
+inline constexpr double flexibility_tolerance = 3e-3;
+
+/// Friction under which nothing slips, for creepages of 1, G = 1 and a pressure of 1.
+/// origin: derived: tractions without slip are some tens of G times the creepage.
+inline constexpr double no_slip_friction = 1e6;
+
 } // namespace wrc

@@ -190,7 +190,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
   solution.convolutions = outcome.convolutions;
   solution.residual = outcome.residual;
   solution.converged = outcome.converged;
-  scaled.sum_up(solution);
+  sum_up(problem, solution);
   return solution;
 }
 

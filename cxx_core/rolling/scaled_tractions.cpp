@@ -183,8 +183,8 @@ void ScaledTractions::read_back(const Real* traction, const Real* slip, std::siz
   }
 }
 
-void ScaledTractions::sum_up(RollingSolution& solution) const {
-  const Grid& grid = problem_.grid;
+void sum_up(const RollingProblem& problem, RollingSolution& solution) {
+  const Grid& grid = problem.grid;
   const double area = grid.element_area();
   double dissipation = 0.0;
   std::size_t slipping = 0;
@@ -192,7 +192,7 @@ void ScaledTractions::sum_up(RollingSolution& solution) const {
   for (std::size_t j = 0; j < grid.lateral_count; ++j) {
     for (std::size_t i = 0; i < grid.longitudinal_count; ++i) {
       const std::size_t at = j * grid.longitudinal_count + i;
-      const double bound = problem_.friction * problem_.pressure[at];
+      const double bound = problem.friction * problem.pressure[at];
       if (!(bound > 0.0)) {
         continue;
       }
@@ -205,15 +205,15 @@ void ScaledTractions::sum_up(RollingSolution& solution) const {
       ++contacts;
       // The last cut leaves what slips on its bound to rounding, and nothing else near it.
       constexpr double on_bound = 1.0 - 1e-6;
-      slipping += std::hypot(qx, qy) >= on_bound * bound ? 1 : 0;
+      slipping += qx * qx + qy * qy >= on_bound * on_bound * bound * bound ? 1 : 0;
     }
   }
   solution.slip_area = area * static_cast<double>(slipping);
   solution.adhesion_area = area * static_cast<double>(contacts - slipping);
-  const Creepages& w = problem_.creepages;
+  const Creepages& w = problem.creepages;
   solution.friction_power = -(solution.longitudinal_force * w.longitudinal +
                               solution.lateral_force * w.lateral + solution.spin_moment * w.spin);
-  if (problem_.motion == TangentialMotion::rolling && solution.friction_power > 0.0) {
+  if (problem.motion == TangentialMotion::rolling && solution.friction_power > 0.0) {
     solution.numerical_loss = 1.0 - dissipation / solution.friction_power;
   }
 }

@@ -29,6 +29,9 @@ SlipDifferenceWeights difference_of(const RollingProblem& problem, double times 
 double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
                        TangentialMotion motion);
 
+/// Forces, areas and power from tractions and slips of the whole grid.
+void sum_up(const RollingProblem& problem, RollingSolution& solution);
+
 class ScaledTractions {
 public:
   /// The elements in contact, by their place in the problem's grid.
@@ -59,8 +62,6 @@ public:
   template <typename Real>
   void read_back(const Real* traction, const Real* slip, std::size_t pitch,
                  RollingSolution& solution) const;
-  /// Forces, areas and power from tractions and slips of the whole grid.
-  void sum_up(RollingSolution& solution) const;
 
 private:
   [[nodiscard]] std::size_t element(std::size_t row, std::size_t column) const;
