@@ -109,7 +109,8 @@ TEST(KalkerCoefficients, AgreeWithTheFirstOrderDifference) {
     double a_over_b, poisson;
   };
   RollingSolver solver;
-  for (const Case& c : {Case{5.0, 0.5}, Case{0.5, 0.5}, Case{0.1, 0.25}, Case{1.0, 0.0}}) {
+  for (const Case& c :
+       {Case{5.0, 0.5}, Case{0.5, 0.5}, Case{0.1, 0.25}, Case{1.0, 0.0}, Case{10.0, 0.5}}) {
     std::array<std::array<double, 4>, 2> means{};
     constexpr int places = 4;
     for (std::size_t grid = 0; grid < 2; ++grid) {
