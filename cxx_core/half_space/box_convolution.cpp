@@ -122,14 +122,6 @@ WRC_VECTOR_CLONES void gather(const double* columns, std::size_t column_pitch, d
   gather_body(columns, column_pitch, lines, line_pitch, length, count);
 }
 
-/// Complex values as pairs of real ones, which the standard permits.
-template <typename Real> Real* pairs_of(std::complex<Real>* values) {
-  return reinterpret_cast<Real*>(values);
-}
-template <typename Real> const Real* pairs_of(const std::complex<Real>* values) {
-  return reinterpret_cast<const Real*>(values);
-}
-
 std::size_t line_length(std::size_t in, std::size_t out, std::ptrdiff_t offset) {
   const auto least = offset - (static_cast<std::ptrdiff_t>(in) - 1);
   const auto largest = offset + static_cast<std::ptrdiff_t>(out) - 1;

@@ -92,6 +92,14 @@ template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length
   return (length + unit - 1) / unit * unit;
 }
 
+/// Complex values as pairs of real ones, which the standard permits.
+template <typename Real> Real* pairs_of(std::complex<Real>* values) {
+  return reinterpret_cast<Real*>(values);
+}
+template <typename Real> const Real* pairs_of(const std::complex<Real>* values) {
+  return reinterpret_cast<const Real*>(values);
+}
+
 /// Transforms of complex lines of one length; not normalised. Lines start at aligned places
 /// (AlignedArray), several of them aligned_pitch apart; `from` and `to` do not overlap; `from` is
 /// kept. Lines shorter than 48 use vector instructions across block_lines of them: 24 to 72 ns each

@@ -75,14 +75,6 @@ WRC_VECTOR_CLONES void split(const double* line, double* x, double* y, std::size
   split_body(line, x, y, count);
 }
 
-/// Complex values as pairs of real ones, which the standard permits.
-template <typename Real> Real* pairs_of(std::complex<Real>* values) {
-  return reinterpret_cast<Real*>(values);
-}
-template <typename Real> const Real* pairs_of(const std::complex<Real>* values) {
-  return reinterpret_cast<const Real*>(values);
-}
-
 /// Lines of complex numbers in double precision, transformed in whole blocks.
 class SpectrumLines {
 public:

@@ -29,11 +29,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> assignments;
   bool json = false;
   bool csv = false;
-  std::string vtk;
-  std::string plot;
-  std::string field;
-  std::string creep_field;
-  std::string save;
+  std::string vtk, plot, field, creep_field, save;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add_option("--set", assignments,
                  "set one or more keys of the scene; may be repeated. Numbers and words need no "
