@@ -152,8 +152,6 @@ constexpr std::array creep_numbers{
                         [](const CreepResult& c) { return c.friction_power; }},
     Number<CreepResult>{"numerical_loss", pure,
                         [](const CreepResult& c) { return c.numerical_loss; }},
-    Number<CreepResult>{"creep_error_estimate", pure,
-                        [](const CreepResult& c) { return c.error_estimate; }},
     Number<CreepResult>{"creep_residual", pure, [](const CreepResult& c) { return c.residual; }},
     Number<CreepResult>{"creep_convolutions", pure,
                         [](const CreepResult& c) { return static_cast<double>(c.convolutions); }},
@@ -287,6 +285,9 @@ std::optional<Value> patch_value(const PatchResult& patch, std::string_view name
   auto value = find_in(patch_numbers, patch, name);
   if (!value && patch.creep) {
     value = find_in(creep_numbers, *patch.creep, name);
+    if (name == "creep_error_estimate" && patch.creep->error_estimate) {
+      value = Value{*patch.creep->error_estimate, pure};
+    }
   }
   return value ? value : find_in(place_numbers, patch.reference, name);
 }
@@ -342,6 +343,9 @@ void add_patch_names(std::vector<std::string>& names, const std::string& prefix,
   add_centroid_names(names, prefix + "centroid.");
   if (patch.creep) {
     add_names(names, prefix, creep_numbers);
+    if (patch.creep->error_estimate) {
+      names.push_back(prefix + "creep_error_estimate");
+    }
   }
   for (std::size_t i = 0; i < patch.parts.size(); ++i) {
     add_patch_names(names, prefix + "parts." + std::to_string(i) + '.', patch.parts[i]);

@@ -10,8 +10,8 @@ namespace {
 using namespace dimensions;
 using namespace key_makers;
 
-/// Largest of a permitted creepage, and spin in 1/mm: full sliding in every case.
-/// origin: permitted range.
+/// Largest permitted creepage, and spin in 1/mm.
+/// origin: reasoned: full sliding in every case.
 constexpr double max_creepage = 10.0;
 
 /// [longitudinal, lateral, spin], or none.
@@ -122,13 +122,20 @@ std::vector<Key> make_rolling_keys() {
       number_key({"motion.speed", "0.0", "-1e6 to 1e6 mm/s",
                   "along the track; frictional power is at this speed"},
                  {-1e6, 1e6}, length, &Scene::speed),
-      word_key<CreepModelRequest>(
-          {"solve.creep", "\"auto\"", "\"auto\", \"none\" or \"full\"",
-           "model of creep forces; full: Kalker's full theory; auto: full where creepages are "
-           "given"},
-          {{"auto", CreepModelRequest::automatic},
-           {"none", CreepModelRequest::none},
-           {"full", CreepModelRequest::full}},
+      word_key<std::optional<CreepModel>>(
+          {"solve.creep", "\"auto\"",
+           "\"auto\", \"none\", \"linear\", \"shen-hedrick-elkins\", \"polach\", \"fastsim\", "
+           "\"fastsim-strips\" or \"full\"",
+           "model of creep forces where creepages are given; auto: full, Kalker's full theory to "
+           "solve.accuracy; fastsim-strips on the patch's own pressures, the others on an ellipse"},
+          {{"auto", std::nullopt},
+           {"none", CreepModel::none},
+           {"linear", CreepModel::linear},
+           {"shen-hedrick-elkins", CreepModel::shen_hedrick_elkins},
+           {"polach", CreepModel::polach},
+           {"fastsim", CreepModel::fastsim},
+           {"fastsim-strips", CreepModel::fastsim_strips},
+           {"full", CreepModel::full}},
           &Scene::creep)};
 }
 

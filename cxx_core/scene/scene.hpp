@@ -17,14 +17,13 @@
 #include "profile/profile.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "scene/convention.hpp"
+#include "wheel/creep_forces.hpp"
 #include "wheel/wheel_request.hpp"
 
 namespace wrc {
 
 enum class SideChoice { both, left, right };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
-
-enum class CreepModelRequest { automatic, none, full };
 
 /// As keys and results call it.
 constexpr std::string_view name_of(SolverChoice solver) {
@@ -61,8 +60,8 @@ struct Scene : WheelOptions {
   std::optional<Creepages> right_creepages;
   double left_friction = 0.3;
   double right_friction = 0.3;
-  double speed = 0.0; ///< along the track, mm/s
-  CreepModelRequest creep = CreepModelRequest::automatic;
+  double speed = 0.0;              ///< along the track, mm/s
+  std::optional<CreepModel> creep; ///< automatic if not set: full where there are creepages
 
   SideChoice side = SideChoice::both;
   ModelRequest model = ModelRequest::automatic;

@@ -43,10 +43,10 @@ CreepRequest creep_request_of(const Scene& scene, double mirror) {
   const bool left = mirror > 0.0;
   const auto& creepages = left ? scene.left_creepages : scene.right_creepages;
   CreepRequest request;
-  if (!creepages || scene.creep == CreepModelRequest::none) {
+  if (!creepages) {
     return request;
   }
-  request.model = CreepModel::full;
+  request.model = scene.creep.value_or(CreepModel::full);
   request.creepages = *creepages;
   request.friction = left ? scene.left_friction : scene.right_friction;
   request.accuracy = scene.accuracy;

@@ -156,7 +156,7 @@ inline constexpr double sensitivity_tolerance = 1e-4;
 
 /// Error of creep forces over mu N on a grid of one element along the contact, and the power by
 /// which it falls with their number: bounds 95 of 100 errors.
-/// origin: measured (wrc_tradeoff --creep): ellipses of a/b from 0.2 to 5, 0.1 to 10 times
+/// origin: measured (wrc_benchmark --case rolling): ellipses of a/b from 0.2 to 5, 0.1 to 10 times
 /// saturation, spin included.
 inline constexpr double creep_error_of_one_column = 0.6;
 
@@ -169,12 +169,12 @@ inline constexpr double creep_error_order = 1.45;
 inline constexpr double share_of_creep_columns = 0.6;
 
 /// The fewest elements along a contact.
-/// origin: measured (wrc_tradeoff --creep): with fewer, errors exceed a tenth.
+/// origin: measured (wrc_benchmark --case rolling): with fewer, errors exceed a tenth.
 inline constexpr double min_creep_columns = 8.0;
 
 /// Elements across for each along.
-/// origin: measured (wrc_tradeoff --creep): with half as many the largest errors double, with as
-/// many they are the same.
+/// origin: measured (wrc_benchmark --case rolling): with half as many the largest errors double,
+/// with as many they are the same.
 inline constexpr double creep_rows_by_columns = 0.75;
 
 /// Tolerance of the tangential iteration, in accuracies, ...

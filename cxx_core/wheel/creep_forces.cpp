@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "mechanics/cascade.hpp"
+#include "rolling/creep_laws.hpp"
+#include "rolling/fastsim.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/wheel_result.hpp"
 
@@ -96,14 +98,38 @@ Creepages mirrored(const Creepages& creepages, double mirror) {
   return {creepages.longitudinal, mirror * creepages.lateral, mirror * creepages.spin};
 }
 
-/// `creepages`: at the patch's origin, left-hand frame of the side.
-CreepResult solve_patch(const PatchResult& patch, const Creepages& creepages,
-                        const CreepRequest& request, double mirror, RollingSolver& solver) {
-  CreepResult creep;
-  creep.creepages = mirrored(creepages, mirror);
-  if (!(patch.normal_force > 0.0)) {
-    return creep;
+/// Forces on the Hertzian ellipse with the patch's second moments, about the patch's origin.
+CreepForces forces_on_ellipse(const PatchResult& patch, const Creepages& creepages,
+                              const CreepRequest& request, CreepResult& creep) {
+  const RollingEllipse ellipse{patch.semi_axis_longitudinal, patch.semi_axis_lateral,
+                               patch.normal_force,           request.friction,
+                               request.material.modulus,     request.material.poisson};
+  const double x = patch.contact.centroid_longitudinal;
+  const double y = patch.contact.centroid_lateral;
+  const Creepages centre = creepages_at(creepages, x, y);
+  const KalkerCoefficients coefficients = kalker_coefficients(ellipse);
+  CreepForces forces;
+  if (request.model == CreepModel::linear) {
+    forces = linear_forces(ellipse, coefficients, centre);
+  } else if (request.model == CreepModel::shen_hedrick_elkins) {
+    forces = shen_hedrick_elkins_forces(ellipse, coefficients, centre);
+  } else if (request.model == CreepModel::polach) {
+    forces = polach_forces(ellipse, coefficients, centre);
+  } else {
+    const FastsimForces fastsim =
+        fastsim_forces(ellipse, flexibilities_of(ellipse, coefficients), centre);
+    forces = fastsim.forces;
+    creep.slip_area = fastsim.slip_area;
+    creep.adhesion_area = fastsim.adhesion_area;
   }
+  forces.spin_moment += x * forces.lateral - y * forces.longitudinal;
+  return forces;
+}
+
+/// On the patch's own pressures.
+CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages,
+                            const CreepRequest& request, RollingSolver& solver,
+                            CreepResult& creep) {
   creep.grid = grid_around_contact(patch.grid, patch.pressure, request.accuracy, patch.lobes);
   refine_pressure(patch.grid, patch.pressure, creep.grid, creep.pressure);
   const double force = std::accumulate(creep.pressure.begin(), creep.pressure.end(), 0.0) *
@@ -119,29 +145,50 @@ CreepResult solve_patch(const PatchResult& patch, const Creepages& creepages,
   problem.poisson = request.material.poisson;
   problem.creepages = creepages;
   problem.tolerance = creep_iteration_share * request.accuracy;
-  RollingSolution solution = solver.solve(problem);
-  creep.longitudinal_force = solution.longitudinal_force;
-  creep.lateral_force = mirror * solution.lateral_force;
-  creep.spin_moment = mirror * solution.spin_moment;
+  RollingSolution solution = request.model == CreepModel::full
+                                 ? solver.solve(problem)
+                                 : solve_with_fastsim(problem, flexibilities_of(problem, solver));
   creep.slip_area = solution.slip_area;
   creep.adhesion_area = solution.adhesion_area;
   for (std::size_t i = 0; i < solution.traction_x.size(); ++i) {
     creep.largest_traction = std::max(creep.largest_traction,
                                       std::hypot(solution.traction_x[i], solution.traction_y[i]));
   }
-  creep.power_per_speed = solution.friction_power;
-  creep.friction_power = request.speed * solution.friction_power;
   creep.numerical_loss = solution.numerical_loss;
   creep.residual = solution.residual;
   creep.convolutions = solution.convolutions;
-  creep.error_estimate =
-      creep_error_of_one_column *
-          std::pow(static_cast<double>(creep.grid.longitudinal_count), -creep_error_order) +
-      creep_error_by_residual * solution.residual;
+  if (request.model == CreepModel::full) {
+    creep.error_estimate =
+        creep_error_of_one_column *
+            std::pow(static_cast<double>(creep.grid.longitudinal_count), -creep_error_order) +
+        creep_error_by_residual * solution.residual;
+  }
   creep.traction_x = std::move(solution.traction_x);
   creep.traction_y = std::move(solution.traction_y);
   creep.slip_x = std::move(solution.slip_x);
   creep.slip_y = std::move(solution.slip_y);
+  return {solution.longitudinal_force, solution.lateral_force, solution.spin_moment};
+}
+
+/// `creepages`: at the patch's origin, left-hand frame of the side.
+CreepResult solve_patch(const PatchResult& patch, const Creepages& creepages,
+                        const CreepRequest& request, double mirror, RollingSolver& solver) {
+  CreepResult creep;
+  creep.creepages = mirrored(creepages, mirror);
+  if (!(patch.normal_force > 0.0)) {
+    return creep;
+  }
+  const bool on_patch =
+      request.model == CreepModel::full || request.model == CreepModel::fastsim_strips;
+  const CreepForces forces = on_patch ? forces_on_patch(patch, creepages, request, solver, creep)
+                                      : forces_on_ellipse(patch, creepages, request, creep);
+  creep.longitudinal_force = forces.longitudinal;
+  creep.lateral_force = mirror * forces.lateral;
+  creep.spin_moment = mirror * forces.spin_moment;
+  creep.power_per_speed =
+      -(creep.longitudinal_force * creep.creepages.longitudinal +
+        creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
+  creep.friction_power = request.speed * creep.power_per_speed;
   return creep;
 }
 
@@ -159,7 +206,9 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
   whole.numerical_loss += part.numerical_loss * part.power_per_speed;
   whole.power_per_speed += part.power_per_speed;
   whole.friction_power += part.friction_power;
-  whole.error_estimate += weight * part.error_estimate;
+  if (part.error_estimate) {
+    whole.error_estimate = whole.error_estimate.value_or(0.0) + weight * *part.error_estimate;
+  }
   whole.residual = std::max(whole.residual, part.residual);
   whole.convolutions += part.convolutions;
 }
@@ -188,10 +237,10 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, Rolling
         whole.numerical_loss /= whole.power_per_speed;
       }
     }
-    if (patch.creep->error_estimate > request.accuracy) {
+    if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
       wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +
                                " not reached: estimated error " +
-                               short_text_of(patch.creep->error_estimate));
+                               short_text_of(*patch.creep->error_estimate));
     }
   }
   if (request.material.difference != 0.0 && !wheel.patches.empty()) {

@@ -22,8 +22,10 @@ namespace wrc {
 
 struct WheelResult;
 
-/// How creep forces are computed.
-enum class CreepModel { none, full };
+/// How creep forces are computed: the ladder of docs/creep-models.md. Closed formulas and FASTSIM
+/// stand on the Hertzian ellipse with the patch's second moments of pressure; FASTSIM by strips and
+/// the full theory on its own pressures.
+enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, fastsim_strips, full };
 
 /// What a wheel's creep forces follow from.
 struct CreepRequest {
@@ -47,7 +49,8 @@ struct CreepResult {
   double power_per_speed = 0.0; ///< -F.w, N
   double friction_power = 0.0;  ///< N mm/s
   double numerical_loss = 0.0;  ///< share of it that the discretisation ate
-  double error_estimate = 0.0;  ///< of forces over mu N
+  /// Of forces over mu N; of the full theory only.
+  std::optional<double> error_estimate;
   double residual = 0.0;
   int convolutions = 0;
   Grid grid;                      ///< of the fields, left-hand frame of the side; none with parts

@@ -34,7 +34,7 @@ OutputFile::~OutputFile() {
 void OutputFile::commit() {
   stream_.close();
   if (!stream_) {
-    throw Failure("cannot write all of " + path_.string() + ": is the disk full?");
+    throw Failure("cannot write " + path_.string() + " completely: is the disk full?");
   }
   std::error_code trouble;
   fs::rename(aside_, path_, trouble);

@@ -38,7 +38,7 @@ TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
   const SceneResult with = solve_scene(scene);
   EXPECT_TRUE(with.left->patches[0].creep);
   EXPECT_FALSE(with.right->patches[0].creep);
-  scene.creep = CreepModelRequest::none;
+  scene.creep = CreepModel::none;
   const SceneResult without = solve_scene(scene);
   EXPECT_FALSE(without.left->patches[0].creep);
   EXPECT_EQ(without.left->patches[0].normal_force, with.left->patches[0].normal_force);
@@ -89,6 +89,44 @@ TEST(CreepForces, SumOfTractionsIsTheForce) {
   EXPECT_NEAR(x, creep.longitudinal_force, 1e-3);
   EXPECT_NEAR(-y, creep.lateral_force, 1e-3); // fields are of the side's left-hand frame
   EXPECT_NEAR(normal, result.right->patches[0].normal_force, 1e-6 * normal);
+}
+
+// Every rung of the ladder is near the full theory where creepages are small, spin included; the
+// closed formulas are those of an ellipse, and the patch at 3 mm is nearly one.
+TEST(CreepForces, CheaperModelsAgreeWhereLittleSlips) {
+  Scene scene = scene_at(3.0, {1e-4, 5e-5, 2e-5});
+  const SceneResult full = solve_scene(scene);
+  const double size =
+      std::hypot(creep_of(full.left).longitudinal_force, creep_of(full.left).lateral_force);
+  for (const CreepModel model :
+       {CreepModel::linear, CreepModel::shen_hedrick_elkins, CreepModel::polach,
+        CreepModel::fastsim, CreepModel::fastsim_strips}) {
+    scene.creep = model;
+    const SceneResult result = solve_scene(scene);
+    const CreepResult& creep = creep_of(result.left);
+    SCOPED_TRACE(static_cast<int>(model));
+    EXPECT_NEAR(creep.longitudinal_force, creep_of(full.left).longitudinal_force, 0.15 * size);
+    EXPECT_NEAR(creep.lateral_force, creep_of(full.left).lateral_force, 0.15 * size);
+    EXPECT_FALSE(creep.error_estimate);
+    // The right wheel is the mirror image only where both stand alike; its signs are.
+    EXPECT_LT(creep_of(result.right).longitudinal_force, 0.0);
+  }
+}
+
+TEST(CreepForces, CheaperModelsSaturate) {
+  Scene scene = scene_at(3.0, {0.3, 0.4, 0.0}, 1e-2);
+  for (const CreepModel model : {CreepModel::shen_hedrick_elkins, CreepModel::polach,
+                                 CreepModel::fastsim, CreepModel::fastsim_strips}) {
+    scene.creep = model;
+    const SceneResult result = solve_scene(scene);
+    const double whole = 0.3 * result.left->patches[0].normal_force;
+    SCOPED_TRACE(static_cast<int>(model));
+    // Those that stand on the linear theory keep the direction it gives.
+    const CreepResult& creep = creep_of(result.left);
+    EXPECT_NEAR(std::hypot(creep.longitudinal_force, creep.lateral_force), whole, 0.01 * whole);
+    EXPECT_LT(creep.longitudinal_force, 0.0);
+    EXPECT_LT(creep.lateral_force, 0.0);
+  }
 }
 
 // The two patches of one plane are solved one by one: the spin of the whole turns about its
