@@ -238,9 +238,10 @@ TEST(RollingResults, NumbersAreThoseOfTheFields) {
   double dissipation = 0.0;
   double slip_area = 0.0;
   double adhesion_area = 0.0;
-  for (int at = 0; at < n * n; ++at) {
-    const double x = ((2 * (at % n) + 1.0) / n - 1.0) * radius;
-    const double y = ((2 * (at / n) + 1.0) / n - 1.0) * radius;
+  for (int element = 0; element < n * n; ++element) {
+    const double x = ((2 * (element % n) + 1.0) / n - 1.0) * radius;
+    const double y = ((2 * (element / n) + 1.0) / n - 1.0) * radius;
+    const auto at = static_cast<std::size_t>(element);
     force_x += area * traction_x[at];
     force_y += area * traction_y[at];
     moment += area * (x * traction_y[at] - y * traction_x[at]);
