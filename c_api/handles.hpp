@@ -85,6 +85,7 @@ struct RollingObject {
   std::vector<double> previous_x; ///< tractions before a step or a shift; empty: none
   std::vector<double> previous_y;
   RollingProblem problem; ///< its spans are set at each solve
+  bool fastsim = false;   ///< instead of the full model
   RollingSolver solver;
   std::optional<RollingSolution> result;
   std::string error;

@@ -1,8 +1,10 @@
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "grid_contact.hpp"
+#include "rolling/fastsim.hpp"
 
 namespace {
 
@@ -28,6 +30,8 @@ constexpr auto number_keys = std::to_array<NumberKey>({
      [](Problem& problem, double value) { problem.shear_modulus = value; }},
     {"poisson", 0.0, 0.5, "allowed is 0 to 0.5",
      [](Problem& problem, double value) { problem.poisson = value; }},
+    {"difference_parameter", -0.5, 0.5, "allowed is -0.5 to 0.5",
+     [](Problem& problem, double value) { problem.difference_parameter = value; }},
     {"friction", 0.0, 1e3, "allowed is 0 to 1e3",
      [](Problem& problem, double value) { problem.friction = value; }},
     {"longitudinal_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
@@ -38,6 +42,8 @@ constexpr auto number_keys = std::to_array<NumberKey>({
      [](Problem& problem, double value) { problem.creepages.spin = value; }},
     {"tolerance", 1e-10, 0.1, "allowed is 1e-10 to 0.1",
      [](Problem& problem, double value) { problem.tolerance = value; }},
+    {"derivatives", 0.0, 1.0, "allowed is 0 or 1",
+     [](Problem& problem, double value) { problem.derivatives = value != 0.0; }, true},
     {"maximum_iterations", 1.0, wrc::most_iterations, "allowed is a whole number, 1 to 1e9",
      [](Problem& problem, double value) { problem.maximum_iterations = static_cast<int>(value); },
      true},
@@ -49,9 +55,9 @@ struct TextKey {
 };
 
 constexpr auto text_keys = std::to_array<TextKey>({
-    {"model", // the only one so far
-     [](Object&, const char* key, const char* value) {
-       wrc::chosen<bool>(key, value, {{"full", true}});
+    {"model",
+     [](Object& object, const char* key, const char* value) {
+       object.fastsim = wrc::chosen<bool>(key, value, {{"full", false}, {"fastsim", true}});
      }},
     {"contact",
      [](Object& object, const char* key, const char* value) {
@@ -90,13 +96,23 @@ constexpr auto numbers = std::to_array<Number>({
 
 struct Field {
   const char* name;
-  std::vector<double> Solution::*values;
+  std::span<const double> (*of)(const Solution&);
 };
 
-constexpr auto fields = std::to_array<Field>({{"traction_x", &Solution::traction_x},
-                                              {"traction_y", &Solution::traction_y},
-                                              {"slip_x", &Solution::slip_x},
-                                              {"slip_y", &Solution::slip_y}});
+constexpr auto fields = std::to_array<Field>({
+    {"traction_x",
+     [](const Solution& solution) { return std::span<const double>(solution.traction_x); }},
+    {"traction_y",
+     [](const Solution& solution) { return std::span<const double>(solution.traction_y); }},
+    {"slip_x", [](const Solution& solution) { return std::span<const double>(solution.slip_x); }},
+    {"slip_y", [](const Solution& solution) { return std::span<const double>(solution.slip_y); }},
+    {"normal_displacement",
+     [](const Solution& solution) {
+       return std::span<const double>(solution.normal_displacement);
+     }},
+    {"creepage_derivatives",
+     [](const Solution& solution) { return std::span<const double>(solution.by_creepage); }},
+});
 
 } // namespace
 
@@ -191,10 +207,15 @@ wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
       problem.previous_x = object.previous_x;
       problem.previous_y = object.previous_y;
     }
-    Solution solution = object.solver.solve(problem);
+    Solution solution = object.fastsim
+                            ? solve_with_fastsim(problem, flexibilities_of(problem, object.solver))
+                            : object.solver.solve(problem);
     const bool converged = solution.converged;
     std::string error =
         converged ? "" : "not converged: residual = " + wrc::short_text_of(solution.residual);
+    if (solution.normal_displacement.empty()) {
+      solution.normal_displacement.resize(problem.pressure.size());
+    }
     // From here on nothing fails: the handle has the old results or all of the new ones.
     object.result = std::move(solution);
     object.error.swap(error);
@@ -225,7 +246,7 @@ wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* val
                              int64_t capacity, int64_t* count) {
   return wrc::with_result(rolling, [&](Object& object, const Solution& solution) {
     wrc::require_pointer(name, "name");
-    const auto& found = solution.*wrc::entry_in(fields, "field", rolling_contact, name).values;
+    const auto found = wrc::entry_in(fields, "field", rolling_contact, name).of(solution);
     return wrc::copy_values(found.data(), found.size(), values, capacity, count, object.error);
   });
 }

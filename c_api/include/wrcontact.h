@@ -321,17 +321,28 @@ WRC_API wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* 
  *   "spin_creepage"          phi, 1/mm, the same, positive turns x to y; of a shift: rad
  *   "tolerance"              1e-10 to 0.1, default 1e-3: sum of the changes of q in one step of the
  *                            natural iteration q - r s, cut to the bound, over the sum of |q|
- *   "maximum_iterations"     of each of the grids gone through: a whole number, 1 to 1e9, default
- * 30 WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
+ *   "difference_parameter"   Kalker's K of unlike bodies, -0.5 to 0.5, default 0:
+ *                            K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4, wheel 1, rail 2; steady
+ *                            rolling by the full model only
+ *   "derivatives"            1: "creepage_derivatives" are computed, for about the cost of the
+ *                            solution; default 0
+ *   "maximum_iterations"     of each of the grids gone through: a whole number, 1 to 1e9,
+ *                            default 30
+ *
+ * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value);
 /**
  * Texts by key; the first is the default:
- *   "model"       "full": the problem above
+ *   "model"       "full": the problem above; or "fastsim": FASTSIM (Kalker 1982) strip by strip on
+ *                 these pressures, with flexibilities from solutions without slip on the same
+ *                 elements; steady rolling only
  *   "contact"     "rolling": steady rolling; "transient": a step of rolling by the length h of one
  *                 element from the previous tractions, s = w + (u(x) - u'(x + h))/h; or "shift":
- * one without rolling, s = w + u - u' in mm "difference"  of rolling: "biased", upstream and of
- * second order; or "first-order", as CONTACT (Vollebregt) takes it, for comparison
+ *                 one without rolling, s = w + u - u' in mm
+ *   "difference"  of rolling: "biased", upstream and of second order; or "first-order", as CONTACT
+ *                 (Vollebregt) takes it, for comparison
+ *
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_rolling_set_text(wrc_rolling* rolling, const char* key, const char* value);
@@ -353,7 +364,8 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
  *   "spin_moment"                   N mm, about the origin
  *   "slip_area", "adhesion_area"    mm^2, counted in elements
  *   "friction_power"                lost to friction, over the speed, N: -(force and moment times
- *                                   creepages); exact for steady rolling; of a shift: N mm
+ *                                   creepages); exact for steady rolling; of a shift: N mm; of
+ *                                   unlike bodies with what pressures add to the creepages
  *   "numerical_loss"                the share of it that slip times traction does not show, from
  *                                   elements of finite size; 0 but for steady rolling
  *   "iterations", "convolutions"    on all grids
@@ -364,8 +376,11 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
 WRC_API wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value);
 /**
  * "traction_x", "traction_y" (MPa, on the wheel), "slip_x" or "slip_y" (over the speed; of a shift:
- * mm; 0 outside the contact), one value per element with the longitudinal index fastest; copied as
- * by wrc_scene_field. WRC_NO_RESULT, WRC_UNKNOWN_NAME, WRC_TOO_SMALL. Since 0.3.
+ * mm; 0 outside the contact), "normal_displacement" (mm: what the tractions open the gap of unlike
+ * bodies by; added to the undeformed distance of wrc_normal it changes the pressures in turn), one
+ * value per element with the longitudinal index fastest; or "creepage_derivatives", 9 values:
+ * dFx/dxi, dFx/deta, dFx/dphi, then those of Fy and Mz (N, N mm, phi in 1/mm), 0 if not requested.
+ * Copied as by wrc_scene_field. WRC_NO_RESULT, WRC_UNKNOWN_NAME, WRC_TOO_SMALL. Since 0.3.
  */
 WRC_API wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* values,
                                      int64_t capacity, int64_t* count);

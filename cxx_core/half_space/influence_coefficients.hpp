@@ -85,6 +85,26 @@ struct TractionTable {
 
 TractionTable traction_table(double aspect, std::size_t rows, std::size_t columns);
 
+/// What unlike bodies displace across: the integrals of x/r^2 and y/r^2 over an element of
+/// 1 x aspect, for places that many elements apart. With Kalker's K (half_space/material.hpp) and
+/// loads on body 1, a pressure p displaces it along the surface, relative to body 2, by
+/// -K/(pi G) p (x, y)/r^2, and a traction q opens the gap by K/(pi G) q.(x, y)/r^2 (Johnson 1985,
+/// eqs. 3.18 and 3.75, of both bodies).
+struct CrossTable {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<double> values;
+
+  [[nodiscard]] double* longitudinal(std::size_t row) { return values.data() + 2 * row * columns; }
+  [[nodiscard]] double* lateral(std::size_t row) { return longitudinal(row) + columns; }
+  [[nodiscard]] const double* longitudinal(std::size_t row) const {
+    return values.data() + 2 * row * columns;
+  }
+  [[nodiscard]] const double* lateral(std::size_t row) const { return longitudinal(row) + columns; }
+};
+
+CrossTable cross_table(double aspect, std::size_t rows, std::size_t columns);
+
 /// u per unit pressure, in mm/MPa: I/(pi E*) of constant elements.
 double influence_coefficient(double longitudinal_distance, double lateral_distance,
                              double longitudinal_step, double lateral_step, double combined_modulus,

@@ -37,7 +37,7 @@ ShearConstants shear_constants(const Material& wheel, const Material& rail) {
   ShearConstants constants;
   constants.modulus = 2.0 / (of_wheel + of_rail);
   constants.poisson = 0.5 * constants.modulus * (wheel.poisson * of_wheel + rail.poisson * of_rail);
-  constants.difference =
+  constants.difference_parameter =
       0.25 * constants.modulus *
       ((1.0 - 2.0 * wheel.poisson) * of_wheel - (1.0 - 2.0 * rail.poisson) * of_rail);
   return constants;

@@ -20,9 +20,10 @@ double combined_modulus(const Material& wheel, const Material& rail);
 
 /// Of wheel (1) and rail (2) together in tangential contact.
 struct ShearConstants {
-  double modulus = 0.0;    ///< G, MPa
-  double poisson = 0.0;    ///< nu
-  double difference = 0.0; ///< K: 0 where pressures and tractions do not affect each other
+  double modulus = 0.0; ///< G, MPa
+  double poisson = 0.0; ///< nu
+  /// K, Kalker's difference parameter: 0 where pressures and tractions do not affect each other.
+  double difference_parameter = 0.0;
 };
 
 ShearConstants shear_constants(const Material& wheel, const Material& rail);

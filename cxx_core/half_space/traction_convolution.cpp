@@ -96,59 +96,6 @@ private:
   AlignedArray<std::complex<double>> to_;
 };
 
-/// The weighted coefficients of all offsets, each component in lines of constant lateral offset:
-/// places from -last to last upstream, contiguous.
-class WeightedCoefficients {
-public:
-  WeightedCoefficients(const TractionShape& shape, double poisson, const DifferenceWeights& weights,
-                       const TractionTable& table)
-      : last_(shape.rows - 1), length_(2 * shape.rows - 1), values_(3 * shape.columns * length_) {
-    // From one place downstream of the first to two upstream of the last.
-    const std::size_t reach = length_ + weights.size() - 1;
-    const std::size_t middle = last_ + 1;
-    std::vector<double> line(3 * reach);
-    double* along = line.data();
-    double* across = along + reach;
-    double* mixed = across + reach;
-    for (std::size_t aside = 0; aside < shape.columns; ++aside) {
-      mirror(table.longitudinal(aside), 1.0, middle, reach, along);
-      mirror(table.lateral(aside), 1.0, middle, reach, across);
-      mirror(table.mixed(aside), -1.0, middle, reach, mixed);
-      double* xx = component(0, aside);
-      double* yy = component(1, aside);
-      double* xy = component(2, aside);
-      for (std::size_t m = 0; m < weights.size(); ++m) {
-        const double c = weights[m];
-        for (std::size_t i = 0; c != 0.0 && i < length_; ++i) {
-          xx[i] += c * (along[i + m] + (1.0 - poisson) * across[i + m]);
-          yy[i] += c * (across[i + m] + (1.0 - poisson) * along[i + m]);
-          xy[i] += c * poisson * mixed[i + m];
-        }
-      }
-    }
-  }
-
-  [[nodiscard]] double at(std::size_t index, std::ptrdiff_t downstream, std::size_t aside) const {
-    const auto place = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(last_) - downstream);
-    return values_[(3 * aside + index) * length_ + place];
-  }
-
-private:
-  static void mirror(const double* half, double sign, std::size_t middle, std::size_t length,
-                     double* whole) {
-    for (std::size_t i = 0; i < length; ++i) {
-      whole[i] = i >= middle ? half[i - middle] : sign * half[middle - i];
-    }
-  }
-  double* component(std::size_t index, std::size_t aside) {
-    return values_.data() + (3 * aside + index) * length_;
-  }
-
-  std::size_t last_;
-  std::size_t length_;
-  std::vector<double> values_;
-};
-
 /// al, be and be mirrored from the transforms of xx + i yy and of xy. The first holds xx and yy as
 /// its Hermitian and its anti-Hermitian part; the second is -i times that of a real line.
 template <typename Real>
@@ -179,27 +126,112 @@ void store_column(const std::complex<double>* even, const std::complex<double>* 
 
 } // namespace
 
+/// The weighted coefficients of all offsets, each component in lines of constant lateral offset:
+/// places from -last to last upstream, contiguous.
+class WeightedCoefficients {
+public:
+  WeightedCoefficients(const TractionShape& shape, double poisson, const DifferenceWeights& weights,
+                       const TractionTable& table)
+      : WeightedCoefficients(shape) {
+    // From one place downstream of the first to two upstream of the last.
+    const std::size_t reach = length_ + weights.size() - 1;
+    const std::size_t middle = last_ + 1;
+    std::vector<double> line(3 * reach);
+    double* along = line.data();
+    double* across = along + reach;
+    double* mixed = across + reach;
+    for (std::size_t aside = 0; aside < shape.columns; ++aside) {
+      mirror(table.longitudinal(aside), 1.0, middle, reach, along);
+      mirror(table.lateral(aside), 1.0, middle, reach, across);
+      mirror(table.mixed(aside), -1.0, middle, reach, mixed);
+      double* xx = component(0, aside);
+      double* yy = component(1, aside);
+      double* xy = component(2, aside);
+      for (std::size_t m = 0; m < weights.size(); ++m) {
+        const double c = weights[m];
+        for (std::size_t i = 0; c != 0.0 && i < length_; ++i) {
+          xx[i] += c * (along[i + m] + (1.0 - poisson) * across[i + m]);
+          yy[i] += c * (across[i + m] + (1.0 - poisson) * along[i + m]);
+          xy[i] += c * poisson * mixed[i + m];
+        }
+      }
+    }
+  }
+
+  /// Of what unlike bodies displace across: xx and xy.
+  WeightedCoefficients(const TractionShape& shape, const DifferenceWeights& weights,
+                       const CrossTable& table)
+      : WeightedCoefficients(shape) {
+    const std::size_t reach = length_ + weights.size() - 1;
+    std::vector<double> line(2 * reach);
+    for (std::size_t aside = 0; aside < shape.columns; ++aside) {
+      mirror(table.longitudinal(aside), -1.0, last_ + 1, reach, line.data());
+      mirror(table.lateral(aside), 1.0, last_ + 1, reach, line.data() + reach);
+      for (std::size_t m = 0; m < weights.size(); ++m) {
+        for (std::size_t i = 0; i < length_; ++i) {
+          component(0, aside)[i] += weights[m] * line[i + m];
+          component(2, aside)[i] += weights[m] * line[reach + i + m];
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double at(std::size_t index, std::ptrdiff_t downstream, std::size_t aside) const {
+    const auto place = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(last_) - downstream);
+    return values_[(3 * aside + index) * length_ + place];
+  }
+
+private:
+  explicit WeightedCoefficients(const TractionShape& shape)
+      : last_(shape.rows - 1), length_(2 * shape.rows - 1), values_(3 * shape.columns * length_) {}
+  static void mirror(const double* half, double sign, std::size_t middle, std::size_t length,
+                     double* whole) {
+    for (std::size_t i = 0; i < length; ++i) {
+      whole[i] = i >= middle ? half[i - middle] : sign * half[middle - i];
+    }
+  }
+  double* component(std::size_t index, std::size_t aside) {
+    return values_.data() + (3 * aside + index) * length_;
+  }
+
+  std::size_t last_;
+  std::size_t length_;
+  std::vector<double> values_;
+};
+
 template <typename Real>
 TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::size_t pitch,
                                                double poisson, const DifferenceWeights& weights,
                                                const TractionTable& table, LinePlans& plans)
+    : TractionConvolution(shape, pitch, WeightedCoefficients(shape, poisson, weights, table),
+                          plans) {}
+
+template <typename Real>
+TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::size_t pitch,
+                                               const DifferenceWeights& weights,
+                                               const CrossTable& table, LinePlans& plans)
+    : TractionConvolution(shape, pitch, WeightedCoefficients(shape, weights, table), plans) {}
+
+template <typename Real>
+TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::size_t pitch,
+                                               const WeightedCoefficients& coefficients,
+                                               LinePlans& plans)
     : shape_(shape), pitch_(pitch), row_period_(fast_line_length(2 * shape.columns - 1)),
       column_period_(fast_line_length(2 * shape.rows - 1)),
       spectrum_pitch_(aligned_pitch<Complex>(column_period_)),
       row_fft_(&plans.line_fft<Real>(row_period_)),
       column_fft_(&plans.line_fft<Real>(column_period_)),
       spectrum_(3 * (row_period_ / 2 + 1) * spectrum_pitch_) {
-  fill_spectrum(poisson, weights, table, plans);
+  fill_spectrum(coefficients, plans);
 }
 
 // Along y the coefficients xx and yy are even and xy is odd: the line xx + xy + i yy gives the
 // transforms of xx and yy as the real and the imaginary part of what is even in it, and that of xy,
 // imaginary, as what is odd.
 template <typename Real>
-void TractionConvolution<Real>::fill_spectrum(double poisson, const DifferenceWeights& weights,
-                                              const TractionTable& table, LinePlans& plans) {
+void TractionConvolution<Real>::fill_spectrum(const WeightedCoefficients& coefficients,
+                                              LinePlans& plans) {
   const double scale = 1.0 / (std::numbers::pi * static_cast<double>(row_period_ * column_period_));
-  const WeightedCoefficients coefficients(shape_, poisson, weights, table);
   self_ = {coefficients.at(0, 0, 0) / std::numbers::pi,
            coefficients.at(1, 0, 0) / std::numbers::pi};
 

@@ -12,6 +12,9 @@
 /// Fields: rows of constant x, counted from the leading edge downstream, each with the lateral
 /// index running fastest; `pitch` values from row to row. Units: lengths in longitudinal steps,
 /// tractions in units of the combined shear modulus G, 1/G = (1/G1 + 1/G2)/2; nu/G likewise.
+/// A second kind of coefficients, (x, y)/(pi r^2), serves what unlike bodies displace across
+/// (CrossTable): from a pressure in place of q_x both components, and from tractions, as the first
+/// component, the normal one.
 /// Knows nothing of friction. Thread rule: as BoxConvolution.
 #pragma once
 
@@ -41,6 +44,8 @@ struct TractionShape {
   [[nodiscard]] std::size_t table_columns() const { return rows + difference_reach; }
 };
 
+class WeightedCoefficients;
+
 template <typename Real> class TractionConvolution {
 public:
   TractionConvolution() = default;
@@ -48,6 +53,9 @@ public:
   TractionConvolution(const TractionShape& shape, std::size_t pitch, double poisson,
                       const DifferenceWeights& weights, const TractionTable& table,
                       LinePlans& plans);
+
+  TractionConvolution(const TractionShape& shape, std::size_t pitch,
+                      const DifferenceWeights& weights, const CrossTable& table, LinePlans& plans);
 
   /// Out may be in. What stands beyond `columns` of a row is not read, and not written.
   void apply(const Real* in_x, const Real* in_y, Real* out_x, Real* out_y,
@@ -58,8 +66,9 @@ public:
 private:
   using Complex = std::complex<Real>;
 
-  void fill_spectrum(double poisson, const DifferenceWeights& weights, const TractionTable& table,
-                     LinePlans& plans);
+  TractionConvolution(const TractionShape& shape, std::size_t pitch,
+                      const WeightedCoefficients& coefficients, LinePlans& plans);
+  void fill_spectrum(const WeightedCoefficients& coefficients, LinePlans& plans);
   void transform_columns(Complex* rows, std::size_t row_pitch,
                          ConvolutionWorkspace<Real>& workspace) const;
 

@@ -84,10 +84,8 @@ void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
   }
 }
 
-void refine_pressure(const Grid& coarse, std::span<const double> pressure, const Grid& fine,
-                     std::vector<double>& refined) {
-  std::vector<double> squares;
-  square_and_continue({coarse.lateral_count, coarse.longitudinal_count}, pressure, squares);
+void interpolate(const Grid& coarse, std::span<const double> values, const Grid& fine,
+                 std::vector<double>& refined) {
   std::vector<Neighbours> columns(fine.longitudinal_count);
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const double steps =
@@ -98,18 +96,26 @@ void refine_pressure(const Grid& coarse, std::span<const double> pressure, const
   for (std::size_t i = 0; i < fine.lateral_count; ++i) {
     const double steps = (fine.lateral(i) - coarse.lateral_first) / coarse.lateral_step;
     const Neighbours row = neighbours_of(steps, coarse.lateral_count);
-    const double* before = squares.data() + row.before * coarse.longitudinal_count;
-    const double* after = squares.data() + row.after * coarse.longitudinal_count;
-    double* values = refined.data() + i * fine.longitudinal_count;
+    const double* before = values.data() + row.before * coarse.longitudinal_count;
+    const double* after = values.data() + row.after * coarse.longitudinal_count;
+    double* to = refined.data() + i * fine.longitudinal_count;
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Neighbours& column = columns[j];
-      const double square =
-          row.of_before *
-              (column.of_before * before[column.before] + column.of_after * before[column.after]) +
-          row.of_after *
-              (column.of_before * after[column.before] + column.of_after * after[column.after]);
-      values[j] = std::sqrt(std::max(0.0, square));
+      to[j] = row.of_before * (column.of_before * before[column.before] +
+                               column.of_after * before[column.after]) +
+              row.of_after *
+                  (column.of_before * after[column.before] + column.of_after * after[column.after]);
     }
+  }
+}
+
+void refine_pressure(const Grid& coarse, std::span<const double> pressure, const Grid& fine,
+                     std::vector<double>& refined) {
+  std::vector<double> squares;
+  square_and_continue({coarse.lateral_count, coarse.longitudinal_count}, pressure, squares);
+  interpolate(coarse, squares, fine, refined);
+  for (double& value : refined) {
+    value = std::sqrt(std::max(0.0, value));
   }
 }
 

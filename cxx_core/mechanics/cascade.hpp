@@ -26,6 +26,10 @@ LevelSize coarser_size(const LevelSize& size);
 void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
                       std::vector<double>& coarse);
 
+/// Values on another grid in the same plane, bilinear between element centres.
+void interpolate(const Grid& coarse, std::span<const double> values, const Grid& fine,
+                 std::vector<double>& refined);
+
 /// Pressures on another grid in the same plane; none outside the one they are given on.
 void refine_pressure(const Grid& coarse, std::span<const double> pressure, const Grid& fine,
                      std::vector<double>& refined);

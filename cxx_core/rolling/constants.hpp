@@ -10,12 +10,13 @@ namespace wrc {
 
 /// Decay of the march's memory: the symbol |k| is taken as sqrt(kx^2 + (decay/b)^2), b half the
 /// width of the contact.
-/// origin: measured (wrc_benchmark --case rolling): convolutions vary by 4 % from 2 to 5.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): convolutions vary by 4 % from 2
+/// to 5.
 inline constexpr double march_decay = 3.0;
 
 /// The march's diagonal over that of its factors.
-/// origin: measured (wrc_benchmark --case rolling): 1.3 to 2.2 within 5 %; below 1 Newton's steps
-/// are bad.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): 1.3 to 2.2 within 5 %; below 1
+/// Newton's steps are bad.
 inline constexpr double march_scale = 1.5;
 
 /// Exponentials that stand for the fractional power (Gauss-Chebyshev).
@@ -28,8 +29,8 @@ inline constexpr std::size_t march_terms = 6;
 inline constexpr double natural_step = 0.5;
 
 /// Relative accuracy of a linear solution, ...
-/// origin: measured (wrc_benchmark --case rolling): 0.3 saves 5 % of the convolutions and 0.05
-/// costs 20 %.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): 0.3 saves 5 % of the convolutions
+/// and 0.05 costs 20 %.
 inline constexpr double forcing = 0.2;
 
 /// ... but no better than this share of what Newton still has to gain.
@@ -37,7 +38,7 @@ inline constexpr double forcing = 0.2;
 inline constexpr double forcing_of_rest = 0.3;
 
 /// Steps of GMRES without restart.
-/// origin: measured (wrc_benchmark --case rolling): half a dozen suffice for `forcing`.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): half a dozen suffice for `forcing`.
 inline constexpr std::size_t krylov_limit = 12;
 
 /// A step that lets the residual grow by more is shortened.
@@ -60,16 +61,25 @@ inline constexpr double damping_growth = 4.0;
 /// origin: reasoned: forgotten after a few good steps.
 inline constexpr double damping_decay = 0.4;
 
+/// Relative accuracy of derivatives of forces, ...
+/// origin: reasoned: a Jacobian serves Newton's method of the caller, which corrects what it
+/// leaves.
+inline constexpr double rate_tolerance = 1e-3;
+
+/// ... and the restarts of GMRES it may take.
+/// origin: reasoned: a bound; two suffice for elliptic contacts.
+inline constexpr int rate_restarts = 10;
+
 /// Shorter side of the coarsest grid of the cascade, at least.
-/// origin: measured (wrc_benchmark --case rolling): below, what it costs is not saved on finer
-/// grids.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): below, what it costs is not saved
+/// on finer grids.
 inline constexpr std::size_t min_cascade_side = 6;
 
 /// Tolerance on grids that are not the last: as requested, within these limits.
-/// origin: measured (wrc_benchmark --case rolling): 0.1 costs 40 % more convolutions; below, the
-/// change to the next grid is larger.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): 0.1 costs 40 % more convolutions;
+/// below, the change to the next grid is larger.
 inline constexpr double max_cascade_tolerance = 0.02;
-/// origin: measured (wrc_benchmark --case rolling): as above.
+/// origin: measured (a trial of the method, 40 to 60 ellipses): as above.
 inline constexpr double min_cascade_tolerance = 0.01;
 
 /// From this tolerance on single precision is used.
@@ -92,5 +102,13 @@ inline constexpr double flexibility_tolerance = 3e-3;
 /// Friction under which nothing slips, for creepages of 1, G = 1 and a pressure of 1.
 /// origin: derived: tractions without slip are some tens of G times the creepage.
 inline constexpr double no_slip_friction = 1e6;
+
+/// Alternations of pressures and tractions between unlike bodies.
+/// origin: derived: each changes forces by some K mu times the one before; four pass at K = 0.5.
+inline constexpr int alternation_limit = 12;
+
+/// Tolerance of their normal solutions, at most.
+/// origin: reasoned: what tractions change is the difference of two of them, some per cent of each.
+inline constexpr double unlike_normal_tolerance = 1e-4;
 
 } // namespace wrc

@@ -203,6 +203,10 @@ RollingSolution solve_with_fastsim(const RollingProblem& problem,
     throw_invalid_argument("motion", static_cast<double>(problem.motion),
                            "must be steady rolling for FASTSIM");
   }
+  if (problem.difference_parameter != 0.0) {
+    throw_invalid_argument("difference_parameter", problem.difference_parameter,
+                           "must be 0 for FASTSIM");
+  }
   StripFields fields(problem, flexibilities);
   fields.march();
   const std::size_t count = problem.grid.element_count();
@@ -212,7 +216,7 @@ RollingSolution solve_with_fastsim(const RollingProblem& problem,
   solution.slip_x.resize(count);
   solution.slip_y.resize(count);
   fields.read_back(flexibilities, solution);
-  sum_up(problem, solution);
+  sum_up(problem, 0.0, solution);
   return solution;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "mechanics/cascade.hpp"
 #include "rolling/constants.hpp"
 #include "rolling/fastsim.hpp"
 
@@ -21,27 +22,18 @@ struct ContactElements {
 /// element that was joined is in contact where half of it is.
 ContactElements coarsened(const RollingProblem& problem) {
   const Grid& grid = problem.grid;
-  std::size_t first_x = grid.longitudinal_count;
-  std::size_t end_x = 0;
-  std::size_t first_y = grid.lateral_count;
-  std::size_t end_y = 0;
+  ContactElements coarse;
+  ElementBox box;
+  if (!find_pressure_box({grid.lateral_count, grid.longitudinal_count}, problem.pressure, 0, box)) {
+    return coarse;
+  }
+  const std::size_t first_x = box.first_column;
+  const std::size_t end_x = box.last_column + 1;
+  const std::size_t first_y = box.first_row;
+  const std::size_t end_y = box.last_row + 1;
   const auto inside = [&](std::size_t i, std::size_t j) {
     return i < end_x && j < end_y && problem.pressure[j * grid.longitudinal_count + i] > 0.0;
   };
-  for (std::size_t j = 0; j < grid.lateral_count; ++j) {
-    for (std::size_t i = 0; i < grid.longitudinal_count; ++i) {
-      if (problem.pressure[j * grid.longitudinal_count + i] > 0.0) {
-        first_x = std::min(first_x, i);
-        end_x = std::max(end_x, i + 1);
-        first_y = std::min(first_y, j);
-        end_y = std::max(end_y, j + 1);
-      }
-    }
-  }
-  ContactElements coarse;
-  if (end_x == 0) {
-    return coarse;
-  }
   std::size_t along =
       (end_x - first_x + flexibility_elements_along - 1) / flexibility_elements_along;
   std::size_t across =

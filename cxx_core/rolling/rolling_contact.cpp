@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <string>
 #include <tuple>
 
-#include "base/error.hpp"
 #include "half_space/traction_convolution.hpp"
 #include "rolling/constants.hpp"
 #include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_newton.hpp"
+#include "rolling/unlike_bodies.hpp"
 
 namespace wrc {
 
@@ -153,6 +151,14 @@ struct RollingSolver::State {
     const NewtonOutcome outcome = cascade->solve(scaled, problem);
     TractionNewton<Real>& level = cascade->finest();
     scaled.read_back(level.traction(), level.slip(), level.pitch(), solution);
+    for (std::size_t creepage = 0; problem.derivatives && creepage < 3; ++creepage) {
+      scaled.fill_slip_rate(creepage, level.rigid_slip(), level.pitch());
+      const std::array<double, 3> rates = scaled.force_rates(
+          creepage, level.solve_rate(level.rigid_slip(), rate_tolerance), level.pitch());
+      for (std::size_t force = 0; force < 3; ++force) {
+        solution.by_creepage[3 * force + creepage] = rates[force];
+      }
+    }
     return outcome;
   }
 };
@@ -190,7 +196,11 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
   solution.convolutions = outcome.convolutions;
   solution.residual = outcome.residual;
   solution.converged = outcome.converged;
-  sum_up(problem, solution);
+  if (problem.difference_parameter != 0.0) {
+    solution.normal_displacement =
+        normal_displacement(problem, solution.traction_x, solution.traction_y, *state_->plans);
+  }
+  sum_up(problem, scaled.power_of_given_slip(solution), solution);
   return solution;
 }
 

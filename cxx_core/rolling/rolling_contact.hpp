@@ -9,13 +9,16 @@
 /// before the step, and a shift s = w + u - u' with w in mm (xi and eta in mm, phi in rad).
 /// Frame: x rolling direction, y to the left; the leading edge is at large x. Creepages are wheel
 /// minus rail, forces act on the wheel. Units mm, N, MPa, rad.
+/// Unlike bodies (Kalker's difference parameter K is not 0) displace across as well: pressures add
+/// the slip K/(pi G) d/dx of the integral of p (x, y)/r^2 to w, and tractions open the gap by
+/// `normal_displacement`, which changes the pressures in turn (rolling/unlike_bodies.hpp).
 /// Derivatives along x are upstream-biased differences inside the influence coefficients
-/// (traction_convolution.hpp). Pressures are given: like bodies do not change them, unlike bodies
-/// are not coupled here.
+/// (traction_convolution.hpp). Pressures are given here.
 /// Thread rule: one RollingSolver serves one thread at a time. Same input, same bits, whatever was
 /// solved before.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -50,6 +53,9 @@ struct RollingProblem {
   double friction = 0.3;            ///< mu, >= 0
   double shear_modulus = 0.0;       ///< G, MPa: 1/G = (1/G1 + 1/G2)/2
   double poisson = 0.0;             ///< nu: nu/G = (nu1/G1 + nu2/G2)/2, 0 to 0.5
+  /// K, -0.5 to 0.5: K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4; other than 0 in steady rolling
+  /// only.
+  double difference_parameter = 0.0;
   Creepages creepages;
   /// Tractions before a step or a shift, MPa per element of the same grid, which moves with the
   /// contact; empty: none.
@@ -57,7 +63,8 @@ struct RollingProblem {
   std::span<const double> previous_y;
   TangentialMotion motion = TangentialMotion::rolling;
   SlipDifference difference = SlipDifference::biased;
-  double tolerance = 1e-3; ///< of the residual, see TangentialResiduals::natural
+  bool derivatives = false; ///< whether RollingSolution::by_creepage is requested
+  double tolerance = 1e-3;  ///< of the residual, see TangentialResiduals::natural
   int maximum_iterations = 30;
 };
 
@@ -66,13 +73,21 @@ struct RollingSolution {
   std::vector<double> traction_y;
   std::vector<double> slip_x; ///< s per element in contact, over the speed (a shift: mm); 0 outside
   std::vector<double> slip_y;
+  /// What the tractions open the gap by, mm per element; empty for like bodies.
+  std::vector<double> normal_displacement;
   double longitudinal_force = 0.0; ///< N
   double lateral_force = 0.0;      ///< N
   double spin_moment = 0.0;        ///< N mm about the origin
-  double slip_area = 0.0;          ///< mm^2
-  double adhesion_area = 0.0;      ///< mm^2
-  /// -F.w in N: frictional power over the speed. Exact for steady rolling of like bodies, where the
-  /// elastic energy does not change (docs/creep.md).
+  /// On request: derivatives of Fx, Fy (N) and Mz (N mm) by xi, eta and phi (1/mm), row by row
+  /// (dFx/dxi, dFx/deta, ...), from the equations as linearised at the solution; else 0. Of a shift
+  /// by mm and rad. Those
+  /// by friction follow for like bodies, since F is homogeneous in mu and the creepages:
+  /// mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi.
+  std::array<double, 9> by_creepage{};
+  double slip_area = 0.0;     ///< mm^2
+  double adhesion_area = 0.0; ///< mm^2
+  /// -F.w in N: frictional power over the speed, exact for steady rolling, where the elastic energy
+  /// does not change (docs/creep.md); of unlike bodies with what pressures add to w.
   double friction_power = 0.0;
   double numerical_loss = 0.0; ///< share of it that slip times traction does not show
   int iterations = 0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "mechanics/cascade.hpp"
 #include "rolling/constants.hpp"
 
 namespace wrc {
@@ -51,28 +53,20 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
   if (!problem.previous_x.empty() && problem.motion != TangentialMotion::rolling) {
     take_in_previous(plans);
   }
+  if (problem.difference_parameter != 0.0) {
+    take_in_pressure(plans);
+  }
 }
 
 void ScaledTractions::find_box() {
   const Grid& grid = problem_.grid;
-  std::size_t first_x = grid.longitudinal_count;
-  std::size_t last_x = 0;
-  std::size_t first_y = grid.lateral_count;
-  std::size_t last_y = 0;
-  const bool previous = !problem_.previous_x.empty();
-  for (std::size_t j = 0; j < grid.lateral_count; ++j) {
-    for (std::size_t i = 0; i < grid.longitudinal_count; ++i) {
-      const std::size_t at = j * grid.longitudinal_count + i;
-      if (problem_.pressure[at] > 0.0 ||
-          (previous && (problem_.previous_x[at] != 0.0 || problem_.previous_y[at] != 0.0))) {
-        first_x = std::min(first_x, i);
-        last_x = std::max(last_x, i);
-        first_y = std::min(first_y, j);
-        last_y = std::max(last_y, j);
-      }
-    }
+  std::vector<double> loaded(problem_.pressure.begin(), problem_.pressure.end());
+  for (std::size_t at = 0; at < problem_.previous_x.size(); ++at) {
+    loaded[at] += std::abs(problem_.previous_x[at]) + std::abs(problem_.previous_y[at]);
   }
-  box_ = {{last_x - first_x + 1, last_y - first_y + 1}, first_x, first_y};
+  ElementBox box;
+  find_pressure_box({grid.lateral_count, grid.longitudinal_count}, loaded, 0, box);
+  box_ = {{box.columns(), box.rows()}, box.first_column, box.first_row};
 }
 
 void ScaledTractions::take_in_previous(LinePlans& plans) {
@@ -86,10 +80,29 @@ void ScaledTractions::take_in_previous(LinePlans& plans) {
                                         : DifferenceWeights{0.0, 1.0, 0.0, 0.0};
   const TractionConvolution<double> displaced(box_.shape, pitch, problem_.poisson, weights, table(),
                                               plans);
-  previous_slip_.resize(2 * count);
+  given_slip_.resize(2 * count);
   ConvolutionWorkspace<double> workspace;
-  displaced.apply(previous.data(), previous.data() + count, previous_slip_.data(),
-                  previous_slip_.data() + count, workspace);
+  displaced.apply(previous.data(), previous.data() + count, given_slip_.data(),
+                  given_slip_.data() + count, workspace);
+  std::transform(given_slip_.begin(), given_slip_.end(), given_slip_.begin(), std::negate<>());
+}
+
+void ScaledTractions::take_in_pressure(LinePlans& plans) {
+  const TractionShape& shape = box_.shape;
+  const std::size_t count = shape.rows * shape.columns;
+  std::vector<double> pressure(2 * count);
+  fill_bound(pressure.data(), shape.columns);
+  const TractionConvolution<double> displaced(
+      shape, shape.columns, difference_.weights,
+      cross_table(aspect_, shape.table_rows(), shape.table_columns()), plans);
+  given_slip_.resize(2 * count);
+  ConvolutionWorkspace<double> workspace;
+  displaced.apply(pressure.data(), pressure.data() + count, given_slip_.data(),
+                  given_slip_.data() + count, workspace);
+  const double factor = -problem_.difference_parameter / problem_.friction;
+  for (double& slip : given_slip_) {
+    slip *= factor;
+  }
 }
 
 std::size_t ScaledTractions::element(std::size_t row, std::size_t column) const {
@@ -122,19 +135,62 @@ void ScaledTractions::fill_rigid_slip(Real* slip, const TractionShape& shape, st
                                    grid.longitudinal_step;
     for (std::size_t column = 0; column < shape.columns; ++column) {
       const double y = right + (static_cast<double>(column) + 0.5) * larger * grid.lateral_step;
-      const auto [before_x, before_y] = previous_slip_at(row, column, level);
+      const auto [given_x, given_y] = given_slip_at(row, column, level);
       slip[row * pitch + column] =
-          static_cast<Real>((creepages.longitudinal - creepages.spin * y) / slip_scale_ - before_x);
+          static_cast<Real>((creepages.longitudinal - creepages.spin * y) / slip_scale_ + given_x);
       slip_y[row * pitch + column] =
-          static_cast<Real>((creepages.lateral + creepages.spin * x) / slip_scale_ - before_y);
+          static_cast<Real>((creepages.lateral + creepages.spin * x) / slip_scale_ + given_y);
     }
   }
 }
 
+template <typename Real>
+void ScaledTractions::fill_slip_rate(std::size_t creepage, Real* slip, std::size_t pitch) const {
+  Real* slip_y = slip + box_.shape.rows * pitch;
+  const Grid& grid = problem_.grid;
+  for (std::size_t row = 0; row < box_.shape.rows; ++row) {
+    for (std::size_t column = 0; column < box_.shape.columns; ++column) {
+      const std::size_t at = element(row, column);
+      const double x = grid.longitudinal(at % grid.longitudinal_count) / grid.longitudinal_step +
+                       difference_.place;
+      const double y = grid.lateral(at / grid.longitudinal_count) / grid.longitudinal_step;
+      const std::array<double, 3> along{1.0, 0.0, -y};
+      const std::array<double, 3> across{0.0, 1.0, x};
+      slip[row * pitch + column] = static_cast<Real>(along[creepage]);
+      slip_y[row * pitch + column] = static_cast<Real>(across[creepage]);
+    }
+  }
+}
+
+template <typename Real>
+std::array<double, 3> ScaledTractions::force_rates(std::size_t creepage, const Real* rate,
+                                                   std::size_t pitch) const {
+  const Grid& grid = problem_.grid;
+  const Real* rate_y = rate + box_.shape.rows * pitch;
+  std::array<double, 3> sums{};
+  for (std::size_t row = 0; row < box_.shape.rows; ++row) {
+    for (std::size_t column = 0; column < box_.shape.columns; ++column) {
+      const std::size_t at = element(row, column);
+      if (!(problem_.pressure[at] > 0.0)) {
+        continue;
+      }
+      const double x = rate[row * pitch + column];
+      const double y = rate_y[row * pitch + column];
+      sums[0] += x;
+      sums[1] += y;
+      sums[2] += grid.longitudinal(at % grid.longitudinal_count) * y -
+                 grid.lateral(at / grid.longitudinal_count) * x;
+    }
+  }
+  const double scale =
+      bound_ / slip_scale_ * grid.element_area() * (creepage == 2 ? grid.longitudinal_step : 1.0);
+  return {scale * sums[0], scale * sums[1], scale * sums[2]};
+}
+
 /// Mean over the elements that one of a coarser grid is made of.
-std::array<double, 2> ScaledTractions::previous_slip_at(std::size_t row, std::size_t column,
-                                                        std::size_t level) const {
-  if (previous_slip_.empty()) {
+std::array<double, 2> ScaledTractions::given_slip_at(std::size_t row, std::size_t column,
+                                                     std::size_t level) const {
+  if (given_slip_.empty()) {
     return {};
   }
   const std::size_t times = std::size_t{1} << level;
@@ -145,8 +201,8 @@ std::array<double, 2> ScaledTractions::previous_slip_at(std::size_t row, std::si
   for (std::size_t i = row * times; i < end_row; ++i) {
     for (std::size_t j = column * times; j < end_column; ++j) {
       const std::size_t at = i * box_.shape.columns + j;
-      sum[0] += previous_slip_[at];
-      sum[1] += previous_slip_[box_.shape.rows * box_.shape.columns + at];
+      sum[0] += given_slip_[at];
+      sum[1] += given_slip_[box_.shape.rows * box_.shape.columns + at];
       ++count;
     }
   }
@@ -183,7 +239,22 @@ void ScaledTractions::read_back(const Real* traction, const Real* slip, std::siz
   }
 }
 
-void sum_up(const RollingProblem& problem, RollingSolution& solution) {
+double ScaledTractions::power_of_given_slip(const RollingSolution& solution) const {
+  if (problem_.difference_parameter == 0.0) {
+    return 0.0;
+  }
+  double power = 0.0;
+  for (std::size_t row = 0; row < box_.shape.rows; ++row) {
+    for (std::size_t column = 0; column < box_.shape.columns; ++column) {
+      const std::size_t at = element(row, column);
+      const auto [x, y] = given_slip_at(row, column, 0);
+      power -= solution.traction_x[at] * x + solution.traction_y[at] * y;
+    }
+  }
+  return slip_scale_ * problem_.grid.element_area() * power;
+}
+
+void sum_up(const RollingProblem& problem, double given_power, RollingSolution& solution) {
   const Grid& grid = problem.grid;
   const double area = grid.element_area();
   double dissipation = 0.0;
@@ -211,8 +282,9 @@ void sum_up(const RollingProblem& problem, RollingSolution& solution) {
   solution.slip_area = area * static_cast<double>(slipping);
   solution.adhesion_area = area * static_cast<double>(contacts - slipping);
   const Creepages& w = problem.creepages;
-  solution.friction_power = -(solution.longitudinal_force * w.longitudinal +
-                              solution.lateral_force * w.lateral + solution.spin_moment * w.spin);
+  solution.friction_power =
+      given_power - (solution.longitudinal_force * w.longitudinal +
+                     solution.lateral_force * w.lateral + solution.spin_moment * w.spin);
   if (problem.motion == TangentialMotion::rolling && solution.friction_power > 0.0) {
     solution.numerical_loss = 1.0 - dissipation / solution.friction_power;
   }
@@ -224,6 +296,12 @@ template void ScaledTractions::fill_rigid_slip<float>(float*, const TractionShap
                                                       std::size_t) const;
 template void ScaledTractions::fill_rigid_slip<double>(double*, const TractionShape&, std::size_t,
                                                        std::size_t) const;
+template void ScaledTractions::fill_slip_rate<float>(std::size_t, float*, std::size_t) const;
+template void ScaledTractions::fill_slip_rate<double>(std::size_t, double*, std::size_t) const;
+template std::array<double, 3> ScaledTractions::force_rates<float>(std::size_t, const float*,
+                                                                   std::size_t) const;
+template std::array<double, 3> ScaledTractions::force_rates<double>(std::size_t, const double*,
+                                                                    std::size_t) const;
 template void ScaledTractions::read_back<float>(const float*, const float*, std::size_t,
                                                 RollingSolution&) const;
 template void ScaledTractions::read_back<double>(const double*, const double*, std::size_t,

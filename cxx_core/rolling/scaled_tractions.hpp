@@ -2,7 +2,8 @@
 ///
 /// Tractions over mu times the largest pressure, slips times G over that, lengths in longitudinal
 /// steps. Rows of constant x are counted from the leading edge (large x) downstream.
-/// A step from earlier tractions has their displacements taken into its rigid slip.
+/// What earlier tractions and, between unlike bodies, pressures displace is taken into the rigid
+/// slip.
 /// Thread rule: constant after construction.
 #pragma once
 
@@ -29,8 +30,9 @@ SlipDifferenceWeights difference_of(const RollingProblem& problem, double times 
 double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
                        TangentialMotion motion);
 
-/// Forces, areas and power from tractions and slips of the whole grid.
-void sum_up(const RollingProblem& problem, RollingSolution& solution);
+/// Forces, areas and power from tractions and slips of the whole grid; `given_power`: of slips that
+/// neither creepages nor tractions cause, N.
+void sum_up(const RollingProblem& problem, double given_power, RollingSolution& solution);
 
 class ScaledTractions {
 public:
@@ -56,19 +58,29 @@ public:
   template <typename Real>
   void fill_rigid_slip(Real* slip, const TractionShape& shape, std::size_t pitch,
                        std::size_t level) const;
+  /// The rigid slip for a creepage of 1: longitudinal, lateral or, per step, spin.
+  template <typename Real>
+  void fill_slip_rate(std::size_t creepage, Real* slip, std::size_t pitch) const;
+  /// Derivatives of the forces and the moment from rates of the tractions for such a slip.
+  template <typename Real>
+  [[nodiscard]] std::array<double, 3> force_rates(std::size_t creepage, const Real* rate,
+                                                  std::size_t pitch) const;
   /// The problem's tractions without units, x components first.
   void read_tractions(std::span<const double> x, std::span<const double> y, double* traction,
                       std::size_t pitch) const;
   template <typename Real>
   void read_back(const Real* traction, const Real* slip, std::size_t pitch,
                  RollingSolution& solution) const;
+  /// Power over the speed of what pressures add to the slip, N.
+  [[nodiscard]] double power_of_given_slip(const RollingSolution& solution) const;
 
 private:
   [[nodiscard]] std::size_t element(std::size_t row, std::size_t column) const;
   void find_box();
   void take_in_previous(LinePlans& plans);
-  [[nodiscard]] std::array<double, 2> previous_slip_at(std::size_t row, std::size_t column,
-                                                       std::size_t level) const;
+  void take_in_pressure(LinePlans& plans);
+  [[nodiscard]] std::array<double, 2> given_slip_at(std::size_t row, std::size_t column,
+                                                    std::size_t level) const;
 
   const RollingProblem& problem_;
   Box box_;
@@ -76,8 +88,8 @@ private:
   double bound_ = 0.0;      ///< mu times the largest pressure, MPa
   double slip_scale_ = 0.0; ///< a slip of 1 without units
   SlipDifferenceWeights difference_;
-  /// Displacements of the previous tractions, without units; empty: none.
-  std::vector<double> previous_slip_;
+  /// Slip from previous tractions or from pressures, without units; empty: none.
+  std::vector<double> given_slip_;
 };
 
 } // namespace wrc

@@ -50,6 +50,14 @@ void check_problem(const RollingProblem& problem) {
   if (!(problem.poisson >= 0.0 && problem.poisson <= 0.5)) {
     throw_invalid_argument("poisson", problem.poisson, "must be from 0 to 0.5");
   }
+  if (!(std::abs(problem.difference_parameter) <= 0.5)) {
+    throw_invalid_argument("difference_parameter", problem.difference_parameter,
+                           "must be from -0.5 to 0.5");
+  }
+  if (problem.difference_parameter != 0.0 && problem.motion != TangentialMotion::rolling) {
+    throw_invalid_argument("difference_parameter", problem.difference_parameter,
+                           "must be 0 unless the contact rolls steadily");
+  }
   for (const auto& [name, values] :
        {std::pair{"previous_x", problem.previous_x}, std::pair{"previous_y", problem.previous_y}}) {
     if (values.size() != problem.previous_x.size() ||

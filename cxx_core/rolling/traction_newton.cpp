@@ -229,6 +229,32 @@ template <typename Real> NewtonOutcome TractionNewton<Real>::solve(const NewtonL
   return outcome;
 }
 
+template <typename Real>
+const Real* TractionNewton<Real>::solve_rate(const Real* slip_rate, double relative_tolerance) {
+  const std::size_t size = 2 * count_;
+  Real* rate = vector(best_tractions);
+  Real* slips_of_rate = vector(best_slips);
+  Real* right = vector(right_side);
+  scales_.damping = 0.0;
+  linearise(vector(tractions), vector(slips), bound(), scales_, elements_, vector(changes), count_);
+  std::fill_n(rate, size, Real{0});
+  std::copy_n(slip_rate, size, slips_of_rate);
+  double first = 0.0;
+  for (int restart = 0; restart < rate_restarts; ++restart) {
+    project(elements_, slips_of_rate, rate, right, count_);
+    scale_to(right, -1.0, right, size);
+    const double norm = std::sqrt(dot(right, right, size));
+    first = std::max(first, norm);
+    if (!(norm > relative_tolerance * first)) {
+      break;
+    }
+    solve_linear(relative_tolerance * first / norm, vector(steps), vector(step_slips));
+    add_scaled(rate, 1.0, vector(steps), size);
+    add_scaled(slips_of_rate, 1.0, vector(step_slips), size);
+  }
+  return rate;
+}
+
 template class TractionNewton<float>;
 template class TractionNewton<double>;
 

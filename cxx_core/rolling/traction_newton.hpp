@@ -58,6 +58,10 @@ public:
   [[nodiscard]] const Real* slip() { return vector(slips); }
 
   NewtonOutcome solve(const NewtonLimits& limits);
+  /// How the tractions of the solution change with the rigid slip, for a rate of it: the equations
+  /// as linearised at the solution, to this relative accuracy. The same layout as tractions; valid
+  /// until the next call.
+  const Real* solve_rate(const Real* slip_rate, double relative_tolerance);
 
 private:
   /// Fields of two components, behind the bound.

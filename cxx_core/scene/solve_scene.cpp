@@ -52,6 +52,7 @@ CreepRequest creep_request_of(const Scene& scene, double mirror) {
   request.accuracy = scene.accuracy;
   request.speed = scene.speed;
   request.material = shear_constants(scene.wheel_material, scene.rail_material);
+  request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;
 }
 

@@ -8,6 +8,7 @@
 #include "mechanics/cascade.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
+#include "rolling/unlike_bodies.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/wheel_result.hpp"
 
@@ -88,6 +89,27 @@ Grid grid_around_contact(const Grid& grid, const std::vector<double>& pressure, 
   return result;
 }
 
+/// A grid with as many elements more on each side as reach the outer grid's edges, half its own at
+/// most: where contact of unlike bodies may move to.
+Grid extended_to(const Grid& inner, const Grid& outer) {
+  Grid result = inner;
+  const auto extend = [](double& first, std::size_t& count, double step, double outer_first,
+                         double outer_last) {
+    const double last = first + static_cast<double>(count - 1) * step;
+    const auto elements = [&](double room) {
+      return std::min(static_cast<std::size_t>(std::ceil(std::max(room, 0.0) / step)), count / 2);
+    };
+    const std::size_t before = elements(first - outer_first);
+    count += before + elements(outer_last - last);
+    first -= static_cast<double>(before) * step;
+  };
+  extend(result.longitudinal_first, result.longitudinal_count, inner.longitudinal_step,
+         outer.longitudinal_first, outer.longitudinal(outer.longitudinal_count - 1));
+  extend(result.lateral_first, result.lateral_count, inner.lateral_step, outer.lateral_first,
+         outer.lateral(outer.lateral_count - 1));
+  return result;
+}
+
 /// Creepages at a place of a patch's plane from those at its reference.
 Creepages creepages_at(const Creepages& reference, double longitudinal, double lateral) {
   return {reference.longitudinal - reference.spin * lateral,
@@ -101,9 +123,14 @@ Creepages mirrored(const Creepages& creepages, double mirror) {
 /// Forces on the Hertzian ellipse with the patch's second moments, about the patch's origin.
 CreepForces forces_on_ellipse(const PatchResult& patch, const Creepages& creepages,
                               const CreepRequest& request, CreepResult& creep) {
-  const RollingEllipse ellipse{patch.semi_axis_longitudinal, patch.semi_axis_lateral,
-                               patch.normal_force,           request.friction,
-                               request.material.modulus,     request.material.poisson};
+  // Contact on a single line of elements has no second moment across it.
+  const RollingEllipse ellipse{
+      std::max(patch.semi_axis_longitudinal, 0.5 * patch.grid.longitudinal_step),
+      std::max(patch.semi_axis_lateral, 0.5 * patch.grid.lateral_step),
+      patch.normal_force,
+      request.friction,
+      request.material.modulus,
+      request.material.poisson};
   const double x = patch.contact.centroid_longitudinal;
   const double y = patch.contact.centroid_lateral;
   const Creepages centre = creepages_at(creepages, x, y);
@@ -131,6 +158,11 @@ CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages
                             const CreepRequest& request, RollingSolver& solver,
                             CreepResult& creep) {
   creep.grid = grid_around_contact(patch.grid, patch.pressure, request.accuracy, patch.lobes);
+  const bool unlike =
+      request.model == CreepModel::full && request.material.difference_parameter != 0.0;
+  if (unlike) {
+    creep.grid = extended_to(creep.grid, patch.grid);
+  }
   refine_pressure(patch.grid, patch.pressure, creep.grid, creep.pressure);
   const double force = std::accumulate(creep.pressure.begin(), creep.pressure.end(), 0.0) *
                        creep.grid.element_area();
@@ -145,9 +177,21 @@ CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages
   problem.poisson = request.material.poisson;
   problem.creepages = creepages;
   problem.tolerance = creep_iteration_share * request.accuracy;
-  RollingSolution solution = request.model == CreepModel::full
-                                 ? solver.solve(problem)
-                                 : solve_with_fastsim(problem, flexibilities_of(problem, solver));
+  RollingSolution solution;
+  if (unlike) {
+    problem.difference_parameter = request.material.difference_parameter;
+    std::vector<double> distance;
+    interpolate(patch.grid, patch.undeformed_distance, creep.grid, distance);
+    UnlikeSolution both = solve_unlike(problem, distance, request.combined_modulus,
+                                       creep_iteration_share * request.accuracy, solver);
+    creep.pressure_change = both.pressure_change;
+    creep.pressure = std::move(both.pressure);
+    solution = std::move(both.rolling);
+  } else if (request.model == CreepModel::full) {
+    solution = solver.solve(problem);
+  } else {
+    solution = solve_with_fastsim(problem, flexibilities_of(problem, solver));
+  }
   creep.slip_area = solution.slip_area;
   creep.adhesion_area = solution.adhesion_area;
   for (std::size_t i = 0; i < solution.traction_x.size(); ++i) {
@@ -213,6 +257,27 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
   whole.convolutions += part.convolutions;
 }
 
+void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
+  if (request.material.difference_parameter == 0.0 || wheel.patches.empty()) {
+    return;
+  }
+  if (request.model != CreepModel::full) {
+    wheel.warnings.emplace_back("creep forces of unlike materials: this model leaves out what "
+                                "pressures and tractions change in each other, the full one knows "
+                                "it");
+    return;
+  }
+  double change = 0.0;
+  for (const PatchResult* patch : solved_patches(wheel)) {
+    change = std::max(change, patch->creep->pressure_change);
+  }
+  if (change > request.accuracy) {
+    wheel.warnings.push_back("creep forces of unlike materials: tractions change pressures by " +
+                             short_text_of(change) +
+                             " in the mean, which results of normal contact leave out");
+  }
+}
+
 } // namespace
 
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver) {
@@ -243,10 +308,7 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, Rolling
                                short_text_of(*patch.creep->error_estimate));
     }
   }
-  if (request.material.difference != 0.0 && !wheel.patches.empty()) {
-    wheel.warnings.emplace_back("creep forces of unlike materials: what pressures and tractions "
-                                "change in each other is left out");
-  }
+  warn_of_unlike_bodies(wheel, request);
 }
 
 } // namespace wrc

@@ -7,8 +7,10 @@
 /// Results are in the track frame, both sides alike: x forward, y to the left along the patch's
 /// plane; forces on the wheel, moments about the contact reference. Units mm, N, MPa, rad.
 /// Thread rule: as the solver's.
-/// Not known here: what tractions change in the pressures of unlike bodies, and what the tractions
-/// of patches displace at each other.
+/// Tractions of unlike bodies change the pressures they stem from: the full model takes that into
+/// the pressures on its own grid (rolling/unlike_bodies.hpp).
+/// Not known here: what the tractions of patches displace at each other, and what those of unlike
+/// bodies change in the results of normal contact.
 #pragma once
 
 #include <optional>
@@ -35,6 +37,7 @@ struct CreepRequest {
   double accuracy = 1e-3; ///< error of forces, and of the moment over sqrt(a b), over mu N
   double speed = 0.0;     ///< mm/s, for the power
   ShearConstants material;
+  double combined_modulus = 0.0; ///< E*, MPa
 };
 
 /// The tangential contact of one patch.
@@ -51,6 +54,8 @@ struct CreepResult {
   double numerical_loss = 0.0;  ///< share of it that the discretisation ate
   /// Of forces over mu N; of the full theory only.
   std::optional<double> error_estimate;
+  /// What tractions change in the pressures, mean over mean; of unlike bodies.
+  double pressure_change = 0.0;
   double residual = 0.0;
   int convolutions = 0;
   Grid grid;                      ///< of the fields, left-hand frame of the side; none with parts

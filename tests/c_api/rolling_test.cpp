@@ -145,10 +145,16 @@ TEST(RollingProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
   expect_error(r, wrc_rolling_set_previous(r, values.data(), values.data() + 1, 2),
                WRC_INVALID_ARGUMENT, "traction_y[1]");
   const std::map<std::string, std::vector<double>> wrong{
-      {"shear_modulus", {0.0, -1.0, 1.1e30}}, {"poisson", {-0.01, 0.51}},
-      {"friction", {-0.1, 1001.0}},           {"longitudinal_creepage", {1.1e30}},
-      {"lateral_creepage", {-1.1e30}},        {"spin_creepage", {1.1e30}},
-      {"tolerance", {0.0, 0.9e-10, 0.11}},    {"maximum_iterations", {0.0, -3.0, 2.5, 1.1e9}}};
+      {"shear_modulus", {0.0, -1.0, 1.1e30}},
+      {"poisson", {-0.01, 0.51}},
+      {"friction", {-0.1, 1001.0}},
+      {"longitudinal_creepage", {1.1e30}},
+      {"lateral_creepage", {-1.1e30}},
+      {"spin_creepage", {1.1e30}},
+      {"tolerance", {0.0, 0.9e-10, 0.11}},
+      {"maximum_iterations", {0.0, -3.0, 2.5, 1.1e9}},
+      {"difference_parameter", {-0.51, 0.51}},
+      {"derivatives", {-1.0, 0.5, 2.0}}};
   for (auto [key, numbers] : wrong) {
     numbers.insert(numbers.end(), {nan, infinity, -infinity});
     for (const double value : numbers) {
@@ -178,7 +184,7 @@ TEST(RollingProblem, UnknownNamesAreToldWithThoseThatAreKnown) {
   ASSERT_TRUE(contact.solve());
   expect_error(r, wrc_rolling_number(r, "force", &value), WRC_UNKNOWN_NAME, "longitudinal_force");
   expect_error(r, wrc_rolling_field(r, "pressure", nullptr, 0, &count), WRC_UNKNOWN_NAME,
-               "traction_x, traction_y, slip_x, slip_y");
+               "traction_x, traction_y, slip_x, slip_y, normal_displacement");
   EXPECT_EQ(value, 7.0);
   EXPECT_EQ(count, 5);
 }
@@ -190,6 +196,8 @@ TEST(RollingProblem, DefaultsAreThoseOfSteelAndTheHeader) {
                                               {"poisson", 0.28},
                                               {"friction", friction},
                                               {"tolerance", 1e-3},
+                                              {"difference_parameter", 0.0},
+                                              {"derivatives", 0.0},
                                               {"maximum_iterations", 30.0}};
   for (const auto& [key, value] : numbers) {
     contact.set(key, value);
@@ -269,6 +277,57 @@ TEST(RollingResults, NumbersAreThoseOfTheFields) {
   EXPECT_GT(contact.number("convolutions"), contact.number("iterations"));
   EXPECT_GT(contact.number("residual"), 0.0);
   EXPECT_LE(contact.number("residual"), 1e-3);
+}
+
+TEST(RollingResults, DerivativesComeOnRequest) {
+  RollingContact contact = make_circle(16);
+  ASSERT_TRUE(contact.solve());
+  EXPECT_EQ(contact.field("creepage_derivatives"), std::vector<double>(9, 0.0));
+  contact.set("derivatives", 1.0);
+  ASSERT_TRUE(contact.solve());
+  const std::vector<double> rates = contact.field("creepage_derivatives");
+  ASSERT_EQ(rates.size(), 9U);
+  const double force = contact.number("lateral_force");
+  contact.set("lateral_creepage", -0.0008 * 1.01);
+  ASSERT_TRUE(contact.solve());
+  EXPECT_NEAR(contact.number("lateral_force") - force, -0.0008 * 0.01 * rates[4],
+              2e-3 * 0.01 * friction * load + 1e-4 * friction * load);
+}
+
+// A soft wheel that rolls freely is braked, and the tractions open and close the gap.
+TEST(RollingResults, UnlikeBodiesDisplaceAcross) {
+  RollingContact contact = make_circle(16);
+  contact.set("longitudinal_creepage", 0.0);
+  contact.set("lateral_creepage", 0.0);
+  contact.set("spin_creepage", 0.0);
+  ASSERT_TRUE(contact.solve());
+  EXPECT_EQ(contact.number("longitudinal_force"), 0.0);
+  EXPECT_EQ(contact.field("normal_displacement"), std::vector<double>(256, 0.0));
+  contact.set("difference_parameter", 0.07);
+  ASSERT_TRUE(contact.solve());
+  EXPECT_LT(contact.number("longitudinal_force"), -0.1 * friction * load);
+  EXPECT_NE(contact.field("normal_displacement")[0], 0.0);
+  contact.set("contact", "shift");
+  expect_error(contact.handle(), wrc_rolling_solve(contact.handle()), WRC_INVALID_ARGUMENT,
+               "difference_parameter", "rolls steadily");
+}
+
+// On an ellipse FASTSIM by strips is within some per cent of the full theory.
+TEST(RollingModels, FastsimIsNearTheFullTheory) {
+  RollingContact contact = make_circle(32);
+  ASSERT_TRUE(contact.solve());
+  const double force = contact.number("longitudinal_force");
+  contact.set("model", "fastsim");
+  ASSERT_TRUE(contact.solve());
+  EXPECT_NE(contact.number("longitudinal_force"), force);
+  EXPECT_NEAR(contact.number("longitudinal_force"), force, 0.1 * friction * load);
+  EXPECT_EQ(contact.number("convolutions"), 0.0);
+  contact.set_pressure(std::vector<double>(1024, 0.0));
+  ASSERT_TRUE(contact.solve());
+  EXPECT_EQ(contact.number("longitudinal_force"), 0.0);
+  contact.set("contact", "transient");
+  expect_error(contact.handle(), wrc_rolling_solve(contact.handle()), WRC_INVALID_ARGUMENT,
+               "steady rolling for FASTSIM");
 }
 
 TEST(RollingResults, AFieldIsOnlyCopiedWhole) {

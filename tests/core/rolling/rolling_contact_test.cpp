@@ -1,6 +1,7 @@
 /// Steady rolling, steps and shifts against closed forms, identities and published values.
 #include "rolling/rolling_contact.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -356,6 +357,85 @@ TEST(RollingContact, RefusesWhatIsOutsideItsRanges) {
   refused([](RollingProblem& p) { p.creepages.spin = NAN; }, "spin_creepage");
   refused([&](RollingProblem& p) { p.pressure = few; }, "pressure.size");
   refused([&](RollingProblem& p) { p.previous_x = few; }, "previous_x.size");
+}
+
+/// Fx, Fy and Mz.
+std::array<double, 3> forces_of(const RollingSolution& solution) {
+  return {solution.longitudinal_force, solution.lateral_force, solution.spin_moment};
+}
+
+Creepages scaled(const Creepages& creepages, std::size_t changed, double factor) {
+  std::array<double, 3> values{creepages.longitudinal, creepages.lateral, creepages.spin};
+  values[changed] *= factor;
+  return {values[0], values[1], values[2]};
+}
+
+// From small creepages to saturation; differences over 2e-4 of each creepage at a tolerance of
+// 1e-8. Elements that change between adhesion and slip within them are the rest.
+TEST(RollingContact, DerivativesAreThoseOfDifferences) {
+  Ellipse ellipse;
+  ellipse.a = 4.0;
+  ellipse.b = 6.0;
+  RollingSolver solver;
+  for (const double size : {0.02, 0.5, 1.0, 3.0}) {
+    const Creepages creepages{-0.0012 * size, 0.0008 * size, 0.0003 * size};
+    RollingProblem problem = ellipse.problem(creepages, 1e-6);
+    problem.derivatives = true;
+    const std::array<double, 9> rates = solver.solve(problem).by_creepage;
+    problem.derivatives = false;
+    problem.tolerance = 1e-8;
+    const std::array<double, 3> values{creepages.longitudinal, creepages.lateral, creepages.spin};
+    for (std::size_t k = 0; k < 3; ++k) {
+      constexpr double change = 1e-4;
+      problem.creepages = scaled(creepages, k, 1.0 + change);
+      const auto above = forces_of(solver.solve(problem));
+      problem.creepages = scaled(creepages, k, 1.0 - change);
+      const auto below = forces_of(solver.solve(problem));
+      for (std::size_t force = 0; force < 3; ++force) {
+        const double difference = (above[force] - below[force]) / (2.0 * change);
+        const double unit = friction * load * (force == 2 ? 5.0 : 1.0);
+        EXPECT_NEAR(rates[3 * force + k] * values[k] / unit, difference / unit, 1.5e-3)
+            << size << " force " << force << " by creepage " << k;
+      }
+    }
+  }
+}
+
+// The problem is homogeneous: friction and creepages k times as large give forces k times as large.
+TEST(RollingContact, DerivativesByFrictionFollowFromThoseByCreepages) {
+  Ellipse ellipse;
+  RollingSolver solver;
+  const Creepages w{-0.001, 0.0008, 0.0003};
+  RollingProblem problem = ellipse.problem(w, 1e-8);
+  problem.derivatives = true;
+  const RollingSolution solution = solver.solve(problem);
+  const auto force = forces_of(solution);
+  constexpr double change = 1e-4;
+  problem.derivatives = false;
+  problem.friction = friction * (1.0 + change);
+  const auto above = forces_of(solver.solve(problem));
+  problem.friction = friction * (1.0 - change);
+  const auto below = forces_of(solver.solve(problem));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double* rates = solution.by_creepage.data() + 3 * i;
+    const double by_friction =
+        force[i] - rates[0] * w.longitudinal - rates[1] * w.lateral - rates[2] * w.spin;
+    EXPECT_NEAR(by_friction, (above[i] - below[i]) / (2.0 * change),
+                1.5e-3 * friction * load * (i == 2 ? ellipse.a : 1.0));
+  }
+}
+
+TEST(RollingContact, DerivativesAreComputedOnRequestOnlyAndChangeNothing) {
+  Ellipse ellipse;
+  RollingProblem problem = ellipse.problem({-0.001, 0.0, 0.0});
+  const RollingSolution plain = RollingSolver().solve(problem);
+  EXPECT_EQ(plain.by_creepage, (std::array<double, 9>{}));
+  problem.derivatives = true;
+  RollingSolver solver;
+  const RollingSolution with = solver.solve(problem);
+  EXPECT_EQ(with.traction_x, plain.traction_x);
+  problem.derivatives = false;
+  EXPECT_EQ(solver.solve(problem).traction_y, plain.traction_y);
 }
 
 } // namespace

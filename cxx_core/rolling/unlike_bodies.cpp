@@ -1,0 +1,107 @@
+#include "rolling/unlike_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "half_space/traction_convolution.hpp"
+#include "rolling/constants.hpp"
+
+namespace wrc {
+
+std::vector<double> normal_displacement(const RollingProblem& problem,
+                                        std::span<const double> traction_x,
+                                        std::span<const double> traction_y, LinePlans& plans) {
+  const Grid& grid = problem.grid;
+  const std::size_t count = grid.element_count();
+  std::vector<double> opened(count);
+  // Rows of constant y serve as those of constant x: the roles of x and y are exchanged, and rows
+  // are counted from large y.
+  const TractionShape shape{grid.lateral_count, grid.longitudinal_count};
+  const TractionConvolution<double> convolution(
+      shape, shape.columns, {0.0, 1.0, 0.0, 0.0},
+      cross_table(grid.longitudinal_step / grid.lateral_step, shape.table_rows(),
+                  shape.table_columns()),
+      plans);
+  std::vector<double> in(2 * count);
+  std::vector<double> out(2 * count);
+  const auto place = [&](std::size_t at) {
+    const std::size_t row = at / shape.columns;
+    return (shape.rows - 1 - row) * shape.columns + at % shape.columns;
+  };
+  for (std::size_t at = 0; at < count; ++at) {
+    in[place(at)] = traction_y[at];
+    in[count + place(at)] = traction_x[at];
+  }
+  ConvolutionWorkspace<double> workspace;
+  convolution.apply(in.data(), in.data() + count, out.data(), out.data() + count, workspace);
+  const double scale = problem.difference_parameter / problem.shear_modulus * grid.lateral_step;
+  for (std::size_t at = 0; at < count; ++at) {
+    opened[at] = scale * out[place(at)];
+  }
+  return opened;
+}
+
+namespace {
+
+/// Pressures with the change from one normal solution to another, of the same load.
+void add_change(std::span<const double> given, const std::vector<double>& from,
+                const std::vector<double>& to, std::vector<double>& pressure) {
+  double sum = 0.0;
+  double given_sum = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    pressure[i] = std::max(given[i] + to[i] - from[i], 0.0);
+    sum += pressure[i];
+    given_sum += given[i];
+  }
+  for (double& p : pressure) {
+    p *= sum > 0.0 ? given_sum / sum : 0.0;
+  }
+}
+
+} // namespace
+
+UnlikeSolution solve_unlike(const RollingProblem& problem, std::span<const double> distance,
+                            double combined_modulus, double tolerance, RollingSolver& rolling) {
+  UnlikeSolution result;
+  result.pressure.assign(problem.pressure.begin(), problem.pressure.end());
+  RollingProblem tangential = problem;
+  tangential.pressure = result.pressure;
+  result.rolling = rolling.solve(tangential);
+  if (result.rolling.normal_displacement.empty()) {
+    result.converged = result.rolling.converged;
+    return result;
+  }
+  const double area = problem.grid.element_area();
+  const double load = area * std::accumulate(problem.pressure.begin(), problem.pressure.end(), 0.0);
+  std::vector<double> opened(distance.begin(), distance.end());
+  NormalProblem normal;
+  normal.grid = problem.grid;
+  normal.undeformed_distance = opened;
+  normal.combined_modulus = combined_modulus;
+  normal.normal_load = load;
+  normal.tolerance = std::min(tolerance, unlike_normal_tolerance);
+  normal.elements = Elements::smooth;
+  NormalSolver solver;
+  const std::vector<double> without = solver.solve(normal).pressure;
+  while (result.alternations < alternation_limit && !result.converged) {
+    ++result.alternations;
+    std::transform(distance.begin(), distance.end(), result.rolling.normal_displacement.begin(),
+                   opened.begin(), std::plus<>());
+    add_change(problem.pressure, without, solver.solve(normal).pressure, result.pressure);
+    RollingSolution next = rolling.solve(tangential);
+    const double moved = std::hypot(next.longitudinal_force - result.rolling.longitudinal_force,
+                                    next.lateral_force - result.rolling.lateral_force);
+    next.iterations += result.rolling.iterations;
+    next.convolutions += result.rolling.convolutions;
+    result.converged = next.converged && moved <= tolerance * problem.friction * load;
+    result.rolling = std::move(next);
+  }
+  for (std::size_t i = 0; i < result.pressure.size(); ++i) {
+    result.pressure_change += area / load * std::abs(result.pressure[i] - problem.pressure[i]);
+  }
+  return result;
+}
+
+} // namespace wrc
