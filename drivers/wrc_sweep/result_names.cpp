@@ -49,6 +49,16 @@ constexpr std::array units{
     Unit{"force.vertical", "N/mm"},
     Unit{"force.roll", "N/rad"},
     Unit{"time_ms", "ms"},
+    Unit{"friction_power", "N mm/s"},
+    Unit{"friction.", "1"},
+    Unit{"motion.speed", "mm/s"},
+    Unit{"creepage.spin", "1/mm"},
+    Unit{"creepage.", "1"},
+    Unit{"creep_residual", "1"},
+    Unit{"creep_grid", "1"},
+    Unit{"wear_number", "N"},
+    Unit{"numerical_loss", "1"},
+    Unit{"traction", "MPa"},
     Unit{"_force", "N"},
     Unit{"load.", "N"},
     Unit{"moment", "N mm"},
@@ -94,13 +104,14 @@ std::vector<std::string> default_results() {
 }
 
 std::vector<std::string> all_results() {
-  // Scenes that have whatever there is: both sides, contacts that almost touch, and a contact of
-  // several parts on the one or the other side.
+  // Scenes that have whatever there is: both sides, creep forces, contacts that almost touch, and a
+  // contact of several parts on the one or the other side.
   Scene scene;
   scene.set("solve.accuracy", 0.1);
   scene.set("solve.near_tolerance", 10.0);
   scene.set("track.rail", "UIC60-Manchester");
   scene.set("load.vertical", 1e4);
+  scene.set("creepage.longitudinal", 1e-3);
   std::vector<std::string> names;
   for (const double lateral : {-5.0, 5.0}) {
     scene.set("pose.lateral", lateral);

@@ -68,9 +68,48 @@ TEST_F(WrcTradeoff, SolvesRandomScenesForOneMeaning) {
   }
 }
 
+TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
+  NEEDS_GNUPLOT();
+  const Outcome outcome = run("--creep 2 --repeats 1 --threads 2 --csv t.csv --json t.json "
+                              "--pictures .");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  expect_parts(outcome.out, {"2 scenes, 0 of them without a solution", "\nlinear ",
+                             "\nshen-hedrick-elkins ", "\npolach ", "\nfastsim ",
+                             "\nfastsim-strips ", "\nfull ", "misses of the full theory"});
+  EXPECT_NE(outcome.error.find("2 of 2 scenes, 0 s left"), std::string::npos) << outcome.error;
+  EXPECT_TRUE(is_png("tradeoff_creep.png"));
+  const json whole = json::parse(read("t.json"));
+  double before = 1.0;
+  int patches = 0;
+  for (const json& row : whole.at("creep")) {
+    patches += row.at("patches").get<int>();
+    EXPECT_GE(row.at("patches"), 4) << row;
+    EXPECT_GT(row.at("us"), 0.0) << row;
+    const bool full = row.at("creep") == "full";
+    for (const char* name : {"met", "estimate_bounds", "estimate_over_error"}) {
+      EXPECT_EQ(row.contains(name), full) << row;
+    }
+    const std::vector<double> rms = row.at("rms");
+    const double largest = *std::max_element(rms.begin(), rms.end());
+    if (full) {
+      EXPECT_LT(largest, before) << "no less than with the accuracy before: " << row;
+      before = largest;
+    }
+  }
+  EXPECT_EQ(line_count(read("t.csv")), patches + 1);
+  // What a scene says of itself replays it.
+  const json replayed =
+      run_json(WRC_CASE_PROGRAM, whole.at("scenes").at(0).at("options").get<std::string>() +
+                                     " --set solve.creep=linear --set solve.accuracy=0.1");
+  EXPECT_TRUE(replayed.at("left").at("patches").at(0).contains("creep_force"));
+  EXPECT_NE(run("--help").out.find("--creep"), std::string::npos);
+}
+
 TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
   run("--scenes 0").expect_refusal({"--scenes"});
   run("--random 2 --scenes 2").expect_refusal({"--random"});
+  run("--creep 0").expect_refusal({"--creep"});
+  run("--creep 2 --random 2").expect_refusal({"--creep"});
   run("--accuracy-of area").expect_refusal({"--accuracy-of"});
   run("--pictures nowhere").expect_refusal({"nowhere"});
 }

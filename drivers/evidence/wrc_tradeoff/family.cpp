@@ -1,8 +1,10 @@
+#include "wrc_tradeoff/creep.hpp"
 #include "wrc_tradeoff/measure.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <sstream>
 
 namespace tradeoff {
@@ -96,6 +98,23 @@ std::vector<Case> make_random(std::size_t count) {
   std::vector<Case> cases;
   for (std::size_t i = 0; i < count; ++i) {
     cases.push_back({"random-" + std::to_string(i), "random", driver::random_scene(seed, i)});
+  }
+  return cases;
+}
+
+std::vector<CreepCase> make_creep_cases(std::size_t count) {
+  driver::Draw draw(seed);
+  std::vector<CreepCase> cases;
+  for (std::size_t i = 0; i < count; ++i) {
+    CreepCase made;
+    made.scene = drawn_case(i, draw);
+    made.scene.settings.set("friction.coefficient", draw.between(0.1, 0.5));
+    const double spin = draw.between(-1.0, 1.0); // uniform on the sphere
+    const double angle = draw.between(0.0, 2.0 * std::numbers::pi);
+    const double rest = std::sqrt(1.0 - spin * spin);
+    made.direction = {rest * std::cos(angle), rest * std::sin(angle), spin};
+    made.size = draw.between_by_ratio(0.1, 10.0);
+    cases.push_back(std::move(made));
   }
   return cases;
 }

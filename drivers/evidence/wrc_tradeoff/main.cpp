@@ -5,6 +5,7 @@
 #include "support/output_file.hpp"
 #include "support/parallel.hpp"
 #include "support/program.hpp"
+#include "wrc_tradeoff/creep.hpp"
 #include "wrc_tradeoff/reports.hpp"
 
 namespace {
@@ -17,6 +18,7 @@ constexpr std::size_t grid_interval = 5;
 struct Options {
   std::size_t scenes = 520;
   std::size_t random = 0; ///< instead of the family
+  std::size_t creep = 0;  ///< models of creep forces, instead of all others
   std::string accuracy_of = "both";
   int threads = 1;
   int repeats = 15;
@@ -44,22 +46,54 @@ std::vector<std::string> labels_of(const Options& options, std::size_t index) {
   return labels;
 }
 
+/// What measure(i) gives of each of so many scenes, with lines on stderr that say how far it is.
+template <class Measure>
+auto measure_scenes(std::size_t count, const Options& options, Measure measure) {
+  std::vector<decltype(measure(count))> all(count);
+  driver::ProgressLines progress(count);
+  driver::for_each_index(count, options.threads, [&](std::size_t i) {
+    all[i] = measure(i);
+    progress.one_done([&](std::size_t done, double seconds) {
+      const double left = seconds * static_cast<double>(count - done) / static_cast<double>(done);
+      std::fprintf(stderr, "wrc_tradeoff: %zu of %zu scenes, %.0f s left\n", done, count, left);
+    });
+  });
+  return all;
+}
+
 std::vector<Measured> measure_all(const Options& options) {
   const std::vector<tradeoff::Case> family = options.random > 0
                                                  ? tradeoff::make_random(options.random)
                                                  : tradeoff::make_family(options.scenes);
-  std::vector<Measured> all(family.size());
-  driver::ProgressLines progress(family.size());
-  driver::for_each_index(family.size(), options.threads, [&](std::size_t i) {
-    all[i] = tradeoff::measure(family[i], {labels_of(options, i), options.repeats});
-    progress.one_done([&](std::size_t done, double seconds) {
-      const double left =
-          seconds * static_cast<double>(family.size() - done) / static_cast<double>(done);
-      std::fprintf(stderr, "wrc_tradeoff: %zu of %zu scenes, %.0f s left\n", done, family.size(),
-                   left);
-    });
+  return measure_scenes(family.size(), options, [&](std::size_t i) {
+    return tradeoff::measure(family[i], {labels_of(options, i), options.repeats});
   });
-  return all;
+}
+
+/// Prints and writes what options ask for.
+template <class All, class Summary, class Csv, class Json, class Draw>
+void report(const All& all, const Options& options, Summary print_summary, Csv print_csv,
+            Json json_of, Draw draw) {
+  print_summary(all, std::cout);
+  if (!options.csv.empty()) {
+    driver::write_whole(options.csv, [&](std::ostream& out) { print_csv(all, out); });
+  }
+  if (!options.json.empty()) {
+    driver::write_whole(options.json,
+                        [&](std::ostream& out) { driver::print_json(json_of(all), out, 1); });
+  }
+  if (!options.pictures.empty()) {
+    draw(all, options.pictures);
+  }
+}
+
+void compare_creep_models(const Options& options) {
+  const auto cases = tradeoff::make_creep_cases(options.creep);
+  report(measure_scenes(
+             cases.size(), options,
+             [&](std::size_t i) { return tradeoff::measure_creep(cases[i], options.repeats); }),
+         options, tradeoff::print_creep_summary, tradeoff::print_creep_csv, tradeoff::creep_json_of,
+         tradeoff::draw_creep);
 }
 
 } // namespace
@@ -74,15 +108,23 @@ int main(int argc, char** argv) {
   auto* scenes = app.add_option("--scenes", options.scenes, "how many scenes of the family")
                      ->check(CLI::Range(1, 100000))
                      ->capture_default_str();
-  app.add_option(
-         "--random", options.random,
-         "so many scenes drawn at random over what vehicles may meet, instead of the family; "
-         "without models and grids by hand")
-      ->check(CLI::Range(1, 1000000))
-      ->excludes(scenes);
-  app.add_option("--accuracy-of", options.accuracy_of, "what accuracies are of")
-      ->check(CLI::IsMember({"forces", "pressures", "both"}))
-      ->capture_default_str();
+  auto* random =
+      app.add_option(
+             "--random", options.random,
+             "so many scenes drawn at random over what vehicles may meet, instead of the family; "
+             "without models and grids by hand")
+          ->check(CLI::Range(1, 1000000))
+          ->excludes(scenes);
+  auto* accuracy_of = app.add_option("--accuracy-of", options.accuracy_of, "what accuracies are of")
+                          ->check(CLI::IsMember({"forces", "pressures", "both"}))
+                          ->capture_default_str();
+  app.add_option("--creep", options.creep,
+                 "instead of all else: the models of creep forces on so many scenes, with 0.1 to "
+                 "10 times the creepages of saturation")
+      ->check(CLI::Range(1, 100000))
+      ->excludes(scenes)
+      ->excludes(random)
+      ->excludes(accuracy_of);
   app.add_option("--threads", options.threads, "scenes solved at once; times depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -98,22 +140,17 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
   app.footer("\nExamples:\n"
              "  wrc_tradeoff --threads 2 --csv tradeoff.csv --pictures docs/images\n"
-             "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n");
+             "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
+             "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n");
   return driver::run_program(app, argc, argv, [&options] {
-    const std::vector<Measured> all = measure_all(options);
-    tradeoff::print_summary(all, std::cout);
-    if (!options.csv.empty()) {
-      driver::write_whole(options.csv,
-                          [&all](std::ostream& out) { tradeoff::print_csv(all, out); });
+    if (options.creep > 0) {
+      compare_creep_models(options);
+      return 0;
     }
-    if (!options.json.empty()) {
-      driver::write_whole(options.json, [&all](std::ostream& out) {
-        driver::print_json(tradeoff::json_of(all), out, 1);
-      });
-    }
-    if (!options.pictures.empty()) {
-      tradeoff::draw_pictures(all, options.pictures, options.random == 0);
-    }
+    report(measure_all(options), options, tradeoff::print_summary, tradeoff::print_csv,
+           tradeoff::json_of, [&options](const auto& all, const auto& folder) {
+             tradeoff::draw_pictures(all, folder, options.random == 0);
+           });
     return 0;
   });
 }
