@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "mechanics/cascade.hpp"
+#include "pressure/smooth_pressure.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
 #include "rolling/unlike_bodies.hpp"
@@ -15,61 +16,14 @@
 namespace wrc {
 namespace {
 
-/// How far beyond an element's centre the edge of contact lies, in elements: p^2 is nearly linear
-/// there, with `near` in that element and `far` in the next one inside.
-double edge_beyond(double near, double far) {
-  const double drop = far * far - near * near;
-  return drop > 0.0 ? std::min(near * near / drop, 1.0) : 0.5;
-}
-
-/// First and last place with pressure of a line of elements, in elements from the first centre.
-struct Extent {
-  double first = 0.0;
-  double last = 0.0;
-};
-
-std::optional<Extent> extent_of(const double* pressure, std::size_t count, std::size_t stride) {
-  const auto at = [&](std::size_t index) { return pressure[index * stride]; };
-  std::size_t first = 0;
-  while (first < count && !(at(first) > 0.0)) {
-    ++first;
-  }
-  if (first == count) {
-    return std::nullopt;
-  }
-  std::size_t last = count - 1;
-  while (!(at(last) > 0.0)) {
-    --last;
-  }
-  const double after = first < last ? at(first + 1) : 0.0;
-  const double before = first < last ? at(last - 1) : 0.0;
-  return Extent{static_cast<double>(first) - edge_beyond(at(first), after),
-                static_cast<double>(last) + edge_beyond(at(last), before)};
-}
-
-/// The largest extent of all lines.
-Extent extent_of_all(const double* pressure, std::size_t lines, std::size_t line_stride,
-                     std::size_t count, std::size_t stride) {
-  std::optional<Extent> all;
-  for (std::size_t line = 0; line < lines; ++line) {
-    if (const auto one = extent_of(pressure + line * line_stride, count, stride)) {
-      all = all ? Extent{std::min(all->first, one->first), std::max(all->last, one->last)} : *one;
-    }
-  }
-  return all.value_or(Extent{});
-}
-
-/// So many elements over an extent in elements of another size.
-void divide(const Extent& extent, std::size_t count, double& first, double& step) {
-  const double length = (extent.last - extent.first) * step;
-  const double begin = first + extent.first * step;
-  step = length / static_cast<double>(count);
-  first = begin + 0.5 * step;
-}
-
 /// The grid over the rectangle around the contact.
-Grid grid_around_contact(const Grid& grid, const std::vector<double>& pressure, double accuracy,
+Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
                          int lobes) {
+  const auto along = pressure.longitudinal_extent();
+  const auto across = pressure.lateral_extent();
+  if (!along || !across) {
+    return grid;
+  }
   const double columns =
       std::max(std::pow(share_of_creep_columns * accuracy / creep_error_of_one_column,
                         -1.0 / creep_error_order),
@@ -77,15 +31,15 @@ Grid grid_around_contact(const Grid& grid, const std::vector<double>& pressure, 
   const auto even = [](double count) {
     return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
   };
-  Grid result = grid;
+  Grid result;
   result.longitudinal_count = even(columns);
   result.lateral_count = even(creep_rows_by_columns * columns * static_cast<double>(lobes));
-  divide(extent_of_all(pressure.data(), grid.lateral_count, grid.longitudinal_count,
-                       grid.longitudinal_count, 1),
-         result.longitudinal_count, result.longitudinal_first, result.longitudinal_step);
-  divide(extent_of_all(pressure.data(), grid.longitudinal_count, 1, grid.lateral_count,
-                       grid.longitudinal_count),
-         result.lateral_count, result.lateral_first, result.lateral_step);
+  const auto divide = [](const auto& extent, std::size_t count, double& first, double& step) {
+    step = (extent.last - extent.first) / static_cast<double>(count);
+    first = extent.first + 0.5 * step;
+  };
+  divide(*along, result.longitudinal_count, result.longitudinal_first, result.longitudinal_step);
+  divide(*across, result.lateral_count, result.lateral_first, result.lateral_step);
   return result;
 }
 
@@ -157,13 +111,14 @@ CreepForces forces_on_ellipse(const PatchResult& patch, const Creepages& creepag
 CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages,
                             const CreepRequest& request, RollingSolver& solver,
                             CreepResult& creep) {
-  creep.grid = grid_around_contact(patch.grid, patch.pressure, request.accuracy, patch.lobes);
+  const SmoothPressure pressure(patch.grid, patch.pressure);
+  creep.grid = grid_around_contact(patch.grid, pressure, request.accuracy, patch.lobes);
   const bool unlike =
       request.model == CreepModel::full && request.material.difference_parameter != 0.0;
   if (unlike) {
     creep.grid = extended_to(creep.grid, patch.grid);
   }
-  refine_pressure(patch.grid, patch.pressure, creep.grid, creep.pressure);
+  pressure.fill(creep.grid, creep.pressure);
   const double force = std::accumulate(creep.pressure.begin(), creep.pressure.end(), 0.0) *
                        creep.grid.element_area();
   for (double& p : creep.pressure) {

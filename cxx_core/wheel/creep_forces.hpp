@@ -1,16 +1,15 @@
 /// Creep forces of the patches of a wheel, from the pressures found.
 ///
 /// Each patch is solved by itself on a grid of its own over the rectangle around its contact, with
-/// the pressures interpolated to it and scaled to its normal force. The number of elements follows
-/// from the requested accuracy alone, so that forces are continuous functions of the scene. Patches
-/// of one plane are solved one by one as well, each with the rigid slip at its place.
-/// Results are in the track frame, both sides alike: x forward, y to the left along the patch's
-/// plane; forces on the wheel, moments about the contact reference. Units mm, N, MPa, rad.
-/// Thread rule: as the solver's.
-/// Tractions of unlike bodies change the pressures they stem from: the full model takes that into
-/// the pressures on its own grid (rolling/unlike_bodies.hpp).
-/// Not known here: what the tractions of patches displace at each other, and what those of unlike
-/// bodies change in the results of normal contact.
+/// the pressures interpolated to it (pressure/smooth_pressure.hpp) and scaled to its normal force.
+/// The number of elements follows from the requested accuracy alone, so that forces are continuous
+/// functions of the scene. Patches of one plane are solved one by one as well, each with the rigid
+/// slip at its place. Results are in the track frame, both sides alike: x forward, y to the left
+/// along the patch's plane; forces on the wheel, moments about the contact reference. Units mm, N,
+/// MPa, rad. Thread rule: as the solver's. Tractions of unlike bodies change the pressures they
+/// stem from: the full model takes that into the pressures on its own grid
+/// (rolling/unlike_bodies.hpp). Not known here: what the tractions of patches displace at each
+/// other, and what those of unlike bodies change in the results of normal contact.
 #pragma once
 
 #include <optional>

@@ -1,0 +1,58 @@
+/// Pressures between element centres and up to the edge of contact.
+///
+/// p^2 is a smooth function up to the edge (Hertz: a quadratic one; Johnson, Contact Mechanics,
+/// 1985, eq. 3.39). Along a row, the rolling direction, it has no kinks, since wheels and rails
+/// have none there. Pressures of smooth elements are accurate but for those of the ends of rows,
+/// which stand for elements that are not wholly in contact: these are replaced by p^2 continued
+/// from three elements further in, 3 f1 - 3 f2 + f3. In the same way two elements outside are
+/// filled in, from as many of the 8 directions as have three known elements (else two, else one),
+/// which weigh with the slope of p^2 along them. In between p^2 is interpolated cubically along
+/// rows and linearly across, where profiles have kinks.
+///
+/// Units are the caller's. Thread rule: constant after construction.
+///
+/// Not known here: where contact ends laterally within an element. Contact of a single row ends
+/// half an element outside it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/grid.hpp"
+
+namespace wrc {
+
+class SmoothPressure {
+public:
+  SmoothPressure(const Grid& grid, std::span<const double> pressure);
+
+  /// Two edges on a line through the grid, in its coordinates.
+  struct Extent {
+    double first = 0.0;
+    double last = 0.0;
+  };
+  /// The least interval that holds the contact of all lines; none without contact.
+  [[nodiscard]] std::optional<Extent> longitudinal_extent() const;
+  [[nodiscard]] std::optional<Extent> lateral_extent() const;
+  /// Pressures at the centres of another grid in the same plane; 0 outside the contact.
+  void fill(const Grid& other, std::vector<double>& pressure) const;
+
+private:
+  [[nodiscard]] std::optional<Extent> extent(std::size_t lines, std::size_t line_stride,
+                                             std::size_t count, std::size_t stride) const;
+  /// p^2 of up to three known elements in a row, from the next one on.
+  [[nodiscard]] std::array<double, 3> known_values(std::size_t at, std::ptrdiff_t step,
+                                                   std::size_t& found) const;
+  void replace_ends_of_rows();
+  void fill_in_ring();
+
+  Grid grid_;                ///< with room for what is filled in
+  std::vector<bool> loaded_; ///< elements with pressure
+  std::vector<bool> known_;  ///< elements that others are continued from
+  std::vector<double> squares_;
+};
+
+} // namespace wrc

@@ -1,0 +1,110 @@
+/// Pressures between elements and up to the edge, on Hertz's pressures and on what the normal
+/// solver makes of them.
+#include "pressure/smooth_pressure.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace wrc::test {
+namespace {
+
+/// Hertz's pressures of an ellipse with these semi-axes, at the centres of the elements.
+std::vector<double> hertz(const Grid& grid, double a, double b) {
+  std::vector<double> pressure;
+  for (std::size_t j = 0; j < grid.lateral_count; ++j) {
+    for (std::size_t i = 0; i < grid.longitudinal_count; ++i) {
+      const double x = grid.longitudinal(i) / a;
+      const double y = grid.lateral(j) / b;
+      pressure.push_back(std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
+    }
+  }
+  return pressure;
+}
+
+constexpr Grid coarse{12, 14, 0.5, 0.7, -2.6, -4.4};
+
+/// The largest difference of p^2.
+double difference(const std::vector<double>& one, const std::vector<double>& other) {
+  double largest = 0.0;
+  for (std::size_t at = 0; at < one.size(); ++at) {
+    largest = std::max(largest, std::abs(one[at] * one[at] - other[at] * other[at]));
+  }
+  return largest;
+}
+
+TEST(SmoothPressure, HertzsComeOutExactlyAlongRows) {
+  const SmoothPressure smooth(coarse, hertz(coarse, 4.0, 2.3));
+  const Grid fine{8, 60, 0.5, 0.134, -2.1, -3.95}; // in the middles of rows
+  std::vector<double> pressure;
+  smooth.fill(fine, pressure);
+  EXPECT_LT(difference(pressure, hertz(fine, 4.0, 2.3)), 1e-12);
+}
+
+// 1/8 of the square of the step over the semi-axis, times 2.
+TEST(SmoothPressure, IsLinearAcrossRows) {
+  const SmoothPressure smooth(coarse, hertz(coarse, 4.0, 2.3));
+  const Grid fine{60, 60, 0.077, 0.134, -2.27, -3.95};
+  std::vector<double> pressure;
+  smooth.fill(fine, pressure);
+  EXPECT_LT(difference(pressure, hertz(fine, 4.0, 2.3)), 0.013);
+  EXPECT_GT(difference(pressure, hertz(fine, 4.0, 2.3)), 0.010);
+}
+
+// The ends are linear between elements, and those of the lines nearest to the axes.
+TEST(SmoothPressure, ExtentsAreThoseOfTheEllipse) {
+  const SmoothPressure smooth(coarse, hertz(coarse, 4.0, 2.3));
+  EXPECT_NEAR(smooth.longitudinal_extent()->first, -4.0, 0.03);
+  EXPECT_NEAR(smooth.longitudinal_extent()->last, 4.0, 0.03);
+  EXPECT_NEAR(smooth.lateral_extent()->first, -2.3, 0.03);
+  EXPECT_NEAR(smooth.lateral_extent()->last, 2.3, 0.03);
+}
+
+// What an element at the end of a row holds is not what stands at its centre.
+TEST(SmoothPressure, ValuesAtEndsOfRowsDoNotCount) {
+  std::vector<double> pressure = hertz(coarse, 4.0, 2.3);
+  const SmoothPressure exact(coarse, pressure);
+  const std::vector<double> whole = pressure;
+  for (std::size_t at = 4 * coarse.longitudinal_count; at < 8 * coarse.longitudinal_count; ++at) {
+    const bool end = whole[at] > 0.0 && (!(whole[at - 1] > 0.0) || !(whole[at + 1] > 0.0));
+    pressure[at] *= end ? 0.8 : 1.0;
+  }
+  ASSERT_NE(pressure, whole);
+  std::vector<double> one;
+  std::vector<double> other;
+  exact.fill(coarse, one);
+  SmoothPressure(coarse, pressure).fill(coarse, other);
+  EXPECT_LT(difference(one, other), 1e-12);
+}
+
+TEST(SmoothPressure, NarrowContactsEndHalfAnElementOutside) {
+  const Grid grid{5, 6, 1.0, 1.0, 0.0, 0.0};
+  std::vector<double> pressure(30, 0.0);
+  EXPECT_FALSE(SmoothPressure(grid, pressure).lateral_extent());
+  pressure[14] = 3.0; // row 2, column 2
+  const SmoothPressure one(grid, pressure);
+  EXPECT_NEAR(one.longitudinal_extent()->first, 1.5, 1e-12);
+  EXPECT_NEAR(one.longitudinal_extent()->last, 2.5, 1e-12);
+  EXPECT_NEAR(one.lateral_extent()->first, 1.5, 1e-12);
+  std::vector<double> values;
+  one.fill(grid, values);
+  EXPECT_NEAR(values[14], 3.0, 1e-12);
+  EXPECT_EQ(std::accumulate(values.begin(), values.end(), 0.0), values[14]);
+  // Contact at the grid's edge, and all over it.
+  EXPECT_NEAR(SmoothPressure(grid, std::vector<double>(30, 1.0)).lateral_extent()->last, 4.5,
+              1e-12);
+}
+
+TEST(SmoothPressure, NothingOutsideTheGrid) {
+  const SmoothPressure smooth(coarse, std::vector<double>(coarse.element_count(), 1.0));
+  std::vector<double> values;
+  smooth.fill(Grid{1, 3, 1.0, 20.0, 0.0, -20.0}, values);
+  EXPECT_EQ(values[0], 0.0);
+  EXPECT_NEAR(values[1], 1.0, 1e-12);
+  EXPECT_EQ(values[2], 0.0);
+}
+
+} // namespace
+} // namespace wrc::test
