@@ -33,6 +33,7 @@ struct AccuracyGoal {
   double accuracy = 1e-3;
   bool position_is_prescribed = false;
   Elements elements = Elements::smooth;
+  bool creep_forces = false; ///< whether pressures are to serve these, too
 };
 
 ElementCounts counts_for(const AccuracyGoal& goal);

@@ -22,6 +22,9 @@ WheelRequest request_of(const Scene& scene, double load) {
   } else {
     request.vertical_load = load;
   }
+  const CreepModel creep = scene.creep.value_or(CreepModel::full);
+  request.creep_forces = (scene.left_creepages || scene.right_creepages) &&
+                         (creep == CreepModel::full || creep == CreepModel::fastsim_strips);
   request.elements = scene.elements.value_or(
       scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
   return request;

@@ -160,7 +160,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages
     creep.error_estimate =
         creep_error_of_one_column *
             std::pow(static_cast<double>(creep.grid.longitudinal_count), -creep_error_order) +
-        creep_error_by_residual * solution.residual;
+        share_of_creep_pressures * request.accuracy + creep_error_by_residual * solution.residual;
   }
   creep.traction_x = std::move(solution.traction_x);
   creep.traction_y = std::move(solution.traction_y);

@@ -38,6 +38,7 @@ struct WheelRequest : WheelOptions {
   std::optional<double> vertical;      ///< height of the wheelset's centre, mm
   Elements elements = Elements::smooth;
   int maximum_iterations = 5000;
+  bool creep_forces = false; ///< whether the pressures are to serve creep forces, too
 
   [[nodiscard]] bool position_is_prescribed() const { return vertical.has_value(); }
   /// The load of the two that is set, N; 0 if the position is prescribed.

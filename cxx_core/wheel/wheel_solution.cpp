@@ -55,8 +55,8 @@ public:
   WheelSolver(const WheelSurface& wheel, const RailSurface& rail,
               const SideEquilibrium& equilibrium, const WheelRequest& request, NormalSolver& solver)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request),
-        solver_(solver), goal_{request.accuracy, request.position_is_prescribed(),
-                               request.elements} {}
+        solver_(solver), goal_{request.accuracy, request.position_is_prescribed(), request.elements,
+                               request.creep_forces} {}
 
   WheelSolution solve();
 

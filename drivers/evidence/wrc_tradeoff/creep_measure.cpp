@@ -46,7 +46,9 @@ public:
   }
 
   CreepMeasured measure() {
-    const driver::Scene truth = solve({"full", creep_truth_accuracy});
+    driver::Scene truth = prepared({"full", creep_truth_accuracy});
+    truth.set("solve.grid", std::vector<double>{truth_grid[0], truth_grid[1]});
+    solver_.solve(truth);
     for (std::size_t side = 0; side < 2; ++side) {
       truth_[side] = forces_of(truth, driver::side_names[side]);
     }
