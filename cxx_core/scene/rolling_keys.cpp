@@ -91,6 +91,61 @@ Key component_key(std::string_view name, std::string_view allowed, std::string_v
   return key;
 }
 
+/// One of the velocities; the others are 0 unless they are set.
+Key motion_key(std::string_view name, std::string_view allowed, std::string_view meaning,
+               double limit, Dimension dimension, double Motion::*component) {
+  Key key;
+  key.description = {name, "\"none\"", allowed, meaning};
+  key.dimension = dimension;
+  key.min = -limit;
+  key.max = limit;
+  key.get = [component](const Scene& scene) {
+    return scene.motion ? KeyValue((*scene.motion).*component) : KeyValue(std::string("none"));
+  };
+  key.set_number = [component](Scene& scene, double value) {
+    if (!scene.motion) {
+      scene.motion.emplace();
+    }
+    (*scene.motion).*component = value;
+  };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == "none") {
+      scene.motion.reset();
+    }
+    return value == "none";
+  };
+  return key;
+}
+
+/// A rate, or rolling with the speed.
+Key pitch_key() {
+  Key key;
+  key.description = {"motion.pitch", "\"rolling\"", "-1e5 to 1e5 rad/s, or \"rolling\"",
+                     "of the axle, positive when it rolls forward; rolling: speed over the nominal "
+                     "radius"};
+  key.min = -1e5;
+  key.max = 1e5;
+  key.get = [](const Scene& scene) {
+    return scene.motion && scene.motion->pitch ? KeyValue(*scene.motion->pitch)
+                                               : KeyValue(std::string("rolling"));
+  };
+  key.set_number = [](Scene& scene, double value) {
+    if (!scene.motion) {
+      scene.motion.emplace();
+    }
+    scene.motion->pitch = value;
+  };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == "rolling" && scene.motion) {
+      scene.motion->pitch.reset();
+    }
+    return value == "rolling";
+  };
+  return key;
+}
+
+constexpr std::string_view speed_range = "-1e6 to 1e6 mm/s, or \"none\"";
+constexpr std::string_view rate_range = "-1e3 to 1e3 rad/s, or \"none\"";
 constexpr std::string_view creepage_range = "-10 to 10, or \"none\"";
 constexpr std::string_view spin_range = "-10 to 10 1/mm, or \"none\"";
 
@@ -119,9 +174,21 @@ std::vector<Key> make_rolling_keys() {
                     turning_angle, &Creepages::lateral),
       component_key("creepage.spin", spin_range, "spin creepage of both wheels", turning_curvature,
                     &Creepages::spin),
-      number_key({"motion.speed", "0.0", "-1e6 to 1e6 mm/s",
-                  "along the track; frictional power is at this speed"},
-                 {-1e6, 1e6}, length, &Scene::speed),
+      motion_key("motion.speed", speed_range,
+                 "along the track, backwards below 0; any of motion.* makes creepages from the "
+                 "motion where none are given, else the speed is that of the frictional power",
+                 1e6, length, &Motion::speed),
+      pitch_key(),
+      motion_key("motion.lateral", speed_range, "lateral velocity of the wheelset's centre", 1e6,
+                 turning_length, &Motion::lateral),
+      motion_key("motion.vertical", speed_range, "its vertical velocity", 1e6, turning_length,
+                 &Motion::vertical),
+      motion_key("motion.roll", rate_range, "rate of the roll", 1e3, pure, &Motion::roll),
+      motion_key("motion.yaw", rate_range, "rate of the yaw, against the track", 1e3, turning_angle,
+                 &Motion::yaw),
+      motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
+                 "of the track, positive in left-hand curves", 1e-3, turning_curvature,
+                 &Motion::curvature),
       word_key<std::optional<CreepModel>>(
           {"solve.creep", "\"auto\"",
            "\"auto\", \"none\", \"linear\", \"shen-hedrick-elkins\", \"polach\", \"fastsim\", "

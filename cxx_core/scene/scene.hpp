@@ -60,7 +60,8 @@ struct Scene : WheelOptions {
   std::optional<Creepages> right_creepages;
   double left_friction = 0.3;
   double right_friction = 0.3;
-  double speed = 0.0;              ///< along the track, mm/s
+  /// What creepages follow from where they are not given; with them its speed is that of the power.
+  std::optional<Motion> motion;
   std::optional<CreepModel> creep; ///< automatic if not set: full where there are creepages
 
   SideChoice side = SideChoice::both;

@@ -23,7 +23,7 @@ WheelRequest request_of(const Scene& scene, double load) {
     request.vertical_load = load;
   }
   const CreepModel creep = scene.creep.value_or(CreepModel::full);
-  request.creep_forces = (scene.left_creepages || scene.right_creepages) &&
+  request.creep_forces = (scene.left_creepages || scene.right_creepages || scene.motion) &&
                          (creep == CreepModel::full || creep == CreepModel::fastsim_strips);
   request.elements = scene.elements.value_or(
       scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
@@ -46,14 +46,20 @@ CreepRequest creep_request_of(const Scene& scene, double mirror) {
   const bool left = mirror > 0.0;
   const auto& creepages = left ? scene.left_creepages : scene.right_creepages;
   CreepRequest request;
-  if (!creepages) {
+  const bool given = scene.left_creepages || scene.right_creepages;
+  if (given ? !creepages : !scene.motion) {
     return request;
   }
   request.model = scene.creep.value_or(CreepModel::full);
-  request.creepages = *creepages;
+  if (given) {
+    request.creepages = *creepages;
+    request.speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
+  } else {
+    request.motion = scene.motion;
+    request.nominal_radius = scene.wheelset.radius;
+  }
   request.friction = left ? scene.left_friction : scene.right_friction;
   request.accuracy = scene.accuracy;
-  request.speed = scene.speed;
   request.material = shear_constants(scene.wheel_material, scene.rail_material);
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;

@@ -181,6 +181,10 @@ inline constexpr double min_creep_columns = 8.0;
 /// error, more do not better it.
 inline constexpr double creep_rows_by_columns = 0.6;
 
+/// Speed below which creepages go to 0 with the velocities, mm/s.
+/// origin: reasoned: at walking speed, 1 m/s, it changes creepages by 5e-7 of themselves.
+inline constexpr double standstill_speed = 1.0;
+
 /// Tolerance of the tangential iteration, in accuracies, ...
 /// origin: measured (steps of 0.1 um, nine places): forces leave their line by 4 to 8 % of the
 /// accuracy at most, with 0.5 by 12 %; below, the elements that enter the contact show.

@@ -74,8 +74,35 @@ Creepages mirrored(const Creepages& creepages, double mirror) {
   return {creepages.longitudinal, mirror * creepages.lateral, mirror * creepages.spin};
 }
 
+/// How a patch moves, left-hand frame of the side.
+struct PatchMotion {
+  Creepages creepages;
+  bool backwards = false;
+  double slip_speed = 0.0; ///< of a creepage of 1, mm/s
+};
+
+/// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
+/// normal.
+Grid turned(Grid grid) {
+  grid.longitudinal_first = -grid.longitudinal(grid.longitudinal_count - 1);
+  grid.lateral_first = -grid.lateral(grid.lateral_count - 1);
+  return grid;
+}
+
+std::vector<double> turned(std::vector<double> values, double factor) {
+  std::reverse(values.begin(), values.end());
+  for (double& value : values) {
+    value *= factor;
+  }
+  return values;
+}
+
+Creepages turned(const Creepages& creepages) {
+  return {-creepages.longitudinal, -creepages.lateral, creepages.spin};
+}
+
 /// Forces on the Hertzian ellipse with the patch's second moments, about the patch's origin.
-CreepForces forces_on_ellipse(const PatchResult& patch, const Creepages& creepages,
+CreepForces forces_on_ellipse(const PatchResult& patch, const PatchMotion& motion,
                               const CreepRequest& request, CreepResult& creep) {
   // Contact on a single line of elements has no second moment across it.
   const RollingEllipse ellipse{
@@ -87,7 +114,8 @@ CreepForces forces_on_ellipse(const PatchResult& patch, const Creepages& creepag
       request.material.poisson};
   const double x = patch.contact.centroid_longitudinal;
   const double y = patch.contact.centroid_lateral;
-  const Creepages centre = creepages_at(creepages, x, y);
+  const Creepages forwards = creepages_at(motion.creepages, x, y);
+  const Creepages centre = motion.backwards ? turned(forwards) : forwards;
   const KalkerCoefficients coefficients = kalker_coefficients(ellipse);
   CreepForces forces;
   if (request.model == CreepModel::linear) {
@@ -103,12 +131,16 @@ CreepForces forces_on_ellipse(const PatchResult& patch, const Creepages& creepag
     creep.slip_area = fastsim.slip_area;
     creep.adhesion_area = fastsim.adhesion_area;
   }
+  if (motion.backwards) {
+    forces.longitudinal = -forces.longitudinal;
+    forces.lateral = -forces.lateral;
+  }
   forces.spin_moment += x * forces.lateral - y * forces.longitudinal;
   return forces;
 }
 
 /// On the patch's own pressures.
-CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages,
+CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             const CreepRequest& request, RollingSolver& solver,
                             CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
@@ -124,19 +156,26 @@ CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages
   for (double& p : creep.pressure) {
     p *= force > 0.0 ? patch.normal_force / force : 0.0;
   }
+  const double sign = motion.backwards ? -1.0 : 1.0;
   RollingProblem problem;
-  problem.grid = creep.grid;
+  problem.grid = motion.backwards ? turned(creep.grid) : creep.grid;
+  if (motion.backwards) {
+    creep.pressure = turned(std::move(creep.pressure), 1.0);
+  }
   problem.pressure = creep.pressure;
   problem.friction = request.friction;
   problem.shear_modulus = request.material.modulus;
   problem.poisson = request.material.poisson;
-  problem.creepages = creepages;
+  problem.creepages = motion.backwards ? turned(motion.creepages) : motion.creepages;
   problem.tolerance = creep_iteration_share * request.accuracy;
   RollingSolution solution;
   if (unlike) {
     problem.difference_parameter = request.material.difference_parameter;
     std::vector<double> distance;
     interpolate(patch.grid, patch.undeformed_distance, creep.grid, distance);
+    if (motion.backwards) {
+      distance = turned(std::move(distance), 1.0);
+    }
     UnlikeSolution both = solve_unlike(problem, distance, request.combined_modulus,
                                        creep_iteration_share * request.accuracy, solver);
     creep.pressure_change = both.pressure_change;
@@ -162,33 +201,56 @@ CreepForces forces_on_patch(const PatchResult& patch, const Creepages& creepages
             std::pow(static_cast<double>(creep.grid.longitudinal_count), -creep_error_order) +
         share_of_creep_pressures * request.accuracy + creep_error_by_residual * solution.residual;
   }
+  if (motion.backwards) {
+    creep.pressure = turned(std::move(creep.pressure), 1.0);
+    for (auto* field :
+         {&solution.traction_x, &solution.traction_y, &solution.slip_x, &solution.slip_y}) {
+      *field = turned(std::move(*field), -1.0);
+    }
+  }
   creep.traction_x = std::move(solution.traction_x);
   creep.traction_y = std::move(solution.traction_y);
   creep.slip_x = std::move(solution.slip_x);
   creep.slip_y = std::move(solution.slip_y);
-  return {solution.longitudinal_force, solution.lateral_force, solution.spin_moment};
+  return {sign * solution.longitudinal_force, sign * solution.lateral_force, solution.spin_moment};
 }
 
-/// `creepages`: at the patch's origin, left-hand frame of the side.
-CreepResult solve_patch(const PatchResult& patch, const Creepages& creepages,
+/// `motion`: at the patch's origin.
+CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
                         const CreepRequest& request, double mirror, RollingSolver& solver) {
   CreepResult creep;
-  creep.creepages = mirrored(creepages, mirror);
+  creep.creepages = mirrored(motion.creepages, mirror);
   if (!(patch.normal_force > 0.0)) {
     return creep;
   }
   const bool on_patch =
       request.model == CreepModel::full || request.model == CreepModel::fastsim_strips;
-  const CreepForces forces = on_patch ? forces_on_patch(patch, creepages, request, solver, creep)
-                                      : forces_on_ellipse(patch, creepages, request, creep);
+  const CreepForces forces = on_patch ? forces_on_patch(patch, motion, request, solver, creep)
+                                      : forces_on_ellipse(patch, motion, request, creep);
   creep.longitudinal_force = forces.longitudinal;
   creep.lateral_force = mirror * forces.lateral;
   creep.spin_moment = mirror * forces.spin_moment;
   creep.power_per_speed =
       -(creep.longitudinal_force * creep.creepages.longitudinal +
         creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
-  creep.friction_power = request.speed * creep.power_per_speed;
+  creep.friction_power = motion.slip_speed * creep.power_per_speed;
   return creep;
+}
+
+/// From the wheelset's motion, or as given at the reference of `whole`.
+PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const WheelResult& wheel,
+                      const CreepRequest& request) {
+  const double mirror = wheel.details.mirror;
+  if (request.motion) {
+    const Motion motion = mirror > 0.0 ? *request.motion : mirrored(*request.motion);
+    const RigidSlip slip = rigid_slip(motion, wheel.details.pose, wheel.vertical - wheel.depth,
+                                      request.nominal_radius, patch.frame, patch.approach);
+    return {slip.creepages, slip.reference_speed < 0.0, slip.slip_speed};
+  }
+  const Vector3 apart = patch.frame.origin - whole.frame.origin;
+  return {creepages_at(mirrored(request.creepages, mirror), dot(apart, whole.frame.longitudinal),
+                       dot(apart, whole.frame.lateral)),
+          false, request.speed};
 }
 
 /// Parts of one plane together, about its origin.
@@ -237,21 +299,19 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
 
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver) {
   const double mirror = wheel.details.mirror;
-  const Creepages creepages = mirrored(request.creepages, mirror);
   for (PatchResult& patch : wheel.patches) {
+    const PatchMotion motion = motion_of(patch, patch, wheel, request);
     if (patch.parts.empty()) {
-      patch.creep = solve_patch(patch, creepages, request, mirror, solver);
+      patch.creep = solve_patch(patch, motion, request, mirror, solver);
     } else {
       CreepResult& whole = patch.creep.emplace();
-      whole.creepages = request.creepages;
+      whole.creepages = mirrored(motion.creepages, mirror);
       for (PatchResult& part : patch.parts) {
         const Vector3 apart = part.frame.origin - patch.frame.origin;
-        const double longitudinal = dot(apart, patch.frame.longitudinal);
-        const double lateral = dot(apart, patch.frame.lateral);
-        part.creep = solve_patch(part, creepages_at(creepages, longitudinal, lateral), request,
-                                 mirror, solver);
-        add_part(whole, *part.creep, part.normal_force / patch.normal_force, longitudinal,
-                 mirror * lateral);
+        part.creep =
+            solve_patch(part, motion_of(part, patch, wheel, request), request, mirror, solver);
+        add_part(whole, *part.creep, part.normal_force / patch.normal_force,
+                 dot(apart, patch.frame.longitudinal), mirror * dot(apart, patch.frame.lateral));
       }
       if (whole.power_per_speed > 0.0) {
         whole.numerical_loss /= whole.power_per_speed;

@@ -18,6 +18,7 @@
 #include "base/grid.hpp"
 #include "half_space/material.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "wheel/kinematics.hpp"
 
 namespace wrc {
 
@@ -31,10 +32,12 @@ enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, fast
 /// What a wheel's creep forces follow from.
 struct CreepRequest {
   CreepModel model = CreepModel::none;
-  Creepages creepages; ///< at the reference of each patch, track frame
+  Creepages creepages;          ///< at the reference of each patch, track frame; or
+  std::optional<Motion> motion; ///< what they follow from instead, track frame
+  double nominal_radius = 0.0;  ///< mm, for the motion
   double friction = 0.3;
   double accuracy = 1e-3; ///< error of forces, and of the moment over sqrt(a b), over mu N
-  double speed = 0.0;     ///< mm/s, for the power
+  double speed = 0.0;     ///< mm/s, for the power of given creepages
   ShearConstants material;
   double combined_modulus = 0.0; ///< E*, MPa
 };

@@ -75,7 +75,10 @@ double sum_of(const std::vector<double>& values) {
 TEST(CrossTable, IsTheIntegralOverTheElement) {
   constexpr double aspect = 0.7;
   const CrossTable table = cross_table(aspect, 4, 4);
-  for (const auto& [i, j] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{3, 2}, std::pair{1, 3}}) {
+  for (const auto& [column, row] :
+       std::vector<std::pair<std::size_t, std::size_t>>{{1, 0}, {0, 1}, {3, 2}, {1, 3}}) {
+    const auto i = static_cast<double>(column);
+    const auto j = static_cast<double>(row);
     double x_sum = 0.0;
     double y_sum = 0.0;
     constexpr int pieces = 200;
@@ -86,8 +89,8 @@ TEST(CrossTable, IsTheIntegralOverTheElement) {
       x_sum += weight * x;
       y_sum += weight * y;
     }
-    EXPECT_NEAR(table.longitudinal(j)[i], x_sum, 2e-5);
-    EXPECT_NEAR(table.lateral(j)[i], y_sum, 2e-5);
+    EXPECT_NEAR(table.longitudinal(row)[column], x_sum, 2e-5);
+    EXPECT_NEAR(table.lateral(row)[column], y_sum, 2e-5);
   }
   EXPECT_EQ(table.longitudinal(2)[0], 0.0);
   EXPECT_EQ(table.lateral(0)[2], 0.0);
