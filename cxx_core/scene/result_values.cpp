@@ -5,6 +5,7 @@
 #include "pressure/contact_area.hpp"
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
+#include "wheel/total_force.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {
@@ -203,6 +204,15 @@ constexpr std::array side_numbers{
                         [](const WheelResult& r) { return static_cast<double>(r.solutions); }},
 };
 
+constexpr std::array total_numbers{
+    Number<TotalForce>{"force.x", pure, [](const TotalForce& t) { return t.force.x; }},
+    Number<TotalForce>{"force.y", turning_force, [](const TotalForce& t) { return t.force.y; }},
+    Number<TotalForce>{"force.z", turning_force, [](const TotalForce& t) { return t.force.z; }},
+    Number<TotalForce>{"moment.x", moment, [](const TotalForce& t) { return t.moment.x; }},
+    Number<TotalForce>{"moment.y", turning_moment, [](const TotalForce& t) { return t.moment.y; }},
+    Number<TotalForce>{"moment.z", turning_moment, [](const TotalForce& t) { return t.moment.z; }},
+};
+
 /// Of the first patch, also returned for the wheel.
 constexpr std::array<std::string_view, 5> first_patch_names{"fill", "grid.0", "grid.1",
                                                             "element_size.0", "element_size.1"};
@@ -322,6 +332,9 @@ std::optional<Value> side_value(WheelResult& side, std::string_view name) {
   if (strip_prefix(name, "sensitivities.")) {
     return sensitivity_value(side, name);
   }
+  if (strip_prefix(name, "total.")) {
+    return side.solved ? find_in(total_numbers, total_force(side), name) : std::nullopt;
+  }
   if (name == "error_estimate") {
     return side.error_estimate ? std::optional(Value{*side.error_estimate, pure}) : std::nullopt;
   }
@@ -363,6 +376,9 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     add_touch(prefix + "near_contacts." + std::to_string(i) + '.');
   }
   add_names(names, prefix, side_numbers);
+  if (side.solved) {
+    add_names(names, prefix + "total.", total_numbers);
+  }
   add_centroid_names(names, prefix + "centroid.");
   for (const std::string_view name : first_patch_names) {
     names.push_back(prefix + std::string(name));
@@ -395,6 +411,16 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
   }
 }
 
+bool has_wheelset_force(const SceneResult& result) {
+  return result.left && result.left->solved && result.right && result.right->solved;
+}
+
+TotalForce wheelset_force(const SceneResult& result) {
+  const TotalForce left = total_force(*result.left);
+  const TotalForce right = total_force(*result.right);
+  return {left.force + right.force, left.moment + right.moment};
+}
+
 std::optional<Value> value_of(SceneResult& result, std::string_view name) {
   if (name == "roll") {
     return Value{result.roll, pure};
@@ -407,6 +433,10 @@ std::optional<Value> value_of(SceneResult& result, std::string_view name) {
   }
   if (strip_prefix(name, "time_ms.")) {
     return find_in(time_numbers, result.time, name);
+  }
+  if (strip_prefix(name, "wheelset.")) {
+    return has_wheelset_force(result) ? find_in(total_numbers, wheelset_force(result), name)
+                                      : std::nullopt;
   }
   if (strip_prefix(name, "left.")) {
     return result.left ? side_value(*result.left, name) : std::nullopt;
@@ -427,6 +457,9 @@ std::vector<std::string> number_names(const SceneResult& result) {
   }
   if (result.right) {
     add_side_names(names, "right.", *result.right);
+  }
+  if (has_wheelset_force(result)) {
+    add_names(names, "wheelset.", total_numbers);
   }
   add_names(names, "time_ms.", time_numbers);
   return names;

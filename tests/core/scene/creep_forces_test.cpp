@@ -441,5 +441,49 @@ TEST(CreepForces, AnySpeedIsPermitted) {
   }
 }
 
+double number(SceneResult& result, const std::string& name) {
+  return number_value(result, name, Convention{}).value();
+}
+
+// Rolling along straight track at a given pitch rate the wheels' material moves along the track at
+// the patches, so that normal forces do no work.
+TEST(CreepForces, PowerOfTheWheelsetIsThatOfFriction) {
+  Scene scene = scene_at(2.0, {}, 1e-2);
+  scene.left_creepages.reset();
+  scene.right_creepages.reset();
+  const double pitch = 1.001 * 2e4 / 460.0;
+  scene.roll = 0.0;
+  scene.motion = Motion{.speed = 2e4, .pitch = pitch};
+  SceneResult result = solve_scene(scene);
+  double friction = 0.0;
+  for (const std::string side : {"left", "right"}) {
+    friction += number(result, side + ".patches.0.friction_power");
+    ASSERT_EQ((side == "left" ? result.left : result.right)->patches.size(), 1U);
+  }
+  const double power =
+      number(result, "wheelset.force.x") * 2e4 + number(result, "wheelset.moment.y") * pitch;
+  EXPECT_GT(friction, 0.0);
+  EXPECT_NEAR(power, -friction, 1e-3 * friction);
+}
+
+TEST(CreepForces, TotalsOfACentredWheelset) {
+  Scene scene = scene_at(0.0, {}, 1e-2);
+  scene.left_creepages.reset();
+  scene.right_creepages.reset();
+  scene.motion = Motion{.speed = 2e4};
+  SceneResult result = solve_scene(scene);
+  const double load = 160000.0;
+  EXPECT_NEAR(number(result, "wheelset.force.z"), load, 1e-3 * load); // creep forces rise, too
+  EXPECT_NEAR(number(result, "wheelset.force.y"), 0.0, 1e-9 * load);
+  EXPECT_NEAR(number(result, "wheelset.moment.x"), 0.0, 1e-6 * load);
+  EXPECT_NEAR(number(result, "wheelset.moment.z"), 0.0, 1e-6 * load);
+  EXPECT_EQ(number(result, "left.total.force.x"), number(result, "right.total.force.x"));
+  // Without creep forces they are those of normal contact.
+  scene.motion.reset();
+  result = solve_scene(scene);
+  EXPECT_EQ(number(result, "left.total.force.y"), number(result, "left.lateral_force"));
+  EXPECT_EQ(number(result, "left.total.force.x"), number(result, "left.longitudinal_force"));
+}
+
 } // namespace
 } // namespace wrc::test
