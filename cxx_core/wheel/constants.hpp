@@ -176,6 +176,10 @@ inline constexpr double share_of_creep_pressures = 0.34;
 /// origin: measured (60 ellipses): errors reach 7 % of mu N there.
 inline constexpr double min_creep_columns = 8.0;
 
+/// The most elements along a contact, and half as many as across.
+/// origin: reasoned: bounds memory to some 100 MB; the error by the law is 1e-4 of mu N.
+inline constexpr double max_creep_columns = 400.0;
+
 /// Elements across for each along.
 /// origin: measured (400 ellipses, 48 elements along): 0.5 and 0.75 differ by 15 % in the rms
 /// error, more do not better it.

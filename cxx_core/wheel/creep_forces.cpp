@@ -25,15 +25,16 @@ Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, doubl
     return grid;
   }
   const double columns =
-      std::max(std::pow(share_of_creep_columns * accuracy / creep_error_of_one_column,
-                        -1.0 / creep_error_order),
-               min_creep_columns);
+      std::clamp(std::pow(share_of_creep_columns * accuracy / creep_error_of_one_column,
+                          -1.0 / creep_error_order),
+                 min_creep_columns, max_creep_columns);
+  const double rows = creep_rows_by_columns * columns * static_cast<double>(lobes);
   const auto even = [](double count) {
     return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
   };
   Grid result;
   result.longitudinal_count = even(columns);
-  result.lateral_count = even(creep_rows_by_columns * columns * static_cast<double>(lobes));
+  result.lateral_count = even(std::min(rows, 2.0 * max_creep_columns));
   const auto divide = [](const auto& extent, std::size_t count, double& first, double& step) {
     step = (extent.last - extent.first) / static_cast<double>(count);
     first = extent.first + 0.5 * step;
