@@ -59,8 +59,19 @@ bool turns(const std::string& name) {
   return false;
 }
 
-/// m, N, Pa of what is told in mm, N, MPa.
+bool is_force(const std::string& name) {
+  return name.ends_with("_force") || name.find(".force.") != std::string::npos;
+}
+
+bool is_moment(const std::string& name) {
+  return name.find("moment.") != std::string::npos;
+}
+
+/// m, N, N m, Pa of what is told in mm, N, N mm, MPa.
 double unit_of(const std::string& name) {
+  if (is_force(name) || is_moment(name)) {
+    return is_force(name) ? 1.0 : 1e-3;
+  }
   const auto ends = [&name](std::initializer_list<const char*> list) {
     return std::any_of(list.begin(), list.end(),
                        [&name](const char* end) { return name.ends_with(end); });
@@ -75,7 +86,7 @@ double unit_of(const std::string& name) {
                             "rolling_radius", "vertical", "approach", "depth", "distance",
                             "rolling_radius_difference", "element_size.0", "element_size.1",
                             "semi_axes.0", "semi_axes.1", "radii.0", "radii.1"});
-  return length ? 1e-3 : 1.0; // a moment's unit is N mm, or N m
+  return length ? 1e-3 : 1.0;
 }
 
 /// How accurate a side's depth is as it says itself: as asked, or as estimated on a grid that was
@@ -241,7 +252,7 @@ std::string check_units(const DrawnScene& scene) {
     return differ("status in SI", si.status, mm.status);
   }
   for (const auto& [name, value] : mm.numbers) {
-    const double unit = name.find(".moment.") == std::string::npos ? unit_of(name) : 1e-3;
+    const double unit = unit_of(name);
     if (!si.has(name) || !near(si.at(name), unit * value, conversion)) {
       return differ(name + " in SI", si.has(name) ? si.at(name) : std::nan(""), unit * value);
     }
@@ -256,8 +267,8 @@ std::string check_stiffness(const DrawnScene& scene, const Outcome& outcome) {
     return differ("status with other moduli", stiff.status, outcome.status);
   }
   for (const auto& [name, value] : outcome.numbers) {
-    const bool force = name.ends_with("_force") || name.find(".moment.") != std::string::npos ||
-                       name.ends_with("pmax") || name.ends_with("pmax_element");
+    const bool force = is_force(name) || is_moment(name) || name.ends_with("pmax") ||
+                       name.ends_with("pmax_element");
     if (!stiff.has(name) || !near(stiff.at(name), (force ? factor : 1.0) * value, conversion)) {
       return differ(name + " with other moduli", stiff.has(name) ? stiff.at(name) : std::nan(""),
                     (force ? factor : 1.0) * value);
