@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <shared_mutex>
 #include <unordered_map>
 
@@ -60,6 +61,12 @@ public:
       entries_.erase(found);
     }
   }
+
+  /// While the process forks, no other thread is within the table.
+  void lock() { mutex_.lock(); }
+  void unlock() { mutex_.unlock(); }
+  /// In the child. A new lock: the old one counts threads that wait, which are missing there.
+  void renew_lock() { new (&mutex_) std::shared_mutex; }
 
 private:
   mutable std::shared_mutex mutex_;

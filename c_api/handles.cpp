@@ -2,8 +2,48 @@
 
 #include <algorithm>
 #include <exception>
+#include <pthread.h>
+
+#include "scene/scene_keys.hpp"
 
 namespace wrc {
+
+namespace {
+
+// A process may fork while its threads use the library: the child is given all locks free. What
+// another thread had in use stays in use there (WRC_BUSY), since that thread is missing.
+
+template <class... Objects> struct Tables {
+  static void lock() { (HandleTable<Objects>::instance().lock(), ...); }
+  static void unlock() { (HandleTable<Objects>::instance().unlock(), ...); }
+  static void renew_locks() { (HandleTable<Objects>::instance().renew_lock(), ...); }
+};
+using AllTables = Tables<SceneObject, SolverObject, ProfileObject, NormalObject, RollingObject>;
+
+void before_fork() noexcept {
+  try {
+    scene_keys(); // no other thread is making its tables
+  } catch (...) {
+    // No memory for them yet.
+  }
+  lock_for_fork();
+  AllTables::lock();
+}
+
+void after_fork_in_parent() noexcept {
+  AllTables::unlock();
+  unlock_after_fork();
+}
+
+void after_fork_in_child() noexcept {
+  AllTables::renew_locks();
+  unlock_after_fork();
+}
+
+[[maybe_unused]] const int registered =
+    pthread_atfork(before_fork, after_fork_in_parent, after_fork_in_child);
+
+} // namespace
 
 void keep_text(std::string& error, const char* text) noexcept {
   try {
@@ -34,6 +74,17 @@ wrc_status status_of_current_exception(std::string& error) noexcept {
 void require_pointer(const void* pointer, const char* name) {
   if (pointer == nullptr) {
     throw_invalid_argument(name, "NULL", "a pointer must be given");
+  }
+}
+
+void require_list(const void* pointer, const char* name, std::int64_t count) {
+  constexpr std::int64_t most = std::int64_t{1} << 20;
+  if (count < 0 || count > most) {
+    throw_invalid_argument("count", std::to_string(count),
+                           "allowed is 0 to " + std::to_string(most));
+  }
+  if (count > 0) {
+    require_pointer(pointer, name);
   }
 }
 

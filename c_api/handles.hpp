@@ -5,17 +5,20 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "floating_point.hpp"
+#include "half_space/fft.hpp"
 #include "half_space/material.hpp"
 #include "handle_table.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "pressure/pressure_field.hpp"
 #include "profile/profile.hpp"
+#include "profile/readers.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"
@@ -30,6 +33,7 @@ struct SceneObject {
   std::vector<std::string> number_names;
   std::vector<std::pair<std::string, std::string>> texts;
   std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one requested
+  std::vector<double> numbers;                                      ///< the last ones read by id
   std::string input_text; ///< the last text of an input requested
   std::string error;
 
@@ -44,8 +48,13 @@ struct SolverObject {
 
 struct ProfileObject {
   std::optional<Profile> profile;
-  std::vector<std::string> corrections;
+  ReadResult read; ///< of a profile that was read, without the profile itself
   std::string error;
+
+  void take(ReadResult&& result) {
+    profile = std::move(result.profile);
+    read = std::move(result);
+  }
 };
 
 /// The problem last solved by a wrc_normal, and its solution.
@@ -198,11 +207,15 @@ template <class Handle> wrc_status create(Handle** handle) noexcept {
   *handle = nullptr;
   const DefaultFloatingPoint floating_point;
   try {
+    if constexpr (!std::is_same_v<Handle, wrc_profile>) { // before memory runs short
+      prepare_transforms();
+    }
     // A handle is a number by design. NOLINTNEXTLINE(performance-no-int-to-ptr)
     *handle = reinterpret_cast<Handle*>(HandleTable<Object<Handle>>::instance().add());
     return WRC_OK;
   } catch (...) {
-    return WRC_OUT_OF_MEMORY;
+    std::string nowhere;
+    return status_of_current_exception(nowhere);
   }
 }
 
@@ -216,6 +229,32 @@ template <class Handle> void destroy(Handle* handle) noexcept {
 
 /// Throws Error(invalid_argument) if a pointer that must be given is NULL.
 void require_pointer(const void* pointer, const char* name);
+
+/// Runs a body with the scene that a call on a solver is for; its status and text are the scene's.
+template <class Body> wrc_status with_scene(SolverObject& solver, wrc_scene* scene, Body&& body) {
+  require_pointer(scene, "scene");
+  const auto used = use(scene);
+  if (!used.held()) {
+    solver.error = std::string("scene: ") + reason_of(used);
+    return used.exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+  }
+  return run(used.object(), [&] { return std::forward<Body>(body)(used.object()); });
+}
+
+inline wrc_status no_result(SceneObject& scene) {
+  scene.error = "the scene has not been solved yet";
+  return WRC_NO_RESULT;
+}
+
+/// Runs a body that needs results.
+template <class Body> wrc_status with_result(wrc_scene* scene, Body&& body) {
+  return guard(scene, [&](SceneObject& object) {
+    return object.result ? std::forward<Body>(body)(object) : no_result(object);
+  });
+}
+
+/// Throws Error(invalid_argument) unless `count` is that of a list of ids, with a pointer to it.
+void require_list(const void* pointer, const char* name, std::int64_t count);
 
 /// Copies values into the caller's array as wrc_scene_field documents.
 wrc_status copy_values(const double* from, std::size_t length, double* values,

@@ -50,7 +50,25 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
     options.scale = known.scale;
   }
   options.smoothing_wavelength = known.smoothing_wavelength;
+  if (known.origin < 0 || known.origin > WRC_ORIGIN_FLANGE_BACK) {
+    wrc::throw_invalid_argument("origin", known.origin,
+                                "allowed are 0, WRC_ORIGIN_TAPE and WRC_ORIGIN_FLANGE_BACK");
+  }
+  options.origin = static_cast<wrc::WheelOrigin>(known.origin);
+  options.slice = known.slice;
+  if (known.tape_offset != 0.0) {
+    options.tape_offset = known.tape_offset;
+  }
+  if (known.lateral_shift != 0.0) {
+    options.lateral_shift = known.lateral_shift;
+  }
   return options;
+}
+
+const char* line_of(const std::vector<std::string>& lines, int64_t index) {
+  return index >= 0 && index < static_cast<int64_t>(lines.size())
+             ? lines[static_cast<std::size_t>(index)].c_str()
+             : nullptr;
 }
 
 } // namespace
@@ -88,8 +106,9 @@ const char* wrc_profile_error(const wrc_profile* profile) {
 wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name) {
   return wrc::guard(profile, [&](wrc::ProfileObject& object) {
     wrc::require_pointer(name, "name");
-    object.profile = wrc::standard_profile(name);
-    object.corrections.clear();
+    wrc::ReadResult read; // may run out of memory, taking it in does not
+    read.profile = wrc::standard_profile(name);
+    object.take(std::move(read));
     return WRC_OK;
   });
 }
@@ -98,9 +117,7 @@ wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
                                  const wrc_read_options* options) {
   return wrc::guard(profile, [&](wrc::ProfileObject& object) {
     wrc::require_pointer(path, "path");
-    wrc::ReadResult read = wrc::read_profile(path, options_from(options));
-    object.profile = std::move(read.profile);
-    object.corrections = std::move(read.corrections);
+    object.take(wrc::read_profile(path, options_from(options)));
     return WRC_OK;
   });
 }
@@ -126,9 +143,7 @@ wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name, const 
     for (int64_t i = 0; i < count; ++i) {
       points.push_back({lateral[i], height[i]});
     }
-    wrc::ReadResult read = wrc::profile_through(points, name, given);
-    object.profile = std::move(read.profile);
-    object.corrections = std::move(read.corrections);
+    object.take(wrc::profile_through(points, name, given));
     return WRC_OK;
   });
 }
@@ -173,9 +188,34 @@ wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char**
 
 const char* wrc_profile_correction(const wrc_profile* profile, int64_t index) {
   return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
-    return index >= 0 && index < static_cast<int64_t>(object.corrections.size())
-               ? object.corrections[static_cast<std::size_t>(index)].c_str()
-               : nullptr;
+    return line_of(object.read.corrections, index);
+  });
+}
+
+const char* wrc_profile_warning(const wrc_profile* profile, int64_t index) {
+  return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
+    return line_of(object.read.warnings, index);
+  });
+}
+
+wrc_status wrc_profile_points(wrc_profile* profile, int32_t which, double* lateral, double* height,
+                              int64_t capacity, int64_t* count) {
+  return with_profile(profile, [&](wrc::ProfileObject& object, const wrc::Profile&) {
+    if (which != WRC_POINTS_READ && which != WRC_POINTS_DROPPED) {
+      wrc::throw_invalid_argument("which", which,
+                                  "allowed are WRC_POINTS_READ and WRC_POINTS_DROPPED");
+    }
+    const std::vector<wrc::Position>& points =
+        which == WRC_POINTS_READ ? object.read.measured : object.read.dropped;
+    std::vector<double> values(points.size());
+    wrc_status status = WRC_OK;
+    for (std::size_t coordinate = 0; coordinate < 2 && status == WRC_OK; ++coordinate) {
+      std::transform(points.begin(), points.end(), values.begin(),
+                     [coordinate](const wrc::Position& point) { return point[coordinate]; });
+      status = wrc::copy_values(values.data(), values.size(), coordinate == 0 ? lateral : height,
+                                capacity, count, object.error);
+    }
+    return status;
   });
 }
 

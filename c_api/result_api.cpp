@@ -41,15 +41,14 @@ const char* text_at(const List& list, int64_t index, Text&& text) {
                    "no " + std::string(what) + " is named \"" + name + '"');
 }
 
-/// Runs a body that needs results.
-template <class Body> wrc_status with_result(wrc_scene* scene, Body&& body) {
-  return wrc::guard(scene, [&](wrc::SceneObject& object) -> wrc_status {
-    if (!object.result) {
-      object.error = "the scene has not been solved yet";
-      return WRC_NO_RESULT;
-    }
-    return body(object);
-  });
+/// The number that ids[place] stands for; not-a-number if the scene has none.
+double number_by_id(wrc::SceneObject& scene, const int32_t* ids, std::size_t place) {
+  const auto id = wrc::unpack(ids[place]);
+  if (!id) {
+    wrc::throw_invalid_argument("ids[" + std::to_string(place) + ']', ids[place],
+                                "allowed are ids of wrc_scene_number_id");
+  }
+  return wrc::number_value(*scene.result, *id, scene.scene.convention);
 }
 
 } // namespace
@@ -57,7 +56,7 @@ template <class Body> wrc_status with_result(wrc_scene* scene, Body&& body) {
 extern "C" {
 
 wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
-  return with_result(scene, [&](wrc::SceneObject& object) {
+  return wrc::with_result(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     const auto found = wrc::number_value(*object.result, name, object.scene.convention);
@@ -69,8 +68,43 @@ wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value) {
   });
 }
 
+wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32_t* id) {
+  return wrc::guard(scene, [&](wrc::SceneObject&) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(id, "id");
+    const auto found = wrc::number_id(name);
+    if (!found) {
+      throw_unknown("result", name);
+    }
+    const auto packed = wrc::pack(*found);
+    if (!packed) {
+      wrc::throw_invalid_argument("name", name,
+                                  "indices in it are allowed up to " +
+                                      std::to_string(wrc::max_packed_index) + ", of parts " +
+                                      std::to_string(wrc::max_packed_part));
+    }
+    *id = *packed;
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids, double* values,
+                                   int64_t count) {
+  return wrc::with_result(scene, [&](wrc::SceneObject& object) {
+    wrc::require_list(ids, "ids", count);
+    wrc::require_list(values, "values", count);
+    std::vector<double>& numbers = object.numbers; // apart, since computing one may fail
+    numbers.resize(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      numbers[i] = number_by_id(object, ids, i);
+    }
+    std::copy(numbers.begin(), numbers.end(), values);
+    return WRC_OK;
+  });
+}
+
 wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value) {
-  return with_result(scene, [&](wrc::SceneObject& object) {
+  return wrc::with_result(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     const auto& texts = texts_of(object);
@@ -86,7 +120,7 @@ wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value
 
 wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values, int64_t capacity,
                            int64_t* count) {
-  return with_result(scene, [&](wrc::SceneObject& object) {
+  return wrc::with_result(scene, [&](wrc::SceneObject& object) {
     wrc::require_pointer(name, "name");
     if (!object.field || object.field->first != name) {
       auto computed = wrc::field_values(*object.result, name, object.scene.convention);

@@ -8,6 +8,10 @@ wrc_status wrc::SceneObject::take_result(wrc::SceneResult&& new_result) {
     converged = converged && (!*side || (*side)->stop_reason == wrc::StopReason::tolerance_met);
   }
   std::string text = converged ? "" : "not converged: see left.stop_reason and right.stop_reason";
+  if (converged && new_result.pitch_is_saturated) {
+    converged = false;
+    text = "motion.torque: more than friction can hold; the wheels slide";
+  }
   // From here on nothing fails: the handle has the old results or all of the new ones.
   result = std::move(new_result);
   number_names.clear();
@@ -79,6 +83,26 @@ wrc_status wrc_scene_set_numbers(wrc_scene* scene, const char* key, const double
       wrc::require_pointer(values, "values");
     }
     wrc::set_numbers(object.scene, key, {values, static_cast<std::size_t>(count)});
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_key_id(wrc_scene* scene, const char* key, int32_t* id) {
+  return wrc::guard(scene, [&](wrc::SceneObject&) {
+    wrc::require_pointer(key, "key");
+    wrc::require_pointer(id, "id");
+    *id = wrc::key_id(key);
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_scene_set_numbers_by_id(wrc_scene* scene, const int32_t* ids, const double* values,
+                                       int64_t count) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_list(ids, "ids", count);
+    wrc::require_list(values, "values", count);
+    const auto length = static_cast<std::size_t>(count);
+    wrc::set_numbers_by_id(object.scene, {ids, length}, {values, length});
     return WRC_OK;
   });
 }

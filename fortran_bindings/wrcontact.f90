@@ -31,7 +31,7 @@ module wrcontact
   private
 
   public :: contact_scene, contact_solver, contact_profile, normal_contact, rolling_contact
-  public :: solve_batch, library_version, status_name, scene_key_count, scene_key
+  public :: solve_batch, step_batch, library_version, status_name, scene_key_count, scene_key
   public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, measure_transform
 
   !> Values of `stat`; those of wrc_status in wrcontact.h.
@@ -47,9 +47,19 @@ module wrcontact
   integer, parameter, public :: wrc_too_small = 9
   integer, parameter, public :: wrc_no_result = 10
   integer, parameter, public :: wrc_busy = 11
+  !> Flags of a wheel's state, added up.
+  integer, parameter, public :: wrc_lifted = 1
+  integer, parameter, public :: wrc_on_flange_tip = 2
+  integer, parameter, public :: wrc_on_chamfer = 4
+  integer, parameter, public :: wrc_beyond_yield = 8
   !> Kinds of profiles.
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1
+  !> Where a wheel's file has lateral 0, and which points of a profile are requested.
+  integer, parameter, public :: wrc_origin_tape = 1
+  integer, parameter, public :: wrc_origin_flange_back = 2
+  integer, parameter, public :: wrc_points_read = 0
+  integer, parameter, public :: wrc_points_dropped = 1
 
   integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4, &
     rolling_kind = 5
@@ -75,8 +85,9 @@ module wrcontact
     procedure :: create => profile_create
     !> load_standard(name): a built-in profile.
     procedure :: load_standard => profile_load_standard
-    !> load_file(path, kind, mirror_lateral, mirror_height, strict, scale, smoothing_wavelength): all
-    !> arguments but the path are optional; see wrc_read_options in wrcontact.h.
+    !> load_file(path, kind, mirror_lateral, mirror_height, strict, scale, smoothing_wavelength,
+    !> origin, tape_offset, lateral_shift, slice): all arguments but the path are optional, those
+    !> from origin on by keyword; see wrc_read_options in wrcontact.h.
     procedure :: load_file => profile_load_file
     !> set_points(name, kind, lateral, height) and the options of load_file.
     procedure :: set_points => profile_set_points
@@ -89,6 +100,11 @@ module wrcontact
     procedure :: correction_count => profile_correction_count
     !> correction(i), i from 1: a correction made while reading; empty past the end.
     procedure :: correction => profile_correction
+    procedure :: warning_count => profile_warning_count
+    !> warning(i), i from 1: what no wheel or rail has; empty past the end.
+    procedure :: warning => profile_warning
+    !> points(which, lateral, height): wrc_points_read, before smoothing, or wrc_points_dropped.
+    procedure :: points => profile_points
     !> Arc length, mm.
     procedure :: length => profile_length
     !> Arc lengths of the nodes, mm.
@@ -125,6 +141,18 @@ module wrcontact
     !> number(name): a scalar result.
     procedure :: number => scene_number
     procedure :: has_number => scene_has_number
+    !> Ids of keys and of names of results, the same for all scenes; -1 after a failure.
+    procedure :: key_id => scene_key_id
+    procedure :: number_id => scene_number_id
+    !> patches(patches, patch_count): all contact patches; see wrc_scene_patches in wrcontact.h.
+    procedure :: patches => scene_patches
+    !> tabulate(keys, values, counts, results, table, threads, path): results over all combinations
+    !> of values of keys; see wrc_scene_tabulate in wrcontact.h.
+    procedure :: tabulate => scene_tabulate
+    !> Numbers of many steps by id. set_numbers_by_id(ids, values): all or, if one is refused, none.
+    !> numbers_by_id(ids, values): not-a-number is what the scene does not have.
+    procedure :: set_numbers_by_id => scene_set_numbers_by_id
+    procedure :: numbers_by_id => scene_numbers_by_id
     !> text(name): a text result.
     procedure :: text => scene_text
     !> field(name): a field of a patch ('left.patches.1.pressure'; 'left.pressure' is that of patch
@@ -157,6 +185,13 @@ module wrcontact
     procedure :: create => solver_create
     !> solve(scene): as scene%solve(), faster: it keeps profiles, tables and plans.
     procedure :: solve => solver_solve
+    !> step(scene, q, v, f, stat, errmsg, dfdq, dfdv, rails, patches, patch_count, states): one evaluation
+    !> of a wheelset; positions q(6) and velocities v(6) in, forces f(6, 2) of the left and the right
+    !> wheel out; see wrc_solver_step in wrcontact.h.
+    procedure :: step => solver_step
+    !> creep(scene, patch, creepages, forces, stat, errmsg, by_creepage): creep forces of a patch at
+    !> creepages of the program's own; see wrc_solver_creep in wrcontact.h.
+    procedure :: creep => solver_creep
     !> forget(profiles): with profiles=.true. everything that is kept; else nothing.
     procedure :: forget => solver_forget
     generic :: assignment(=) => share
@@ -164,7 +199,8 @@ module wrcontact
     final :: solver_release
   end type contact_solver
 
-  !> Normal contact of a gap given by the caller; keys and names of results in wrcontact.h.
+  !> Normal contact of a gap given by the caller; keys and names of results in
+  !> wrcontact_grid.h.
   type :: normal_contact
     private
     type(shared_handle), pointer :: shared => null()
@@ -193,7 +229,8 @@ module wrcontact
     final :: normal_release
   end type normal_contact
 
-  !> Tangential contact of pressures given by the caller; keys and names of results in wrcontact.h.
+  !> Tangential contact of pressures given by the caller; keys and names of results in
+  !> wrcontact_grid.h.
   type :: rolling_contact
     private
     type(shared_handle), pointer :: shared => null()
@@ -313,334 +350,9 @@ contains
       int(repeats, c_int32_t), median), 'sizes and repeats are 1 or more', stat, errmsg)
   end function measure_transform
 
-  ! ---- Scenes -----------------------------------------------------------------------------------
-
-  subroutine scene_create(self, stat, errmsg)
-    class(contact_scene), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call take_new(self%shared, scene_kind, stat, errmsg)
-  end subroutine scene_create
-
-  impure elemental subroutine scene_share(self, other)
-    class(contact_scene), intent(inout) :: self
-    type(contact_scene), intent(in) :: other
-    call take(self%shared, other%shared)
-  end subroutine scene_share
-
-  impure elemental subroutine scene_release(self)
-    type(contact_scene), intent(inout) :: self
-    call let_go(self%shared)
-  end subroutine scene_release
-
-  subroutine scene_set_number(self, key, value, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    real(real64), intent(in) :: value
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report_of(self%shared, scene_kind, &
-      wrc_scene_set_number(address(self%shared), c_text(key), value), stat, errmsg)
-  end subroutine scene_set_number
-
-  subroutine scene_set_integer(self, key, value, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    integer, intent(in) :: value
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call self%set_number(key, real(value, real64), stat, errmsg)
-  end subroutine scene_set_integer
-
-  subroutine scene_set_text(self, key, value, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key, value
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report_of(self%shared, scene_kind, &
-      wrc_scene_set_text(address(self%shared), c_text(key), c_text(value)), stat, errmsg)
-  end subroutine scene_set_text
-
-  subroutine scene_set_numbers(self, key, values, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    real(real64), intent(in) :: values(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    ! A slice with a stride is copied for the call; the library keeps no pointer to it.
-    call report_of(self%shared, scene_kind, wrc_scene_set_numbers(address(self%shared), &
-      c_text(key), values, size(values, kind=c_int64_t)), stat, errmsg)
-  end subroutine scene_set_numbers
-
-  subroutine scene_set_integers(self, key, values, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    integer, intent(in) :: values(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call self%set_numbers(key, real(values, real64), stat, errmsg)
-  end subroutine scene_set_integers
-
-  !> Lets the scene use a loaded profile ('wheelset.wheel', 'track.rail'), of which it keeps a copy.
-  subroutine scene_set_profile(self, key, profile, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    class(contact_profile), intent(in) :: profile
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report_of(self%shared, scene_kind, wrc_scene_set_profile(address(self%shared), &
-      c_text(key), address(profile%shared)), stat, errmsg)
-  end subroutine scene_set_profile
-
-  function scene_get_number(self, key, stat, errmsg) result(value)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(real64) :: value
-    value = ieee_value(value, ieee_quiet_nan)
-    call report_of(self%shared, scene_kind, &
-      wrc_scene_get_number(address(self%shared), c_text(key), value), stat, errmsg)
-  end function scene_get_number
-
-  function scene_get_text(self, key, stat, errmsg) result(value)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(:), allocatable :: value
-    type(c_ptr) :: letters
-    letters = c_null_ptr
-    call report_of(self%shared, scene_kind, &
-      wrc_scene_get_text(address(self%shared), c_text(key), letters), stat, errmsg)
-    value = fortran_text(letters)
-  end function scene_get_text
-
-  function scene_get_numbers(self, key, stat, errmsg) result(values)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: key
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(real64), allocatable :: values(:)
-    integer(c_int64_t) :: count
-    integer(c_int32_t) :: status
-    count = 0
-    status = wrc_scene_get_numbers(address(self%shared), c_text(key), capacity=0_c_int64_t, &
-      count=count)
-    allocate (values(count))
-    if (status == wrc_ok .and. count > 0) then
-      status = wrc_scene_get_numbers(address(self%shared), c_text(key), values, count, count)
-    end if
-    call report_of(self%shared, scene_kind, status, stat, errmsg)
-  end function scene_get_numbers
-
-  subroutine scene_solve(self, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report_of(self%shared, scene_kind, wrc_scene_solve(address(self%shared)), stat, errmsg)
-  end subroutine scene_solve
-
-  subroutine scene_write(self, path, stat, errmsg)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: path
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report_of(self%shared, scene_kind, wrc_scene_write(address(self%shared), c_text(path)), &
-      stat, errmsg)
-  end subroutine scene_write
-
-  function scene_number(self, name, stat, errmsg) result(value)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(real64) :: value
-    value = ieee_value(value, ieee_quiet_nan)
-    call report_of(self%shared, scene_kind, &
-      wrc_scene_number(address(self%shared), c_text(name), value), stat, errmsg)
-  end function scene_number
-
-  logical function scene_has_number(self, name)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: name
-    real(real64) :: value
-    scene_has_number = wrc_scene_number(address(self%shared), c_text(name), value) == wrc_ok
-  end function scene_has_number
-
-  function scene_text(self, name, stat, errmsg) result(value)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(:), allocatable :: value
-    type(c_ptr) :: letters
-    letters = c_null_ptr
-    call report_of(self%shared, scene_kind, &
-      wrc_scene_text(address(self%shared), c_text(name), letters), stat, errmsg)
-    value = fortran_text(letters)
-  end function scene_text
-
-  function scene_field(self, name, stat, errmsg) result(values)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(real64), allocatable :: values(:)
-    integer(c_int64_t) :: count
-    integer(c_int32_t) :: status
-    count = 0
-    status = wrc_scene_field(address(self%shared), c_text(name), capacity=0_c_int64_t, count=count)
-    allocate (values(count))
-    if (status == wrc_ok .and. count > 0) then
-      status = wrc_scene_field(address(self%shared), c_text(name), values, count, count)
-    end if
-    call report_of(self%shared, scene_kind, status, stat, errmsg)
-  end function scene_field
-
-  function scene_field_2d(self, name, stat, errmsg) result(values)
-    class(contact_scene), intent(in) :: self
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(real64), allocatable :: values(:, :)
-    real(real64) :: lateral, longitudinal
-    integer(c_int64_t) :: count, grid(2)
-    integer(c_int32_t) :: status
-    character(:), allocatable :: patch
-
-    count = 0
-    grid = 0
-    status = wrc_scene_field(address(self%shared), c_text(name), capacity=0_c_int64_t, count=count)
-    if (status == wrc_ok .and. count > 0) then
-      patch = name(:index(name, '.', back=.true.))
-      lateral = 0.0_real64
-      longitudinal = 0.0_real64
-      status = wrc_scene_number(address(self%shared), c_text(patch//'grid.0'), lateral)
-      if (status == wrc_ok) status = wrc_scene_number(address(self%shared), &
-        c_text(patch//'grid.1'), longitudinal)
-      grid = nint([longitudinal, lateral], c_int64_t)
-      if (status == wrc_ok .and. product(grid) /= count) then
-        allocate (values(0, 0))
-        call report(int(wrc_invalid_argument, c_int32_t), trim(name)//' is not on a grid: use field', &
-          stat, errmsg)
-        return
-      end if
-    end if
-    if (status /= wrc_ok) grid = 0
-    allocate (values(grid(1), grid(2)))
-    if (status == wrc_ok .and. count > 0) then
-      status = wrc_scene_field(address(self%shared), c_text(name), values, count, count)
-    end if
-    call report_of(self%shared, scene_kind, status, stat, errmsg)
-  end function scene_field_2d
-
-  integer function scene_number_count(self)
-    class(contact_scene), intent(in) :: self
-    scene_number_count = int(wrc_scene_number_count(address(self%shared)))
-  end function scene_number_count
-
-  !> Empty past the end.
-  function scene_number_name(self, index) result(name)
-    class(contact_scene), intent(in) :: self
-    integer, intent(in) :: index
-    character(:), allocatable :: name
-    name = fortran_text(wrc_scene_number_name(address(self%shared), int(index, c_int64_t) - 1))
-  end function scene_number_name
-
-  integer function scene_text_count(self)
-    class(contact_scene), intent(in) :: self
-    scene_text_count = int(wrc_scene_text_count(address(self%shared)))
-  end function scene_text_count
-
-  function scene_text_name(self, index) result(name)
-    class(contact_scene), intent(in) :: self
-    integer, intent(in) :: index
-    character(:), allocatable :: name
-    name = fortran_text(wrc_scene_text_name(address(self%shared), int(index, c_int64_t) - 1))
-  end function scene_text_name
-
-  ! ---- Solvers ----------------------------------------------------------------------------------
-
-  subroutine solver_create(self, stat, errmsg)
-    class(contact_solver), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call take_new(self%shared, solver_kind, stat, errmsg)
-  end subroutine solver_create
-
-  impure elemental subroutine solver_share(self, other)
-    class(contact_solver), intent(inout) :: self
-    type(contact_solver), intent(in) :: other
-    call take(self%shared, other%shared)
-  end subroutine solver_share
-
-  impure elemental subroutine solver_release(self)
-    type(contact_solver), intent(inout) :: self
-    call let_go(self%shared)
-  end subroutine solver_release
-
-  subroutine solver_solve(self, scene, stat, errmsg)
-    class(contact_solver), intent(in) :: self
-    class(contact_scene), intent(in) :: scene
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t) :: status
-    status = wrc_solver_solve(address(self%shared), address(scene%shared))
-    if (associated(self%shared)) then
-      call report_of(scene%shared, scene_kind, status, stat, errmsg)
-    else
-      call report_of(self%shared, solver_kind, status, stat, errmsg)
-    end if
-  end subroutine solver_solve
-
-  subroutine solver_forget(self, profiles, stat, errmsg)
-    class(contact_solver), intent(in) :: self
-    logical, intent(in), optional :: profiles
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t) :: everything
-    everything = 0
-    if (present(profiles)) then
-      if (profiles) everything = 1
-    end if
-    call report_of(self%shared, solver_kind, wrc_solver_forget(address(self%shared), everything), &
-      stat, errmsg)
-  end subroutine solver_forget
-
-  !> Solves each scene by itself on up to `threads` threads. The status of each goes to `statuses`;
-  !> `stat` and `errmsg` are those of the first that failed.
-  subroutine solve_batch(scenes, threads, statuses, stat, errmsg)
-    type(contact_scene), intent(in) :: scenes(:)
-    integer, intent(in) :: threads
-    integer, intent(out), optional :: statuses(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(c_ptr), allocatable :: handles(:)
-    integer(c_int32_t), allocatable :: each(:)
-    integer(c_int32_t) :: status
-    integer :: i, first
-
-    if (present(statuses)) then
-      if (size(statuses) < size(scenes)) then
-        call report(int(wrc_too_small, c_int32_t), 'there are fewer statuses than scenes', stat, &
-          errmsg)
-        return
-      end if
-    end if
-    handles = [(address(scenes(i)%shared), i=1, size(scenes))]
-    allocate (each(size(scenes)), source=int(wrc_ok, c_int32_t))
-    status = wrc_solve_batch(handles, size(handles, kind=c_int64_t), int(threads, c_int32_t), each)
-    if (present(statuses)) statuses(:size(each)) = int(each)
-    first = findloc(each /= wrc_ok, .true., dim=1)
-    if (first > 0) then
-      call report_of(scenes(first)%shared, scene_kind, status, stat, errmsg)
-    else
-      call report(status, 'the batch was refused: threads are 1 to 1024, handles all different', &
-        stat, errmsg)
-    end if
-  end subroutine solve_batch
-
+  include 'wrcontact_scene.inc'
+  include 'wrcontact_solver.inc'
+  include 'wrcontact_vehicle.inc'
   include 'wrcontact_normal.inc'
   include 'wrcontact_rolling.inc'
   include 'wrcontact_profile.inc'

@@ -20,13 +20,17 @@ c
 c Keys, names of results and ranges: wrcontact.h, docs/results.md.
 c
 c Integers of the program may have 4 or 8 bytes (-fdefault-integer-8),
-c whatever this file is compiled with: WRCNEW takes KIND(0), written
+c whatever this file is compiled with: WRCOPN takes KIND(0), written
 c exactly so, and marks the handle with it. A handle may be used only
-c by program parts compiled with the same option.
+c by program parts compiled with the same option. Reals must have 8
+c bytes: WRCOPN takes 1.0D0, written exactly so, and refuses a program
+c in which it has 16 (-fdefault-real-8 without -fdefault-double-8).
 c
-c   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    makes a 'scene', 'solver',
-c                                          'profile', 'normal' or
-c                                          'rolling'
+c   WRCOPN(HANDLE, WHAT, KIND(0), 1.0D0, IERR)   makes a 'scene',
+c                                          'solver', 'profile',
+c                                          'normal' or 'rolling'
+c   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    the same without looking at
+c                                          reals
 c   WRCDEL(HANDLE, IERR)                   destroys it, sets it to 0
 c   WRCERR(HANDLE, TEXT, IERR)             text of its last failure
 c   WRCVER(TEXT)                           version of the library
@@ -44,6 +48,29 @@ c   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
 c                                          scene with what is kept
 c   WRCFOR(SOLVER, MODE, IERR)             forgets: 1 all, 0 nothing
 c
+c   Vehicle simulations (wrc_solver_step and the calls below it in
+c   wrcontact.h):
+c   WRCVEH(SOLVER, SCENE, Q, V, IRAILS, RAILS, F, IDERIV, DFDQ, DFDV,
+c          ISTATE, IERR)
+c        one evaluation of a wheelset. Q(6): x, y, z, roll, pitch angle,
+c        yaw; V(6): their rates; IRAILS 1: RAILS(3,2), displacements of
+c        the left and the right rail, 0: as in the scene; F(6,2): force
+c        and moment on the left and the right wheel about the
+c        wheelset's centre; IDERIV 1: DFDQ(6,6,2), DFDV(6,6,2), of F(I,K)
+c        by Q(J), V(J), 0: neither; ISTATE(2): 1 lifted + 2 flange tip
+c        + 4 chamfer + 8 beyond yield
+c   WRCPAT(SCENE, PATCH, LENP, N, IERR)
+c        patches: N of them, PATCH(22,LENP) if LENP is at least N;
+c        otherwise N only. Members as wrc_patch in wrcontact.h
+c   WRCCRP(SOLVER, SCENE, IPATCH, CREEP, FORCE, IDERIV, DERIV, IERR)
+c        FORCE(3) of patch IPATCH, from 1, at CREEP(3) of the program's
+c        own; IDERIV 1: DERIV(3,3), of FORCE(J) by CREEP(I)
+c   WRCTAB(SCENE, KEYS, VALUES, COUNTS, N, NAMES, NTHR, PATH, TABLE,
+c          IERR)
+c        a table over values of N keys, COUNTS(N) of each; KEYS and
+c        NAMES (of results) separated by blanks; NTHR threads; PATH: a
+c        file, or blank
+c
 c   WRCNUM(HANDLE, NAME, VALUE, IERR)      result of a scene or contact
 c   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text of a scene, profile or
 c                                          normal contact
@@ -51,10 +78,27 @@ c   WRCFLD(HANDLE, NAME, VALUES, LENV, N, IERR)
 c        a field: N values, longitudinal index fastest, if LENV is at
 c        least N; otherwise N only. LENV = 0 returns N, without error
 c
+c   Ids of keys and of names of results, for many steps; the same for
+c   all scenes of one version of the library:
+c   WRCKID(SCENE, KEY, ID, IERR)           id of a key
+c   WRCNID(SCENE, NAME, ID, IERR)          id of the name of a result
+c   WRCSTB(SCENE, IDS, VALUES, N, IERR)    sets N keys to numbers: all
+c                                          or, if one is refused, none
+c   WRCRDB(SCENE, IDS, VALUES, N, IERR)    reads N results; those that
+c                                          are not there: not-a-number
+c
 c   WRCSTD(PROFIL, NAME, IERR)             a built-in profile
 c   WRCFIL(PROFIL, PATH, IERR)             a profile's file
 c   WRCPTS(PROFIL, NAME, IKIND, Y, Z, N, IERR)
 c        a profile through points; IKIND 0: wheel, 1: rail
+c   WRCFLX(PROFIL, PATH, IKIND, MIRY, MIRZ, ISTRCT, SCALE, SMOOTH,
+c          IERR)
+c   WRCPTX(PROFIL, NAME, IKIND, Y, Z, N, MIRY, MIRZ, ISTRCT, SCALE,
+c          SMOOTH, IERR)
+c        the same, and how they are read: IKIND -1 as the file says;
+c        MIRY, MIRZ 0 mirrored if needed, 1 mirrored, -1 not; ISTRCT 1
+c        refuses instead of guessing; SCALE mm per unit, 0 guessed;
+c        SMOOTH wavelength in mm that is halved, 0 no smoothing
 c
 c   WRCGRD(HANDLE, NLAT, NLON, DLAT, DLON, IERR)   grid of a contact
 c   WRCGAP(NORMAL, DIST, N, IERR)          undeformed distance at the
@@ -76,6 +120,8 @@ c The C interface, and what the subroutines share.
       integer, parameter :: profile_mark = 4, normal_mark = 8
       integer, parameter :: rolling_mark = 16, any_mark = 31
       integer, parameter :: contact_mark = normal_mark + rolling_mark
+c Stands for no handle but for reals that WRCOPN has refused.
+      integer(c_int64_t), parameter :: refused_reals = 28
 
       include 'wrcontact_f77.inc'
 
@@ -136,6 +182,62 @@ c The caller's integer of 4 or 8 bytes.
         number(1) = int(value, c_int32_t)
       end if
       end subroutine give
+
+c Both integers of a pair.
+      subroutine give_two(values, numbers, width)
+      integer(c_int32_t), intent(in) :: values(2)
+      integer(c_int32_t), intent(inout) :: numbers(*)
+      integer, intent(in) :: width
+      call give(int(values(1), c_int64_t), numbers, width)
+      call give(int(values(2), c_int64_t), numbers(1 + width/4), width)
+      end subroutine give_two
+
+c Ids of 8 bytes as C takes them; what has no room is none.
+      function narrowed(ids, n)
+      integer(c_int32_t), intent(in), target :: ids(*)
+      integer(c_int64_t), intent(in) :: n
+      integer(c_int32_t), allocatable :: narrowed(:)
+      integer(c_int64_t), pointer :: wide(:)
+c     C takes up to 2**20 of them.
+      call c_f_pointer(c_loc(ids), wide, [max(0_c_int64_t,
+     &  min(n, 2_c_int64_t**20))])
+      narrowed = int(max(-1_c_int64_t, min(wide,
+     &  int(huge(0_c_int32_t), c_int64_t))), c_int32_t)
+      end function narrowed
+
+c As C takes the lengths of lists.
+      function widened(counts, n, width)
+      integer(c_int32_t), intent(in), target :: counts(*)
+      integer(c_int64_t), intent(in) :: n
+      integer, intent(in) :: width
+      integer(c_int64_t), allocatable :: widened(:)
+      integer(c_int64_t), pointer :: wide(:)
+      integer(c_int64_t) :: most
+      most = max(0_c_int64_t, min(n, 2_c_int64_t**10))
+      if (width .eq. 8) then
+        call c_f_pointer(c_loc(counts), wide, [most])
+        widened = wide
+      else
+        widened = int(counts(:most), c_int64_t)
+      end if
+      end function widened
+
+c How a file or points are read. IKIND -1: the kind is not given.
+      function reading(ikind, miry, mirz, istrct, scale, smooth, width)
+      integer(c_int32_t), intent(in) :: ikind(*), miry(*), mirz(*)
+      integer(c_int32_t), intent(in) :: istrct(*)
+      real(c_double), intent(in) :: scale, smooth
+      integer, intent(in) :: width
+      type(wrc_read_options) :: reading
+      reading = wrc_read_options(0, 0, 0, 0, 0, 0, 0, scale, smooth,
+     &  0, 0, 0, 0)
+      reading%struct_size = c_sizeof(reading)
+      reading%kind = int(taken(ikind, width), c_int32_t)
+      if (reading%kind .ne. -1) reading%kind_given = 1
+      reading%mirror_lateral = int(taken(miry, width), c_int32_t)
+      reading%mirror_height = int(taken(mirz, width), c_int32_t)
+      reading%strict = int(taken(istrct, width), c_int32_t)
+      end function reading
 
       subroutine finish(status, ierr, width)
       integer(c_int32_t), intent(in) :: status
@@ -215,6 +317,25 @@ c     are 8, or 0 where the most significant ones come first.
       call finish(status, ierr, width)
       end
 
+      subroutine wrcopn(handle, what, kind0, one, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 handle
+      character*(*) what
+      integer*4 kind0(*), ierr(*), status
+      real*8 one
+      integer width
+      call wrcnew(handle, what, kind0, ierr)
+      if (handle .eq. 0) return
+c     The first half of another 1.0D0 is another number.
+      if (storage_size(one) .eq. 64 .and. abs(one - 1) .le. 0) return
+      width = 4*int(iand(handle, 3_8))
+      call wrcdel(handle, ierr)
+      handle = refused_reals + width/4
+      status = 1
+      call finish(status, ierr, width)
+      end
+
       subroutine wrcdel(handle, ierr)
       use wrcontact_f77_c
       implicit none
@@ -241,8 +362,12 @@ c     are 8, or 0 where the most significant ones come first.
       type(c_ptr) address, found
       integer kind, width
       call look(handle, any_mark, address, kind, width, status)
-      if (status .ne. 0) then
-        text = 'the handle was not made by WRCNEW with KIND(0)'
+      if (handle .eq. refused_reals + width/4) then
+        text = 'REAL*8 and 1.0D0 must have 8 bytes: with '//
+     &    '-fdefault-real-8 gfortran needs -fdefault-double-8 too'
+      else if (status .ne. 0) then
+        text = 'the handle was not made by WRCOPN or WRCNEW with '//
+     &    'KIND(0)'
       else
         found = c_null_ptr
         if (kind .eq. scene_mark) found = wrc_scene_error(address)
@@ -421,6 +546,101 @@ c     are 8, or 0 where the most significant ones come first.
       call finish(status, ierr, width)
       end
 
+      subroutine wrcveh(solver, scene, q, v, irails, rails, f, ideriv,
+     &  dfdq, dfdv, istate, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 solver, scene
+      integer*4 irails(*), ideriv(*), ierr(*), status, states(2)
+      integer*4, target :: istate(*)
+      real*8 q(6), v(6), f(6,2)
+      real*8, target :: rails(3,2), dfdq(6,6,2), dfdv(6,6,2)
+      real*8, pointer :: moved(:,:), by_q(:,:,:), by_v(:,:,:)
+      type(c_ptr) address, other
+      integer kind, width, width2
+      call look(solver, solver_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        call look(scene, scene_mark, other, kind, width2, status)
+        if (width2 .ne. width) status = 1
+      end if
+      if (status .eq. 0) then
+        nullify (moved, by_q, by_v)
+        if (taken(irails, width) .eq. 1) moved => rails
+        if (taken(ideriv, width) .eq. 1) then
+          by_q => dfdq
+          by_v => dfdv
+        end if
+        states = 0
+        status = wrc_solver_step(address, other, q, v, moved, f, by_q,
+     &    by_v, states)
+        if (status .eq. 0 .or. status .eq. 8) call give_two(states,
+     &    istate, width)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcpat(scene, patch, lenp, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene, count, length
+      integer*4 lenp(*), n(*), ierr(*), status
+c     22 numbers each.
+      type(contact_patch) patch(*)
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        count = 0
+        length = taken(lenp, width)
+        status = wrc_scene_patches(address, patch, 176_8, length, count)
+        call give(count, n, width)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrccrp(solver, scene, ipatch, creep, force, ideriv,
+     &  deriv, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 solver, scene
+      integer*4 ipatch(*), ideriv(*), ierr(*), status
+      real*8 creep(3), force(3)
+      real*8, target :: deriv(3,3)
+      real*8, pointer :: by(:,:)
+      type(c_ptr) address, other
+      integer kind, width, width2
+      call look(solver, solver_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        call look(scene, scene_mark, other, kind, width2, status)
+        if (width2 .ne. width) status = 1
+      end if
+      if (status .eq. 0) then
+        nullify (by)
+        if (taken(ideriv, width) .eq. 1) by => deriv
+        status = wrc_solver_creep(address, other,
+     &    taken(ipatch, width) - 1, creep, force, by)
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrctab(scene, keys, values, counts, n, names, nthr,
+     &  path, table, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) keys, names, path
+      integer*4 counts(*), n(*), nthr(*), ierr(*), status
+      real*8 values(*), table(*)
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_tabulate(address,
+     &  letters(keys), values, widened(counts, taken(n, width), width),
+     &  letters(names), int(taken(nthr, width), c_int32_t),
+     &  letters(path), table)
+      call finish(status, ierr, width)
+      end
+
       subroutine wrcfor(solver, mode, ierr)
       use wrcontact_f77_c
       implicit none
@@ -452,6 +672,81 @@ c     are 8, or 0 where the most significant ones come first.
           status = wrc_normal_number(address, letters(name), value)
         else
           status = wrc_rolling_number(address, letters(name), value)
+        end if
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrckid(scene, key, id, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) key
+      integer*4 id(*), ierr(*), status, found
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_key_id(address,
+     &  letters(key), found)
+      if (status .eq. 0) call give(int(found, c_int64_t), id, width)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcnid(scene, name, id, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      character*(*) name
+      integer*4 id(*), ierr(*), status, found
+      type(c_ptr) address
+      integer kind, width
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_scene_number_id(address,
+     &  letters(name), found)
+      if (status .eq. 0) call give(int(found, c_int64_t), id, width)
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcstb(scene, ids, values, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      integer*4 ids(*), n(*), ierr(*), status
+      real*8 values(*)
+      type(c_ptr) address
+      integer kind, width
+      integer*8 count
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        count = taken(n, width)
+        if (width .eq. 8) then
+          status = wrc_scene_set_numbers_by_id(address,
+     &      narrowed(ids, count), values, count)
+        else
+          status = wrc_scene_set_numbers_by_id(address, ids, values,
+     &      count)
+        end if
+      end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcrdb(scene, ids, values, n, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 scene
+      integer*4 ids(*), n(*), ierr(*), status
+      real*8 values(*)
+      type(c_ptr) address
+      integer kind, width
+      integer*8 count
+      call look(scene, scene_mark, address, kind, width, status)
+      if (status .eq. 0) then
+        count = taken(n, width)
+        if (width .eq. 8) then
+          status = wrc_scene_numbers_by_id(address,
+     &      narrowed(ids, count), values, count)
+        else
+          status = wrc_scene_numbers_by_id(address, ids, values, count)
         end if
       end if
       call finish(status, ierr, width)
@@ -536,7 +831,8 @@ c     are 8, or 0 where the most significant ones come first.
       integer kind, width
       call look(profil, profile_mark, address, kind, width, status)
       if (status .eq. 0) then
-        options = wrc_read_options(0, 0, 0, 0, 0, 0, 0, 0, 0)
+        options = wrc_read_options(0, 0, 0, 0, 0, 0, 0, 0, 0,
+     &    0, 0, 0, 0)
         options%struct_size = c_sizeof(options)
         status = wrc_profile_load_file(address, letters(path), options)
       end if
@@ -555,12 +851,48 @@ c     are 8, or 0 where the most significant ones come first.
       integer kind, width
       call look(profil, profile_mark, address, kind, width, status)
       if (status .eq. 0) then
-        options = wrc_read_options(0, 0, 1, 0, 0, 0, 0, 0, 0)
+        options = wrc_read_options(0, 0, 1, 0, 0, 0, 0, 0, 0,
+     &    0, 0, 0, 0)
         options%struct_size = c_sizeof(options)
         options%kind = int(taken(ikind, width), c_int32_t)
         status = wrc_profile_set_points(address, letters(name), y, z,
      &    taken(n, width), options)
       end if
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcflx(profil, path, ikind, miry, mirz, istrct, scale,
+     &  smooth, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 profil
+      character*(*) path
+      integer*4 ikind(*), miry(*), mirz(*), istrct(*), ierr(*), status
+      real*8 scale, smooth
+      type(c_ptr) address
+      integer kind, width
+      call look(profil, profile_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_profile_load_file(address,
+     &  letters(path), reading(ikind, miry, mirz, istrct, scale, smooth,
+     &  width))
+      call finish(status, ierr, width)
+      end
+
+      subroutine wrcptx(profil, name, ikind, y, z, n, miry, mirz,
+     &  istrct, scale, smooth, ierr)
+      use wrcontact_f77_c
+      implicit none
+      integer*8 profil
+      character*(*) name
+      integer*4 ikind(*), n(*), miry(*), mirz(*), istrct(*), ierr(*)
+      integer*4 status
+      real*8 y(*), z(*), scale, smooth
+      type(c_ptr) address
+      integer kind, width
+      call look(profil, profile_mark, address, kind, width, status)
+      if (status .eq. 0) status = wrc_profile_set_points(address,
+     &  letters(name), y, z, taken(n, width), reading(ikind, miry, mirz,
+     &  istrct, scale, smooth, width))
       call finish(status, ierr, width)
       end
 

@@ -183,7 +183,8 @@ def module_rows():
     folder = PROJECT / "fortran_bindings"
     main = (folder / "wrcontact.f90").read_text(encoding="utf-8")
     whole = main + "".join((folder / f"wrcontact_{part}.inc").read_text(encoding="utf-8")
-                           for part in ("normal", "rolling", "profile", "namelist"))
+                           for part in ("scene", "solver", "vehicle", "normal", "rolling",
+                                        "profile", "namelist"))
     procedures = procedures_of(whole)
     rows, used = {}, []
     variables = {"contact_scene": "scene", "contact_solver": "solver", "contact_profile": "profile",
@@ -230,6 +231,7 @@ def module_rows():
 
 
 def f77_rows():
+    literals = {"kind0": "KIND(0)", "one": "1.0D0"}
     lines, types, current, calls = [], {}, None, []
     for line in text_of("fortran_bindings/wrcontact_f77.f").lower().splitlines():
         if not re.match(r"[c*!]", line) and line.strip():
@@ -241,15 +243,19 @@ def f77_rows():
         head = re.match(r"subroutine (wrc\w+)\((.*)\)", line)
         if head:
             current = [a.strip() for a in head.group(2).split(",")]
-            shown = ["KIND(0)" if a == "kind0" else a.upper() for a in current]
+            shown = [literals.get(a, a.upper()) for a in current]
             calls.append((f"CALL {head.group(1).upper()}({', '.join(shown)})",))
-        declared = re.match(r"(integer\*8|integer\*4|real\*8|character\*\(\*\)) (.*)", line)
+        declared = re.match(r"(integer\*8|integer\*4|real\*8|character\*\(\*\)|type\(contact_patch\))"
+                            r"(?:, target ::)? (.*)", line)
         if current and declared:
-            for name, array in re.findall(r"(\w+)(\(\*\))?", declared.group(2)):
-                if name in current and name != "kind0":
-                    kind = "INTEGER" if declared.group(1) == "integer*4" else (
-                        declared.group(1).upper() + (" (*)" if array else ""))
-                    types.setdefault(name.upper(), set()).add(kind)
+            # Integers of either width are all declared as arrays.
+            kind = {"integer*4": "INTEGER", "type(contact_patch)": "REAL*8"}.get(
+                declared.group(1), declared.group(1).upper())
+            lists = {"ids": " (*)", "counts": " (*)", "istate": " (2)", "patch": " (22,*)"}
+            for name, array in re.findall(r"(\w+)(\([^)]*\))?", declared.group(2)):
+                if name in current and name not in literals:
+                    shape = lists.get(name, "" if kind == "INTEGER" or not array else " " + array)
+                    types.setdefault(name.upper(), set()).add(kind + shape)
     arguments = [(name, " or ".join(sorted(kinds))) for name, kinds in sorted(types.items())]
     return {"calls": calls, "arguments": arguments}
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The Fortran interfaces of the C functions are those of wrcontact.h: every function of the header
-# is bound by the module, with the same names, number, kinds and passing of arguments, the same
-# wrc_read_options and the same constants; the F77 layer binds some of them, as exactly; every
-# function bound is called.
+# The Fortran interfaces of the C functions are those of wrcontact.h and of wrcontact_grid.h beside
+# it: every function of these headers is bound by the module, with the same names, number, kinds and
+# passing of arguments, the same structures and the same constants; the F77 layer binds some of
+# them, as exactly; every function bound is called.
 #
 # Both sides are brought to lines like
 #   function wrc_scene_number int32 scene:address name:letters value:real*
@@ -11,13 +11,14 @@
 set -euo pipefail
 project="$(cd "$(dirname "$0")/.." && pwd)"
 header=${1:-$project/c_api/include/wrcontact.h}
+headers=("$header" "$(dirname "$header")/wrcontact_grid.h")
 folder=${2:-$project/fortran_bindings}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 of_header() {
   # Comments away, then one declaration a line.
-  sed -e 's|//.*||' "$header" | tr '\n' ' ' | sed -e 's|/\*|\n&|g; s|\*/|&\n|g' | grep -v '^/\*' |
+  sed -e 's|//.*||' "${headers[@]}" | tr '\n' ' ' | sed -e 's|/\*|\n&|g; s|\*/|&\n|g' | grep -v '^/\*' |
     tr '\n' ' ' | sed -e 's|typedef struct|\n&|g; s|WRC_API|\n&|g' | grep -E '^(WRC_API [a-z]|typedef struct wrc_[a-z_]+ \{)' |
     awk '
     function stop(what) { print "not understood in the header: " what > "/dev/stderr"; bad = 1 }
@@ -33,7 +34,10 @@ of_header() {
       if (type == "int64_t*") return "int64*"
       if (type == "double*") return "real*"
       if (type == "const double*") return "const_real*"
+      if (type == "const int32_t*") return "const_int32*"
+      if (type == "const int64_t*") return "const_int64*"
       if (type == "const wrc_read_options*") return "const_options*"
+      if (type == "wrc_patch*") return "patch*"
       if (type ~ /^wrc_[a-z]+\*const\*$/) return "const_address*"
       if (type == "const char**" || type ~ /^wrc_[a-z]+\*\*$/) return "address*"
       if (type == "void*" || type ~ /^(const )?wrc_[a-z]+\*$/) return "address"
@@ -44,8 +48,8 @@ of_header() {
       return name ":" kind_of(substr(text, 1, length(text) - length(name)), returned)
     }
     /^typedef/ {
+      line = $3; sub(/^wrc_(read_)?/, "", line)
       sub(/^[^{]*\{/, ""); sub(/\}.*/, ""); n = split($0, member, ";")
-      line = "options"
       for (i = 1; i <= n; ++i) if (member[i] ~ /[a-z]/) line = line " " pair(member[i], 0)
       print line; next
     }
@@ -87,11 +91,14 @@ of_fortran() {
       if (type == "type(c_ptr), value" || type == "type(c_ptr)") return "address"
       if (type == "type(c_funptr), value") return "procedure"
       if (type == "character(kind=c_char), intent(in)" && array) return "letters"
-      if (type == "integer(c_int32_t), intent(inout)") return "int32*"
+      if (type ~ /^integer\(c_int32_t\), intent\(inout\)(, optional)?$/) return "int32*"
       if (type == "integer(c_int64_t), intent(inout)") return "int64*"
       if (type == "real(c_double), intent(inout)" || type == "real(c_double), intent(inout), optional") return "real*"
-      if (type == "real(c_double), intent(in)" && array) return "const_real*"
+      if (type == "real(c_double), intent(in)" && array || type == "real(c_double), intent(in), optional") return "const_real*"
+      if (type == "integer(c_int32_t), intent(in)" && array) return "const_int32*"
+      if (type == "integer(c_int64_t), intent(in)" && array) return "const_int64*"
       if (type == "type(wrc_read_options), intent(in)") return "const_options*"
+      if (type == "type(contact_patch), intent(inout)") return "patch*"
       if (type == "type(c_ptr), intent(in)" && array) return "const_address*"
       if (type == "type(c_ptr), intent(inout)") return "address*"
       stop(type); return "?"
@@ -99,9 +106,9 @@ of_fortran() {
     { gsub(/^ +| +$/, ""); $0 = tolower($0) }
     $0 == "interface" { within = 1; next }
     $0 == "end interface" { within = 0; next }
-    /^type, bind\(c\) :: wrc_read_options$/ { options = 1; line = "options"; next }
-    options && /^end type/ { options = 0; print line; next }
-    options { n = split($0, part, " :: "); if (n != 2) stop($0); line = line " " part[2] ":" kind_of(part[1], 0); next }
+    /^type, bind\(c\)(, public)? :: / { within_type = 1; line = $NF; sub(/.*_/, "", line); next }
+    within_type && /^end type/ { within_type = 0; print line; next }
+    within_type { n = split($0, part, " :: "); sub(/ = 0$/, "", part[2]); if (n != 2) stop($0); line = line " " part[2] ":" kind_of(part[1], 0); next }
     !within { next }
     /^import/ { next }
     /^(function|subroutine) / {
@@ -134,7 +141,7 @@ of_header | sort > "$work/header"
 of_fortran "$folder/wrcontact_c.inc" | sort > "$work/module"
 of_fortran "$folder/wrcontact_f77.inc" | sort > "$work/f77"
 # A header that is read wrongly as a whole would compare equal to nothing.
-[ "$(grep -c '^function' "$work/header")" -eq "$(grep -cE '^WRC_API [a-z]' "$header")" ] ||
+[ "$(grep -c '^function' "$work/header")" -eq "$(cat "${headers[@]}" | grep -cE '^WRC_API [a-z]')" ] ||
   fail "not every declaration of the header was read"
 diff -u --label wrcontact.h --label wrcontact_c.inc "$work/header" "$work/module" ||
   fail "the module's interfaces are not those of the header"
@@ -142,7 +149,7 @@ foreign=$(comm -13 "$work/header" "$work/f77")
 [ -z "$foreign" ] || fail "the F77 layer's interfaces are not those of the header: $foreign"
 
 # Constants: WRC_OK 0 in the header, wrc_ok = 0 in the module.
-grep -oE '^#define WRC_[A-Z_]+ [0-9]+' "$header" | tr '[:upper:]' '[:lower:]' | sed 's/#define //' | sort > "$work/defines"
+grep -ohE '^#define WRC_[A-Z_]+ [0-9]+' "${headers[@]}" | tr '[:upper:]' '[:lower:]' | sed 's/#define //' | sort > "$work/defines"
 grep -oE 'parameter, public :: wrc_[a-z_]+ = [0-9]+' "$folder/wrcontact.f90" |
   sed 's/.*:: //; s/ = / /' | sort > "$work/parameters"
 diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/parameters" ||
@@ -150,7 +157,7 @@ diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/paramet
 
 # Every function bound is called.
 while read -r _ name _; do
-  grep -qE "[^a-z_]$name\(" "$folder/wrcontact.f90" "$folder"/wrcontact_{normal,rolling,profile,namelist}.inc ||
+  grep -qE "[^a-z_]$name\(" "$folder/wrcontact.f90" "$folder"/wrcontact_{scene,solver,vehicle,normal,rolling,profile,namelist}.inc ||
     fail "the module binds $name and never calls it"
 done < <(grep '^function' "$work/module")
 exit "$failures"

@@ -38,9 +38,9 @@ room models base geometry patches
 room accuracy base patches remesh mechanics pressure
 room wheel base half_space pressure geometry patches remesh mechanics rolling models accuracy
 room scene base profile half_space pressure geometry patches mechanics rolling accuracy wheel
-check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|(handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact\.h'
+check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid)?\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
-check tests/c_api 'call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
+check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'base/error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
 check tests/properties '(drawn_scene|outcome|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
@@ -64,9 +64,10 @@ if [ -n "$above" ]; then
 fi
 
 # Fortran reaches the library through its own module's C bindings only; programs in Fortran use the
-# module or the F77 layer as their users do.
+# module or the F77 layer as their users do, beside modules of their own.
+own=$(git ls-files drivers/fortran | xargs -r grep -hoiE '^module [a-z_]+$' | cut -d' ' -f2 | tr '\n' '|')
 fortran=$(git ls-files fortran_bindings drivers/fortran | xargs -r grep -niE '^[[:space:]]*use[ ,]' |
-  grep -viE 'iso_c_binding|iso_fortran_env|wrcontact' || true)
+  grep -viE "iso_c_binding|iso_fortran_env|${own}wrcontact" || true)
 if [ -n "$fortran" ]; then
   echo "Fortran uses more than the C interface and its module:"
   echo "$fortran"

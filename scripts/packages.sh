@@ -5,9 +5,9 @@ build_packages=(
   libfftw3-dev liblapack-dev
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
   gnuplot-nox fonts-dejavu-core
-  libnetcdf-dev libopenmpi-dev openmpi-bin
+  libnetcdf-dev libssl-dev libopenmpi-dev openmpi-bin
 )
 check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
-  shellcheck codespell python3
+  shellcheck codespell doxygen python3
 )

@@ -2,7 +2,7 @@
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text,
 # constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release, the
-# outputs that pages show, instruction sets.
+# reference by Doxygen, the outputs that pages show, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -59,6 +59,11 @@ if [ "$all" = yes ]; then
 fi
 build_and_test release
 if [ "$all" = yes ]; then
+  echo "== reference of the interfaces"
+  cmake --build --preset release --target reference >build/release/reference.log 2>&1 || {
+    grep -iE 'warning|error' build/release/reference.log | head -n 40
+    exit 1
+  }
   echo "== outputs shown in the docs"
   scripts/check_outputs.py
   echo "== instruction sets"

@@ -14,8 +14,8 @@
  *          y to the right and z down (key convention.frame).
  * Errors:  functions return WRC_OK or another wrc_status. The text of the last failure of a handle
  *          stays on the handle (wrc_scene_error and so on) until its next call. A failed call
- *          leaves the handle unchanged. Nothing throws, prints or ends the program, with one
- *          exception: FFTW itself aborts it if there is no memory for a plan.
+ *          leaves the handle unchanged. Nothing throws, prints or ends the program. Memory, threads
+ *          and fork(): docs/c.md, with what remains of FFTW ending a program without memory.
  * Handles: a handle is a number disguised as a pointer and looked up at each call: one that has
  *          been destroyed, or is of another kind, is rejected with WRC_INVALID_ARGUMENT.
  * Threads: all functions may be called from any thread. A handle serves one call at a time; a
@@ -127,6 +127,28 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * not there. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
+/**
+ * Numbers by id, for vehicle simulations: what wrc_scene_set_number and wrc_scene_number do, twenty
+ * times as fast. An id stands for a key, or for the name of a result, in every scene, solved or
+ * not: "left.patches.3.pmax" has one, however many patches there will be (0 to 1023, with parts 0
+ * to 254). Ids belong to one version of the library: a program asks for them whenever it starts.
+ * WRC_UNKNOWN_NAME. Since 0.3.
+ */
+WRC_API wrc_status wrc_scene_key_id(wrc_scene* scene, const char* key, int32_t* id);
+WRC_API wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32_t* id);
+/**
+ * Sets the keys of `count` ids (at most 2^20) to numbers, in this order. If one is refused, none is
+ * set, and the error text names its key, value and range. WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_scene_set_numbers_by_id(wrc_scene* scene, const int32_t* ids,
+                                               const double* values, int64_t count);
+/**
+ * The results of `count` ids (at most 2^20), of whichever call has solved the scene. What it does
+ * not have, such as a patch that is not there, is not-a-number. Values are set if all ids are those
+ * of results. WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids, double* values,
+                                           int64_t count);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**
@@ -183,207 +205,123 @@ WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
 WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
                                    wrc_status* statuses);
 
-/* ---- Normal contact of a gap given by the caller ------------------------------------------- */
+/* ---- Vehicle simulations ------------------------------------------------------------------- */
+
+/** Flags of the result left.state (right.state), and of a step. Since 0.3. */
+#define WRC_LIFTED 1        /**< no contact */
+#define WRC_ON_FLANGE_TIP 2 /**< a patch beyond the steepest place of the flange: derailing */
+#define WRC_ON_CHAMFER 4    /**< a patch beyond the tread, on the field side */
+#define WRC_BEYOND_YIELD 8  /**< largest pressure above material.yield_pressure */
 
 /**
- * One problem on an equally spaced grid, and the solver that keeps plans, tables and memory between
- * its calls: pressures p >= 0 and gaps g = h + u - approach >= 0 with p g = 0, where u are the
- * displacements of an elastic half-space. Changing the problem does not touch the results: they
- * are those of the last wrc_normal_solve. Answers do not depend on earlier calls.
- */
-typedef struct wrc_normal wrc_normal;
-
-/** An empty problem. On failure *normal is NULL. Since 0.1. */
-WRC_API wrc_status wrc_normal_create(wrc_normal** normal);
-/** Does nothing with NULL. Since 0.1. */
-WRC_API void wrc_normal_destroy(wrc_normal* normal);
-/** Text of the last failure, "" if there was none. Since 0.1. */
-WRC_API const char* wrc_normal_error(const wrc_normal* normal);
-
-/**
- * The grid: numbers of elements (at least 1, at most 2^26 in all) and their sides in mm (1e-30 to
- * 1e30, neither more than 1e9 times the other). WRC_INVALID_ARGUMENT. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
-                                       int64_t longitudinal_count, double lateral_step,
-                                       double longitudinal_step);
-/**
- * The undeformed distance h at the element centres, mm, finite, positive when apart; `count` values
- * with the longitudinal index fastest, which are copied. wrc_normal_solve needs as many as the
- * grid has elements. WRC_INVALID_ARGUMENT. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count);
-/**
- * Numbers by key:
- *   "combined_modulus"    MPa, 1e-30 to 1e30; 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; steel on
- *                         steel by default: 210000/(2 (1 - 0.3^2))
- *   "normal_load"         N, 0 or 1e-60 to 1e60; replaces the approach
- *   "approach"            mm, -1e60 to 1e60; replaces the normal load
- *   "tolerance"           1e-13 to 0.1, default 1e-6. Solver "default": largest error of the
- *                         pressures relative to the largest, against the exact solution on this
- *                         grid, as measured. Solver "paper": update of the pressures and
- *                         complementarity
- *   "maximum_iterations"  a whole number, 1 to 1e9, default 5000
- * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value);
-/**
- * Texts by key; the first is the default:
- *   "solver"     "default", or "paper" (Polonsky & Keer 1999, always in double precision)
- *   "elements"   "smooth": a pressure is the value at the element's centre of one that is smooth
- *                inside the contact; or "constant": it is that everywhere on the element (Love
- *                1929), at five to ten times the error. Solver "paper": "constant" by default
- *   "precision"  "mixed": directions of the iteration in single precision; or "double"
- *   "planner"    "estimate": plans of transforms at once; or "measure": faster ones after seconds
- * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value);
-
-/**
- * Solves the problem. WRC_NOT_CONVERGED comes with usable results; on any other failure the results
- * of the last success remain. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
-
-/**
- * A scalar result by name:
- *   "approach"      mm; "normal_force" N; "area" mm^2, counted in elements
- *   "pmax"          MPa, peak of a quadratic surface through the elements around the largest
- *   "pmax_element"  MPa, largest element
- *   "fill"          share of the elements under pressure, 0 to 1
- *   "iterations"    of all grids the solver went through
- *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
- *                   how well the problem is solved, recomputed in double precision when first
- *                   requested: |force - load|/load (0 for a given approach), least gap without
- *                   pressure (< 0: overlap) and largest |gap| under pressure, both over the
- *                   largest displacement
- * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value);
-/** "stop_reason": "tolerance_met", "iteration_limit" or "stagnation". Since 0.1. */
-WRC_API wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value);
-/**
- * "pressure" (MPa) or "displacement" (mm, both bodies together, computed when first requested), one
- * value per element with the longitudinal index fastest; copied as by wrc_scene_field. Since 0.1.
- */
-WRC_API wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values,
-                                    int64_t capacity, int64_t* count);
-
-/* ---- Tangential contact of pressures given by the caller ------------------------------------ */
-
-/**
- * Tractions and slip of two bodies of like elasticity that press on each other with given pressures
- * p and roll in +x, with Coulomb friction:
- *   s = w - du/dx,  w = (xi - phi y, eta + phi x)       slip and rigid slip, over the speed
- *   |q| <= friction p;  s = 0 where |q| is less;  q against s where s is not 0
- * with q the tractions on the wheel, u the displacements of the wheel relative to the rail, xi, eta
- * and phi the creepages, wheel minus rail (Kalker 1990). Frame: of the contact's plane, x forward,
- * y to the left, origin in the middle of the grid. Forces and moments act on the wheel. Changing
- * the problem does not touch the results: they are those of the last wrc_rolling_solve. Answers do
- * not depend on earlier calls, but for tractions set as previous ones.
- */
-typedef struct wrc_rolling wrc_rolling;
-
-/** An empty problem. On failure *rolling is NULL. Since 0.3. */
-WRC_API wrc_status wrc_rolling_create(wrc_rolling** rolling);
-/** Does nothing with NULL. Since 0.3. */
-WRC_API void wrc_rolling_destroy(wrc_rolling* rolling);
-/** Text of the last failure, "" if there was none. Since 0.3. */
-WRC_API const char* wrc_rolling_error(const wrc_rolling* rolling);
-
-/** The grid, around the origin; as wrc_normal_set_grid. Since 0.3. */
-WRC_API wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_count,
-                                        int64_t longitudinal_count, double lateral_step,
-                                        double longitudinal_step);
-/**
- * The pressures at the element centres, 0 to 1e30 MPa, 0 outside the contact; `count` values with
- * the longitudinal index fastest, x and y growing with the indices, which are copied.
- * wrc_rolling_solve needs as many as the grid has elements. WRC_INVALID_ARGUMENT. Since 0.3.
- */
-WRC_API wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values,
-                                            int64_t count);
-/**
- * The tractions before a step or a shift ("contact" below), -1e30 to 1e30 MPa on the wheel,
- * `count` values each on the grid of the pressures, which moves with the contact; they are copied.
- * They stay until they are replaced, and steady rolling does not use them. With count 0 there are
- * none, as at first: the bodies were free of tractions. WRC_INVALID_ARGUMENT. Since 0.3.
- */
-WRC_API wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
-                                            const double* traction_y, int64_t count);
-/**
- * Numbers by key:
- *   "shear_modulus"          MPa, 1e-30 to 1e30; 1/G = (1/G1 + 1/G2)/2; steel by default:
- *                            210000/(2 (1 + 0.28))
- *   "poisson"                0 to 0.5, default 0.28; nu/G = (nu1/G1 + nu2/G2)/2
- *   "friction"               0 to 1e3, default 0.3
- *   "longitudinal_creepage"  xi, -1e30 to 1e30, default 0; of a shift: mm
- *   "lateral_creepage"       eta, the same
- *   "spin_creepage"          phi, 1/mm, the same, positive turns x to y; of a shift: rad
- *   "tolerance"              1e-10 to 0.1, default 1e-3: sum of the changes of q in one step of the
- *                            natural iteration q - r s, cut to the bound, over the sum of |q|
- *   "difference_parameter"   Kalker's K of unlike bodies, -0.5 to 0.5, default 0:
- *                            K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4, wheel 1, rail 2; steady
- *                            rolling by the full model only
- *   "derivatives"            1: "creepage_derivatives" are computed, for about the cost of the
- *                            solution; default 0
- *   "maximum_iterations"     of each of the grids gone through: a whole number, 1 to 1e9,
- *                            default 30
+ * One evaluation of a wheelset: positions and velocities in, the forces of its wheels out. As
+ * setting the keys pose.lateral, .vertical, .roll, .yaw and motion.speed, .lateral, .vertical,
+ * .roll, .pitch, .yaw (and solve.derivatives) and wrc_solver_solve; all other keys of the scene
+ * stay, and all its results can be read. Numbers are in the scene's convention.
  *
- * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
- */
-WRC_API wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value);
-/**
- * Texts by key; the first is the default:
- *   "model"       "full": the problem above; or "fastsim": FASTSIM (Kalker 1982) strip by strip on
- *                 these pressures, with flexibilities from solutions without slip on the same
- *                 elements; steady rolling only
- *   "contact"     "rolling": steady rolling; "transient": a step of rolling by the length h of one
- *                 element from the previous tractions, s = w + (u(x) - u'(x + h))/h; or "shift":
- *                 one without rolling, s = w + u - u' in mm
- *   "difference"  of rolling: "biased", upstream and of second order; or "first-order", as CONTACT
- *                 (Vollebregt) takes it, for comparison
+ * position:    x, y, z, roll, pitch angle, yaw of the wheelset's centre, z above the rail tops;
+ *              nothing depends on x and the pitch angle.
+ * velocity:    their rates; that of the pitch angle is positive when the axle rolls forward.
+ * rails:       displacement of the left rail and of the right one, lateral, vertical, roll each
+ *              (track.left.displacement): irregularities. NULL: as in the scene.
+ * force:       12 numbers: of the left wheel force x, y, z and moment x, y, z about the wheelset's
+ *              centre, then of the right wheel. Zeros without contact.
+ * by_position, by_velocity: 72 numbers each, or NULL: derivatives of the left wheel's six by the
+ *              first position, by the second, ...; then of the right wheel. Each at fixed others.
+ *              They cost nothing if both are NULL.
+ * states:      2 numbers, or NULL: flags of the left and the right wheel.
  *
- * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
+ * On failure the scene and the arrays stay as they were; the error text is on the scene.
+ * WRC_INVALID_ARGUMENT, WRC_NO_CONTACT for a wheel beside its rail, WRC_NOT_CONVERGED with results.
+ * Since 0.3.
  */
-WRC_API wrc_status wrc_rolling_set_text(wrc_rolling* rolling, const char* key, const char* value);
+WRC_API wrc_status wrc_solver_step(wrc_solver* solver, wrc_scene* scene, const double* position,
+                                   const double* velocity, const double* rails, double* force,
+                                   double* by_position, double* by_velocity, int32_t* states);
+/**
+ * Steps of `count` wheelsets (at most 2^24), each with a solver and a scene of its own, on up to
+ * `threads` threads (1 to 1024): bit for bit the same for any number of them. Arrays hold those of
+ * wrc_solver_step for one wheelset after the other; rails, by_positions, by_velocities, states and
+ * statuses may be NULL. Returns WRC_OK if all were solved, otherwise the first other status.
+ * Since 0.3.
+ */
+WRC_API wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* scenes,
+                                  int64_t count, int32_t threads, const double* positions,
+                                  const double* velocities, const double* rails, double* forces,
+                                  double* by_positions, double* by_velocities, int32_t* states,
+                                  wrc_status* statuses);
+
+/** A contact patch, in the scene's convention. Since 0.3. */
+typedef struct wrc_patch {
+  double wheel; /**< 0: left, 1: right */
+  double x;     /**< contact reference, track frame */
+  double y;
+  double z;
+  double normal_x; /**< from the rail to the wheel */
+  double normal_y;
+  double normal_z;
+  double contact_angle;
+  double rolling_radius;
+  double s_wheel; /**< place on the wheel's profile, from the taping line to the field side */
+  double normal_force;
+  double longitudinal_creep_force; /**< on the wheel */
+  double lateral_creep_force;      /**< along the patch's plane */
+  double spin_moment;
+  double longitudinal_creepage;
+  double lateral_creepage;
+  double spin_creepage;
+  double longitudinal_semi_axis; /**< of the Hertzian ellipse with its second moments of pressure */
+  double lateral_semi_axis;
+  double approach;
+  double largest_pressure;
+  double friction_power; /**< force times length by time */
+} wrc_patch;
 
 /**
- * Solves the problem. WRC_NOT_CONVERGED comes with usable results; on any other failure the results
- * of the last success remain. Since 0.3.
+ * All patches of a result: those of the left wheel, then of the right one, each wheel's in the
+ * order of their places on it from the flange on, which they keep from step to step. Copies at most
+ * `capacity` patches and sets *count to their number; struct_size is sizeof(wrc_patch). With
+ * capacity 0 (patches may be NULL) it only returns the number. WRC_TOO_SMALL if that exceeds a
+ * capacity > 0; nothing is copied then. WRC_NO_RESULT. Since 0.3.
  */
-WRC_API wrc_status wrc_rolling_solve(wrc_rolling* rolling);
-/**
- * Makes the tractions of the results the previous ones, for the next step or shift; solving does
- * not. WRC_NO_RESULT. Since 0.3.
- */
-WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
-
-/**
- * A scalar result by name:
- *   "longitudinal_force", "lateral_force"  N
- *   "spin_moment"                   N mm, about the origin
- *   "slip_area", "adhesion_area"    mm^2, counted in elements
- *   "friction_power"                lost to friction, over the speed, N: -(force and moment times
- *                                   creepages); exact for steady rolling; of a shift: N mm; of
- *                                   unlike bodies with what pressures add to the creepages
- *   "numerical_loss"                the share of it that slip times traction does not show, from
- *                                   elements of finite size; 0 but for steady rolling
- *   "iterations", "convolutions"    on all grids
- *   "residual"                      reached; see "tolerance"
- *   "converged"                     1, or 0 with WRC_NOT_CONVERGED
- * WRC_NO_RESULT, WRC_UNKNOWN_NAME. Since 0.3.
- */
-WRC_API wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value);
-/**
- * "traction_x", "traction_y" (MPa, on the wheel), "slip_x" or "slip_y" (over the speed; of a shift:
- * mm; 0 outside the contact), "normal_displacement" (mm: what the tractions open the gap of unlike
- * bodies by; added to the undeformed distance of wrc_normal it changes the pressures in turn), one
- * value per element with the longitudinal index fastest; or "creepage_derivatives", 9 values:
- * dFx/dxi, dFx/deta, dFx/dphi, then those of Fy and Mz (N, N mm, phi in 1/mm), 0 if not requested.
- * Copied as by wrc_scene_field. WRC_NO_RESULT, WRC_UNKNOWN_NAME, WRC_TOO_SMALL. Since 0.3.
- */
-WRC_API wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* values,
+WRC_API wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64_t struct_size,
                                      int64_t capacity, int64_t* count);
+
+/**
+ * For programs with kinematics of their own: creep forces of a patch of the scene's result at
+ * creepages that the program computes. Friction, model (solve.creep) and accuracy are those of the
+ * scene; motion.speed is the speed at which friction falls. The scene and its result stay.
+ *
+ * patch:       from 0, in the order of wrc_scene_patches.
+ * creepages:   longitudinal, lateral, spin, wheel minus rail over the speed, in the patch's plane
+ *              at its reference.
+ * forces:      3 numbers: longitudinal and lateral force on the wheel, spin moment.
+ * by_creepage: 9 numbers, or NULL: derivatives of the first by the three creepages, of the second,
+ *              of the third, at a fixed coefficient of friction.
+ * The error text is on the scene. WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_t patch,
+                                    const double* creepages, double* forces, double* by_creepage);
+
+/**
+ * A table for programs that cannot afford a solution each step: results over all combinations of
+ * values of some keys. The scene and its result stay.
+ *
+ * keys:    names separated by blanks, "pose.lateral pose.yaw load.vertical".
+ * values:  those of the first key, then of the second, ...; counts says how many of each.
+ * results: names separated by blanks, "left.total.force.y left.patches.0.angle".
+ * threads: 1 to 1024; the same bits for any number.
+ * path:    a text file of columns, keys first, under comments with the scene, units and names; NULL
+ *          or "": none.
+ * table:   the results of the first combination, of the next, ..., the first key fastest; may be
+ *          NULL if there is a file. Not-a-number: no contact, or no such patch. At most 2^28
+ *          numbers.
+ * On failure the table stays as it was. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT,
+ * WRC_FILE_UNREADABLE. Since 0.3.
+ */
+WRC_API wrc_status wrc_scene_tabulate(wrc_scene* scene, const char* keys, const double* values,
+                                      const int64_t* counts, const char* results, int32_t threads,
+                                      const char* path, double* table);
 
 /* ---- Profiles ------------------------------------------------------------------------------ */
 
@@ -411,11 +349,20 @@ typedef struct wrc_read_options {
   int32_t reserved;
   double scale;                /**< mm per unit of the file; 0: guess from the size */
   double smoothing_wavelength; /**< mm at which a wave is halved; 0: no smoothing */
+  /* Since 0.3: */
+  int32_t origin;       /**< where a wheel's file has lateral 0: 0 by the file, WRC_ORIGIN_... */
+  int32_t slice;        /**< of a slices file (.slcs, .slcw): which one, from 1 */
+  double tape_offset;   /**< flange back to taping line, mm; 0: by the file, or 70 */
+  double lateral_shift; /**< instead of origin: mm added to lateral; 0: none */
 } wrc_read_options;
+
+#define WRC_ORIGIN_TAPE 1        /**< taping line; heights are left as they are */
+#define WRC_ORIGIN_FLANGE_BACK 2 /**< flange back: moved to the taping line, height 0 there */
 
 /** A built-in profile, by name. WRC_UNKNOWN_NAME. Since 0.1. */
 WRC_API wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name);
-/** A file: two columns, Simpack .prr/.prw, MiniProf .ban/.whl; options may be NULL. Since 0.1. */
+/** A file: columns, Simpack .prr/.prw, MiniProf .ban/.whl, a slice of .slcs/.slcw; options may be
+ * NULL. Since 0.1. */
 WRC_API wrc_status wrc_profile_load_file(wrc_profile* profile, const char* path,
                                          const wrc_read_options* options);
 /** Writes a file, two columns or by extension .prr/.prw, with points `spacing` mm apart along the
@@ -432,8 +379,8 @@ WRC_API wrc_status wrc_profile_set_points(wrc_profile* profile, const char* name
                                           int64_t count, const wrc_read_options* options);
 /**
  * Lets a scene use a loaded profile, of which it keeps a copy: a wheel for "wheelset.wheel", a rail
- * for "track.rail". Setting that key by name removes it again. WRC_INVALID_ARGUMENT,
- * WRC_NO_RESULT for an empty profile. Since 0.2.
+ * for "track.rail", or those of one side. Setting that key by name removes it again.
+ * WRC_INVALID_ARGUMENT, WRC_NO_RESULT for an empty profile. Since 0.2.
  */
 WRC_API wrc_status wrc_scene_set_profile(wrc_scene* scene, const char* key, wrc_profile* profile);
 
@@ -442,6 +389,17 @@ WRC_API wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind);
 WRC_API wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value);
 /** Corrections made while reading, one line each; NULL past the end. Since 0.1. */
 WRC_API const char* wrc_profile_correction(const wrc_profile* profile, int64_t index);
+/** What no wheel or rail has, one line each; NULL past the end. Since 0.3. */
+WRC_API const char* wrc_profile_warning(const wrc_profile* profile, int64_t index);
+/**
+ * Points of a profile that was read: WRC_POINTS_READ, before smoothing, or WRC_POINTS_DROPPED,
+ * those that cleaning removed; none of a built-in profile. mm, frame of wrc_profile_at; both arrays
+ * hold `capacity` values (as wrc_scene_field copies). Since 0.3.
+ */
+WRC_API wrc_status wrc_profile_points(wrc_profile* profile, int32_t which, double* lateral,
+                                      double* height, int64_t capacity, int64_t* count);
+#define WRC_POINTS_READ 0
+#define WRC_POINTS_DROPPED 1
 
 /** Arc length of the curve, mm. Since 0.1. */
 WRC_API wrc_status wrc_profile_length(wrc_profile* profile, double* length);
@@ -487,5 +445,8 @@ WRC_API wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t 
 #ifdef __cplusplus
 }
 #endif
+
+/* Normal and rolling contact on grids of the caller's. */
+#include "wrcontact_grid.h"
 
 #endif

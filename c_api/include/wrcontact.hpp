@@ -9,10 +9,13 @@
 #define WRCONTACT_HPP
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -128,6 +131,27 @@ public:
     }
     return lines;
   }
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> lines;
+    for (std::int64_t i = 0; const char* line = wrc_profile_warning(handle(), i); ++i) {
+      lines.emplace_back(line);
+    }
+    return lines;
+  }
+  struct Points {
+    std::vector<double> lateral;
+    std::vector<double> height;
+  };
+  /// `which` is WRC_POINTS_READ or WRC_POINTS_DROPPED.
+  Points points(std::int32_t which) const {
+    std::int64_t count = 0;
+    check(wrc_profile_points(handle(), which, nullptr, nullptr, 0, &count));
+    const auto size = static_cast<std::size_t>(count);
+    Points all{std::vector<double>(size), std::vector<double>(size)};
+    check(
+        wrc_profile_points(handle(), which, all.lateral.data(), all.height.data(), count, &count));
+    return all;
+  }
   double length() const {
     double length = 0.0;
     check(wrc_profile_length(handle(), &length));
@@ -182,10 +206,22 @@ public:
     check(wrc_scene_set_number(handle(), key.c_str(), value));
   }
   void set(const std::string& key, const std::string& value) {
+    if (value.find('\0') != std::string::npos) { // C would not read on
+      throw Error(WRC_INVALID_ARGUMENT,
+                  key + ": the text has a zero byte; allowed are those without");
+    }
     check(wrc_scene_set_text(handle(), key.c_str(), value.c_str()));
   }
   void set(const std::string& key, const char* value) {
     check(wrc_scene_set_text(handle(), key.c_str(), value));
+  }
+  /// Whole numbers, so that 0 is no null pointer, and lists in braces.
+  template <class Whole, std::enable_if_t<std::is_integral<Whole>::value, int> = 0>
+  void set(const std::string& key, Whole value) {
+    set(key, static_cast<double>(value));
+  }
+  void set(const std::string& key, std::initializer_list<double> values) {
+    set(key, std::vector<double>(values));
   }
   void set(const std::string& key, const std::vector<double>& values) {
     check(wrc_scene_set_numbers(handle(), key.c_str(), values.data(),
@@ -229,6 +265,27 @@ public:
     double value = otherwise;
     return wrc_scene_number(handle(), name.c_str(), &value) == WRC_OK ? value : otherwise;
   }
+  /// Ids, the same for all scenes, of keys and of names of results. Since 0.3.
+  std::int32_t key_id(const std::string& key) const {
+    std::int32_t id = 0;
+    check(wrc_scene_key_id(handle(), key.c_str(), &id));
+    return id;
+  }
+  std::int32_t number_id(const std::string& name) const {
+    std::int32_t id = 0;
+    check(wrc_scene_number_id(handle(), name.c_str(), &id));
+    return id;
+  }
+  /// Sets all or, if one is refused, none. Ids (std::int32_t) and values (double) are a
+  /// std::vector, a std::array or the like, of the same length. Since 0.3.
+  template <class Ids, class Values> void set_numbers_by_id(const Ids& ids, const Values& values) {
+    check(wrc_scene_set_numbers_by_id(handle(), ids.data(), values.data(),
+                                      common_length(ids, values)));
+  }
+  /// Fills the values; not-a-number is what the scene does not have. Since 0.3.
+  template <class Ids, class Values> void numbers_by_id(const Ids& ids, Values&& values) const {
+    check(wrc_scene_numbers_by_id(handle(), ids.data(), values.data(), common_length(ids, values)));
+  }
   std::string text(const std::string& name) const {
     const char* value = nullptr;
     check(wrc_scene_text(handle(), name.c_str(), &value));
@@ -268,8 +325,60 @@ public:
     return count;
   }
 
+  /// A table over values of keys (wrc_scene_tabulate), the first key fastest; into a file as well
+  /// if a path is given. Since 0.3.
+  std::vector<double> tabulate(const std::vector<std::pair<std::string, std::vector<double>>>& axes,
+                               const std::vector<std::string>& results, std::int32_t threads = 1,
+                               const std::string& path = "") {
+    std::string keys;
+    std::string names;
+    std::vector<double> values;
+    std::vector<std::int64_t> counts;
+    std::size_t size = results.size();
+    for (const auto& [key, of_key] : axes) {
+      keys += key + ' ';
+      values.insert(values.end(), of_key.begin(), of_key.end());
+      counts.push_back(static_cast<std::int64_t>(of_key.size()));
+      size *= of_key.size();
+    }
+    for (const std::string& name : results) {
+      names += name + ' ';
+    }
+    std::vector<double> table(size);
+    check(wrc_scene_tabulate(handle(), keys.c_str(), values.data(), counts.data(), names.c_str(),
+                             threads, path.c_str(), table.data()));
+    return table;
+  }
+
+  /// All contact patches, in an order that stays from step to step. Since 0.3.
+  std::vector<wrc_patch> patches() const {
+    std::int64_t count = 0;
+    check(wrc_scene_patches(handle(), nullptr, sizeof(wrc_patch), 0, &count));
+    std::vector<wrc_patch> all(static_cast<std::size_t>(count));
+    if (count > 0) {
+      check(wrc_scene_patches(handle(), all.data(), sizeof(wrc_patch), count, &count));
+    }
+    return all;
+  }
+
 private:
   friend class Solver;
+
+  template <class Ids, class Values>
+  static std::int64_t common_length(const Ids& ids, const Values& values) {
+    if (ids.size() != values.size()) {
+      throw Error(WRC_INVALID_ARGUMENT, "ids and values differ in length");
+    }
+    return static_cast<std::int64_t>(ids.size());
+  }
+};
+
+/// What a step of a wheelset gives (wrc_solver_step). Since 0.3.
+struct Step {
+  std::array<double, 12> force{};       ///< of the left wheel, then of the right one
+  std::array<double, 72> by_position{}; ///< zeros unless requested, as by_velocity
+  std::array<double, 72> by_velocity{};
+  std::array<std::int32_t, 2> states{};
 };
 
 /// What is kept from one scene to the next (wrc_solver).
@@ -279,6 +388,27 @@ public:
   /// False if the iteration has not converged; failures are those of the scene.
   bool solve(Scene& scene) { return scene.converged(wrc_solver_solve(handle(), scene.handle())); }
   void forget() { check(wrc_solver_forget(handle(), 1)); }
+  /// A step of a wheelset; false if the iteration has not converged. `rails`: as in the scene if
+  /// null. Since 0.3.
+  bool step(Scene& scene, const std::array<double, 6>& position,
+            const std::array<double, 6>& velocity, Step& result, bool derivatives = false,
+            const std::array<double, 6>* rails = nullptr) {
+    return scene.converged(
+        wrc_solver_step(handle(), scene.handle(), position.data(), velocity.data(),
+                        rails != nullptr ? rails->data() : nullptr, result.force.data(),
+                        derivatives ? result.by_position.data() : nullptr,
+                        derivatives ? result.by_velocity.data() : nullptr, result.states.data()));
+  }
+  /// Forces of a patch at creepages of the caller's own (wrc_solver_creep): longitudinal, lateral,
+  /// spin moment; and if requested their 9 derivatives. Since 0.3.
+  std::array<double, 3> creep(Scene& scene, std::int64_t patch,
+                              const std::array<double, 3>& creepages,
+                              std::array<double, 9>* by_creepage = nullptr) {
+    std::array<double, 3> forces{};
+    scene.check(wrc_solver_creep(handle(), scene.handle(), patch, creepages.data(), forces.data(),
+                                 by_creepage != nullptr ? by_creepage->data() : nullptr));
+    return forces;
+  }
 };
 
 /// Solves each scene by itself; the status of each.
@@ -295,89 +425,8 @@ inline std::vector<wrc_status> solve_batch(const std::vector<Scene*>& scenes,
   return statuses;
 }
 
-/// A gap of the caller's on a grid (wrc_normal).
-class NormalContact
-    : public detail::Owner<wrc_normal, wrc_normal_create, wrc_normal_destroy, wrc_normal_error> {
-public:
-  void set_grid(std::int64_t lateral_count, std::int64_t longitudinal_count, double lateral_step,
-                double longitudinal_step) {
-    check(wrc_normal_set_grid(handle(), lateral_count, longitudinal_count, lateral_step,
-                              longitudinal_step));
-  }
-  void set_distance(const std::vector<double>& values) {
-    check(
-        wrc_normal_set_distance(handle(), values.data(), static_cast<std::int64_t>(values.size())));
-  }
-  void set(const std::string& key, double value) {
-    check(wrc_normal_set_number(handle(), key.c_str(), value));
-  }
-  void set(const std::string& key, const std::string& value) {
-    check(wrc_normal_set_text(handle(), key.c_str(), value.c_str()));
-  }
-  /// False if the iteration has not converged.
-  bool solve() { return converged(wrc_normal_solve(handle())); }
-
-  double number(const std::string& name) const {
-    double value = 0.0;
-    check(wrc_normal_number(handle(), name.c_str(), &value));
-    return value;
-  }
-  std::string text(const std::string& name) const {
-    const char* value = nullptr;
-    check(wrc_normal_text(handle(), name.c_str(), &value));
-    return value;
-  }
-  std::vector<double> field(const std::string& name) const {
-    return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
-      return wrc_normal_field(handle(), name.c_str(), values, capacity, count);
-    });
-  }
-};
-
-/// Tangential contact of pressures of the caller's on a grid (wrc_rolling). Since 0.3.
-class RollingContact : public detail::Owner<wrc_rolling, wrc_rolling_create, wrc_rolling_destroy,
-                                            wrc_rolling_error> {
-public:
-  void set_grid(std::int64_t lateral_count, std::int64_t longitudinal_count, double lateral_step,
-                double longitudinal_step) {
-    check(wrc_rolling_set_grid(handle(), lateral_count, longitudinal_count, lateral_step,
-                               longitudinal_step));
-  }
-  void set_pressure(const std::vector<double>& values) {
-    check(wrc_rolling_set_pressure(handle(), values.data(),
-                                   static_cast<std::int64_t>(values.size())));
-  }
-  /// Both empty: none.
-  void set_previous(const std::vector<double>& traction_x, const std::vector<double>& traction_y) {
-    if (traction_x.size() != traction_y.size()) {
-      throw Error(WRC_INVALID_ARGUMENT, "traction_x and traction_y differ in length");
-    }
-    check(wrc_rolling_set_previous(handle(), traction_x.data(), traction_y.data(),
-                                   static_cast<std::int64_t>(traction_x.size())));
-  }
-  void set(const std::string& key, double value) {
-    check(wrc_rolling_set_number(handle(), key.c_str(), value));
-  }
-  void set(const std::string& key, const std::string& value) {
-    check(wrc_rolling_set_text(handle(), key.c_str(), value.c_str()));
-  }
-  /// False if the iteration has not converged.
-  bool solve() { return converged(wrc_rolling_solve(handle())); }
-  /// The tractions just found become the previous ones.
-  void advance() { check(wrc_rolling_advance(handle())); }
-
-  double number(const std::string& name) const {
-    double value = 0.0;
-    check(wrc_rolling_number(handle(), name.c_str(), &value));
-    return value;
-  }
-  std::vector<double> field(const std::string& name) const {
-    return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
-      return wrc_rolling_field(handle(), name.c_str(), values, capacity, count);
-    });
-  }
-};
-
 } // namespace wrcontact
+
+#include "wrcontact_grid.hpp" // IWYU pragma: export
 
 #endif

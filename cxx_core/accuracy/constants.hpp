@@ -38,8 +38,8 @@ inline constexpr double error_of_one_row = 1.5;
 inline constexpr double force_by_depth = 1.5;
 
 /// How much better pressures must be that creep forces are computed from.
-/// origin: measured (wrc_tradeoff --creep 60): with 1 accuracies of 1e-2 and 1e-3 are met by 88 and
-/// 52 of 100 patches, with 2 by 97 and 75, with 3 by 98 and 89.
+/// origin: measured (wrc_tradeoff --creep, 60 scenes; with 3: 500): with 1 accuracies of 1e-2 and
+/// 1e-3 are met by 88 and 52 of 100 patches, with 2 by 97 and 75, with 3 by 97 and 82.
 inline constexpr double creep_accuracy_factor = 3.0;
 
 /// How much worse elements of constant pressure are.

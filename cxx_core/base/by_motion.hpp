@@ -7,6 +7,7 @@ template <typename Value> struct ByMotion {
   Value lateral{};  ///< y grows
   Value vertical{}; ///< z grows
   Value roll{};     ///< turning about the wheelset's centre
+  Value yaw{};
 };
 
 } // namespace wrc

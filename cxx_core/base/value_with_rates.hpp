@@ -72,6 +72,10 @@ template <std::size_t count> struct WithRates {
     const double root = std::sqrt(a.value);
     return of(root, root > 0.0 ? 0.5 / root : 0.0, a);
   }
+  friend WithRates exp(const WithRates& a) {
+    const double power = std::exp(a.value);
+    return of(power, power, a);
+  }
   friend WithRates sin(const WithRates& a) { return of(std::sin(a.value), std::cos(a.value), a); }
   friend WithRates cos(const WithRates& a) { return of(std::cos(a.value), -std::sin(a.value), a); }
   friend WithRates atan(const WithRates& a) {

@@ -51,6 +51,16 @@ CurveGraph::CurveGraph(Curve curve, double seed_arc)
   laterals_.push_back(curve_.at(pieces_.last, last_length).lateral);
 }
 
+CurveGraph CurveGraph::shifted(double lateral, double height) const {
+  CurveGraph result = *this;
+  result.curve_ = curve_.moved(0.0, lateral, height);
+  for (double& place : result.laterals_) {
+    place += lateral;
+  }
+  result.heights_ = heights_.shifted(lateral, height);
+  return result;
+}
+
 CurvePoint CurveGraph::at_lateral(double lateral) const {
   double arc = 0.0;
   return at_lateral(lateral, arc);

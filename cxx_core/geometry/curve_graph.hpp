@@ -23,6 +23,9 @@ public:
   /// seed.
   CurveGraph(Curve curve, double seed_arc);
 
+  /// The same curve somewhere else.
+  [[nodiscard]] CurveGraph shifted(double lateral, double height) const;
+
   [[nodiscard]] const Curve& curve() const { return curve_; }
   [[nodiscard]] const HeightFunction& heights() const { return heights_; }
   /// The pieces of the curve that belong to the graph.

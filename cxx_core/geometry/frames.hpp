@@ -9,27 +9,30 @@
 
 namespace wrc {
 
-struct Vector3 {
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
+/// Of plain numbers, or of numbers with rates (base/value_with_rates.hpp).
+template <class Real> struct VectorOf {
+  Real x{};
+  Real y{};
+  Real z{};
+
+  friend VectorOf operator+(const VectorOf& a, const VectorOf& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend VectorOf operator-(const VectorOf& a, const VectorOf& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend VectorOf operator*(const Real& s, const VectorOf& a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+  friend Real dot(const VectorOf& a, const VectorOf& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+  friend VectorOf cross(const VectorOf& a, const VectorOf& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
 };
 
-inline Vector3 operator+(Vector3 a, Vector3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vector3 operator-(Vector3 a, Vector3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vector3 operator*(double s, Vector3 a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline double dot(Vector3 a, Vector3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Vector3 cross(Vector3 a, Vector3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using Vector3 = VectorOf<double>;
 
 /// Position of the wheelset in the track frame, without its height.
 struct Pose {

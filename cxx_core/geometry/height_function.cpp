@@ -51,6 +51,18 @@ HeightFunction::HeightFunction(const Curve& curve, std::size_t first_piece,
   pieces_.push_back({0.0, {nothing, 0.0, 0.0, 0.0, 0.0, 0.0}, 0.0});
 }
 
+HeightFunction HeightFunction::shifted(double lateral, double height) const {
+  HeightFunction result = *this;
+  for (Piece& piece : result.pieces_) {
+    piece.start += lateral;
+    piece.end += lateral;
+    piece.coefficients[0] += height;
+  }
+  result.begin_ += lateral;
+  result.end_ += lateral;
+  return result;
+}
+
 void HeightFunction::add(const Curve& curve, std::size_t curve_piece, double from, double to,
                          int halvings) {
   const CurvePoint begin = curve.at(curve_piece, from);

@@ -40,6 +40,9 @@ public:
   /// Of the pieces first to last of a curve, along which the lateral coordinate grows.
   HeightFunction(const Curve& curve, std::size_t first_piece, std::size_t last_piece);
 
+  /// The same curve somewhere else, its table shifted with it.
+  [[nodiscard]] HeightFunction shifted(double lateral, double height) const;
+
   [[nodiscard]] double begin() const { return begin_; }
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool covers(double lateral) const { return lateral >= begin_ && lateral <= end_; }

@@ -32,29 +32,37 @@ double lateral_of_gauge_face(const Curve& curve, double top_arc, double height,
 
 } // namespace
 
-RailSurface::Placed RailSurface::place(const Profile& profile, const TrackDimensions& track) {
+RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& track) {
   const Curve inclined = profile.curve.moved(track.cant, 0.0, 0.0);
   const double top_arc = arc_of_highest_point(inclined);
   const double top = inclined.at(top_arc).height;
   const double face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
   const double lateral_shift = 0.5 * track.gauge - face;
-  return {CurveGraph(profile.curve.without_steps().moved(track.cant, lateral_shift, -top), top_arc),
-          lateral_shift, -top};
+  CurveGraph graph(profile.curve.without_steps().moved(track.cant, lateral_shift, -top), top_arc);
+  return {std::move(graph), top_arc, track.cant, lateral_shift, -top};
 }
 
 RailSurface::RailSurface(const Profile& profile, const TrackDimensions& track)
-    : RailSurface(place(profile, track), track.cant) {}
+    : RailSurface(place(profile, track)) {}
 
-RailSurface::RailSurface(Placed placed, double cant)
-    : graph_(std::move(placed.graph)), cant_(cant), lateral_shift_(placed.lateral_shift),
-      height_shift_(placed.height_shift) {}
+RailSurface RailSurface::displaced(const RailDisplacement& displacement) const {
+  const double lateral_shift = lateral_shift_ + displacement.lateral;
+  const double height_shift = height_shift_ + displacement.height;
+  if (displacement.roll == 0.0) {
+    return {graph_.shifted(displacement.lateral, displacement.height), top_arc_, angle_,
+            lateral_shift, height_shift};
+  }
+  const Curve about_origin = graph_.curve().moved(0.0, -lateral_shift_, -height_shift_);
+  return {CurveGraph(about_origin.moved(displacement.roll, lateral_shift, height_shift), top_arc_),
+          top_arc_, angle_ + displacement.roll, lateral_shift, height_shift};
+}
 
 void RailSurface::to_profile_frame(double y, double z, double& lateral, double& height) const {
   const double along = y - lateral_shift_;
   const double up = z - height_shift_;
-  lateral = std::cos(cant_) * along + std::sin(cant_) * up;
-  height = std::cos(cant_) * up - std::sin(cant_) * along;
+  lateral = std::cos(angle_) * along + std::sin(angle_) * up;
+  height = std::cos(angle_) * up - std::sin(angle_) * along;
 }
 
 } // namespace wrc

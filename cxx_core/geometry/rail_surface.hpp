@@ -5,8 +5,11 @@
 /// raises the field side. It is then shifted so that its highest point lies at z = 0 and its gauge
 /// face, at `gauge_height` below the top, at y = gauge / 2 (the paper, equations 3 and 4, with the
 /// cant as a rotation about x, see docs/paper_misprints.md). The rail is prismatic along x.
+/// Irregularities of the track displace it from there.
 /// Units mm and rad. Thread rule: immutable, safe to share.
 #pragma once
+
+#include <utility>
 
 #include "geometry/curve_graph.hpp"
 #include "profile/profile.hpp"
@@ -20,27 +23,46 @@ struct TrackDimensions {
   bool operator==(const TrackDimensions&) const = default;
 };
 
+/// Of a rail from its place, or the velocity of that by s. That of a right rail is used as its
+/// mirror image.
+struct RailDisplacement {
+  double lateral = 0.0; ///< to the left, mm
+  double height = 0.0;  ///< upwards, mm
+  /// About the x axis through the profile's origin, rad, > 0 raises the left side.
+  double roll = 0.0;
+  bool operator==(const RailDisplacement&) const = default;
+};
+
+inline RailDisplacement mirrored(const RailDisplacement& displacement) {
+  return {-displacement.lateral, displacement.height, -displacement.roll};
+}
+
 class RailSurface {
 public:
   /// Throws Error(invalid_argument) if the profile has no gauge face at the gauge height.
   RailSurface(const Profile& profile, const TrackDimensions& track);
 
+  /// The same rail somewhere else: 1 us without roll, which takes a new table of heights, 40 us.
+  [[nodiscard]] RailSurface displaced(const RailDisplacement& displacement) const;
+
   /// The part seen from above: lateral = y, height = z of the track frame.
   [[nodiscard]] const CurveGraph& graph() const { return graph_; }
+  /// The profile's origin in the track frame.
+  [[nodiscard]] double origin_y() const { return lateral_shift_; }
+  [[nodiscard]] double origin_z() const { return height_shift_; }
   /// A place of the track frame in the profile's own frame (t, height).
   void to_profile_frame(double y, double z, double& lateral, double& height) const;
 
 private:
-  struct Placed {
-    CurveGraph graph;
-    double lateral_shift;
-    double height_shift;
-  };
-  static Placed place(const Profile& profile, const TrackDimensions& track);
-  RailSurface(Placed placed, double cant);
+  RailSurface(CurveGraph graph, double top_arc, double angle, double lateral_shift,
+              double height_shift)
+      : graph_(std::move(graph)), top_arc_(top_arc), angle_(angle), lateral_shift_(lateral_shift),
+        height_shift_(height_shift) {}
+  static RailSurface place(const Profile& profile, const TrackDimensions& track);
 
   CurveGraph graph_;
-  double cant_;
+  double top_arc_; ///< before the displacement
+  double angle_;   ///< of the profile's frame in the track frame
   double lateral_shift_;
   double height_shift_;
 };

@@ -170,11 +170,11 @@ SideEquilibrium settle(const SideSearch& search, const Pose& pose, double near_t
 
 } // namespace
 
-WheelsetEquilibrium find_equilibrium(const WheelSurface& wheel, const RailSurface& rail,
+WheelsetEquilibrium find_equilibrium(const WheelAndRail& left_pair, const WheelAndRail& right_pair,
                                      const EquilibriumRequest& request) {
   WheelsetEquilibrium result;
-  SideSearch left(wheel, rail);
-  SideSearch right(wheel, rail);
+  SideSearch left(left_pair.wheel, left_pair.rail);
+  SideSearch right(right_pair.wheel, right_pair.rail);
   if (request.roll) {
     result.roll = *request.roll;
   } else {

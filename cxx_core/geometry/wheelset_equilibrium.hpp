@@ -42,9 +42,15 @@ struct EquilibriumRequest {
   double near_tolerance = 0.1; ///< mm
 };
 
+/// A wheel and the rail below it, in the left-hand frame of its side; both outlive their use.
+struct WheelAndRail {
+  const WheelSurface& wheel;
+  const RailSurface& rail;
+};
+
 /// Throws Error(no_contact) if a wheel is off its rail or no roll within +-0.2 rad sets both wheels
 /// on the rails.
-WheelsetEquilibrium find_equilibrium(const WheelSurface& wheel, const RailSurface& rail,
+WheelsetEquilibrium find_equilibrium(const WheelAndRail& left, const WheelAndRail& right,
                                      const EquilibriumRequest& request);
 
 } // namespace wrc

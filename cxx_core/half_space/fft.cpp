@@ -1,19 +1,20 @@
 #include "half_space/fft.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <atomic>
+#include <cstdlib>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <new>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include <fftw3.h>
 
 #include "base/error.hpp"
-#include "base/written_file.hpp"
+#include "base/file.hpp"
 
 namespace wrc {
 
@@ -40,14 +41,18 @@ public:
     const std::lock_guard<std::mutex> guard(own_);
     host_ = host;
   }
+  // The host's lock is the host's to take care of.
+  void lock_own() { own_.lock(); }
+  void unlock_own() { own_.unlock(); }
 
 private:
   std::mutex own_;
   PlannerLock host_;
 };
 
+constinit Planner the_planner;
+
 Planner& planner() {
-  static Planner the_planner;
   return the_planner;
 }
 
@@ -67,6 +72,21 @@ void check_length(const char* argument, std::size_t length) {
     throw_invalid_argument(argument, static_cast<double>(length), "must lie in 1 to 2^31 - 1");
   }
 }
+
+/// Throws std::bad_alloc unless so much memory is there, which FFTW may take then.
+void require_memory(std::size_t bytes) {
+  void* volatile memory = std::malloc(bytes); // volatile: else the pair would be left out
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  std::free(memory);
+}
+
+/// FFTW's tables when it first plans, in both precisions, and what a plan takes.
+/// origin: measured: 0.4 MB; 16 kB and 3 complex values per element of a line, rounded up.
+constexpr std::size_t memory_of_tables = std::size_t{1} << 20;
+constexpr std::size_t memory_of_plan = std::size_t{1} << 16;
+constexpr std::size_t memory_per_value = 64;
 
 [[noreturn]] void throw_no_memory(std::size_t rows, std::size_t columns) {
   throw Error(ErrorCode::out_of_memory, "no memory for a transform of " + std::to_string(rows) +
@@ -142,22 +162,14 @@ void set_planner_lock(const PlannerLock& host_lock) {
 }
 
 void load_wisdom(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
   constexpr std::size_t max_wisdom_size = std::size_t{1} << 24;
-  std::string text;
-  if (file) {
-    std::array<char, 4096> part{};
-    while (text.size() <= max_wisdom_size &&
-           (file.read(part.data(), part.size()), file.gcount() > 0)) {
-      text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-    }
-  }
+  const std::string text = read_file(path, max_wisdom_size);
   if (text.empty()) {
-    throw Error(ErrorCode::file_unreadable, "wisdom file \"" + path + "\" cannot be read");
+    throw Error(ErrorCode::file_unreadable, "wisdom file \"" + path + "\" is empty");
   }
   const std::size_t mark = text.find(single_precision_mark);
   const PlanningGuard guard(planner());
-  if (text.size() > max_wisdom_size || mark == std::string::npos ||
+  if (mark == std::string::npos ||
       fftw_import_wisdom_from_string(text.substr(0, mark).c_str()) == 0 ||
       fftwf_import_wisdom_from_string(
           text.substr(mark + std::string(single_precision_mark).size()).c_str()) == 0) {
@@ -180,23 +192,6 @@ void save_wisdom(const std::string& path) {
     text.append(wide.get()).append(single_precision_mark).append(narrow.get());
   }
   write_file(path, text);
-}
-
-std::size_t good_fft_length(std::size_t least) {
-  std::size_t best = 1;
-  while (best < least) {
-    best *= 2;
-  }
-  for (std::size_t five = 1; five < best; five *= 5) {
-    for (std::size_t three = five; three < best; three *= 3) {
-      std::size_t length = three;
-      while (length < least) {
-        length *= 2;
-      }
-      best = length < best ? length : best;
-    }
-  }
-  return best;
 }
 
 std::size_t fast_line_length(std::size_t least) {
@@ -243,9 +238,14 @@ template <typename Real> struct LineFft<Real>::Plans {
   }
 };
 
-template <typename Real>
-LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plans) {
+template <typename Real> LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) {
+  const PlanningGuard guard(planner());
+  plan(length, rigor);
+}
+
+template <typename Real> void LineFft<Real>::plan(std::size_t length, PlannerRigor rigor) {
   check_length("length", length);
+  plans_.reset(new Plans);
   Plans& own = *plans_;
   own.pitch = aligned_pitch<Complex>(length);
   const std::size_t lines = length < min_lone_line ? block_lines : 1;
@@ -260,7 +260,7 @@ LineFft<Real>::LineFft(std::size_t length, PlannerRigor rigor) : plans_(new Plan
     }
     return made;
   };
-  const PlanningGuard guard(planner());
+  require_memory(memory_of_tables + 4 * memory_of_plan + length * memory_per_value);
   own.forward = plan(1, FFTW_FORWARD);
   own.backward = plan(1, FFTW_BACKWARD);
   if (lines > 1) {
@@ -287,6 +287,120 @@ void LineFft<Real>::backward(Complex* from, Complex* to, std::size_t count) cons
 template class LineFft<float>;
 template class LineFft<double>;
 
+/// The transforms of the process. Those with `estimate` of all short lengths are one table, made at
+/// once and read without a lock; others are added one by one. Never destroyed: a thread may still
+/// use them while the process ends.
+class KeptTransforms {
+public:
+  /// Of grids up to 512 elements across, twice as long.
+  /// origin: reasoned, changes no result: 10 ms of planning; longer lines take 2 ms more each
+  /// octave and belong to grids of many MB, beside which a plan's 16 kB are little.
+  static constexpr std::size_t longest_prepared = 1024;
+
+  template <typename Real> const LineFft<Real>& get(std::size_t length, PlannerRigor rigor) {
+    if (rigor == PlannerRigor::estimate && length <= longest_prepared) {
+      const auto& ready = std::get<ByLength<Real>>(prepared());
+      if (const auto found = ready.find(length); found != ready.end()) {
+        return *found->second;
+      }
+    }
+    const auto key = std::pair{rigor, length};
+    auto& added = std::get<Added<Real>>(added_);
+    {
+      const std::lock_guard<std::mutex> guard(added_lock_);
+      if (const auto found = added.find(key); found != added.end()) {
+        return *found->second;
+      }
+    }
+    // Before the lock, which plans take when they are destroyed: by a failure, or since another
+    // thread was first.
+    std::unique_ptr<LineFft<Real>> made(new LineFft<Real>);
+    // Nobody waits for the planner, which may take the host's lock, while holding the other lock.
+    const PlanningGuard planning(planner());
+    made->plan(length, rigor);
+    const std::lock_guard<std::mutex> guard(added_lock_);
+    return *added.try_emplace(key, std::move(made)).first->second;
+  }
+
+  template <typename Real>
+  using ByLength = std::map<std::size_t, std::unique_ptr<const LineFft<Real>>>;
+  using Prepared = std::tuple<ByLength<float>, ByLength<double>>;
+
+  const Prepared& prepared() {
+    if (const Prepared* ready = prepared_.load(std::memory_order_acquire)) {
+      return *ready;
+    }
+    auto table = std::make_unique<Prepared>(); // before the lock, which its plans take in the end
+    const PlanningGuard planning(planner());
+    if (prepared_.load(std::memory_order_relaxed) == nullptr) {
+      std::size_t count = 0;
+      std::size_t values = 0;
+      for (std::size_t length = 0; length < longest_prepared; ++count) {
+        length = fast_line_length(length + 1);
+        values += length;
+        std::get<ByLength<float>>(*table)[length] = nullptr;
+        std::get<ByLength<double>>(*table)[length] = nullptr;
+      }
+      require_memory(memory_of_tables + 8 * count * memory_of_plan + values * memory_per_value);
+      fill(std::get<ByLength<float>>(*table));
+      fill(std::get<ByLength<double>>(*table));
+      prepared_.store(table.release(), std::memory_order_release);
+    }
+    return *prepared_.load(std::memory_order_relaxed);
+  }
+
+  void lock() {
+    planner().lock_own();
+    added_lock_.lock();
+  }
+  void unlock() {
+    added_lock_.unlock();
+    planner().unlock_own();
+  }
+
+private:
+  template <typename Real> static void fill(ByLength<Real>& table) {
+    for (auto& [length, transform] : table) {
+      auto* const made = new LineFft<Real>;
+      transform.reset(made);
+      made->plan(length, PlannerRigor::estimate);
+    }
+  }
+
+  template <typename Real>
+  using Added =
+      std::map<std::pair<PlannerRigor, std::size_t>, std::unique_ptr<const LineFft<Real>>>;
+  std::atomic<const Prepared*> prepared_{nullptr};
+  std::mutex added_lock_;
+  std::tuple<Added<float>, Added<double>> added_;
+};
+
+namespace {
+
+KeptTransforms& kept_transforms() {
+  static auto* const kept = new KeptTransforms;
+  return *kept;
+}
+
+} // namespace
+
+template <typename Real> const LineFft<Real>& line_fft(std::size_t length, PlannerRigor rigor) {
+  return kept_transforms().get<Real>(length, rigor);
+}
+template const LineFft<float>& line_fft<float>(std::size_t, PlannerRigor);
+template const LineFft<double>& line_fft<double>(std::size_t, PlannerRigor);
+
+void prepare_transforms() {
+  kept_transforms().prepared();
+}
+
+void lock_for_fork() {
+  kept_transforms().lock();
+}
+void unlock_after_fork() {
+  kept_transforms().unlock();
+}
+
 struct RealFft::Resources {
   std::size_t rows;
   std::size_t columns;
@@ -308,6 +422,7 @@ RealFft::RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor)
   }
   {
     const PlanningGuard guard(planner());
+    require_memory(memory_of_tables + 2 * memory_of_plan + (rows + columns) * memory_per_value);
     own.forward.reset(fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns),
                                            own.field.get(), own.spectrum.get(),
                                            flags_of(rigor) | FFTW_PRESERVE_INPUT));

@@ -8,10 +8,16 @@
 /// Plans are made with the requested rigor. With `estimate` they are the same on every call, unless
 /// the process has loaded wisdom; with `measure` FFTW times several algorithms, once a length, and
 /// the last bits of results may differ from one process to the next.
+/// Memory: FFTW ends the program if it gets none while it plans. So all transforms of lines that
+/// grids up to 512 elements need are planned at once, before the first of them is used, and kept as
+/// long as the process (prepare_transforms); no solution plans then. Others (longer lines,
+/// `measure`, RealFft) are planned when first needed. Before any planning as much memory as it
+/// takes is asked for and given back: if there is none, that is Error(out_of_memory).
 /// Thread rule: planning takes a lock shared by the whole process, since only FFTW's execute is
 /// thread-safe; a host that plans by itself can have its own lock taken before it. One LineFft
 /// serves any number of threads at once, each with lines of its own; one RealFft, which holds its
 /// fields, serves one at a time.
+/// Fork rule: lock_for_fork before, unlock_after_fork in both processes after it.
 #pragma once
 
 #include <algorithm>
@@ -43,9 +49,6 @@ void set_planner_lock(const PlannerLock& host_lock);
 /// Throws Error(file_unreadable) or Error(file_malformed).
 void load_wisdom(const std::string& path);
 void save_wisdom(const std::string& path);
-
-/// Least 2^a 3^b 5^c not below `least`; other lengths cost several times more.
-std::size_t good_fft_length(std::size_t least);
 
 /// Least length for a line that is also fast with vector instructions: a multiple of 16 with an
 /// odd factor of 1, 3, 5, 9, 15 or 25 where that has been measured to be as good per element (9,
@@ -126,8 +129,22 @@ public:
 
 private:
   struct Plans;
+  friend class KeptTransforms;
+  LineFft() = default; ///< to be planned by one that holds the planner's lock
+  void plan(std::size_t length, PlannerRigor rigor);
+
   std::unique_ptr<Plans> plans_;
 };
+
+/// The transform of lines of a length, kept as long as the process. Throws Error(out_of_memory).
+template <typename Real> const LineFft<Real>& line_fft(std::size_t length, PlannerRigor rigor);
+
+/// Plans what solutions need, once a process (10 ms). Throws Error(out_of_memory).
+void prepare_transforms();
+
+/// While a process forks, no other thread plans.
+void lock_for_fork();
+void unlock_after_fork();
 
 /// Buffers and plans of one size, aligned for vector instructions.
 class RealFft {

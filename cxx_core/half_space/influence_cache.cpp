@@ -46,16 +46,6 @@ void transform_even_lines(const LineFft<double>& fft, std::size_t length, const 
 
 } // namespace
 
-template <typename Real> const LineFft<Real>& LinePlans::line_fft(std::size_t length) {
-  const std::lock_guard<std::mutex> guard(mutex_);
-  auto& plans = std::get<ByLength<Real>>(plans_);
-  auto found = plans.find(length);
-  if (found == plans.end()) {
-    found = plans.emplace(length, std::make_unique<LineFft<Real>>(length, rigor_)).first;
-  }
-  return *found->second;
-}
-
 std::shared_ptr<const InfluenceTable> InfluenceCache::table(const InfluenceKernel& kernel,
                                                             std::size_t rows, std::size_t columns) {
   const auto found = tables_.find(kernel);
@@ -134,8 +124,6 @@ double shared_aspect(double aspect) {
   return std::ldexp(std::nearbyint(fraction * bits) / bits, exponent);
 }
 
-template const LineFft<float>& LinePlans::line_fft<float>(std::size_t);
-template const LineFft<double>& LinePlans::line_fft<double>(std::size_t);
 template std::shared_ptr<const KernelSpectrum<float>>
 InfluenceCache::spectrum_of<float>(const SpectrumKey&);
 template std::shared_ptr<const KernelSpectrum<double>>

@@ -6,9 +6,8 @@
 /// coefficients at every place and even in both directions, so its spectrum is real. Divided by the
 /// number of elements, since the transforms are not normalised.
 /// Nothing kept here changes a result: asking again gives the same bits as computing anew.
-/// Contacts of wheels have aspect ratios of their own in every solution, so only the transforms of
-/// lines are kept for long and shared; tables and spectra stay from one solution to the next, for
-/// those who solve on the same grid again.
+/// Contacts of wheels have aspect ratios of their own in every solution, so tables and spectra stay
+/// from one solution to the next only, for those who solve on the same grid again.
 /// Thread rule: LinePlans serve any number of threads at once, an InfluenceCache one at a time.
 /// What was handed out stays valid when it is dropped here.
 #pragma once
@@ -16,7 +15,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -55,20 +53,18 @@ template <typename Real> struct KernelSpectrum {
 /// different roundings share their influence coefficients.
 double shared_aspect(double aspect);
 
-/// Transforms of lines by their length, each made when first needed.
+/// The transforms of lines by their length, with one rigor.
 class LinePlans {
 public:
   explicit LinePlans(PlannerRigor rigor = PlannerRigor::estimate) : rigor_(rigor) {}
 
-  /// Kept as long as the plans.
-  template <typename Real> const LineFft<Real>& line_fft(std::size_t length);
+  /// Kept as long as the process.
+  template <typename Real> const LineFft<Real>& line_fft(std::size_t length) const {
+    return wrc::line_fft<Real>(length, rigor_);
+  }
 
 private:
-  template <typename Real> using ByLength = std::map<std::size_t, std::unique_ptr<LineFft<Real>>>;
-
   PlannerRigor rigor_;
-  std::mutex mutex_;
-  std::tuple<ByLength<float>, ByLength<double>> plans_;
 };
 
 class InfluenceCache {

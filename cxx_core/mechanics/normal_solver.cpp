@@ -78,7 +78,8 @@ struct NormalSolver::State {
   void refine(std::size_t index, bool started);
   IterationOutcome solve_level(std::size_t index, const IterationRequest& limits,
                                JointSolution& solution);
-  bool enlarge_boxes(const IterationOutcome& outcome, double tolerance);
+  /// `permitted_error`: of pressures left out, relative to the largest one.
+  bool enlarge_boxes(const IterationOutcome& outcome, double permitted_error);
   JointSolution solve(const JointProblem& problem);
 
   Precision precision;
@@ -159,13 +160,13 @@ IterationOutcome NormalSolver::State::solve_level(std::size_t index, const Itera
 }
 
 /// Where contact was missed outside; false if nowhere.
-bool NormalSolver::State::enlarge_boxes(const IterationOutcome& outcome, double tolerance) {
+bool NormalSolver::State::enlarge_boxes(const IterationOutcome& outcome, double permitted_error) {
   const ExteriorCheck check{cache, single_iteration.workspace(), double_iteration.workspace()};
   // All are looked through before any box changes, which goes with the pressures on it.
   std::vector<std::optional<ElementBox>> larger(scaled.count);
   for (std::size_t k = 0; k < scaled.count; ++k) {
     larger[k] =
-        check.larger_box(scaled, k, outcome.approach, 0.5 * tolerance * outcome.largest_pressure);
+        check.larger_box(scaled, k, outcome.approach, permitted_error * outcome.largest_pressure);
   }
   bool missed = false;
   for (std::size_t k = 0; k < scaled.count; ++k) {
@@ -192,6 +193,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   const bool started = scaled.take_start(problem);
   IterationRequest limits;
   limits.rounding_share = problem.rounding_share;
+  const double permitted_error = std::max(0.5, problem.rounding_share) * problem.tolerance;
   limits.maximum_iterations = problem.maximum_iterations;
   IterationOutcome outcome;
   for (std::size_t i = started ? 1 : scaled.level_count; i-- > 0;) {
@@ -202,7 +204,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
     }
     do {
       outcome = solve_level(i, limits, solution);
-    } while (i == 0 && enlarge_boxes(outcome, problem.tolerance));
+    } while (i == 0 && enlarge_boxes(outcome, permitted_error));
   }
 
   solution.stop_reason = outcome.stop_reason;

@@ -54,9 +54,22 @@ inline constexpr double min_estimated_axis_ratio = 1e-4;
 /// origin: measured (smoothness): with a load found to 1e-4, forces jump by 2e-6.
 inline constexpr double estimated_depth_accuracy = 1e-6;
 
+/// Product of the last two relative errors of the load from which on a secant step ends that
+/// search.
+/// origin: measured (wrc_benchmark --case service): such a step leaves 0.04 of it.
+inline constexpr double settled_excesses = 1e-5;
+
 /// First depth of that search, mm.
 /// origin: reasoned: that of an ordinary wheel load.
 inline constexpr double first_searched_depth = 0.05;
+
+/// Power of the depth with which a load grows, at the start of that search, ...
+/// origin: source: Hertz, 1882.
+inline constexpr double load_power = 1.5;
+
+/// ... and the least that it takes from two depths.
+/// origin: derived: that of bodies in line contact (Johnson, 1985, 5.6), but for a logarithm.
+inline constexpr double min_load_power = 1.0;
 
 /// Depths below, mm, are not searched.
 /// origin: derived: the least normal number is 2e-308.

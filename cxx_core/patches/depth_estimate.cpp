@@ -39,8 +39,8 @@ double estimate_load(const ContactScan& scan, double combined_modulus, double de
 
 double estimate_depth(const ContactScan& scan, double combined_modulus, double load_sought,
                       LoadDirection direction) {
-  // The load grows about with the power 1.5 of the depth: steps by that power until the load is
-  // bracketed, then within the bracket, in logarithms. The load may jump.
+  // The load grows with a power of the depth of about 1.5: steps by the power seen last until the
+  // load is bracketed, then within the bracket, in logarithms. The load may jump.
   const auto excess_at = [&](double depth) {
     const double excess =
         std::log(estimate_load(scan, combined_modulus, depth, direction) / load_sought);
@@ -48,13 +48,19 @@ double estimate_depth(const ContactScan& scan, double combined_modulus, double l
   };
   double depth = first_searched_depth;
   double excess = excess_at(depth);
+  double power = load_power;
   for (int step = 1; step <= depth_iterations && excess != 0.0; ++step) {
-    const double factor = std::exp(-excess / 1.5);
+    const double factor = std::exp(-excess / power);
     const double next = depth * std::clamp(factor, 1.0 / max_depth_factor, max_depth_factor);
     if (next >= max_depth || next <= min_searched_depth) {
       return std::clamp(next, min_searched_depth, max_depth);
     }
     const double next_excess = excess_at(next);
+    // Also where the two depths are the same number.
+    power = std::max(min_load_power, (next_excess - excess) / std::log(next / depth));
+    if (std::abs(excess * next_excess) <= settled_excesses) {
+      return next * std::exp(-next_excess / power);
+    }
     if (excess * next_excess < 0.0) {
       RootBracket bracket({std::log(depth), excess}, {std::log(next), next_excess},
                           RootBracket::End::other);

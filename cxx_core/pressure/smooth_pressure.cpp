@@ -9,17 +9,6 @@ namespace wrc {
 
 namespace {
 
-/// Up to three values in a row next to an element, and what they continue to.
-struct Continuation {
-  std::array<double, 3> values{};
-  std::size_t found = 0;
-  [[nodiscard]] double value() const {
-    return found == 3   ? 3.0 * (values[0] - values[1]) + values[2]
-           : found == 2 ? 2.0 * values[0] - values[1]
-                        : -values[0];
-  }
-};
-
 /// Keys, IEEE Trans. Acoust. Speech Signal Process. 29 (1981), eq. 4 with a = -1/2, between the
 /// second and the third of four values.
 std::array<double, 4> cubic_weights(double t) {
@@ -70,17 +59,22 @@ SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressur
   fill_in_ring();
 }
 
-std::array<double, 3> SmoothPressure::known_values(std::size_t at, std::ptrdiff_t step,
-                                                   std::size_t& found) const {
-  std::array<double, 3> values{};
-  found = 0;
+double SmoothPressure::Continuation::value() const {
+  return found == 3   ? 3.0 * (values[0] - values[1]) + values[2]
+         : found == 2 ? 2.0 * values[0] - values[1]
+                      : -values[0];
+}
+
+SmoothPressure::Continuation SmoothPressure::continuation(std::size_t at,
+                                                          std::ptrdiff_t step) const {
+  Continuation result;
   std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at) + step;
-  while (found < 3 && place >= 0 && place < static_cast<std::ptrdiff_t>(known_.size()) &&
+  while (result.found < 3 && place >= 0 && place < static_cast<std::ptrdiff_t>(known_.size()) &&
          known_[static_cast<std::size_t>(place)]) {
-    values[found++] = squares_[static_cast<std::size_t>(place)];
+    result.values[result.found++] = squares_[static_cast<std::size_t>(place)];
     place += step;
   }
-  return values;
+  return result;
 }
 
 void SmoothPressure::replace_ends_of_rows() {
@@ -90,10 +84,11 @@ void SmoothPressure::replace_ends_of_rows() {
                  loaded_[at + columns];
   }
   for (std::size_t at = 0; at < squares_.size(); ++at) {
+    if (!loaded_[at] || known_[at]) {
+      continue;
+    }
     for (const std::ptrdiff_t step : {-1, 1}) {
-      Continuation inwards;
-      inwards.values = known_values(at, step, inwards.found);
-      if (loaded_[at] && !known_[at] && inwards.found == 3) {
+      if (const Continuation inwards = continuation(at, step); inwards.found == 3) {
         squares_[at] = inwards.value();
       }
     }
@@ -113,9 +108,8 @@ void SmoothPressure::fill_in_ring() {
     std::array<double, 3> weights{};
     for (const std::ptrdiff_t down : {-1, 0, 1}) {
       for (const std::ptrdiff_t right : {-1, 0, 1}) {
-        Continuation one;
-        one.values = known_values(at, down * columns + right, one.found);
-        if (one.found == 0 || (down == 0 && right == 0)) {
+        const Continuation one = continuation(at, down * columns + right);
+        if (one.found == 0) { // nor is the element itself known
           continue;
         }
         const double length = std::hypot(static_cast<double>(down) * grid_.lateral_step,

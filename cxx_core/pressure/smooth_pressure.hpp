@@ -41,11 +41,15 @@ public:
   void fill(const Grid& other, std::vector<double>& pressure) const;
 
 private:
+  /// p^2 of up to three known elements in a row, from the next one on.
+  struct Continuation {
+    std::array<double, 3> values{};
+    std::size_t found = 0;
+    [[nodiscard]] double value() const; ///< that they continue to
+  };
+  [[nodiscard]] Continuation continuation(std::size_t at, std::ptrdiff_t step) const;
   [[nodiscard]] std::optional<Extent> extent(std::size_t lines, std::size_t line_stride,
                                              std::size_t count, std::size_t stride) const;
-  /// p^2 of up to three known elements in a row, from the next one on.
-  [[nodiscard]] std::array<double, 3> known_values(std::size_t at, std::ptrdiff_t step,
-                                                   std::size_t& found) const;
   void replace_ends_of_rows();
   void fill_in_ring();
 

@@ -1,63 +1,289 @@
-/// Two-column text: lateral and height, one point per line. Signs and units are not defined by the
-/// format; they are settled by the common part of the readers.
+/// Text in columns: lateral and height, one point per line, perhaps with a heading and further
+/// columns.
+///
+/// Between numbers stand blanks, tabs, semicolons or commas; decimal commas are read where
+/// something else separates the numbers. Comments begin with # ! %. A heading says which columns
+/// are lateral and height and in which unit. Without one they are the first two that neither count
+/// the rows nor are constant. Signs are not defined; the common part of the readers settles them.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
+#include "base/error.hpp"
 #include "profile/reader_formats.hpp"
+#include "profile/readers.hpp"
 
 namespace wrc::reading {
 namespace {
 
-/// "1,5 2,3": a comma between digits in a line that is separated by something else.
-bool has_decimal_comma(std::string_view line) {
-  if (line.find_first_of(" \t;") == std::string_view::npos)
-    return false;
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  for (std::size_t i = 1; i + 1 < line.size(); ++i)
-    if (line[i] == ',' && is_digit(line[i - 1]) && is_digit(line[i + 1]))
-      return true;
-  return false;
+struct Unit {
+  std::string_view name;
+  double millimetres;
+};
+
+/// Names of units in headings (not a tuning constant).
+constexpr std::array<Unit, 9> units{{{"mm", 1.0},
+                                     {"cm", 10.0},
+                                     {"m", 1000.0},
+                                     {"in", 25.4},
+                                     {"inch", 25.4},
+                                     {"inches", 25.4},
+                                     {"um", 0.001},
+                                     {"\xC2\xB5m", 0.001},
+                                     {"\xCE\xBCm", 0.001}}};
+
+/// Names of columns in headings.
+constexpr std::array<std::string_view, 10> column_names{
+    "x", "y", "z", "s", "t", "h", "lateral", "lat", "height", "vertical"};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return result;
 }
 
-bool has_no_number(const Words& words) {
-  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i)
-    if (number_of(words.word[i]))
+/// What the lines before the rows say.
+struct Heading {
+  std::size_t line = 0;
+  std::vector<std::string> names; ///< of columns, without units
+  std::vector<Unit> units;
+
+  /// It names two columns, or nothing but units: other lines may have an "in" or an "m" in them.
+  [[nodiscard]] bool is_of_columns() const {
+    const auto known = std::count_if(names.begin(), names.end(), [](const std::string& name) {
+      return std::find(column_names.begin(), column_names.end(), name) != column_names.end();
+    });
+    return known >= 2 || (names.empty() && !units.empty());
+  }
+};
+
+Heading heading_of(std::string_view text, std::size_t line) {
+  Heading heading;
+  heading.line = line;
+  const std::string clean = lower(text);
+  const Words words = words_of(clean, " \t,;:\"'[](){}/|_=");
+  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i) {
+    const auto* const unit = std::find_if(
+        units.begin(), units.end(), [&](const Unit& each) { return each.name == words.word[i]; });
+    if (unit != units.end())
+      heading.units.push_back(*unit);
+    else
+      heading.names.emplace_back(words.word[i]);
+  }
+  return heading;
+}
+
+/// Rows of equally many numbers.
+struct Table {
+  std::size_t columns = 0;
+  std::vector<double> numbers; ///< row by row
+  std::vector<std::size_t> lines;
+  Heading heading;
+  LineCount headings;
+  bool only_commas = true; ///< between numbers, in all rows
+  bool has_point = false;  ///< a decimal point somewhere
+  LineCount decimal_commas;
+
+  [[nodiscard]] std::size_t rows() const { return lines.size(); }
+  [[nodiscard]] double at(std::size_t row, std::size_t column) const {
+    return numbers[row * columns + column];
+  }
+};
+
+/// Before the first row: text, or a number of points alone.
+bool is_heading(std::string_view line) {
+  const std::string row = plain_row(line);
+  const Words words = words_of(row, " ");
+  return words.count < 2 || !number_of(words.word[0]) || !number_of(words.word[1]);
+}
+
+/// Names may stand in one line and units in the next.
+void take_heading(Table& table, std::string_view text, std::size_t line) {
+  const Heading heading = heading_of(text, line);
+  if (!heading.is_of_columns())
+    return;
+  if (heading.names.empty() && table.heading.units.empty())
+    table.heading.units = heading.units;
+  else
+    table.heading = heading;
+  table.heading.line = line;
+}
+
+void read_row(Table& table, std::string_view line, std::size_t number, const Log& log) {
+  const std::string row = plain_row(line);
+  const Words words = words_of(row, " ");
+  if (words.count < 2)
+    log.refuse(number, quoted(line) + " is one column, two are needed");
+  if (table.columns != 0 && words.count != table.columns)
+    log.refuse(number, std::to_string(words.count) + " columns, the rows before have " +
+                           std::to_string(table.columns));
+  if (words.count > Words::max_words)
+    log.refuse(number, std::to_string(words.count) + " columns, at most " +
+                           std::to_string(Words::max_words) + " are allowed");
+  if (table.rows() >= ReadLimits::max_points)
+    log.refuse(number, "more than " + std::to_string(ReadLimits::max_points) + " points");
+  table.columns = words.count;
+  for (std::size_t i = 0; i < words.count; ++i)
+    table.numbers.push_back(i < 2 || number_of(words.word[i])
+                                ? finite_number(words.word[i], number, log)
+                                : std::nan(""));
+  table.lines.push_back(number);
+  table.only_commas = table.only_commas && line.find_first_of(" \t;\"") == std::string_view::npos;
+  table.has_point = table.has_point || line.find('.') != std::string_view::npos;
+  if (line.find(',') != std::string_view::npos && row.find('.') != std::string::npos &&
+      line.find('.') == std::string_view::npos)
+    table.decimal_commas.add(number);
+}
+
+Table read_table(std::string_view text, Log& log) {
+  Table table;
+  for (Lines lines(text, log); lines.next();) {
+    const std::string_view all = lines.text();
+    const std::size_t comment = all.find_first_of("#!%");
+    const std::string_view line = trimmed(all.substr(0, comment));
+    if (table.rows() == 0 && line.empty() && comment != std::string_view::npos)
+      take_heading(table, all.substr(comment + 1), lines.number());
+    if (line.empty())
+      continue;
+    if (table.rows() == 0 && is_heading(line)) {
+      table.headings.add(lines.number());
+      take_heading(table, line, lines.number());
+      continue;
+    }
+    read_row(table, line, lines.number(), log);
+  }
+  return table;
+}
+
+/// Whether every row counts on from the previous one.
+bool counts_rows(const Table& table, std::size_t column) {
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    if (table.at(row, column) - table.at(row - 1, column) != 1.0)
+      return false;
+  return table.rows() > 1 && std::trunc(table.at(0, column)) == table.at(0, column);
+}
+
+bool is_constant(const Table& table, std::size_t column) {
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    if (table.at(row, column) != table.at(0, column))
       return false;
   return true;
+}
+
+using Pair = std::array<std::size_t, 2>;
+
+/// Columns of lateral and height by their names.
+std::optional<Pair> named_columns(const Table& table) {
+  const std::vector<std::string>& names = table.heading.names;
+  if (names.size() != table.columns)
+    return std::nullopt;
+  const auto place_of = [&names](std::initializer_list<std::string_view> wanted) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+    });
+    return found == names.end() ? std::optional<std::size_t>()
+                                : std::optional(static_cast<std::size_t>(found - names.begin()));
+  };
+  const std::optional<std::size_t> x = place_of({"x"});
+  const std::optional<std::size_t> y = place_of({"y"});
+  const std::optional<std::size_t> z = place_of({"z", "height", "h", "vertical", "vert"});
+  std::optional<std::size_t> lateral = place_of({"lateral", "lat", "s", "t"});
+  std::optional<std::size_t> height = z;
+  if (!lateral && z && y) {
+    if (x && !is_constant(table, *x)) // along the track, or across?
+      return std::nullopt;
+    lateral = y;
+  } else if (!lateral) {
+    lateral = x;
+    height = y ? y : z;
+  } else if (!height) {
+    height = y;
+  }
+  return lateral && height ? std::optional(Pair{*lateral, *height}) : std::nullopt;
+}
+
+Pair unnamed_columns(const Table& table, Log& log) {
+  std::vector<std::size_t> left;
+  std::vector<std::size_t> ignored;
+  for (std::size_t column = 0; column < table.columns; ++column) {
+    const std::size_t after = table.columns - column - 1;
+    const bool can_go = table.columns - ignored.size() > 2 && left.size() + after >= 2;
+    if (can_go && column == 0 && counts_rows(table, column)) {
+      log.guess("column 1 ignored, since it counts the rows", "remove it, or name the columns");
+      ignored.push_back(column);
+    } else if (can_go && is_constant(table, column)) {
+      log.guess("column " + std::to_string(column + 1) + " ignored, since it is constant",
+                "remove it, or name the columns");
+      ignored.push_back(column);
+    } else {
+      left.push_back(column);
+    }
+  }
+  if (left.size() > 2) {
+    std::string numbers;
+    for (std::size_t i = 2; i < left.size(); ++i)
+      numbers += (i > 2 ? ", " : "") + std::to_string(left[i] + 1);
+    log.guess("columns " + numbers + " ignored", "remove them, or name the columns in a heading");
+  }
+  return {left[0], left[1]};
+}
+
+/// Which columns are lateral and height.
+Pair columns_of(const Table& table, RawProfile& raw, Log& log) {
+  if (const std::optional<Pair> named = named_columns(table)) {
+    raw.columns_are_named = true;
+    log.note("columns by the heading in line " + std::to_string(table.heading.line) +
+             ": lateral is column " + std::to_string((*named)[0] + 1) + ", height column " +
+             std::to_string((*named)[1] + 1));
+    return *named;
+  }
+  return unnamed_columns(table, log);
+}
+
+void settle_unit(RawProfile& raw, const Table& table, Log& log) {
+  const std::vector<Unit>& stated = table.heading.units;
+  if (stated.empty())
+    return;
+  for (const Unit& unit : stated)
+    if (unit.millimetres != stated.front().millimetres)
+      log.refuse(table.heading.line, "two units, " + std::string(stated.front().name) + " and " +
+                                         std::string(unit.name) + "; one is allowed");
+  raw.unit_is_stated = true;
+  const double scale = stated.front().millimetres;
+  if (scale == 1.0)
+    return;
+  scale_points(raw, scale, scale);
+  log.note("multiplied by " + text_of(scale) + " to mm, from " + printable(stated.front().name) +
+           " in line " + std::to_string(table.heading.line));
 }
 
 } // namespace
 
 RawProfile read_columns(std::string_view text, Log& log) {
+  const Table table = read_table(text, log);
   RawProfile raw;
-  LineCount headings;
-  std::size_t columns = 0;
-  for (Lines lines(text, log); lines.next();) {
-    const std::string_view line =
-        trimmed(lines.text().substr(0, lines.text().find_first_of("#!%")));
-    if (line.empty())
-      continue;
-    const Words words = words_of(line, " \t,;");
-    if (columns == 0 && has_no_number(words)) {
-      headings.add(lines.number());
-      continue;
-    }
-    if (has_decimal_comma(line))
-      log.refuse(lines.number(), quoted(line) + " has decimal commas, use points");
-    if (words.count < 2)
-      log.refuse(lines.number(), quoted(line) + " is one column, two are needed");
-    if (columns != 0 && words.count != columns)
-      log.refuse(lines.number(), std::to_string(words.count) + " columns, the rows before have " +
-                                     std::to_string(columns));
-    columns = words.count;
-    const double lateral = finite_number(words.word[0], lines.number(), log);
-    const double height = finite_number(words.word[1], lines.number(), log);
-    add_point(raw, {lateral, height}, lines.number(), log);
+  if (table.rows() == 0)
+    return raw;
+  if (table.columns > 2 && table.only_commas && !table.has_point)
+    log.refuse(table.lines.front(),
+               "commas between the numbers and perhaps in them; separate the numbers by "
+               "semicolons, or write decimal points");
+  const Pair columns = columns_of(table, raw, log);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Position point{table.at(row, columns[0]), table.at(row, columns[1])};
+    if (!std::isfinite(point[0] + point[1]))
+      log.refuse(table.lines[row], "no number in column " + std::to_string(columns[0] + 1) +
+                                       " or " + std::to_string(columns[1] + 1));
+    add_point(raw, point, table.lines[row], log);
   }
-  if (headings.count > 0)
-    log.guess(headings.text("lines before the first number skipped as headings"),
-              "mark them as comments with #");
-  if (columns > 2)
-    log.guess("columns 3 to " + std::to_string(columns) + " ignored", "remove them");
+  if (table.headings.count > 0)
+    log.note(table.headings.text("lines before the first number skipped as headings"));
+  if (table.decimal_commas.count > 0)
+    log.note(table.decimal_commas.text("rows with decimal commas"));
+  settle_unit(raw, table, log);
   return raw;
 }
 

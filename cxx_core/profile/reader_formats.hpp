@@ -1,7 +1,7 @@
 /// What the format readers hand to the common part. Internal to the readers.
 ///
-/// Points are in the signs that the format defines, turned to the frame of profile.hpp as far as
-/// the format defines them; units mm if the format defines units. Thread rule: no state.
+/// Points are in the signs and units of the file; the flags say what the format defines of them.
+/// Thread rule: no state.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,26 @@
 
 namespace wrc::reading {
 
+/// How sure the signs of the points are.
+enum class Signs {
+  silent, ///< the format says nothing: the shape decides
+  usual,  ///< files of this format have them so, but do not say so: the shape may overrule
+  stated, ///< the format defines them
+};
+
 struct RawProfile {
   std::vector<Position> points;
-  std::optional<ProfileKind> kind;    ///< as the content says
-  std::string title;                  ///< as the content says, may be empty
-  bool lateral_towards_gauge = false; ///< the format counts lateral positive to the gauge side
-  bool rail_height_down = false;      ///< the format counts a rail's height positive downwards
-  bool wheel_height_up = false;       ///< the format counts a wheel's height upwards in the track
+  std::vector<Position> dropped{};      ///< points that were removed, in the same frame
+  std::optional<ProfileKind> kind;      ///< as the content says
+  std::string title;                    ///< as the content says, may be empty
+  Signs signs = Signs::silent;          ///< of the points, once turned as the next three say
+  bool lateral_towards_gauge = false;   ///< a rail's lateral is positive to the gauge side
+  bool rail_height_down = false;        ///< a rail's height is positive downwards
+  bool half_turned = false;             ///< if the shape is upside down, both signs are wrong
+  bool columns_are_named = false;       ///< which is lateral and which height
+  bool unit_is_stated = false;          ///< points are in mm
+  bool counts_from_flange_back = false; ///< wheels of this format have lateral 0 there
+  std::optional<double> tape_offset;    ///< flange back to taping line, as the file says, mm
 };
 
 RawProfile read_columns(std::string_view text, Log& log);
@@ -30,6 +43,8 @@ RawProfile read_miniprof(std::string_view text, Log& log);
 
 /// Adds a point; refuses more than the largest number.
 void add_point(RawProfile& raw, const Position& point, std::size_t line, const Log& log);
+/// Multiplies the coordinates of all points, the dropped ones too.
+void scale_points(RawProfile& raw, double lateral, double height);
 /// Drops points closer than `least` to the one kept before. Returns how many.
 std::size_t drop_close_points(std::vector<Position>& points, double least);
 

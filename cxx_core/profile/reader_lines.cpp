@@ -23,11 +23,13 @@ void Log::guess(const std::string& text, const std::string& remedy) {
   corrections_.push_back(text);
 }
 
-Lines::Lines(std::string_view text, const Log& log) : rest_(text), log_(log) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (rest_.starts_with(byte_order_mark))
-    rest_.remove_prefix(byte_order_mark.size());
+void Log::warn(const std::string& text) {
+  if (strict_)
+    refuse("strict reading allows no doubt: " + text);
+  warnings_.push_back(text);
 }
+
+Lines::Lines(std::string_view text, const Log& log) : rest_(text), log_(log) {}
 
 bool Lines::next() {
   if (rest_.empty())
@@ -76,9 +78,36 @@ Words words_of(std::string_view line, std::string_view separators) {
   return words;
 }
 
+std::string plain_row(std::string_view line) {
+  const bool decimal_commas = line.find_first_of(" \t;") != std::string_view::npos;
+  const auto is_digit = [line](std::size_t i) {
+    return i < line.size() && line[i] >= '0' && line[i] <= '9';
+  };
+  std::string row;
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    const bool between_digits = i > 0 && is_digit(i - 1) && is_digit(i + 1);
+    if (c == '"')
+      in_quotes = !in_quotes;
+    else if (c == ',' && between_digits && (decimal_commas || in_quotes))
+      row += '.';
+    else
+      row += c == ',' || c == ';' || c == '\t' ? ' ' : c;
+  }
+  return row;
+}
+
 std::optional<double> number_of(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-"))
     word.remove_prefix(1);
+  std::string with_e; // of 1.5D+01
+  if (const std::size_t d = word.find_first_of("dD");
+      d != std::string_view::npos && d > 0 && word.size() <= 40) {
+    with_e = word;
+    with_e[d] = 'e';
+    word = with_e;
+  }
   double value = 0.0;
   const char* const end = word.data() + word.size();
   const auto [stop, fault] = std::from_chars(word.data(), end, value);

@@ -25,14 +25,18 @@ public:
   void note(const std::string& text) { corrections_.push_back(text); }
   /// A change that rests on a guess; an error in strict mode. `remedy` says how to avoid it.
   void guess(const std::string& text, const std::string& remedy);
+  /// Something that no wheel or rail has; an error in strict mode.
+  void warn(const std::string& text);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::vector<std::string>& corrections() { return corrections_; }
+  [[nodiscard]] std::vector<std::string>& warnings() { return warnings_; }
 
 private:
   std::string name_;
   bool strict_;
   std::vector<std::string> corrections_;
+  std::vector<std::string> warnings_;
 };
 
 /// Hands out the lines of a text (ends: LF, CR LF or CR), without their ends and outer blanks.
@@ -75,7 +79,12 @@ struct Words {
 };
 Words words_of(std::string_view line, std::string_view separators);
 
-/// The number a word stands for; none if it is not one. May be infinite or not a number.
+/// A row of numbers with points and blanks: quotes go, separators ; , and tab become blanks, and a
+/// comma between digits becomes a decimal point where something else separates the numbers.
+std::string plain_row(std::string_view line);
+
+/// The number a word stands for, also with Fortran's exponent D; none if it is not one. May be
+/// infinite or not a number.
 std::optional<double> number_of(std::string_view word);
 /// The finite number a word stands for; refuses anything else.
 double finite_number(std::string_view word, std::size_t line, const Log& log);

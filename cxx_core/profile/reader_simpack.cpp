@@ -1,10 +1,10 @@
 /// Simpack .prr/.prw: nested sections of key = value, points in spline/point.
 ///
-/// Order of processing, as the files number it: 1 least point distance, 2 shifts, 3 rotation (only
-/// zero is accepted, its sense is not documented), 4 bounds (lateral: points dropped, height:
-/// clipped), 5 mirrors, 6 inversion of the order, 7 units (value / units.len.f is metres, so
-/// without the key values are metres). Height is positive downwards in the track: larger radius
-/// for a wheel, into the rail for a rail.
+/// Order of processing, as the files number it: 1 least point distance, 2 shifts, 3 rotation about
+/// the origin (its sense is not documented: from y towards z is a guess), 4 bounds (lateral: points
+/// dropped, height: clipped), 5 mirrors, 6 inversion of the order, 7 units (value / units.len.f is
+/// metres, so without the key values are metres). Height is positive downwards in the track: larger
+/// radius for a wheel, into the rail for a rail.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -33,6 +33,7 @@ std::string_view without_comment(std::string_view line) {
 struct Content {
   RawProfile raw;
   std::map<std::string, double, std::less<>> number; ///< of the spline section
+  std::string unit; ///< units.len of old files, where units.len.f is absent
   bool has_spline = false;
   int point_sections = 0;
   LineCount unknown_keys;
@@ -95,12 +96,12 @@ private:
   }
 
   void read_key(std::string_view key, std::string_view value) {
-    static const std::set<std::string_view> informative = {
-        "file", "file.mtime", "type", "units.len", "units.ang", "version", "units.ang.f"};
+    static const std::set<std::string_view> informative = {"file", "file.mtime", "type",
+                                                           "units.ang", "version"};
     static const std::set<std::string_view> numeric = {
         "approx.smooth", "point.dist.min", "shift.y",     "shift.z",     "rotate",
         "bound.y.min",   "bound.y.max",    "bound.z.min", "bound.z.max", "mirror.y",
-        "mirror.z",      "inversion",      "units.len.f"};
+        "mirror.z",      "inversion",      "units.len.f", "units.ang.f"};
     if (in("header") && key == "type") {
       const double type = finite_number(value, lines_.number(), log_);
       if (type != 0.0 && type != 1.0)
@@ -111,12 +112,16 @@ private:
       const std::size_t last = value.rfind('\'');
       if (last != std::string_view::npos && last > first)
         content_.raw.title = std::string(value.substr(first + 1, last - first - 1));
+    } else if (in("spline") && key == "units.len") {
+      content_.unit = std::string(words_of(value, " \t'\"[]").word[0]);
     } else if (in("spline") && numeric.contains(key)) {
       const double number = finite_number(value, lines_.number(), log_);
-      if (!content_.number.insert_or_assign(std::string(key), number).second)
+      const auto [entry, is_new] = content_.number.emplace(key, number);
+      if (!is_new && entry->second != number)
         log_.guess(std::string(key) + " stands again in line " + std::to_string(lines_.number()) +
-                       ", the last one is used",
+                       " with another value, the last one is used",
                    "remove the others");
+      entry->second = number;
     } else if (!informative.contains(key)) {
       content_.unknown_keys.add(lines_.number());
     }
@@ -145,14 +150,14 @@ private:
 class Processing {
 public:
   Processing(Content& content, Log& log)
-      : points_(content.raw.points), number_(content.number), log_(log) {}
+      : raw_(content.raw), points_(content.raw.points), number_(content.number),
+        unit_(content.unit), log_(log) {}
 
   void apply() {
     if (const double least = value("point.dist.min"); least > 0.0)
       report(drop_close_points(points_, least), "points closer than point.dist.min dropped");
     shift();
-    if (value("rotate") != 0.0)
-      log_.refuse("rotate = " + text_of(value("rotate")) + ", only 0 is supported");
+    rotate();
     bound();
     mirror("mirror.y", 0, "lateral");
     mirror("mirror.z", 1, "height");
@@ -186,6 +191,20 @@ private:
       point = {point[0] + by[0], point[1] + by[1]};
     log_.note("shifted by shift.y = " + text_of(by[0]) + ", shift.z = " + text_of(by[1]));
   }
+  void rotate() {
+    const double per_radian = value("units.ang.f", 1.0);
+    if (!(per_radian > 0.0))
+      log_.refuse("units.ang.f = " + text_of(per_radian) + ", must be positive");
+    const double angle = value("rotate") / per_radian;
+    if (angle == 0.0)
+      return;
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    for (Position& point : points_)
+      point = {cosine * point[0] - sine * point[1], sine * point[0] + cosine * point[1]};
+    log_.guess("rotated by " + text_of(angle) + " rad about the origin, from y towards z",
+               "give the points as they are rotated, and rotate = 0");
+  }
   void bound() {
     const Position y = {value("bound.y.min"), value("bound.y.max")};
     if (y[0] < y[1])
@@ -210,20 +229,29 @@ private:
     log_.note(name + " mirrored as " + key + " = 1 requests");
   }
   void to_millimetres() {
-    const double per_metre = value("units.len.f", 1.0);
+    const bool by_factor = number_.contains("units.len.f");
+    const bool by_name = !by_factor && !unit_.empty();
+    if (by_name && unit_ != "mm" && unit_ != "m" && unit_ != "cm")
+      log_.refuse("units.len = " + printable(unit_) + ", allowed: m, cm, mm");
+    const double named = unit_ == "mm" ? 1000.0 : unit_ == "cm" ? 100.0 : 1.0;
+    const double per_metre = by_name ? named : value("units.len.f", 1.0);
     if (!(per_metre > 0.0))
       log_.refuse("units.len.f = " + text_of(per_metre) + ", must be positive");
+    raw_.unit_is_stated = by_factor || by_name;
     const double scale = 1000.0 / per_metre;
     if (scale == 1.0)
       return;
     for (Position& point : points_)
       point = {point[0] * scale, point[1] * scale};
-    log_.note("multiplied by " + text_of(scale) + " to mm, from units.len.f = " +
-              text_of(per_metre) + (number_.contains("units.len.f") ? "" : " (absent: metres)"));
+    log_.note("multiplied by " + text_of(scale) + " to mm, from " +
+              (by_name ? "units.len = " + unit_ : "units.len.f = " + text_of(per_metre)) +
+              (raw_.unit_is_stated ? "" : " (absent: metres)"));
   }
 
+  RawProfile& raw_;
   std::vector<Position>& points_;
   const std::map<std::string, double, std::less<>>& number_;
+  const std::string& unit_;
   Log& log_;
 };
 
@@ -239,6 +267,7 @@ RawProfile read_simpack(std::string_view text, Log& log) {
       smooth != content.number.end() && smooth->second != 0.0)
     log.note("approx.smooth = " + text_of(smooth->second) + " ignored");
   Processing(content, log).apply();
+  content.raw.signs = Signs::stated;
   content.raw.rail_height_down = true;
   return std::move(content.raw);
 }

@@ -1,17 +1,16 @@
 /// Reading measured and published profiles from files.
 ///
-/// Formats: two-column text (blank, tab, comma or semicolon between, comments # ! %), Simpack
-/// .prr/.prw, MiniProf .ban/.whl; the extension selects, anything else is two-column text. Signs
-/// and order of processing follow the keys of the formats as CONTACT reads them (user guide,
-/// profile files). The result is in the frame of profile.hpp: steps are 1. what the format
-/// defines, 2. units,
-/// 3. a check of the shape (flange up and to negative lateral, rail head bulging up), 4. order.
-/// A rail's lateral sign cannot be seen from its shape; state it if the format does not define it.
-/// The origin is kept as it is in the file.
+/// Formats: text in columns (blank, tab, comma or semicolon between, comments # ! %), Simpack
+/// .prr/.prw, MiniProf .ban/.whl; the extension selects, or else the content. Each is read by its
+/// own rules. The result is in the frame of profile.hpp: 1. what the format defines, 2. units,
+/// 3. cleaning, 4. signs and order, 5. of a wheel, the taping line to lateral 0. What neither the
+/// format nor the options state the shape decides (settling.hpp). A rail's lateral sign cannot be
+/// seen from its shape; state it if the format does not define it.
 ///
-/// Every change of the data is one line of `corrections`. Changes that are guesses are errors in
-/// strict mode. Input is not trusted: sizes are bounded, every error names file and line.
-/// Does not know: kinks (points are joined by one smooth spline), slices (.slcs/.slcw).
+/// Every change of the data is one line of `corrections`; what no wheel or rail has is a line of
+/// `warnings` (plausibility.hpp). Guesses and warnings are errors in strict mode. Input is not
+/// trusted: sizes are bounded, every error names file and line.
+/// Does not know: kinks (points are joined by one smooth spline).
 /// Units mm. Thread rule: no state.
 #pragma once
 
@@ -28,6 +27,9 @@ namespace wrc {
 
 enum class ProfileFormat { columns, simpack, miniprof };
 
+/// Where a wheel's file has lateral 0.
+enum class WheelOrigin { by_file, tape, flange_back };
+
 struct ReadOptions {
   std::optional<ProfileKind> kind; ///< wins over what the file says
   /// Mirroring on top of what the format defines; if set, replaces the check of the shape.
@@ -38,12 +40,20 @@ struct ReadOptions {
   /// mm; points closer to the one before are dropped, since the rounding of their digits would
   /// dominate the curvature.
   double least_point_distance = 0.01;
-  bool strict = false; ///< corrections that are guesses are errors
+  bool strict = false; ///< corrections that are guesses, and warnings, are errors
+  /// Of a wheel; `tape` leaves lateral and heights as they are.
+  WheelOrigin origin = WheelOrigin::by_file;
+  std::optional<double> tape_offset;   ///< flange back to taping line, mm; else by the file, or 70
+  std::optional<double> lateral_shift; ///< instead of `origin`: to the taping line, mm
+  int slice = 0; ///< of a slices file (.slcs, .slcw): which one, from 1; 0: refused with a list
 };
 
 struct ReadResult {
   Profile profile;
   std::vector<std::string> corrections;
+  std::vector<std::string> warnings;
+  std::vector<Position> measured{}; ///< the points before they were smoothed
+  std::vector<Position> dropped{};  ///< points that were removed, in the same frame
 };
 
 /// Bounds on what is read.
@@ -57,11 +67,11 @@ struct ReadLimits {
   static constexpr double max_coordinate = 1e5; ///< mm
 };
 
-/// The format that goes with a file's extension. Throws Error(file_malformed) for slices.
+/// The format that goes with a file's extension.
 ProfileFormat format_of(const std::filesystem::path& path);
 
-/// Reads a profile. Throws Error: file_unreadable, file_malformed, or invalid_argument for
-/// options.
+/// Reads a profile, of a slices file (slices.hpp) the one of options.slice. Throws Error:
+/// file_unreadable, file_malformed, or invalid_argument for options.
 ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same from memory. `name` stands for the file name in messages; its extension gives the kind

@@ -4,8 +4,9 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "base/written_file.hpp"
+#include "base/file.hpp"
 #include "profile/readers.hpp"
+#include "profile/slices.hpp"
 
 namespace wrc {
 namespace {
@@ -64,6 +65,9 @@ std::string simpack_text(const Profile& profile, const std::vector<Position>& po
 std::string text_for(const Profile& profile, const std::filesystem::path& path, double spacing) {
   const std::vector<Position> points = sample(profile.curve, spacing);
   const std::string extension = path.extension().string();
+  ProfileKind of_slices{};
+  if (is_slices_file(path, of_slices))
+    throw_invalid_argument("extension", extension, ".prr, .prw or two-column text");
   switch (format_of(path)) {
   case ProfileFormat::columns:
     return columns_text(profile, points);

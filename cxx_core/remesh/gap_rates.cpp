@@ -134,6 +134,10 @@ RigidMotion roll_motion(double yaw) {
   return {{}, {std::cos(yaw), std::sin(yaw), 0.0}};
 }
 
+RigidMotion yaw_motion() {
+  return {{}, {0.0, 0.0, 1.0}};
+}
+
 void compute_gap_rates(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
                        std::span<const double> wanted, std::span<const RigidMotion> motions,
                        std::vector<std::vector<double>>& rates) {

@@ -32,10 +32,11 @@ struct RigidMotion {
   Vector3 rotation;
 };
 
-/// Of a wheelset whose lateral position, height or roll grows.
+/// Of a wheelset whose lateral position, height, roll or yaw grows.
 RigidMotion lateral_motion();
 RigidMotion vertical_motion();
 RigidMotion roll_motion(double yaw);
+RigidMotion yaw_motion();
 
 /// One vector a motion, with one rate per element of the grid, in the grid's order. Only elements
 /// with `wanted` > 0 are computed, such as those under pressure (all of them, if it is empty); the

@@ -15,10 +15,11 @@ namespace {
 constexpr std::size_t lateral = 0;
 constexpr std::size_t vertical = 1;
 constexpr std::size_t roll = 2;
-constexpr std::size_t motion_count = 3;
-constexpr std::size_t along = 3;
+constexpr std::size_t yaw = 3;
+constexpr std::size_t motion_count = 4;
+constexpr std::size_t along = 4;
 
-using ByPlace = WithRates<4>;
+using ByPlace = WithRates<5>;
 using Rated = WithRates<motion_count>;
 
 class MovingPlaces {
@@ -27,8 +28,10 @@ public:
   using Place = patch_finding::LocusSample<Rated>;
 
   MovingPlaces(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose)
-      : wheel_(wheel), rail_(rail.graph().heights()), sin_yaw_(std::sin(pose.yaw)),
-        cos_yaw_(std::cos(pose.yaw)), lateral_(ByPlace::variable(pose.lateral, lateral)),
+      : wheel_(wheel), rail_(rail.graph().heights()),
+        sin_yaw_(sin(ByPlace::variable(pose.yaw, yaw))),
+        cos_yaw_(cos(ByPlace::variable(pose.yaw, yaw))),
+        lateral_(ByPlace::variable(pose.lateral, lateral)),
         sin_roll_(sin(ByPlace::variable(pose.roll, roll))),
         cos_roll_(cos(ByPlace::variable(pose.roll, roll))) {}
 
@@ -129,15 +132,15 @@ private:
 
   const WheelSurface& wheel_;
   const HeightFunction& rail_;
-  double sin_yaw_;
-  double cos_yaw_;
+  ByPlace sin_yaw_;
+  ByPlace cos_yaw_;
   ByPlace lateral_;
   ByPlace sin_roll_;
   ByPlace cos_roll_;
 };
 
 ByMotion<double> by_motion(const Rated& number) {
-  return {number.rates[lateral], number.rates[vertical], number.rates[roll]};
+  return {number.rates[lateral], number.rates[vertical], number.rates[roll], number.rates[yaw]};
 }
 
 } // namespace

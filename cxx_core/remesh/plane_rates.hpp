@@ -42,7 +42,7 @@ struct MovingPatches {
 };
 
 /// `scan` is that of the pair's pose; `depth` leads from the first touch to the pair's height,
-/// which stays in the track when the wheelset moves laterally or rolls. `joining_distance` as for
+/// which stays in the track when the wheelset moves laterally or turns. `joining_distance` as for
 /// find_contact_patches.
 MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& rail,
                                   const Pose& pose, const ContactScan& scan, double depth,

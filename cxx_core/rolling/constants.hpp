@@ -62,12 +62,12 @@ inline constexpr double damping_growth = 4.0;
 inline constexpr double damping_decay = 0.4;
 
 /// Relative accuracy of derivatives of forces, ...
-/// origin: reasoned: a Jacobian serves Newton's method of the caller, which corrects what it
-/// leaves.
-inline constexpr double rate_tolerance = 1e-3;
+/// origin: measured (compare_jacobian 200 1e-2): with 1e-3 columns of velocities are no closer to
+/// differences, 0.2 to 0.3 % in the median, and take 1.6 times as long.
+inline constexpr double rate_tolerance = 1e-2;
 
 /// ... and the restarts of GMRES it may take.
-/// origin: reasoned: a bound; two suffice for elliptic contacts.
+/// origin: reasoned: a bound.
 inline constexpr int rate_restarts = 10;
 
 /// Shorter side of the coarsest grid of the cascade, at least.
@@ -104,7 +104,8 @@ inline constexpr double flexibility_tolerance = 3e-3;
 inline constexpr double no_slip_friction = 1e6;
 
 /// Alternations of pressures and tractions between unlike bodies.
-/// origin: derived: each changes forces by some K mu times the one before; four pass at K = 0.5.
+/// origin: measured (spheres on 32 elements, tolerance 1e-4): aluminium on steel takes 4 at most,
+/// K = 0.5 with mu = 1 takes 9.
 inline constexpr int alternation_limit = 12;
 
 /// Tolerance of their normal solutions, at most.

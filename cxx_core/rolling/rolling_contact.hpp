@@ -13,7 +13,7 @@
 /// the slip K/(pi G) d/dx of the integral of p (x, y)/r^2 to w, and tractions open the gap by
 /// `normal_displacement`, which changes the pressures in turn (rolling/unlike_bodies.hpp).
 /// Derivatives along x are upstream-biased differences inside the influence coefficients
-/// (traction_convolution.hpp). Pressures are given here.
+/// (traction_convolution.hpp). Pressures are given, and stay.
 /// Thread rule: one RollingSolver serves one thread at a time. Same input, same bits, whatever was
 /// solved before.
 #pragma once
@@ -80,9 +80,8 @@ struct RollingSolution {
   double spin_moment = 0.0;        ///< N mm about the origin
   /// On request: derivatives of Fx, Fy (N) and Mz (N mm) by xi, eta and phi (1/mm), row by row
   /// (dFx/dxi, dFx/deta, ...), from the equations as linearised at the solution; else 0. Of a shift
-  /// by mm and rad. Those
-  /// by friction follow for like bodies, since F is homogeneous in mu and the creepages:
-  /// mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi.
+  /// by mm and rad. Those by friction follow for like bodies, since F is homogeneous in mu and the
+  /// creepages: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi.
   std::array<double, 9> by_creepage{};
   double slip_area = 0.0;     ///< mm^2
   double adhesion_area = 0.0; ///< mm^2

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "mechanics/cascade.hpp"
 #include "rolling/constants.hpp"
@@ -60,9 +61,14 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
 
 void ScaledTractions::find_box() {
   const Grid& grid = problem_.grid;
-  std::vector<double> loaded(problem_.pressure.begin(), problem_.pressure.end());
-  for (std::size_t at = 0; at < problem_.previous_x.size(); ++at) {
-    loaded[at] += std::abs(problem_.previous_x[at]) + std::abs(problem_.previous_y[at]);
+  std::span<const double> loaded = problem_.pressure;
+  std::vector<double> with_previous;
+  if (!problem_.previous_x.empty()) {
+    with_previous.assign(loaded.begin(), loaded.end());
+    for (std::size_t at = 0; at < with_previous.size(); ++at) {
+      with_previous[at] += std::abs(problem_.previous_x[at]) + std::abs(problem_.previous_y[at]);
+    }
+    loaded = with_previous;
   }
   ElementBox box;
   find_pressure_box({grid.lateral_count, grid.longitudinal_count}, loaded, 0, box);

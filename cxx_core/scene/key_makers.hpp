@@ -1,10 +1,14 @@
-/// Makers of the usual keys: a number, a number in two places, a word, a number or a word.
+/// Makers of the usual keys: a number, a number in two places, a list of three, a word, a number or
+/// a word.
 ///
 /// Thread rule: pure functions.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,6 +50,58 @@ Key number_key(KeyDescription description, Range range, Dimension dimension, Pla
   key.set_number = [place, other](Scene& scene, double value) {
     std::invoke(place, scene) = value;
     std::invoke(other, scene) = value;
+  };
+  return key;
+}
+
+/// Where a side has something.
+template <class Value> auto place_of(SceneSide Scene::*side, Value SceneSide::*member) {
+  return [ side, member ](auto& scene) -> auto& {
+    return (scene.*side).*member;
+  };
+}
+
+/// A number of both sides.
+template <class Value>
+Key both_sides_key(KeyDescription description, Range range, Dimension dimension,
+                   Value SceneSide::*member) {
+  return number_key(description, range, dimension, place_of(&Scene::left, member),
+                    place_of(&Scene::right, member));
+}
+
+using Three = std::array<double, 3>;
+
+/// Three numbers, each with a limit of its magnitude; `get` and `set` have them in mm, y left, z
+/// up.
+template <class Get, class Set>
+Key three_key(KeyDescription description, const Three& limits,
+              const std::array<Dimension, 3>& dimensions_of, Get get, Set set) {
+  Key key;
+  key.description = description;
+  key.get = [dimensions_of, get](const Scene& scene) {
+    const std::optional<Three> inside = get(scene);
+    if (!inside) {
+      return KeyValue(std::string("none"));
+    }
+    std::vector<double> values;
+    for (std::size_t i = 0; i < inside->size(); ++i) {
+      values.push_back(to_caller((*inside)[i], scene.convention, dimensions_of[i]));
+    }
+    return KeyValue(values);
+  };
+  key.set_numbers = [limits, dimensions_of, set](Scene& scene, std::span<const double> values) {
+    Three inside{};
+    if (values.size() != inside.size()) {
+      return false;
+    }
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      inside[i] = from_caller(values[i], scene.convention, dimensions_of[i]);
+      if (!(std::abs(inside[i]) <= limits[i])) {
+        return false;
+      }
+    }
+    set(scene, inside);
+    return true;
   };
   return key;
 }

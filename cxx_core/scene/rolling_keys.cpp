@@ -1,6 +1,7 @@
 // Keys of friction, creepages and speed.
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "scene/key_makers.hpp"
 
@@ -10,49 +11,153 @@ namespace {
 using namespace dimensions;
 using namespace key_makers;
 
-/// Largest permitted creepage, and spin in 1/mm.
-/// origin: reasoned: full sliding in every case.
-constexpr double max_creepage = 10.0;
+/// Of a coefficient of friction.
+/// origin: reasoned: ten times that of clean steel.
+constexpr double max_friction = 10.0;
 
-/// [longitudinal, lateral, spin], or none.
-Key creepage_key(std::string_view name, std::string_view meaning,
-                 std::optional<Creepages> Scene::*member) {
-  constexpr std::array dimensions_of{pure, turning_angle, turning_curvature};
+/// Places on a wheel at which friction may be given, each two numbers.
+/// origin: reasoned: one for each millimetre and more.
+constexpr std::size_t max_friction_places = 256;
+
+using Sides = std::vector<SceneSide Scene::*>;
+
+/// The coefficient of friction of one or both wheels, everywhere on them.
+Key friction_key(std::string_view name, std::string_view meaning, const Sides& sides) {
+  Key key;
+  key.description = {name, "0.3", "0 to 10", meaning};
+  key.min = 0.0;
+  key.max = max_friction;
+  key.get = [sides](const Scene& scene) {
+    const FrictionLaw& law = (scene.*sides.front()).friction;
+    const FrictionLaw& other = (scene.*sides.back()).friction;
+    return law.coefficient == other.coefficient ? KeyValue(law.coefficient) : KeyValue();
+  };
+  key.set_number = [sides](Scene& scene, double value) {
+    for (SceneSide Scene::*side : sides) {
+      (scene.*side).friction.coefficient = value;
+      (scene.*side).friction.places.clear();
+    }
+  };
+  return key;
+}
+
+/// [s, coefficient, s, coefficient, ...] with s rising, or nothing if it is not that.
+std::vector<FrictionAtPlace> friction_places(std::span<const double> values,
+                                             const Convention& convention) {
+  std::vector<FrictionAtPlace> places;
+  const bool pairs = values.size() % 2 == 0 && values.size() <= 2 * max_friction_places;
+  for (std::size_t i = 0; pairs && i < values.size(); i += 2) {
+    const double s = from_caller(values[i], convention, length);
+    const bool rises = places.empty() || s > places.back().s;
+    const bool permitted = values[i + 1] >= 0.0 && values[i + 1] <= max_friction;
+    if (!(std::abs(s) <= 200.0) || !rises || !permitted) {
+      return {};
+    }
+    places.push_back({s, values[i + 1]});
+  }
+  return places;
+}
+
+/// The coefficient of friction by place on the wheel.
+Key friction_places_key(std::string_view name, std::string_view meaning, const Sides& sides) {
   Key key;
   key.description = {name, "\"none\"",
-                     "[longitudinal, lateral, spin], each -10 to 10 (spin 1/mm), or \"none\"",
+                     "[s, coefficient, s, coefficient, ...] with rising s of -200 to 200 mm and "
+                     "coefficients of 0 to 10, or \"none\"",
                      meaning};
-  key.get = [member, dimensions_of](const Scene& scene) {
-    if (!(scene.*member)) {
-      return KeyValue(std::string("none"));
+  key.get = [sides](const Scene& scene) {
+    const auto& places = (scene.*sides.front()).friction.places;
+    if (places != (scene.*sides.back()).friction.places) {
+      return KeyValue();
     }
-    const Creepages& creepages = *(scene.*member);
-    std::vector<double> values{creepages.longitudinal, creepages.lateral, creepages.spin};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = to_caller(values[i], scene.convention, dimensions_of[i]);
+    std::vector<double> values;
+    for (const FrictionAtPlace& place : places) {
+      values.push_back(to_caller(place.s, scene.convention, length));
+      values.push_back(place.coefficient);
     }
-    return KeyValue(values);
+    return values.empty() ? KeyValue(std::string("none")) : KeyValue(values);
   };
-  key.set_text = [member](Scene& scene, std::string_view value) {
+  const auto set = [sides](Scene& scene, const std::vector<FrictionAtPlace>& places) {
+    std::vector<std::vector<FrictionAtPlace>> copies(sides.size(), places); // may run out of memory
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      (scene.*sides[i]).friction.places = std::move(copies[i]);
+    }
+  };
+  key.set_text = [set](Scene& scene, std::string_view value) {
     if (value == "none") {
-      (scene.*member).reset();
+      set(scene, {});
     }
     return value == "none";
   };
-  key.set_numbers = [member, dimensions_of](Scene& scene, std::span<const double> values) {
-    if (values.size() != dimensions_of.size()) {
-      return false;
+  key.set_numbers = [set](Scene& scene, std::span<const double> values) {
+    const std::vector<FrictionAtPlace> places = friction_places(values, scene.convention);
+    if (!places.empty()) {
+      set(scene, places);
     }
-    std::array<double, 3> inside{};
-    for (std::size_t i = 0; i < inside.size(); ++i) {
-      inside[i] = from_caller(values[i], scene.convention, dimensions_of[i]);
-      if (!(std::abs(inside[i]) <= max_creepage)) {
-        return false;
-      }
-    }
-    scene.*member = Creepages{inside[0], inside[1], inside[2]};
-    return true;
+    return !places.empty();
   };
+  return key;
+}
+
+/// A number of the law of both wheels.
+Key friction_law_key(KeyDescription description, Range range, Dimension dimension,
+                     double FrictionLaw::*member) {
+  const auto of = [member](SceneSide Scene::*side) {
+    return [ side, member ](auto& scene) -> auto& {
+      return (scene.*side).friction.*member;
+    };
+  };
+  return number_key(description, range, dimension, of(&Scene::left), of(&Scene::right));
+}
+
+std::vector<Key> friction_keys() {
+  const Sides both{&Scene::left, &Scene::right};
+  return {
+      friction_key("friction.coefficient", "coefficient of friction of each wheel", both),
+      friction_places_key("friction.places",
+                          "the same by place on the wheel's profile, s from the taping line to "
+                          "the field side: linear between the places given, constant beyond",
+                          both),
+      friction_key("friction.left", "coefficient of friction of the left wheel", {&Scene::left}),
+      friction_places_key("friction.left_places", "by place on the left wheel", {&Scene::left}),
+      friction_key("friction.right", "coefficient of friction of the right wheel", {&Scene::right}),
+      friction_places_key("friction.right_places", "by place on the right wheel", {&Scene::right}),
+      friction_law_key({"friction.limit_ratio", "1.0", "0 to 1",
+                        "share of the coefficient that is left at a high speed of slip "
+                        "(Polach's A); with friction.decay"},
+                       {0.0, 1.0}, pure, &FrictionLaw::limit_ratio),
+      friction_law_key({"friction.decay", "0.0", "0 to 1 s/mm",
+                        "how fast the coefficient falls with the speed w of slip: as "
+                        "(1 - limit_ratio) exp(-decay w) + limit_ratio (Polach's B)"},
+                       {0.0, 1.0}, stiffness, &FrictionLaw::decay)};
+}
+
+/// Sets what a key has to "none", the only text it takes.
+template <class Reset> auto none_or_refuse(Reset reset) {
+  return [reset](Scene& scene, std::string_view value) {
+    if (value == "none") {
+      reset(scene);
+    }
+    return value == "none";
+  };
+}
+
+/// [longitudinal, lateral, spin], or none.
+Key creepage_key(std::string_view name, std::string_view meaning, SceneSide Scene::*side) {
+  Key key = three_key(
+      {name, "\"none\"", "[longitudinal, lateral, spin], each -10 to 10 (spin 1/mm), or \"none\"",
+       meaning},
+      {max_creepage, max_creepage, max_creepage}, {pure, turning_angle, turning_curvature},
+      [side](const Scene& scene) -> std::optional<Three> {
+        const auto& creepages = (scene.*side).creepages;
+        return creepages ? std::optional(
+                               Three{creepages->longitudinal, creepages->lateral, creepages->spin})
+                         : std::nullopt;
+      },
+      [side](Scene& scene, const Three& values) {
+        (scene.*side).creepages = Creepages{values[0], values[1], values[2]};
+      });
+  key.set_text = none_or_refuse([side](Scene& scene) { (scene.*side).creepages.reset(); });
   return key;
 }
 
@@ -65,8 +170,8 @@ Key component_key(std::string_view name, std::string_view allowed, std::string_v
   key.min = -max_creepage;
   key.max = max_creepage;
   key.get = [component](const Scene& scene) {
-    const auto& left = scene.left_creepages;
-    const auto& right = scene.right_creepages;
+    const auto& left = scene.left.creepages;
+    const auto& right = scene.right.creepages;
     if (!left && !right) {
       return KeyValue(std::string("none"));
     }
@@ -74,21 +179,22 @@ Key component_key(std::string_view name, std::string_view allowed, std::string_v
                                                                       : KeyValue();
   };
   key.set_number = [component](Scene& scene, double value) {
-    for (auto* side : {&scene.left_creepages, &scene.right_creepages}) {
+    for (auto* side : {&scene.left.creepages, &scene.right.creepages}) {
       if (!*side) {
         side->emplace();
       }
       (**side).*component = value;
     }
   };
-  key.set_text = [](Scene& scene, std::string_view value) {
-    if (value == "none") {
-      scene.left_creepages.reset();
-      scene.right_creepages.reset();
-    }
-    return value == "none";
-  };
+  key.set_text = none_or_refuse([](Scene& scene) {
+    scene.left.creepages.reset();
+    scene.right.creepages.reset();
+  });
   return key;
+}
+
+Motion& motion_of(Scene& scene) {
+  return scene.motion ? *scene.motion : scene.motion.emplace();
 }
 
 /// One of the velocities; the others are 0 unless they are set.
@@ -102,44 +208,41 @@ Key motion_key(std::string_view name, std::string_view allowed, std::string_view
   key.get = [component](const Scene& scene) {
     return scene.motion ? KeyValue((*scene.motion).*component) : KeyValue(std::string("none"));
   };
-  key.set_number = [component](Scene& scene, double value) {
-    if (!scene.motion) {
-      scene.motion.emplace();
-    }
-    (*scene.motion).*component = value;
-  };
-  key.set_text = [](Scene& scene, std::string_view value) {
-    if (value == "none") {
-      scene.motion.reset();
-    }
-    return value == "none";
-  };
+  key.set_number = [component](Scene& scene, double value) { motion_of(scene).*component = value; };
+  key.set_text = none_or_refuse([](Scene& scene) {
+    scene.motion.reset();
+    scene.pitch_is_free = false;
+  });
   return key;
 }
 
-/// A rate, or rolling with the speed.
+/// A rate, or rolling with the speed, or free.
 Key pitch_key() {
   Key key;
-  key.description = {"motion.pitch", "\"rolling\"", "-1e5 to 1e5 rad/s, or \"rolling\"",
+  key.description = {"motion.pitch", "\"rolling\"", "-1e5 to 1e5 rad/s, \"rolling\" or \"free\"",
                      "of the axle, positive when it rolls forward; rolling: speed over the nominal "
-                     "radius"};
+                     "radius; free: so that contact forces hold motion.torque"};
   key.min = -1e5;
   key.max = 1e5;
   key.get = [](const Scene& scene) {
-    return scene.motion && scene.motion->pitch ? KeyValue(*scene.motion->pitch)
-                                               : KeyValue(std::string("rolling"));
+    return scene.motion && scene.motion->pitch
+               ? KeyValue(*scene.motion->pitch)
+               : KeyValue(std::string(scene.pitch_is_free ? "free" : "rolling"));
   };
   key.set_number = [](Scene& scene, double value) {
-    if (!scene.motion) {
-      scene.motion.emplace();
-    }
-    scene.motion->pitch = value;
+    motion_of(scene).pitch = value;
+    scene.pitch_is_free = false;
   };
   key.set_text = [](Scene& scene, std::string_view value) {
-    if (value == "rolling" && scene.motion) {
-      scene.motion->pitch.reset();
+    const bool free = value == "free";
+    if (!free && value != "rolling") {
+      return false;
     }
-    return value == "rolling";
+    if (free || scene.motion) { // rolling by itself does not move
+      motion_of(scene).pitch.reset();
+    }
+    scene.pitch_is_free = free;
+    return true;
   };
   return key;
 }
@@ -152,22 +255,13 @@ constexpr std::string_view spin_range = "-10 to 10 1/mm, or \"none\"";
 } // namespace
 
 std::vector<Key> make_rolling_keys() {
-  constexpr Range range{0.0, 10.0};
-  constexpr std::string_view allowed = "0 to 10";
-  const auto left = &Scene::left_friction;
-  const auto right = &Scene::right_friction;
-  return {
-      number_key({"friction.coefficient", "0.3", allowed, "coefficient of friction of each wheel"},
-                 range, pure, left, right),
-      number_key({"friction.left", "0.3", allowed, "coefficient of friction of the left wheel"},
-                 range, pure, left),
-      number_key({"friction.right", "0.3", allowed, "coefficient of friction of the right wheel"},
-                 range, pure, right),
+  std::vector<Key> keys = friction_keys();
+  std::vector<Key> others{
       creepage_key("creepage.left",
                    "creepages of the left wheel, wheel minus rail over the speed, in the plane of "
                    "each patch at its reference; creep forces are computed then",
-                   &Scene::left_creepages),
-      creepage_key("creepage.right", "creepages of the right wheel", &Scene::right_creepages),
+                   &Scene::left),
+      creepage_key("creepage.right", "creepages of the right wheel", &Scene::right),
       component_key("creepage.longitudinal", creepage_range, "longitudinal creepage of both wheels",
                     pure, &Creepages::longitudinal),
       component_key("creepage.lateral", creepage_range, "lateral creepage of both wheels",
@@ -179,6 +273,9 @@ std::vector<Key> make_rolling_keys() {
                  "motion where none are given, else the speed is that of the frictional power",
                  1e6, length, &Motion::speed),
       pitch_key(),
+      number_key({"motion.torque", "0.0", "-1e12 to 1e12 N mm",
+                  "about the axle, positive when it drives forwards; with pitch = \"free\""},
+                 {-1e12, 1e12}, moment, &Scene::torque),
       motion_key("motion.lateral", speed_range, "lateral velocity of the wheelset's centre", 1e6,
                  turning_length, &Motion::lateral),
       motion_key("motion.vertical", speed_range, "its vertical velocity", 1e6, turning_length,
@@ -193,7 +290,8 @@ std::vector<Key> make_rolling_keys() {
           {"solve.creep", "\"auto\"",
            "\"auto\", \"none\", \"linear\", \"shen-hedrick-elkins\", \"polach\", \"fastsim\", "
            "\"fastsim-strips\" or \"full\"",
-           "model of creep forces where creepages are given; auto: full, Kalker's full theory to "
+           "model of creep forces where creepages or a motion are given; auto: full, Kalker's full "
+           "theory to "
            "solve.accuracy; fastsim-strips on the patch's own pressures, the others on an ellipse"},
           {{"auto", std::nullopt},
            {"none", CreepModel::none},
@@ -203,7 +301,15 @@ std::vector<Key> make_rolling_keys() {
            {"fastsim", CreepModel::fastsim},
            {"fastsim-strips", CreepModel::fastsim_strips},
            {"full", CreepModel::full}},
-          &Scene::creep)};
+          &Scene::creep),
+      word_key<bool>(
+          {"solve.derivatives", "\"no\"", "\"no\" or \"yes\"",
+           "whether derivatives of creep forces are computed, for their own sake and for "
+           "the Jacobian of all contact forces"},
+          {{"no", false}, {"yes", true}}, &Scene::derivatives)};
+  keys.insert(keys.end(), std::make_move_iterator(others.begin()),
+              std::make_move_iterator(others.end()));
+  return keys;
 }
 
 } // namespace wrc

@@ -15,7 +15,7 @@
 #include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "profile/profile.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "profile/readers.hpp"
 #include "scene/convention.hpp"
 #include "wheel/creep_forces.hpp"
 #include "wheel/wheel_request.hpp"
@@ -25,43 +25,66 @@ namespace wrc {
 enum class SideChoice { both, left, right };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
 
+/// Largest permitted creepage, and spin in 1/mm.
+/// origin: reasoned: full sliding in every case.
+inline constexpr double max_creepage = 10.0;
+
 /// As keys and results call it.
 constexpr std::string_view name_of(SolverChoice solver) {
   return solver == SolverChoice::paper ? "paper" : "default";
 }
 
+struct ProfileChoice {
+  std::string name; ///< of a built-in profile, or a file
+  /// Used instead of one of that name if given, which is then its name.
+  std::shared_ptr<const Profile> given{};
+  double smoothing = 0.0; ///< wavelength in mm for a profile read from a file; 0: none
+  WheelOrigin origin = WheelOrigin::by_file; ///< of a wheel's file; a scene's is that of all
+  double shift = 0.0;                        ///< of its lateral, mm, instead of the origin; 0: none
+  bool operator==(const ProfileChoice&) const = default;
+};
+
+/// What may differ from side to side.
+struct SceneSide {
+  ProfileChoice wheel{"S1002"};
+  double radius = 460.0; ///< of the wheel at the taping line
+  ProfileChoice rail{"60E1"};
+  RailDisplacement displacement; ///< of the rail, track frame
+  RailDisplacement velocity;     ///< of the rail, mm/s and rad/s
+  double load = 80000.0;         ///< vertical force on the wheel
+  FrictionLaw friction;
+  /// Of all patches, at their references; without any on both sides: from `motion`.
+  std::optional<Creepages> creepages;
+};
+
 struct Scene : WheelOptions {
   Convention convention; ///< of the numbers outside; those here are in mm, y left, z up
 
+  SceneSide left;
+  SceneSide right;
   TrackDimensions track;
-  std::string rail = "60E1"; ///< name of a built-in profile, or a file
-  /// Used instead of `rail` if given, which is then its name.
-  std::shared_ptr<const Profile> rail_profile;
-  double rail_smoothing = 0.0; ///< wavelength in mm for a rail read from a file; 0: none
-  WheelsetDimensions wheelset;
-  std::string wheel = "S1002";
-  std::shared_ptr<const Profile> wheel_profile; ///< as rail_profile
-  double wheel_smoothing = 0.0;
+  double back_to_back = 1360.0;
+  double tape_offset = 70.0;                         ///< taping line to inner face
+  WheelOrigin profile_origin = WheelOrigin::by_file; ///< of wheels read from files
+  double profile_shift = 0.0;                        ///< mm; see ProfileChoice
 
   Material wheel_material{210000.0, 0.3};
   Material rail_material{210000.0, 0.3};
+  std::optional<double> yield_pressure; ///< of a state only (wheel/wheel_state.hpp), MPa
 
   double lateral = 0.0;
   double yaw = 0.0;
   std::optional<double> roll;     ///< prescribed; solved if not set
   std::optional<double> vertical; ///< prescribed height of the wheelset's centre; solved if not set
 
-  double left_load = 80000.0; ///< vertical force on the left wheel
-  double right_load = 80000.0;
-  std::optional<double> normal_load; ///< instead: force along the patch's normal, each wheel
+  std::optional<double> normal_load; ///< instead of the sides': force along the patch's normal
 
-  /// Of all patches of a wheel, at their references; without: no creep forces.
-  std::optional<Creepages> left_creepages;
-  std::optional<Creepages> right_creepages;
-  double left_friction = 0.3;
-  double right_friction = 0.3;
-  /// What creepages follow from where they are not given; with them its speed is that of the power.
+  /// What creepages follow from where none are given; else its speed is that of the power. Without
+  /// either there are no creep forces.
   std::optional<Motion> motion;
+  bool pitch_is_free = false;      ///< of the motion: such that contact forces hold the torque
+  double torque = 0.0;             ///< about the axle, N mm, > 0 drives forwards
+  bool derivatives = false;        ///< of creep forces, whether they are kept for a Jacobian
   std::optional<CreepModel> creep; ///< automatic if not set: full where there are creepages
 
   SideChoice side = SideChoice::both;
@@ -73,6 +96,10 @@ struct Scene : WheelOptions {
   int threads = 1;
 
   Scene();
+
+  [[nodiscard]] bool has_creepages() const { return left.creepages || right.creepages; }
+  /// Over which the axle's speed is that of rolling, mm.
+  [[nodiscard]] double nominal_radius() const { return 0.5 * (left.radius + right.radius); }
 };
 
 } // namespace wrc

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "base/error.hpp"
-#include "base/written_file.hpp"
+#include "base/file.hpp"
 #include "profile/readers.hpp"
 #include "profile/writers.hpp"
 #include "scene/scene_keys.hpp"
@@ -54,10 +54,11 @@ std::string lasting_name(const std::string& name, ProfileKind kind) {
 }
 
 /// Writes the points of a profile given by the program; returns the file's name.
-std::string write_beside(const Profile& profile, const fs::path& scene_path) {
+std::string write_beside(const Profile& profile, const std::string& side,
+                         const fs::path& scene_path) {
   const bool wheel = profile.kind == ProfileKind::wheel;
   fs::path path = scene_path;
-  path.replace_extension(wheel ? ".wheel.txt" : ".rail.txt");
+  path.replace_extension(side + (wheel ? ".wheel.txt" : ".rail.txt"));
   write_points(profile, path);
   ReadOptions options;
   options.kind = profile.kind;
@@ -70,25 +71,13 @@ std::string write_beside(const Profile& profile, const fs::path& scene_path) {
 
 } // namespace
 
-void write_scene(const Scene& scene, const fs::path& path) {
-  Scene lasting = scene;
-  lasting.convention = {};
-  for (const auto& [profile, name, smoothing, kind] :
-       {std::tuple(&scene.wheel_profile, &lasting.wheel, &lasting.wheel_smoothing,
-                   ProfileKind::wheel),
-        std::tuple(&scene.rail_profile, &lasting.rail, &lasting.rail_smoothing,
-                   ProfileKind::rail)}) {
-    if (*profile) {
-      *name = write_beside(**profile, path);
-      *smoothing = 0.0;
-    } else {
-      *name = lasting_name(*name, kind);
-    }
-  }
-  std::string text = "# A scene of wrcontact, written by the library; mm, N, MPa, rad.\n";
+std::string scene_text(const Scene& scene) {
+  Scene in_mm = scene;
+  in_mm.convention = {};
+  std::string text;
   std::string table;
   for (const KeyDescription& key : scene_keys()) {
-    const KeyValue value = key_value(lasting, key.name);
+    const KeyValue value = key_value(in_mm, key.name);
     if (std::holds_alternative<std::monostate>(value)) {
       continue; // the keys of its two parts hold it
     }
@@ -107,7 +96,25 @@ void write_scene(const Scene& scene, const fs::path& path) {
     }
     text += '\n';
   }
-  write_file(path, text);
+  return text;
+}
+
+void write_scene(const Scene& scene, const fs::path& path) {
+  Scene lasting = scene;
+  const auto lasting_choice = [&path](const ProfileChoice& choice, ProfileKind kind,
+                                      const std::string& side) -> ProfileChoice {
+    return choice.given ? ProfileChoice{write_beside(*choice.given, side, path)}
+                        : ProfileChoice{lasting_name(choice.name, kind), nullptr, choice.smoothing};
+  };
+  const auto make_lasting = [&](ProfileChoice& left, ProfileChoice& right, ProfileKind kind) {
+    const bool same = left == right;
+    left = lasting_choice(left, kind, same ? "" : ".left");
+    right = same ? left : lasting_choice(right, kind, ".right");
+  };
+  make_lasting(lasting.left.wheel, lasting.right.wheel, ProfileKind::wheel);
+  make_lasting(lasting.left.rail, lasting.right.rail, ProfileKind::rail);
+  write_file(path, "# A scene of wrcontact, written by the library; mm, N, MPa, rad.\n" +
+                       scene_text(lasting));
 }
 
 } // namespace wrc

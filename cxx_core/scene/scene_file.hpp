@@ -8,11 +8,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "scene/scene.hpp"
 
 namespace wrc {
 
+/// The text of such a file, profiles as the scene names them.
+std::string scene_text(const Scene& scene);
 /// Throws Error(file_unreadable) if a file cannot be written, and Error(invalid_argument) for a
 /// profile given by the program whose points would not read back unchanged.
 void write_scene(const Scene& scene, const std::filesystem::path& path);

@@ -13,21 +13,74 @@ namespace {
 using namespace dimensions;
 using namespace key_makers;
 
-/// The name of a profile, which takes the place of a profile given by the program.
-Key profile_key(KeyDescription description, std::string Scene::*name,
-                std::shared_ptr<const Profile> Scene::*profile) {
+using Sides = std::vector<SceneSide Scene::*>;
+
+/// The name of a profile on one or both sides, or one given by the program in its place.
+Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice SceneSide::*choice,
+                const Sides& sides) {
+  const auto set = [choice, sides](Scene& scene, std::string_view name,
+                                   const std::shared_ptr<const Profile>& given) {
+    std::vector<std::string> names(sides.size(), std::string(name)); // may run out of memory
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      ProfileChoice& chosen = (scene.*sides[i]).*choice;
+      chosen.name = std::move(names[i]);
+      chosen.given = given;
+    }
+  };
   Key key;
   key.description = description;
-  key.get = [name](const Scene& scene) { return KeyValue(scene.*name); };
-  key.set_text = [name, profile](Scene& scene, std::string_view value) {
-    if (value.empty()) {
-      return false;
+  key.get = [choice, sides](const Scene& scene) {
+    const std::string& name = ((scene.*sides.front()).*choice).name;
+    return name == ((scene.*sides.back()).*choice).name ? KeyValue(name) : KeyValue();
+  };
+  key.set_text = [set](Scene& scene, std::string_view name) {
+    if (!name.empty()) {
+      set(scene, name, nullptr);
     }
-    scene.*name = value; // first: it may run out of memory
-    (scene.*profile).reset();
-    return true;
+    return !name.empty();
+  };
+  key.set_profile = [set, kind](Scene& scene, const Profile& profile) {
+    if (profile.kind == kind) {
+      const bool built_in = profile.points.empty();
+      set(scene, profile.name, built_in ? nullptr : std::make_shared<const Profile>(profile));
+    }
+    return profile.kind == kind;
   };
   return key;
+}
+
+/// Where the sides have their smoothing.
+auto smoothing_of(SceneSide Scene::*side, ProfileChoice SceneSide::*choice) {
+  return [ side, choice ](auto& scene) -> auto& {
+    return ((scene.*side).*choice).smoothing;
+  };
+}
+
+/// What is said of a key with a rail's displacement, or its velocity.
+struct RailMoves {
+  std::string_view allowed;
+  Three limits;
+};
+
+constexpr RailMoves displacements{
+    "[lateral, vertical, roll], each -100 to 100 mm, the roll -0.2 to 0.2 rad",
+    {100.0, 100.0, 0.2}};
+constexpr RailMoves velocities{
+    "[lateral, vertical, roll], each -1e6 to 1e6 mm/s, the roll -1e3 to 1e3 rad/s",
+    {1e6, 1e6, 1e3}};
+
+Key rail_key(std::string_view name, const RailMoves& moves, std::string_view meaning,
+             SceneSide Scene::*side, RailDisplacement SceneSide::*member) {
+  return three_key(
+      {name, "[0.0, 0.0, 0.0]", moves.allowed, meaning}, moves.limits,
+      {turning_length, turning_length, pure},
+      [side, member](const Scene& scene) -> std::optional<Three> {
+        const RailDisplacement& moved = (scene.*side).*member;
+        return Three{moved.lateral, moved.height, moved.roll};
+      },
+      [side, member](Scene& scene, const Three& values) {
+        (scene.*side).*member = {values[0], values[1], values[2]};
+      });
 }
 
 /// "1:n" as the angle atan(1/n).
@@ -65,6 +118,9 @@ std::vector<Key> convention_keys() {
   return keys;
 }
 
+constexpr Range smoothing_range{0.0, 100.0};
+constexpr std::string_view smoothing_allowed = "0 (none) to 100 mm";
+
 std::vector<Key> track_keys() {
   std::vector<Key> keys;
   keys.push_back(number_key(
@@ -81,34 +137,86 @@ std::vector<Key> track_keys() {
       {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.cant; });
   cant.set_text = [](Scene& s, std::string_view v) { return parse_cant(v, s.track.cant); };
   keys.push_back(cant);
-  keys.push_back(profile_key(
-      {"track.rail", "\"60E1\"", "a text: a built-in rail or a profile file", "rail profile"},
-      &Scene::rail, &Scene::rail_profile));
-  keys.push_back(number_key({"track.rail_smoothing", "0.0", "0 (none) to 100 mm",
-                             "smoothing wavelength of a rail profile read from a file"},
-                            {0.0, 100.0}, length, &Scene::rail_smoothing));
+  constexpr std::string_view allowed = "a text: a built-in rail or a profile file";
+  const auto rail = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(profile_key({name, "\"60E1\"", allowed, meaning}, ProfileKind::rail,
+                               &SceneSide::rail, sides));
+  };
+  const auto smoothing = [&](std::string_view name, std::string_view meaning, auto... sides) {
+    keys.push_back(number_key({name, "0.0", smoothing_allowed, meaning}, smoothing_range, length,
+                              smoothing_of(sides, &SceneSide::rail)...));
+  };
+  const auto moves = [&](auto... arguments) { keys.push_back(rail_key(arguments...)); };
+  rail("track.rail", "profile of both rails", {&Scene::left, &Scene::right});
+  smoothing("track.rail_smoothing", "smoothing wavelength of rail profiles read from a file",
+            &Scene::left, &Scene::right);
+  rail("track.left.rail", "profile of the left rail", {&Scene::left});
+  smoothing("track.left.rail_smoothing", "its smoothing wavelength, if read from a file",
+            &Scene::left);
+  moves("track.left.displacement", displacements,
+        "of the left rail from its place, by an irregularity of the track or its flexibility; the "
+        "roll about the origin of its profile",
+        &Scene::left, &SceneSide::displacement);
+  moves("track.left.velocity", velocities,
+        "of the left rail, where the track is flexible; changes the creepages from motion.*",
+        &Scene::left, &SceneSide::velocity);
+  rail("track.right.rail", "profile of the right rail", {&Scene::right});
+  smoothing("track.right.rail_smoothing", "its smoothing wavelength, if read from a file",
+            &Scene::right);
+  moves("track.right.displacement", displacements, "of the right rail", &Scene::right,
+        &SceneSide::displacement);
+  moves("track.right.velocity", velocities, "of the right rail", &Scene::right,
+        &SceneSide::velocity);
   return keys;
 }
 
 std::vector<Key> wheelset_keys() {
   std::vector<Key> keys;
-  keys.push_back(profile_key({"wheelset.wheel", "\"S1002\"",
-                              "a text: a built-in wheel or a profile file", "wheel profile"},
-                             &Scene::wheel, &Scene::wheel_profile));
-  keys.push_back(number_key({"wheelset.wheel_smoothing", "0.0", "0 (none) to 100 mm",
-                             "smoothing wavelength of a wheel profile read from a file"},
-                            {0.0, 100.0}, length, &Scene::wheel_smoothing));
+  constexpr std::string_view allowed = "a text: a built-in wheel or a profile file";
+  const auto wheel = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(profile_key({name, "\"S1002\"", allowed, meaning}, ProfileKind::wheel,
+                               &SceneSide::wheel, sides));
+  };
+  const auto smoothing = [&](std::string_view name, std::string_view meaning, auto... sides) {
+    keys.push_back(number_key({name, "0.0", smoothing_allowed, meaning}, smoothing_range, length,
+                              smoothing_of(sides, &SceneSide::wheel)...));
+  };
+  const auto radius = [&](std::string_view name, std::string_view meaning, auto... sides) {
+    keys.push_back(number_key({name, "460.0", "50 to 5000 mm", meaning}, {50.0, 5000.0}, length,
+                              place_of(sides, &SceneSide::radius)...));
+  };
+  wheel("wheelset.wheel", "profile of both wheels", {&Scene::left, &Scene::right});
+  smoothing("wheelset.wheel_smoothing", "smoothing wavelength of wheel profiles read from a file",
+            &Scene::left, &Scene::right);
   keys.push_back(number_key(
       {"wheelset.back_to_back", "1360.0", "500 to 1650 mm",
        "distance between the inner faces of the wheels"},
-      {500.0, 1650.0}, length, [](auto& s) -> auto& { return s.wheelset.back_to_back; }));
+      {500.0, 1650.0}, length, [](auto& s) -> auto& { return s.back_to_back; }));
   keys.push_back(number_key(
       {"wheelset.tape_offset", "70.0", "20 to 120 mm",
        "distance from the inner face to the taping line"},
-      {20.0, 120.0}, length, [](auto& s) -> auto& { return s.wheelset.tape_offset; }));
+      {20.0, 120.0}, length, [](auto& s) -> auto& { return s.tape_offset; }));
+  keys.push_back(word_key<WheelOrigin>(
+      {"wheelset.profile_origin", "\"auto\"", "\"auto\", \"tape\" or \"flange-back\"",
+       "where wheel profiles read from a file have lateral 0"},
+      {{"auto", WheelOrigin::by_file},
+       {"tape", WheelOrigin::tape},
+       {"flange-back", WheelOrigin::flange_back}},
+      [](auto& s) -> auto& { return s.profile_origin; }));
   keys.push_back(number_key(
-      {"wheelset.radius", "460.0", "50 to 5000 mm", "nominal rolling radius, at the taping line"},
-      {50.0, 5000.0}, length, [](auto& s) -> auto& { return s.wheelset.radius; }));
+      {"wheelset.profile_shift", "0.0", "-500 to 500 mm",
+       "added to their lateral instead, so that the taping line is at 0; 0: none"},
+      {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.profile_shift; }));
+  radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
+         &Scene::right);
+  wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});
+  smoothing("wheelset.left.wheel_smoothing", "its smoothing wavelength, if read from a file",
+            &Scene::left);
+  radius("wheelset.left.radius", "nominal radius of the left wheel", &Scene::left);
+  wheel("wheelset.right.wheel", "profile of the right wheel", {&Scene::right});
+  smoothing("wheelset.right.wheel_smoothing", "its smoothing wavelength, if read from a file",
+            &Scene::right);
+  radius("wheelset.right.radius", "nominal radius of the right wheel", &Scene::right);
   return keys;
 }
 
@@ -137,6 +245,10 @@ std::vector<Key> material_keys() {
       modulus("material.youngs_modulus", "Young's modulus of wheel and rail", wheel_modulus,
               rail_modulus),
       poisson("material.poisson", "Poisson's ratio of wheel and rail", wheel_poisson, rail_poisson),
+      optional_key({"material.yield_pressure", "\"none\"", "\"none\" or 1 to 1e9 MPa",
+                    "largest pressure above which left.state says beyond yield; changes no other "
+                    "result"},
+                   {1.0, 1e9}, stress, &Scene::yield_pressure, "none"),
       modulus("material.wheel.youngs_modulus", "Young's modulus of the wheel alone", wheel_modulus),
       poisson("material.wheel.poisson", "Poisson's ratio of the wheel alone", wheel_poisson),
       modulus("material.rail.youngs_modulus", "Young's modulus of the rail alone", rail_modulus),
@@ -171,15 +283,14 @@ std::vector<Key> pose_keys() {
 std::vector<Key> load_keys() {
   constexpr Range range{0.0, 1e12};
   constexpr std::string_view allowed = "0 to 1e12 N";
-  const auto left = &Scene::left_load;
-  const auto right = &Scene::right_load;
-  std::vector<Key> keys{
-      number_key({"load.vertical", "80000.0", allowed, "vertical force on each wheel"}, range, pure,
-                 left, right),
-      number_key({"load.left", "80000.0", allowed, "vertical force on the left wheel"}, range, pure,
-                 left),
-      number_key({"load.right", "80000.0", allowed, "vertical force on the right wheel"}, range,
-                 pure, right)};
+  std::vector<Key> keys;
+  keys.push_back(
+      both_sides_key({"load.vertical", "80000.0", allowed, "vertical force on each wheel"}, range,
+                     pure, &SceneSide::load));
+  keys.push_back(number_key({"load.left", "80000.0", allowed, "vertical force on the left wheel"},
+                            range, pure, place_of(&Scene::left, &SceneSide::load)));
+  keys.push_back(number_key({"load.right", "80000.0", allowed, "vertical force on the right wheel"},
+                            range, pure, place_of(&Scene::right, &SceneSide::load)));
   for (Key& key : keys) {
     key.set_number = [set = key.set_number](Scene& s, double v) {
       set(s, v);

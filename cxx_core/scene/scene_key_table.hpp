@@ -24,9 +24,11 @@ struct Key {
   std::function<void(Scene&, double)> set_number;
   std::function<bool(Scene&, std::string_view)> set_text;
   std::function<bool(Scene&, std::span<const double>)> set_numbers;
+  std::function<bool(Scene&, const Profile&)> set_profile;
 };
 
-/// All keys, in the order of a scene file. Made anew by each call.
+/// All keys, in the order of a scene file: those of one side after those of both. Made anew by each
+/// call.
 std::vector<Key> make_scene_keys();
 /// Of them, those of friction, creepages and speed.
 std::vector<Key> make_rolling_keys();

@@ -43,6 +43,17 @@ const Key& find_key(std::string_view name) {
   refuse(key, text_of(given) + " (in mm, N, MPa, y left, z up: " + text_of(inside) + ')');
 }
 
+/// A value as the key takes it. Throws Error(invalid_argument).
+double checked_number(const Key& key, const Convention& convention, double value) {
+  const double inside = from_caller(value, convention, key.dimension);
+  const bool permitted =
+      inside >= key.min && inside <= key.max && (!key.whole || inside == std::floor(inside));
+  if (!key.set_number || !permitted) {
+    refuse_number(key, convention, value, inside);
+  }
+  return inside;
+}
+
 } // namespace
 
 std::span<const KeyDescription> scene_keys() {
@@ -67,13 +78,29 @@ KeyValue key_value(const Scene& scene, std::string_view name) {
 
 void set_number(Scene& scene, std::string_view name, double value) {
   const Key& key = find_key(name);
-  const double inside = from_caller(value, scene.convention, key.dimension);
-  const bool permitted =
-      inside >= key.min && inside <= key.max && (!key.whole || inside == std::floor(inside));
-  if (!key.set_number || !permitted) {
-    refuse_number(key, scene.convention, value, inside);
+  key.set_number(scene, checked_number(key, scene.convention, value));
+}
+
+std::int32_t key_id(std::string_view name) {
+  return static_cast<std::int32_t>(&find_key(name) - keys().data());
+}
+
+void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
+                       std::span<const double> values) {
+  const std::vector<Key>& all = keys();
+  const auto key_of = [&](std::size_t i) -> const Key& {
+    return all[static_cast<std::size_t>(ids[i])];
+  };
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (ids[i] < 0 || static_cast<std::size_t>(ids[i]) >= all.size()) {
+      throw_invalid_argument("ids[" + std::to_string(i) + ']', ids[i], "allowed are ids of keys");
+    }
+    checked_number(key_of(i), scene.convention, values[i]);
   }
-  key.set_number(scene, inside);
+  // Nothing fails from here on: numbers change no convention, and setting one takes no memory.
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    key_of(i).set_number(scene, from_caller(values[i], scene.convention, key_of(i).dimension));
+  }
 }
 
 void set_text(Scene& scene, std::string_view name, std::string_view value) {
@@ -100,16 +127,10 @@ void set_numbers(Scene& scene, std::string_view name, std::span<const double> va
 
 void set_profile(Scene& scene, std::string_view name, const Profile& profile) {
   const Key& key = find_key(name);
-  const bool is_wheel = name == "wheelset.wheel";
-  const ProfileKind kind = is_wheel ? ProfileKind::wheel : ProfileKind::rail;
-  if ((!is_wheel && name != "track.rail") || profile.kind != kind) {
+  if (!key.set_profile || !key.set_profile(scene, profile)) {
     throw_invalid_argument(std::string(name), "profile \"" + profile.name + '"',
-                           "allowed are a wheel for wheelset.wheel and a rail for track.rail");
-  }
-  auto given = std::make_shared<const Profile>(profile);
-  key.set_text(scene, profile.name);
-  if (!profile.points.empty()) { // or else it is built in
-    (is_wheel ? scene.wheel_profile : scene.rail_profile) = std::move(given);
+                           "allowed are a wheel for wheelset.wheel and a rail for track.rail, or "
+                           "those of one side");
   }
 }
 

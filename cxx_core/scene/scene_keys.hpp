@@ -4,6 +4,7 @@
 /// Thread rule: the table is constant; setting changes only the scene given.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,14 @@ KeyValue key_value(const Scene& scene, std::string_view key);
 void set_number(Scene& scene, std::string_view key, double value);
 void set_text(Scene& scene, std::string_view key, std::string_view value);
 void set_numbers(Scene& scene, std::string_view key, std::span<const double> values);
+
+/// Id of a key: its place in scene_keys(). Throws Error(unknown_name).
+std::int32_t key_id(std::string_view key);
+/// As set_number for each key by its id, in this order; if one is refused, none is set. As many
+/// values as ids. Throws Error(invalid_argument).
+void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
+                       std::span<const double> values);
+
 /// "track.rail" or "wheelset.wheel": a profile of that kind, in place of one by name.
 void set_profile(Scene& scene, std::string_view key, const Profile& profile);
 

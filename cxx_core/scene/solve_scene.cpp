@@ -7,6 +7,9 @@
 #include "base/stopwatch.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
+#include "wheel/free_pitch.hpp"
+#include "wheel/total_force.hpp"
+#include "wheel/wheel_state.hpp"
 
 namespace wrc {
 namespace {
@@ -23,7 +26,7 @@ WheelRequest request_of(const Scene& scene, double load) {
     request.vertical_load = load;
   }
   const CreepModel creep = scene.creep.value_or(CreepModel::full);
-  request.creep_forces = (scene.left_creepages || scene.right_creepages || scene.motion) &&
+  request.creep_forces = (scene.has_creepages() || scene.motion) &&
                          (creep == CreepModel::full || creep == CreepModel::fastsim_strips);
   request.elements = scene.elements.value_or(
       scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
@@ -41,27 +44,32 @@ EquilibriumRequest equilibrium_request_of(const Scene& scene) {
   return request;
 }
 
-/// `mirror`: 1 for the left wheel, -1 for the right one.
-CreepRequest creep_request_of(const Scene& scene, double mirror) {
-  const bool left = mirror > 0.0;
-  const auto& creepages = left ? scene.left_creepages : scene.right_creepages;
+/// What it needs besides the creepages.
+CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   CreepRequest request;
-  const bool given = scene.left_creepages || scene.right_creepages;
-  if (given ? !creepages : !scene.motion) {
-    return request;
-  }
   request.model = scene.creep.value_or(CreepModel::full);
+  request.friction = side.friction;
+  request.accuracy = scene.accuracy;
+  request.derivatives = scene.derivatives;
+  request.material = shear_constants(scene.wheel_material, scene.rail_material);
+  request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
+  return request;
+}
+
+CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
+  const bool given = scene.has_creepages();
+  if (given ? !side.creepages : !scene.motion) {
+    return {};
+  }
+  CreepRequest request = creep_options_of(scene, side);
   if (given) {
-    request.creepages = *creepages;
+    request.creepages = *side.creepages;
     request.speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
   } else {
     request.motion = scene.motion;
-    request.nominal_radius = scene.wheelset.radius;
+    request.nominal_radius = scene.nominal_radius();
+    request.rail_velocity = side.velocity;
   }
-  request.friction = left ? scene.left_friction : scene.right_friction;
-  request.accuracy = scene.accuracy;
-  request.material = shear_constants(scene.wheel_material, scene.rail_material);
-  request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;
 }
 
@@ -80,41 +88,83 @@ void warn_of_residuals(WheelResult& wheel, double accuracy) {
   }
 }
 
-/// A scene with what is the same for both wheels.
-struct SceneTask {
+/// One wheel of a scene.
+struct WheelTask {
   const Scene& scene;
-  const SceneSurfaces& surfaces;
+  const SceneSide& side;
+  const SideSurfaces& surfaces;
   const ModelChoice& model;
+  double mirror; ///< 1 for the left wheel, -1 for the right one
 
-  [[nodiscard]] WheelSolution solve(const SideEquilibrium& side, double load,
+  [[nodiscard]] WheelSolution solve(const SideEquilibrium& equilibrium,
                                     NormalSolver& solver) const {
-    const WheelRequest request = request_of(scene, load);
+    const WheelRequest request = request_of(scene, side.load);
     return model.approximate && scene.until == Module::mechanics
-               ? solve_wheel_approximately(*surfaces.wheel, *surfaces.rail, side, request,
+               ? solve_wheel_approximately(*surfaces.wheel, *surfaces.rail, equilibrium, request,
                                            *model.approximate)
-               : solve_wheel(*surfaces.wheel, *surfaces.rail, side, request, solver);
+               : solve_wheel(*surfaces.wheel, *surfaces.rail, equilibrium, request, solver);
   }
 
-  /// `mirror`: 1 for the left wheel, -1 for the right one.
-  [[nodiscard]] WheelResult complete(WheelSolution solution, const SideEquilibrium& side,
-                                     double mirror, RollingSolver& rolling,
+  [[nodiscard]] WheelResult complete(WheelSolution solution, const SideEquilibrium& equilibrium,
                                      StageMilliseconds& time) const {
     time.remesh += 1e3 * solution.times.remesh;
     time.mechanics += 1e3 * solution.times.mechanics;
     WheelResult result =
-        make_wheel_result(std::move(solution), surfaces.wheel, surfaces.rail, side, mirror);
+        make_wheel_result(std::move(solution), surfaces.wheel, surfaces.rail, equilibrium, mirror);
     result.model = model.name;
     result.model_reason = model.reason;
     warn_of_residuals(result, scene.accuracy);
-    const CreepRequest creep = creep_request_of(scene, mirror);
-    if (creep.model != CreepModel::none && result.solved) {
-      const Stopwatch watch;
-      solve_creep_forces(result, creep, rolling);
-      time.rolling += watch.milliseconds();
-    }
     return result;
   }
 };
+
+void warn_of_saturation(const Scene& scene, WheelResult& wheel) {
+  wheel.warnings.push_back("motion.torque = " + text_of(scene.torque) +
+                           " N mm: more than friction can hold; the wheels slide");
+}
+
+/// Creep forces of wheels whose normal contact is solved.
+void solve_creep_forces_of(const Scene& scene, RollingSolver& solver, SceneResult& result) {
+  const Stopwatch watch;
+  std::vector<DrivenWheel> wheels;
+  for (const auto& [wheel, side] :
+       {std::pair(&result.left, &scene.left), {&result.right, &scene.right}}) {
+    const CreepRequest request = creep_request_of(scene, *side);
+    if (*wheel && (*wheel)->solved && request.model != CreepModel::none) {
+      wheels.push_back({&**wheel, request});
+    }
+  }
+  if (wheels.empty()) {
+    return;
+  }
+  const bool moving = wheels.front().request.motion.has_value();
+  if (moving && scene.pitch_is_free) {
+    const FreePitch found = solve_free_pitch(wheels, scene.torque, solver);
+    result.pitch = found.rate;
+    result.pitch_is_saturated = found.saturated;
+    result.pitch_is_ambiguous = found.ambiguous;
+  } else if (moving) {
+    result.pitch = scene.motion->pitch.value_or(scene.motion->speed / scene.nominal_radius());
+  }
+  for (DrivenWheel& driven : wheels) {
+    if (moving) {
+      driven.request.motion->pitch = result.pitch;
+    }
+    if (!moving || !scene.pitch_is_free || scene.derivatives) { // else they have been found with it
+      solve_creep_forces(*driven.wheel, driven.request, solver);
+    }
+    warn_of_creep_forces(*driven.wheel, driven.request);
+    if (result.pitch_is_saturated) {
+      warn_of_saturation(scene, *driven.wheel);
+    }
+    if (result.pitch_is_ambiguous) {
+      driven.wheel->warnings.emplace_back(
+          "friction falls with slip: the torque is held at a pitch rate with more slip, too; this "
+          "is the one with the least");
+    }
+  }
+  result.time.rolling = watch.milliseconds();
+}
 
 } // namespace
 
@@ -134,8 +184,8 @@ struct SceneSolver::State {
   Precision precision = Precision::mixed;
 
   void prepare_solvers(const Scene& scene);
-  void solve_wheels(const SceneTask& task, const WheelsetEquilibrium& equilibrium,
-                    SceneResult& result);
+  void solve_wheels(const Scene& scene, const SceneSurfaces& surfaces, const ModelChoice& model,
+                    const WheelsetEquilibrium& equilibrium, SceneResult& result);
   SceneResult solve(const Scene& scene);
 };
 
@@ -156,21 +206,30 @@ void SceneSolver::State::prepare_solvers(const Scene& scene) {
 }
 
 /// The right wheel on a thread of its own, if there is one for it.
-void SceneSolver::State::solve_wheels(const SceneTask& task, const WheelsetEquilibrium& equilibrium,
-                                      SceneResult& result) {
+void SceneSolver::State::solve_wheels(const Scene& scene, const SceneSurfaces& surfaces,
+                                      const ModelChoice& model,
+                                      const WheelsetEquilibrium& equilibrium, SceneResult& result) {
+  const WheelTask left_task{scene, scene.left, surfaces.left, model, 1.0};
+  const WheelTask right_task{scene, scene.right, surfaces.right, model, -1.0};
   std::future<WheelSolution> other;
   if (equilibrium.right) {
-    const bool beside = task.scene.threads > 1 && equilibrium.left;
-    other = std::async(beside ? std::launch::async : std::launch::deferred, [&] {
-      return task.solve(*equilibrium.right, task.scene.right_load, *right);
-    });
+    const bool beside = scene.threads > 1 && equilibrium.left;
+    other = std::async(beside ? std::launch::async : std::launch::deferred,
+                       [&] { return right_task.solve(*equilibrium.right, *right); });
   }
   if (equilibrium.left) {
-    result.left = task.complete(task.solve(*equilibrium.left, task.scene.left_load, *left),
-                                *equilibrium.left, 1.0, *rolling, result.time);
+    result.left = left_task.complete(left_task.solve(*equilibrium.left, *left), *equilibrium.left,
+                                     result.time);
   }
   if (equilibrium.right) {
-    result.right = task.complete(other.get(), *equilibrium.right, -1.0, *rolling, result.time);
+    result.right = right_task.complete(other.get(), *equilibrium.right, result.time);
+  }
+  solve_creep_forces_of(scene, *rolling, result);
+  for (std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
+    if (*wheel && (*wheel)->solved) {
+      (*wheel)->total = total_force(**wheel);
+      (*wheel)->state = wheel_state(**wheel, scene.yield_pressure);
+    }
   }
   if (result.left && result.right) {
     result.rolling_radius_difference =
@@ -189,7 +248,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
 
   const Stopwatch geometry;
   const WheelsetEquilibrium equilibrium =
-      find_equilibrium(*surfaces.wheel, *surfaces.rail, equilibrium_request_of(scene));
+      find_equilibrium(surfaces.left.pair(), surfaces.right.pair(), equilibrium_request_of(scene));
   result.roll = equilibrium.roll;
   result.vertical = equilibrium.vertical;
   result.time.geometry = geometry.milliseconds();
@@ -197,7 +256,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const ModelChoice model = choose_model(scene);
   result.model = model.name;
   result.solver = scene.solver;
-  solve_wheels({scene, surfaces, model}, equilibrium, result);
+  solve_wheels(scene, surfaces, model, equilibrium, result);
   result.time.total = total.milliseconds();
   return result;
 }
@@ -209,6 +268,19 @@ SceneSolver& SceneSolver::operator=(SceneSolver&&) noexcept = default;
 
 SceneResult SceneSolver::solve(const Scene& scene) {
   return state_->solve(scene);
+}
+
+CreepResult SceneSolver::solve_creep(const Scene& scene, const WheelResult& wheel,
+                                     const PatchResult& patch, const Creepages& creepages,
+                                     bool derivatives) {
+  CreepRequest request =
+      creep_options_of(scene, wheel.details.mirror > 0.0 ? scene.left : scene.right);
+  request.creepages = creepages;
+  request.speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
+  request.derivatives = derivatives;
+  state_->prepare_solvers(scene);
+  std::vector<CreepResult> parts;
+  return creep_of_patch(wheel, patch, request, *state_->rolling, parts);
 }
 
 void SceneSolver::forget() {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/number_ids.hpp"
 #include "scene/scene.hpp"
 #include "wheel/wheel_result.hpp"
 
@@ -35,6 +36,9 @@ struct SceneResult {
   double roll = 0.0;
   double vertical = 0.0; ///< height of the wheelset's centre at the first touch
   std::optional<double> rolling_radius_difference; ///< left - right; with both sides
+  std::optional<double> pitch;     ///< rate of the axle, rad/s; with a motion and creep forces
+  bool pitch_is_ambiguous = false; ///< friction falls: another rate holds the torque, too
+  bool pitch_is_saturated = false; ///< friction cannot hold the torque of a free pitch rate
   std::string model;
   SolverChoice solver = SolverChoice::standard;
   std::optional<WheelResult> left;
@@ -59,6 +63,10 @@ public:
 
   /// Bit for bit the result of solve_scene, whatever was solved before.
   SceneResult solve(const Scene& scene);
+  /// Creep forces of a patch of a result of this scene at other creepages, those at the patch's
+  /// reference in the track frame.
+  CreepResult solve_creep(const Scene& scene, const WheelResult& wheel, const PatchResult& patch,
+                          const Creepages& creepages, bool derivatives);
   /// Drops everything that is kept.
   void forget();
   /// One more, for another thread: both share profiles, influence coefficients and plans, and
@@ -73,8 +81,9 @@ private:
 
 /// All scalar results by name ("left.pmax", "left.patches.0.angle", ...), in a fixed order.
 std::vector<std::string> number_names(const SceneResult& result);
-/// One of them, or none if there is no such name. Residuals and sensitivities are computed when
-/// first requested.
+/// One of them; not-a-number, or none, if the result has no such number. Residuals and
+/// sensitivities are computed when first requested, contact areas and regions each time.
+double number_value(SceneResult& result, const NumberId& id, const Convention& convention = {});
 std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention = {});
 /// All texts by name ("model", "left.warnings.0", ...).

@@ -19,17 +19,25 @@ namespace {
   throw Error(ErrorCode::unknown_name, text + " (" + error.what() + ")");
 }
 
-Profile read_file(const std::string& name, ProfileKind kind, double smoothing,
+/// What the file is read with besides the choice: of a wheel, where the scene has its taping line.
+void set_tape_offset(ReadOptions& options, const WheelsetDimensions& wheelset) {
+  options.tape_offset = wheelset.tape_offset;
+}
+void set_tape_offset(ReadOptions&, const TrackDimensions&) {}
+
+Profile read_file(const ProfileChoice& choice, const ReadOptions& options, ProfileKind kind,
                   const std::string& key, std::vector<std::string>& corrections) {
-  ReadOptions options;
-  options.kind = kind;
-  options.smoothing_wavelength = smoothing;
+  const std::string& name = choice.name;
   try {
     ReadResult read = read_profile(name, options);
-    for (const std::string& correction : read.corrections) {
-      corrections.push_back(name);
-      corrections.back().append(": ").append(correction);
-    }
+    const auto add = [&](const char* what, const std::vector<std::string>& lines) {
+      for (const std::string& line : lines) {
+        corrections.push_back(name);
+        corrections.back().append(what).append(line);
+      }
+    };
+    add(": warning: ", read.warnings);
+    add(": ", read.corrections);
     return std::move(read.profile);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
@@ -42,21 +50,30 @@ Profile read_file(const std::string& name, ProfileKind kind, double smoothing,
 template <class Dimensions>
 Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
                      const std::string& key, std::vector<std::string>& corrections) {
+  const ProfileChoice& choice = source.profile;
   const auto refuse_smoothing = [&](const std::string& reason) {
-    if (source.smoothing > 0.0) {
-      throw_invalid_argument(key + "_smoothing", source.smoothing, "allowed is 0 with " + reason);
+    if (choice.smoothing > 0.0) {
+      throw_invalid_argument(key + "_smoothing", choice.smoothing, "allowed is 0 with " + reason);
     }
   };
-  if (source.given) {
+  if (choice.given) {
     refuse_smoothing("a profile given by the program");
-    return *source.given;
+    return *choice.given;
   }
   const auto names = standard_profile_names(kind);
-  if (std::find(names.begin(), names.end(), source.name) != names.end()) {
+  if (std::find(names.begin(), names.end(), choice.name) != names.end()) {
     refuse_smoothing("a built-in profile, which is exact");
-    return standard_profile(source.name);
+    return standard_profile(choice.name);
   }
-  return read_file(source.name, kind, source.smoothing, key, corrections);
+  ReadOptions options;
+  options.kind = kind;
+  options.smoothing_wavelength = choice.smoothing;
+  options.origin = choice.origin;
+  if (choice.shift != 0.0) {
+    options.lateral_shift = choice.shift;
+  }
+  set_tape_offset(options, source.dimensions);
+  return read_file(choice, options, kind, key, corrections);
 }
 
 /// One of the two surfaces; corrections and time are added to those of the scene.
@@ -72,7 +89,12 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
     made.surface = std::make_shared<Surface>(profile, source.dimensions);
     return made;
   });
-  all.corrections.insert(all.corrections.end(), entry.corrections.begin(), entry.corrections.end());
+  for (const std::string& correction : entry.corrections) { // both sides may have the same
+    if (std::find(all.corrections.begin(), all.corrections.end(), correction) ==
+        all.corrections.end()) {
+      all.corrections.push_back(correction);
+    }
+  }
   return entry.surface;
 }
 
@@ -80,12 +102,28 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
 
 SceneSurfaces SurfaceCache::get(const Scene& scene) {
   SceneSurfaces surfaces;
-  surfaces.wheel =
-      get_one(wheels_, {scene.wheel_profile, scene.wheel, scene.wheel_smoothing, scene.wheelset},
-              ProfileKind::wheel, "wheelset.wheel", surfaces);
-  surfaces.rail =
-      get_one(rails_, {scene.rail_profile, scene.rail, scene.rail_smoothing, scene.track},
-              ProfileKind::rail, "track.rail", surfaces);
+  const auto get_side = [&](const SceneSide& side, const SceneSide& other, const std::string& name,
+                            const RailDisplacement& displacement) {
+    const auto key = [&](ProfileChoice SceneSide::*choice, const std::string& table,
+                         const std::string& kind) {
+      return table + (side.*choice == other.*choice ? "" : name) + kind;
+    };
+    SideSurfaces found;
+    ProfileChoice wheel = side.wheel;
+    wheel.origin = scene.profile_origin;
+    wheel.shift = scene.profile_shift;
+    found.wheel =
+        get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
+                ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), surfaces);
+    found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
+                         key(&SceneSide::rail, "track.", "rail"), surfaces);
+    if (displacement != RailDisplacement{}) {
+      found.rail = std::make_shared<const RailSurface>(found.rail->displaced(displacement));
+    }
+    return found;
+  };
+  surfaces.left = get_side(scene.left, scene.right, "left.", scene.left.displacement);
+  surfaces.right = get_side(scene.right, scene.left, "right.", mirrored(scene.right.displacement));
   return surfaces;
 }
 

@@ -1,7 +1,8 @@
 /// Surfaces of the wheel and the rail a scene names, kept for the scenes that follow.
 ///
 /// A profile is one given by the program, or else a built-in one of that name, or else a file of
-/// that name. A file is not read again while its surface is kept.
+/// that name. A file is not read again while its surface is kept. Rails are kept where the track's
+/// dimensions put them, and displaced from there for each scene.
 /// Thread rule: any number of threads; one makes a surface, the others wait for it.
 #pragma once
 
@@ -11,24 +12,28 @@
 #include <string>
 #include <vector>
 
-#include "geometry/rail_surface.hpp"
-#include "geometry/wheel_surface.hpp"
+#include "geometry/wheelset_equilibrium.hpp"
 #include "scene/scene.hpp"
 
 namespace wrc {
 
-struct SceneSurfaces {
+struct SideSurfaces {
   std::shared_ptr<const WheelSurface> wheel;
-  std::shared_ptr<const RailSurface> rail;
+  std::shared_ptr<const RailSurface> rail; ///< where it is displaced to, left-hand frame
+
+  [[nodiscard]] WheelAndRail pair() const { return {*wheel, *rail}; }
+};
+
+struct SceneSurfaces {
+  SideSurfaces left;
+  SideSurfaces right;
   std::vector<std::string> corrections; ///< made to profiles read from files
   double profile_milliseconds = 0.0;    ///< spent on reading profiles, none on those kept
 };
 
 /// What a surface is made from.
 template <class Dimensions> struct SurfaceSource {
-  std::shared_ptr<const Profile> given;
-  std::string name;
-  double smoothing = 0.0;
+  ProfileChoice profile;
   Dimensions dimensions;
 
   bool operator==(const SurfaceSource&) const = default;

@@ -76,6 +76,10 @@ inline constexpr std::size_t max_coarse_rows = 1200;
 /// there.
 inline constexpr double planar_limit = 0.2;
 
+/// Of a wheel's tread towards the field side, rad; what falls more steeply is its chamfer.
+/// origin: source: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45 degrees.
+inline constexpr double max_tread_slope = 0.2;
+
 /// In the vertical convention all that lies within these limits of the main patch shares its
 /// grid: angle, rad, ...
 /// origin: derived: as same_plane_angle (patches/constants.hpp).
@@ -169,28 +173,39 @@ inline constexpr double creep_error_order = 1.45;
 inline constexpr double share_of_creep_columns = 0.6;
 
 /// ... and what pressures may.
-/// origin: measured (wrc_tradeoff --creep 60), with creep_accuracy_factor (accuracy/constants.hpp).
+/// origin: reasoned: what elements and the iteration leave of the accuracy. With
+/// creep_accuracy_factor (accuracy/constants.hpp) estimates then bound 97 of 100 errors at 1e-2,
+/// and 80 at 1e-3 (wrc_tradeoff --creep 500).
 inline constexpr double share_of_creep_pressures = 0.34;
 
 /// The fewest elements along a contact.
 /// origin: measured (60 ellipses): errors reach 7 % of mu N there.
 inline constexpr double min_creep_columns = 8.0;
 
-/// The most elements along a contact, and half as many as across.
-/// origin: reasoned: bounds memory to some 100 MB; the error by the law is 1e-4 of mu N.
+/// The most elements along a contact; across twice as many.
+/// origin: reasoned: bounds memory to some 200 MB; the error by the law is 1e-4 of mu N.
 inline constexpr double max_creep_columns = 400.0;
 
 /// Elements across for each along.
-/// origin: measured (400 ellipses, 48 elements along): 0.5 and 0.75 differ by 15 % in the rms
-/// error, more do not better it.
+/// origin: measured (250 ellipses, 48 elements along): the rms error with 0.5 is 17 % larger than
+/// with 0.75.
 inline constexpr double creep_rows_by_columns = 0.6;
+
+/// Share of the accuracy, of friction's largest moment about the axle, to which a free pitch rate
+/// balances the torque.
+/// origin: reasoned: a tenth of what steps of forces are by themselves (creep_iteration_share).
+inline constexpr double free_pitch_tolerance = 0.01;
+
+/// Step of differences by creepages of the cheaper models, in creepages at which the contact
+/// slides. origin: reasoned: errors of truncation 1e-4, of rounding 1e-11.
+inline constexpr double creep_difference_step = 1e-2;
 
 /// Speed below which creepages go to 0 with the velocities, mm/s.
 /// origin: reasoned: at walking speed, 1 m/s, it changes creepages by 5e-7 of themselves.
 inline constexpr double standstill_speed = 1.0;
 
 /// Tolerance of the tangential iteration, in accuracies, ...
-/// origin: measured (steps of 0.1 um, nine places): forces leave their line by 4 to 8 % of the
+/// origin: measured (steps of 0.1 um, nine places): forces leave their line by 4 to 10 % of the
 /// accuracy at most, with 0.5 by 12 %; below, the elements that enter the contact show.
 inline constexpr double creep_iteration_share = 0.2;
 

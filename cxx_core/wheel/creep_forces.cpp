@@ -1,6 +1,7 @@
 #include "wheel/creep_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -80,6 +81,7 @@ struct PatchMotion {
   Creepages creepages;
   bool backwards = false;
   double slip_speed = 0.0; ///< of a creepage of 1, mm/s
+  double friction = 0.0;   ///< coefficient
 };
 
 /// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
@@ -110,7 +112,7 @@ CreepForces forces_on_ellipse(const PatchResult& patch, const PatchMotion& motio
       std::max(patch.semi_axis_longitudinal, 0.5 * patch.grid.longitudinal_step),
       std::max(patch.semi_axis_lateral, 0.5 * patch.grid.lateral_step),
       patch.normal_force,
-      request.friction,
+      motion.friction,
       request.material.modulus,
       request.material.poisson};
   const double x = patch.contact.centroid_longitudinal;
@@ -140,6 +142,69 @@ CreepForces forces_on_ellipse(const PatchResult& patch, const PatchMotion& motio
   return forces;
 }
 
+/// Derivatives by creepages of the cheaper models: central differences over a small share of the
+/// creepage at which a sphere's contact of this size slides.
+template <class Forces>
+std::array<double, 9> difference_by_creepage(const PatchResult& patch, const CreepRequest& request,
+                                             const PatchMotion& motion, Creepages at,
+                                             const Forces& forces) {
+  const double size =
+      std::max(patch.semi_axis_longitudinal * patch.semi_axis_lateral, patch.grid.element_area());
+  const double translation = creep_difference_step * motion.friction * patch.normal_force /
+                             (request.material.modulus * size);
+  const std::array<Creepages, 3> steps{Creepages{translation, 0.0, 0.0},
+                                       {0.0, translation, 0.0},
+                                       {0.0, 0.0, translation / std::sqrt(size)}};
+  const std::array<double, 3> lengths{translation, translation, translation / std::sqrt(size)};
+  std::array<double, 9> derivatives{};
+  for (std::size_t i = 0; i < steps.size() && translation > 0.0; ++i) {
+    const Creepages& step = steps[i];
+    const CreepForces ahead = forces(
+        {at.longitudinal + step.longitudinal, at.lateral + step.lateral, at.spin + step.spin});
+    const CreepForces behind = forces(
+        {at.longitudinal - step.longitudinal, at.lateral - step.lateral, at.spin - step.spin});
+    const double scale = 0.5 / lengths[i];
+    derivatives[i] = scale * (ahead.longitudinal - behind.longitudinal);
+    derivatives[3 + i] = scale * (ahead.lateral - behind.lateral);
+    derivatives[6 + i] = scale * (ahead.spin_moment - behind.spin_moment);
+  }
+  return derivatives;
+}
+
+/// FASTSIM strip by strip; its derivatives are differences.
+RollingSolution solve_by_strips(const PatchResult& patch, const PatchMotion& motion,
+                                const CreepRequest& request, RollingProblem problem,
+                                RollingSolver& solver) {
+  const Flexibilities flexibilities = flexibilities_of(problem, solver);
+  RollingSolution solution = solve_with_fastsim(problem, flexibilities);
+  if (request.derivatives) {
+    solution.by_creepage = difference_by_creepage(
+        patch, request, motion, problem.creepages, [&](const Creepages& creepages) -> CreepForces {
+          problem.creepages = creepages;
+          const RollingSolution found = solve_with_fastsim(problem, flexibilities);
+          return {found.longitudinal_force, found.lateral_force, found.spin_moment};
+        });
+  }
+  return solution;
+}
+
+/// Of unlike bodies, whose tractions change the pressures.
+RollingSolution solve_both_ways(const PatchResult& patch, const PatchMotion& motion,
+                                const CreepRequest& request, RollingProblem problem,
+                                RollingSolver& solver, CreepResult& creep) {
+  problem.difference_parameter = request.material.difference_parameter;
+  std::vector<double> distance;
+  interpolate(patch.grid, patch.undeformed_distance, creep.grid, distance);
+  if (motion.backwards) {
+    distance = turned(std::move(distance), 1.0);
+  }
+  UnlikeSolution both = solve_unlike(problem, distance, request.combined_modulus,
+                                     creep_iteration_share * request.accuracy, solver);
+  creep.pressure_change = both.pressure_change;
+  creep.pressure = std::move(both.pressure);
+  return std::move(both.rolling);
+}
+
 /// On the patch's own pressures.
 CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             const CreepRequest& request, RollingSolver& solver,
@@ -164,28 +229,26 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
     creep.pressure = turned(std::move(creep.pressure), 1.0);
   }
   problem.pressure = creep.pressure;
-  problem.friction = request.friction;
+  problem.friction = motion.friction;
   problem.shear_modulus = request.material.modulus;
   problem.poisson = request.material.poisson;
   problem.creepages = motion.backwards ? turned(motion.creepages) : motion.creepages;
   problem.tolerance = creep_iteration_share * request.accuracy;
+  problem.derivatives = request.derivatives;
   RollingSolution solution;
   if (unlike) {
-    problem.difference_parameter = request.material.difference_parameter;
-    std::vector<double> distance;
-    interpolate(patch.grid, patch.undeformed_distance, creep.grid, distance);
-    if (motion.backwards) {
-      distance = turned(std::move(distance), 1.0);
-    }
-    UnlikeSolution both = solve_unlike(problem, distance, request.combined_modulus,
-                                       creep_iteration_share * request.accuracy, solver);
-    creep.pressure_change = both.pressure_change;
-    creep.pressure = std::move(both.pressure);
-    solution = std::move(both.rolling);
+    solution = solve_both_ways(patch, motion, request, problem, solver, creep);
   } else if (request.model == CreepModel::full) {
     solution = solver.solve(problem);
   } else {
-    solution = solve_with_fastsim(problem, flexibilities_of(problem, solver));
+    solution = solve_by_strips(patch, motion, request, problem, solver);
+  }
+  if (request.derivatives) {
+    auto& by_creepage = creep.derivatives.emplace().by_creepage;
+    by_creepage = solution.by_creepage;
+    for (const std::size_t turning : {2U, 5U, 6U, 7U}) { // forces by spin, moments by creepages
+      by_creepage[turning] *= sign;
+    }
   }
   creep.slip_area = solution.slip_area;
   creep.adhesion_area = solution.adhesion_area;
@@ -216,11 +279,29 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   return {sign * solution.longitudinal_force, sign * solution.lateral_force, solution.spin_moment};
 }
 
+/// Those by load and friction, from those by creepages (CreepDerivatives).
+void complete(CreepDerivatives& derivatives, const CreepForces& forces, const PatchMotion& motion,
+              double normal_force) {
+  const std::array<double, 3> values{forces.longitudinal, forces.lateral, forces.spin_moment};
+  constexpr std::array<double, 3> growth{1.0, 1.0, 4.0 / 3.0};
+  const Creepages& at = motion.creepages;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const double* by = derivatives.by_creepage.data() + 3 * row;
+    const double by_translation = by[0] * at.longitudinal + by[1] * at.lateral;
+    derivatives.by_load[row] = (growth[row] * values[row] - by_translation / 3.0) / normal_force;
+    derivatives.by_friction[row] =
+        motion.friction > 0.0 ? (values[row] - by_translation - by[2] * at.spin) / motion.friction
+                              : 0.0;
+  }
+}
+
 /// `motion`: at the patch's origin.
 CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
                         const CreepRequest& request, double mirror, RollingSolver& solver) {
   CreepResult creep;
   creep.creepages = mirrored(motion.creepages, mirror);
+  creep.friction = motion.friction;
+  creep.slip_speed = motion.slip_speed;
   if (!(patch.normal_force > 0.0)) {
     return creep;
   }
@@ -228,6 +309,19 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
       request.model == CreepModel::full || request.model == CreepModel::fastsim_strips;
   const CreepForces forces = on_patch ? forces_on_patch(patch, motion, request, solver, creep)
                                       : forces_on_ellipse(patch, motion, request, creep);
+  if (request.derivatives) {
+    if (!on_patch) {
+      creep.derivatives.emplace().by_creepage = difference_by_creepage(
+          patch, request, motion, motion.creepages, [&](const Creepages& creepages) {
+            CreepResult unused;
+            PatchMotion moved = motion;
+            moved.creepages = creepages;
+            return forces_on_ellipse(patch, moved, request, unused);
+          });
+    }
+    complete(*creep.derivatives, forces, motion, patch.normal_force);
+    mirror_derivatives(*creep.derivatives, mirror);
+  }
   creep.longitudinal_force = forces.longitudinal;
   creep.lateral_force = mirror * forces.lateral;
   creep.spin_moment = mirror * forces.spin_moment;
@@ -238,29 +332,71 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
   return creep;
 }
 
+/// That of the request in the left-hand frame of the side.
+WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& request) {
+  const bool left = wheel.details.mirror > 0.0;
+  const RailSurface& rail = *wheel.details.rail;
+  return {left ? *request.motion : mirrored(*request.motion),
+          wheel.details.pose,
+          wheel.vertical - wheel.depth,
+          request.nominal_radius,
+          left ? request.rail_velocity : mirrored(request.rail_velocity),
+          rail.origin_y(),
+          rail.origin_z()};
+}
+
 /// From the wheelset's motion, or as given at the reference of `whole`.
 PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const WheelResult& wheel,
                       const CreepRequest& request) {
-  const double mirror = wheel.details.mirror;
+  PatchMotion motion;
   if (request.motion) {
-    const Motion motion = mirror > 0.0 ? *request.motion : mirrored(*request.motion);
-    const RigidSlip slip = rigid_slip(motion, wheel.details.pose, wheel.vertical - wheel.depth,
-                                      request.nominal_radius, patch.frame, patch.approach);
-    return {slip.creepages, slip.reference_speed < 0.0, slip.slip_speed};
+    const RigidSlip slip = rigid_slip(*wheel.details.motion, patch.frame, patch.approach);
+    motion = {slip.creepages, slip.reference_speed < 0.0, slip.slip_speed};
+  } else {
+    const Vector3 apart = patch.frame.origin - whole.frame.origin;
+    motion = {creepages_at(mirrored(request.creepages, wheel.details.mirror),
+                           dot(apart, whole.frame.longitudinal), dot(apart, whole.frame.lateral)),
+              false, request.speed};
   }
-  const Vector3 apart = patch.frame.origin - whole.frame.origin;
-  return {creepages_at(mirrored(request.creepages, mirror), dot(apart, whole.frame.longitudinal),
-                       dot(apart, whole.frame.lateral)),
-          false, request.speed};
+  motion.friction = friction_of(
+      request.friction, patch.reference.s_wheel,
+      motion.slip_speed * std::hypot(motion.creepages.longitudinal, motion.creepages.lateral));
+  return motion;
+}
+
+/// Adds those of a part at a place of the plane, whose creepages there follow from those at the
+/// origin: c' = T c, and forces about it are T^t of the part's.
+void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, double weight,
+                     double longitudinal, double lateral) {
+  const std::array<std::array<double, 3>, 3> transfer{
+      {{1.0, 0.0, -lateral}, {0.0, 1.0, longitudinal}, {0.0, 0.0, 1.0}}};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t inner = 0; inner < 3; ++inner) {
+      const double arm = transfer[inner][row];
+      whole.by_load[row] += weight * arm * part.by_load[inner];
+      whole.by_friction[row] += arm * part.by_friction[inner];
+      for (std::size_t column = 0; column < 3; ++column) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          whole.by_creepage[3 * row + column] +=
+              arm * part.by_creepage[3 * inner + k] * transfer[k][column];
+        }
+      }
+    }
+  }
 }
 
 /// Parts of one plane together, about its origin.
 void add_part(CreepResult& whole, const CreepResult& part, double weight, double longitudinal,
               double lateral) {
+  if (part.derivatives) {
+    add_derivatives(whole.derivatives ? *whole.derivatives : whole.derivatives.emplace(),
+                    *part.derivatives, weight, longitudinal, lateral);
+  }
   whole.longitudinal_force += part.longitudinal_force;
   whole.lateral_force += part.lateral_force;
   whole.spin_moment +=
       part.spin_moment + longitudinal * part.lateral_force - lateral * part.longitudinal_force;
+  whole.friction += weight * part.friction;
   whole.slip_area += part.slip_area;
   whole.adhesion_area += part.adhesion_area;
   whole.largest_traction = std::max(whole.largest_traction, part.largest_traction);
@@ -298,26 +434,56 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
 
 } // namespace
 
+void mirror_derivatives(CreepDerivatives& derivatives, double mirror) {
+  for (const std::size_t turning : {1U, 2U, 3U, 6U}) {
+    derivatives.by_creepage[turning] *= mirror;
+  }
+  for (const std::size_t turning : {1U, 2U}) {
+    derivatives.by_load[turning] *= mirror;
+    derivatives.by_friction[turning] *= mirror;
+  }
+}
+
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver) {
-  const double mirror = wheel.details.mirror;
+  wheel.details.friction = request.friction;
+  if (request.motion) {
+    wheel.details.motion = wheelset_motion(wheel, request);
+  }
   for (PatchResult& patch : wheel.patches) {
-    const PatchMotion motion = motion_of(patch, patch, wheel, request);
-    if (patch.parts.empty()) {
-      patch.creep = solve_patch(patch, motion, request, mirror, solver);
-    } else {
-      CreepResult& whole = patch.creep.emplace();
-      whole.creepages = mirrored(motion.creepages, mirror);
-      for (PatchResult& part : patch.parts) {
-        const Vector3 apart = part.frame.origin - patch.frame.origin;
-        part.creep =
-            solve_patch(part, motion_of(part, patch, wheel, request), request, mirror, solver);
-        add_part(whole, *part.creep, part.normal_force / patch.normal_force,
-                 dot(apart, patch.frame.longitudinal), mirror * dot(apart, patch.frame.lateral));
-      }
-      if (whole.power_per_speed > 0.0) {
-        whole.numerical_loss /= whole.power_per_speed;
-      }
+    std::vector<CreepResult> parts;
+    patch.creep = creep_of_patch(wheel, patch, request, solver, parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      patch.parts[i].creep = std::move(parts[i]);
     }
+  }
+}
+
+CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
+                           const CreepRequest& request, RollingSolver& solver,
+                           std::vector<CreepResult>& parts) {
+  const double mirror = wheel.details.mirror;
+  const PatchMotion motion = motion_of(patch, patch, wheel, request);
+  if (patch.parts.empty()) {
+    return solve_patch(patch, motion, request, mirror, solver);
+  }
+  CreepResult whole;
+  whole.creepages = mirrored(motion.creepages, mirror);
+  whole.slip_speed = motion.slip_speed;
+  for (const PatchResult& part : patch.parts) {
+    const Vector3 apart = part.frame.origin - patch.frame.origin;
+    const CreepResult& creep = parts.emplace_back(
+        solve_patch(part, motion_of(part, patch, wheel, request), request, mirror, solver));
+    add_part(whole, creep, part.normal_force / patch.normal_force,
+             dot(apart, patch.frame.longitudinal), mirror * dot(apart, patch.frame.lateral));
+  }
+  if (whole.power_per_speed > 0.0) {
+    whole.numerical_loss /= whole.power_per_speed;
+  }
+  return whole;
+}
+
+void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
+  for (const PatchResult& patch : wheel.patches) {
     if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
       wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +
                                " not reached: estimated error " +

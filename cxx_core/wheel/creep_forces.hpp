@@ -2,26 +2,35 @@
 ///
 /// Each patch is solved by itself on a grid of its own over the rectangle around its contact, with
 /// the pressures interpolated to it (pressure/smooth_pressure.hpp) and scaled to its normal force.
-/// The number of elements follows from the requested accuracy alone, so that forces are continuous
-/// functions of the scene. Patches of one plane are solved one by one as well, each with the rigid
-/// slip at its place. Results are in the track frame, both sides alike: x forward, y to the left
-/// along the patch's plane; forces on the wheel, moments about the contact reference. Units mm, N,
-/// MPa, rad. Thread rule: as the solver's. Tractions of unlike bodies change the pressures they
-/// stem from: the full model takes that into the pressures on its own grid
-/// (rolling/unlike_bodies.hpp). Not known here: what the tractions of patches displace at each
-/// other, and what those of unlike bodies change in the results of normal contact.
+/// The number of elements follows from the requested accuracy and the number of lobes, so that
+/// forces are continuous functions of the scene. Patches of one plane are solved one by one as
+/// well, each with the rigid slip at its place. Tractions of unlike bodies change the pressures
+/// they stem from: the full model takes that into the pressures on its own grid
+/// (rolling/unlike_bodies.hpp).
+///
+/// Results are in the track frame, both sides alike: x forward, y to the left along the patch's
+/// plane; forces on the wheel, moments about the contact reference. Units mm, N, MPa, rad.
+///
+/// Thread rule: as the solver's.
+///
+/// Not known here: what the tractions of patches displace at each other, what those of unlike
+/// bodies change in the results of normal contact, and the power of the slip that pressures of
+/// unlike bodies cause.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "base/grid.hpp"
 #include "half_space/material.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "wheel/friction.hpp"
 #include "wheel/kinematics.hpp"
 
 namespace wrc {
 
+struct PatchResult;
 struct WheelResult;
 
 /// How creep forces are computed: the ladder of docs/creep-models.md. Closed formulas and FASTSIM
@@ -32,19 +41,35 @@ enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, fast
 /// What a wheel's creep forces follow from.
 struct CreepRequest {
   CreepModel model = CreepModel::none;
-  Creepages creepages;          ///< at the reference of each patch, track frame; or
-  std::optional<Motion> motion; ///< what they follow from instead, track frame
-  double nominal_radius = 0.0;  ///< mm, for the motion
-  double friction = 0.3;
-  double accuracy = 1e-3; ///< error of forces, and of the moment over sqrt(a b), over mu N
-  double speed = 0.0;     ///< mm/s, for the power of given creepages
+  Creepages creepages;            ///< at the reference of each patch, track frame; or
+  std::optional<Motion> motion;   ///< what they follow from instead, track frame
+  double nominal_radius = 0.0;    ///< mm, for the motion
+  RailDisplacement rail_velocity; ///< mm/s and rad/s, for the motion, track frame
+  FrictionLaw friction;
+  double accuracy = 1e-3;   ///< error of forces, and of the moment over sqrt(a b), over mu N
+  double speed = 0.0;       ///< mm/s, for the power of given creepages
+  bool derivatives = false; ///< whether CreepResult::derivatives are requested
   ShearConstants material;
   double combined_modulus = 0.0; ///< E*, MPa
+};
+
+/// Of Fx, Fy (N) and Mz (N mm) about the contact reference. All at fixed others: a friction that
+/// falls with slip is not in those by creepages.
+struct CreepDerivatives {
+  std::array<double, 9> by_creepage{}; ///< by xi, eta, phi (1/mm), row by row
+  /// As if the contact stayed similar (Hertz), lengths as N^(1/3): T/N then depends on xi/N^(1/3),
+  /// eta/N^(1/3) and phi alone.
+  std::array<double, 3> by_load{};
+  /// F is homogeneous in mu and the creepages: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi
+  /// dF/dphi; of unlike bodies without what their pressures add.
+  std::array<double, 3> by_friction{};
 };
 
 /// The tangential contact of one patch.
 struct CreepResult {
   Creepages creepages;
+  double friction = 0.0;   ///< coefficient, of parts in the mean over their loads
+  double slip_speed = 0.0; ///< what creepages are multiplied with to give velocities, mm/s
   double longitudinal_force = 0.0;
   double lateral_force = 0.0;
   double spin_moment = 0.0;
@@ -60,6 +85,7 @@ struct CreepResult {
   double pressure_change = 0.0;
   double residual = 0.0;
   int convolutions = 0;
+  std::optional<CreepDerivatives> derivatives; ///< on request
   Grid grid;                      ///< of the fields, left-hand frame of the side; none with parts
   std::vector<double> pressure;   ///< on it
   std::vector<double> traction_x; ///< left-hand frame of the side, as all fields
@@ -68,7 +94,16 @@ struct CreepResult {
   std::vector<double> slip_y;
 };
 
-/// Fills in the creep forces of all patches, and the warnings they give rise to.
+/// Into the left-hand frame of a side (`mirror` -1 on the right), or back.
+void mirror_derivatives(CreepDerivatives& derivatives, double mirror);
+/// Fills in the creep forces of all patches, in place of earlier ones.
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver);
+/// Those of one patch, and of its parts; of a request with a motion those of the wheel's motion as
+/// solve_creep_forces has set it.
+CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
+                           const CreepRequest& request, RollingSolver& solver,
+                           std::vector<CreepResult>& parts);
+/// Adds the warnings that the creep forces found give rise to.
+void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request);
 
 } // namespace wrc

@@ -1,28 +1,21 @@
 #include "wheel/sensitivities.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <functional>
 
 #include "remesh/gap_rates.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr std::size_t motion_count = 3; // not a tuning constant
+constexpr std::size_t motion_count = 4; // not a tuning constant
 using MotionValues = std::array<double, motion_count>;
 using Fields = std::vector<std::vector<double>>;
 
-WheelForce operator+(const WheelForce& a, const WheelForce& b) {
-  return {a.force + b.force, a.roll_moment + b.roll_moment};
-}
-
-WheelForce operator*(double s, const WheelForce& a) {
-  return {s * a.force, s * a.roll_moment};
-}
-
-/// The vector part seen in the mirror y -> -y, of a motion that keeps its sign or changes it.
+/// Seen in the mirror y -> -y, of a motion that keeps its sign or changes it.
 WheelForce mirrored_wheel(const WheelForce& a, double motion_sign) {
   return {{motion_sign * a.force.x, -motion_sign * a.force.y, motion_sign * a.force.z},
-          -motion_sign * a.roll_moment};
+          {-motion_sign * a.moment.x, motion_sign * a.moment.y, -motion_sign * a.moment.z}};
 }
 
 double sum_of_products(std::span<const double> first, std::span<const double> second) {
@@ -37,53 +30,60 @@ std::vector<std::span<const double>> spans_of(const Fields& fields) {
   return {fields.begin(), fields.end()};
 }
 
-/// The wheelset's axis of roll.
-struct RollAxis {
-  Vector3 centre;
-  Vector3 direction;
+/// What pressures are weighted with: for their force, and for its first moments in the plane.
+constexpr std::size_t weight_count = 3; // not a tuning constant
+using Weighted = std::array<double, weight_count>;
 
-  [[nodiscard]] double moment(Vector3 place, Vector3 force) const {
-    return dot(direction, cross(place - centre, force));
-  }
-};
-
-/// Lever of a unit pressure on each element of a patch.
-std::vector<double> levers_of(const LoadedPatch& patch, const RollAxis& axis) {
-  const Grid& grid = patch.grid;
-  const auto lever_at = [&](double longitudinal, double lateral) {
-    return axis.moment(patch.frame.to_track(longitudinal, lateral, 0.0), patch.frame.normal);
-  };
-  const double origin = lever_at(0.0, 0.0);
-  const double along = lever_at(1.0, 0.0) - origin;
-  const double across = lever_at(0.0, 1.0) - origin;
-  std::vector<double> levers;
-  levers.reserve(grid.element_count());
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
-      levers.push_back(origin + across * grid.lateral(row) + along * grid.longitudinal(column));
-    }
-  }
-  return levers;
+Weighted weights_at(const Grid& grid, std::size_t element) {
+  return {1.0, grid.longitudinal(element % grid.longitudinal_count),
+          grid.lateral(element / grid.longitudinal_count)};
 }
 
-/// Rates of a patch's normal force, and of its moment about the axis where that stands.
-struct PatchRates {
-  MotionValues force{};
-  MotionValues moment{};
-};
+Fields weight_fields(const Grid& grid) {
+  Fields fields(weight_count, std::vector<double>(grid.element_count()));
+  for (std::size_t element = 0; element < grid.element_count(); ++element) {
+    const Weighted weights = weights_at(grid, element);
+    for (std::size_t i = 0; i < weight_count; ++i) {
+      fields[i][element] = weights[i];
+    }
+  }
+  return fields;
+}
+
+/// Force and moments of a field of pressures.
+Weighted weighted_sums(const Grid& grid, std::span<const double> pressure) {
+  Weighted sums{};
+  for (std::size_t element = 0; element < pressure.size(); ++element) {
+    const Weighted weights = weights_at(grid, element);
+    for (std::size_t i = 0; i < weight_count; ++i) {
+      sums[i] += grid.element_area() * pressure[element] * weights[i];
+    }
+  }
+  return sums;
+}
+
+/// Force and moment about a centre from those in the plane.
+WheelForce about_centre(const ContactFrame& frame, const Vector3& centre, const Weighted& sums) {
+  const Vector3 place =
+      sums[0] * (frame.origin - centre) + sums[1] * frame.longitudinal + sums[2] * frame.lateral;
+  return {sums[0] * frame.normal, cross(place, frame.normal)};
+}
+
+/// Rates of a patch's force and of its moments in the plane, by motion.
+using WeightedRates = std::array<Weighted, motion_count>;
 
 class RateSolver {
 public:
   RateSolver(std::span<const LoadedPatch> patches, const SensitivityRequest& request,
-             ContactStiffness& solver, const std::vector<Fields>& gap_rates, const Fields& levers)
+             ContactStiffness& solver, const std::vector<Fields>& gap_rates)
       : patches_(patches), request_(request), solver_(solver), gap_rates_(gap_rates),
-        levers_(levers), rates_(patches.size()) {}
+        rates_(patches.size()) {}
 
-  std::vector<PatchRates> solve(WheelSensitivity& result) {
+  std::vector<WeightedRates> solve(WheelSensitivity& result) {
     if (request_.influence != nullptr && patches_.size() > 1) {
       solve_by_motion(result);
     } else {
-      solve_by_force(result);
+      solve_by_weight(result);
     }
     return std::move(rates_);
   }
@@ -100,24 +100,24 @@ private:
     return pressure;
   }
 
-  /// Patches that do not interact: one solution gives the forces' rates by all motions, one
-  /// more the moments'.
-  void solve_by_force(WheelSensitivity& result) {
-    Fields ones;
+  /// Patches that do not interact: one solution gives the forces' rates by all motions, two more
+  /// those of the moments.
+  void solve_by_weight(WheelSensitivity& result) {
+    std::vector<Fields> weights;
     for (const LoadedPatch& patch : patches_) {
-      ones.emplace_back(patch.grid.element_count(), 1.0);
+      weights.push_back(weight_fields(patch.grid));
     }
-    read_off(solve_for(ones, result), &PatchRates::force);
-    if (request_.roll_moment) {
-      read_off(solve_for(levers_, result), &PatchRates::moment);
-    }
-  }
-
-  void read_off(const Fields& answer, MotionValues PatchRates::*values) {
-    for (std::size_t k = 0; k < patches_.size(); ++k) {
-      for (std::size_t motion = 0; motion < motion_count; ++motion) {
-        (rates_[k].*values)[motion] =
-            -patches_[k].grid.element_area() * sum_of_products(answer[k], gap_rates_[k][motion]);
+    for (std::size_t i = 0; i < (request_.moments ? weight_count : 1); ++i) {
+      Fields one;
+      for (Fields& of_patch : weights) {
+        one.push_back(std::move(of_patch[i]));
+      }
+      const Fields answer = solve_for(one, result);
+      for (std::size_t k = 0; k < patches_.size(); ++k) {
+        for (std::size_t motion = 0; motion < motion_count; ++motion) {
+          rates_[k][motion][i] =
+              -patches_[k].grid.element_area() * sum_of_products(answer[k], gap_rates_[k][motion]);
+        }
       }
     }
   }
@@ -131,11 +131,8 @@ private:
       }
       const Fields pressure = solve_for(change, result);
       for (std::size_t k = 0; k < patches_.size(); ++k) {
-        rates_[k].force[motion] = -force_of(patches_[k].grid, pressure[k]);
-        if (request_.roll_moment) {
-          rates_[k].moment[motion] =
-              -patches_[k].grid.element_area() * sum_of_products(pressure[k], levers_[k]);
-        }
+        const Weighted sums = weighted_sums(patches_[k].grid, pressure[k]);
+        std::transform(sums.begin(), sums.end(), rates_[k][motion].begin(), std::negate<>());
       }
     }
   }
@@ -144,16 +141,15 @@ private:
   const SensitivityRequest& request_;
   ContactStiffness& solver_;
   const std::vector<Fields>& gap_rates_; ///< by patch and motion
-  const Fields& levers_;
-  std::vector<PatchRates> rates_;
+  std::vector<WeightedRates> rates_;
 };
 
 /// What the pressures displace more at each other counts as a change of the gaps.
 void add_influence_rates(std::span<const LoadedPatch> patches, const SensitivityRequest& request,
                          std::vector<Fields>& gap_rates) {
-  const std::array<PatchInfluence*, motion_count> changes{request.influence_rates.lateral,
-                                                          request.influence_rates.vertical,
-                                                          request.influence_rates.roll};
+  const ByMotion<PatchInfluence*>& rates = request.influence_rates;
+  const std::array<PatchInfluence*, motion_count> changes{rates.lateral, rates.vertical, rates.roll,
+                                                          rates.yaw};
   Fields pressure;
   Fields displacement(patches.size());
   for (std::size_t motion = 0; motion < motion_count; ++motion) {
@@ -173,32 +169,15 @@ void add_influence_rates(std::span<const LoadedPatch> patches, const Sensitivity
   }
 }
 
-Vector3 centre_of_pressure(const LoadedPatch& patch, double normal_force) {
-  const Grid& grid = patch.grid;
-  double longitudinal = 0.0;
-  double lateral = 0.0;
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
-      const double force =
-          patch.pressure[row * grid.longitudinal_count + column] * grid.element_area();
-      longitudinal += force * grid.longitudinal(column);
-      lateral += force * grid.lateral(row);
-    }
-  }
-  return normal_force > 0.0
-             ? patch.frame.to_track(longitudinal / normal_force, lateral / normal_force, 0.0)
-             : patch.frame.origin;
-}
-
 } // namespace
 
 ForceRates operator+(const ForceRates& a, const ForceRates& b) {
-  return {a.lateral + b.lateral, a.vertical + b.vertical, a.roll + b.roll};
+  return {a.lateral + b.lateral, a.vertical + b.vertical, a.roll + b.roll, a.yaw + b.yaw};
 }
 
 ForceRates mirrored(const ForceRates& rates) {
   return {mirrored_wheel(rates.lateral, -1.0), mirrored_wheel(rates.vertical, 1.0),
-          mirrored_wheel(rates.roll, -1.0)};
+          mirrored_wheel(rates.roll, -1.0), mirrored_wheel(rates.yaw, -1.0)};
 }
 
 WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const LoadedPatch> patches,
@@ -211,44 +190,48 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
   solver.set_contact(solved, request.combined_modulus, request.influence);
 
   const std::array<RigidMotion, motion_count> motions{lateral_motion(), vertical_motion(),
-                                                      roll_motion(pair.pose.yaw)};
-  const RollAxis axis{{0.0, pair.pose.lateral, pair.vertical}, motions[2].rotation};
+                                                      roll_motion(pair.pose.yaw), yaw_motion()};
+  const Vector3 centre{0.0, pair.pose.lateral, pair.vertical};
   std::vector<Fields> gap_rates(patches.size());
-  Fields levers;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     compute_gap_rates(pair, patches[k].frame, patches[k].grid, patches[k].pressure, motions,
                       gap_rates[k]);
-    levers.push_back(levers_of(patches[k], axis));
   }
   add_influence_rates(patches, request, gap_rates);
   WheelSensitivity result;
-  const std::vector<PatchRates> rates =
-      RateSolver(patches, request, solver, gap_rates, levers).solve(result);
+  const std::vector<WeightedRates> rates =
+      RateSolver(patches, request, solver, gap_rates).solve(result);
 
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const LoadedPatch& patch = patches[k];
-    const ContactFrame& frame = patch.frame;
+    const Weighted sums = weighted_sums(patch.grid, patch.pressure);
     PatchSensitivity sensitivity;
-    sensitivity.normal_force = force_of(patch.grid, patch.pressure);
-    const Vector3 force = sensitivity.normal_force * frame.normal;
-    const double moment = patch.grid.element_area() * sum_of_products(patch.pressure, levers[k]);
-    result.force = result.force + WheelForce{force, moment};
-    // A plane that turns by one rad.
-    const Vector3 turned = -sensitivity.normal_force * frame.lateral;
-    const WheelForce turning{
-        turned, request.roll_moment
-                    ? axis.moment(centre_of_pressure(patch, sensitivity.normal_force), turned)
-                    : 0.0};
+    sensitivity.normal_force = sums[0];
+    const WheelForce force = about_centre(patch.frame, centre, sums);
+    result.force = result.force + force;
+    // A plane that turns by one rad about its centre of pressure.
+    ContactFrame turned = patch.frame;
+    turned.normal = -1.0 * patch.frame.lateral;
+    WheelForce turning = about_centre(turned, centre, sums);
     const auto fixed = [&](std::size_t motion) {
-      const double by_centre = -dot(axis.direction, cross(motions[motion].translation, force));
-      return WheelForce{rates[k].force[motion] * frame.normal,
-                        request.roll_moment ? rates[k].moment[motion] + by_centre : 0.0};
+      WheelForce change = about_centre(patch.frame, centre, rates[k][motion]);
+      change.moment = change.moment - cross(motions[motion].translation, force.force);
+      return change;
     };
-    sensitivity.normal_force_rates = {rates[k].force[0], rates[k].force[1], rates[k].force[2]};
-    sensitivity.fixed_plane = {fixed(0), fixed(1), fixed(2)};
-    sensitivity.turning_plane = {patch.angle_rates.lateral * turning,
-                                 patch.angle_rates.vertical * turning,
-                                 patch.angle_rates.roll * turning};
+    sensitivity.normal_force_rates = {rates[k][0][0], rates[k][1][0], rates[k][2][0],
+                                      rates[k][3][0]};
+    sensitivity.fixed_plane = {fixed(0), fixed(1), fixed(2), fixed(3)};
+    const ByMotion<double>& by = patch.angle_rates;
+    sensitivity.turning_plane = {by.lateral * turning, by.vertical * turning, by.roll * turning,
+                                 by.yaw * turning};
+    if (!request.moments) {
+      for (ForceRates* of_patch : {&sensitivity.fixed_plane, &sensitivity.turning_plane}) {
+        for (WheelForce* by_motion :
+             {&of_patch->lateral, &of_patch->vertical, &of_patch->roll, &of_patch->yaw}) {
+          by_motion->moment = {};
+        }
+      }
+    }
     result.fixed_planes = result.fixed_planes + sensitivity.fixed_plane;
     result.turning_planes = result.turning_planes + sensitivity.turning_plane;
     result.patches.push_back(sensitivity);
@@ -267,7 +250,7 @@ std::optional<CondensedRates> condense_at_vertical_load(const ForceRates& rates)
     motion.wheel.force.z = 0.0;
     return motion;
   };
-  return CondensedRates{condensed(rates.lateral), condensed(rates.roll)};
+  return CondensedRates{condensed(rates.lateral), condensed(rates.roll), condensed(rates.yaw)};
 }
 
 } // namespace wrc

@@ -1,4 +1,4 @@
-/// How the forces of the rail on a wheel change with lateral position, height and roll.
+/// How the forces of the rail on a wheel change with lateral position, height, roll and yaw.
 ///
 /// Derivatives of the discrete solution at its fixed set of elements in contact, for integrators
 /// that need a Jacobian. With N_k and n_k force and normal of patch k, F = sum N_k n_k:
@@ -7,9 +7,9 @@
 /// (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's knowledge
 /// (remesh/plane_rates.hpp); dn/dalpha is minus the plane's lateral axis. The second part is what a
 /// rigid contact has alone (the gravitational stiffness); it leaves out that gaps are measured
-/// along another direction. The roll moment is M = e . sum (r - r_c) x n p a b, r_c the wheelset's
-/// centre, e = Rz(yaw) e_x the axis of roll, r the element's place in its plane; its derivative
-/// includes that r_c moves. A turning plane turns about its centre of pressure.
+/// along another direction. The moment is M = sum (r - r_c) x n p a b, r_c the wheelset's centre, r
+/// the element's place in its plane; its derivative includes that r_c moves. A turning plane turns
+/// about its centre of pressure.
 ///
 /// The position is the one at which the pressures have the approach 0: `vertical` of the pair is
 /// the height of the sampled distance, lowered by what the solution added to it.
@@ -18,11 +18,10 @@
 ///
 /// Units mm, N, MPa, rad: forces by N/mm and N/rad, moments by N and N mm/rad. Track frame,
 /// left-hand side. The right side is the left one of the mirrored pose (y, yaw, roll with the other
-/// sign, geometry/frames.hpp); back in the track frame these change sign and all others stay:
-///   by y and roll: dF_x, dF_z, dz (and, of angles, none);  by z: dF_y, dM (see `mirrored`).
+/// sign, geometry/frames.hpp), see `mirrored`.
 /// With both sides in the track frame the wheelset's matrix is their sum.
 /// Thread rule: pure functions, but for the solver's memory: one thread at a time.
-/// Not known here: friction, inertia, the derivative by yaw, changes of the set of elements.
+/// Not known here: friction, inertia, changes of the set of elements.
 #pragma once
 
 #include <array>
@@ -37,11 +36,18 @@
 
 namespace wrc {
 
-/// Force of the rail on the wheel and its moment about the axis of roll through the centre.
+/// Force of the rail on the wheel and its moment about the wheelset's centre.
 struct WheelForce {
-  Vector3 force;            ///< N, or its rate
-  double roll_moment = 0.0; ///< N mm, or its rate
+  Vector3 force;  ///< N, or its rate
+  Vector3 moment; ///< N mm, or its rate
 };
+
+inline WheelForce operator+(const WheelForce& a, const WheelForce& b) {
+  return {a.force + b.force, a.moment + b.moment};
+}
+inline WheelForce operator*(double s, const WheelForce& a) {
+  return {s * a.force, s * a.moment};
+}
 using ForceRates = ByMotion<WheelForce>;
 
 ForceRates operator+(const ForceRates& a, const ForceRates& b);
@@ -78,7 +84,7 @@ struct SensitivityRequest {
   double combined_modulus = 0.0; ///< E*, MPa
   Elements elements = Elements::constant;
   double tolerance = 1e-8; ///< of the linear solutions
-  bool roll_moment = true; ///< false: its rates are left 0, which saves two fifths of the time
+  bool moments = true;     ///< false: their rates are left 0, which saves half of the time
   PatchInfluence* influence = nullptr; ///< of the patches on each other
   /// How that influence itself changes with each motion, per mm or rad; null where it does not.
   ByMotion<PatchInfluence*> influence_rates = {};
@@ -96,6 +102,7 @@ struct CondensedRates {
   };
   Motion lateral;
   Motion roll;
+  Motion yaw;
 };
 
 /// None where the vertical force does not depend on the height (no contact).

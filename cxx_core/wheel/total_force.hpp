@@ -6,15 +6,9 @@
 /// function.
 #pragma once
 
-#include "geometry/frames.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {
-
-struct TotalForce {
-  Vector3 force;
-  Vector3 moment;
-};
 
 TotalForce total_force(const WheelResult& wheel);
 

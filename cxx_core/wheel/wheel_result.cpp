@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "geometry/first_touch.hpp"
 #include "half_space/displacement_operator.hpp"
 #include "half_space/patch_coupling.hpp"
 #include "mechanics/coupled_influence.hpp"
@@ -155,6 +156,9 @@ WheelResult make_wheel_result(WheelSolution solution,
         point_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
   }
   result.warnings = std::move(solution.warnings);
+  if (const std::optional<std::string> odd = warning_of_touch(*wheel, candidates.front())) {
+    result.warnings.push_back(*odd);
+  }
   result.details = {side,
                     equilibrium.pose,
                     solution.vertical,
@@ -165,6 +169,8 @@ WheelResult make_wheel_result(WheelSolution solution,
                     solution.load,
                     solution.approach,
                     solution.gap,
+                    {},
+                    {},
                     wheel,
                     rail};
   result.iterations = solution.iterations;

@@ -3,7 +3,7 @@
 /// In the track frame (geometry/frames.hpp), both sides alike: results of the right side are those
 /// of a left one mirrored. Forces and moments are those of the rail on the wheel.
 /// Units mm, N, N mm, MPa, rad. Thread rule: functions of the results are pure, but for
-/// residuals_of and sensitivities_of.
+/// residuals_of, sensitivities_of and jacobian_of.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "remesh/plane_rates.hpp"
 #include "wheel/creep_forces.hpp"
+#include "wheel/force_jacobian.hpp"
 #include "wheel/sensitivities.hpp"
 #include "wheel/wheel_solution.hpp"
 
@@ -65,15 +67,31 @@ struct WheelDetails {
   std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
   double problem_approach = 0.0;               ///< answer to that problem
   GapConvention gap = GapConvention::tangent;
+  std::optional<WheelsetMotion> motion; ///< from which creepages follow, left-hand frame
+  FrictionLaw friction;                 ///< of creep forces
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail;
 };
 
-/// How the forces change with the wheelset's position, track frame (wheel/sensitivities.hpp).
+/// How a patch changes with the wheelset's position, left-hand frame of the side.
+struct PatchRates {
+  ByMotion<double> normal_force;
+  PlaneRates plane;
+};
+
+/// How the normal forces change with the wheelset's position, track frame
+/// (wheel/sensitivities.hpp).
 struct WheelRates {
-  ForceRates force;        ///< without moments
+  ForceRates force;
   ForceRates fixed_planes; ///< the part of it that is there without the planes' turning
   std::optional<CondensedRates> at_load;
+  std::vector<PatchRates> patches; ///< as solved_patches
+};
+
+/// All contact forces of a wheel together (wheel/total_force.hpp).
+struct TotalForce {
+  Vector3 force;
+  Vector3 moment;
 };
 
 struct WheelResult {
@@ -87,9 +105,10 @@ struct WheelResult {
   Vector3 moment; ///< about the reference of the first patch
   /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
   ContactPoint centroid;
-  double approach = 0.0; ///< of the first patch
-  double depth = 0.0;    ///< vertical approach, from the first touch
-  double angle = 0.0;    ///< of the first patch
+  std::optional<TotalForce> total; ///< if the mechanics have run
+  double approach = 0.0;           ///< of the first patch
+  double depth = 0.0;              ///< vertical approach, from the first touch
+  double angle = 0.0;              ///< of the first patch
   std::optional<double> error_estimate;
   std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
   std::string model;              ///< used for this side, and ...
@@ -100,6 +119,8 @@ struct WheelResult {
   StopReason stop_reason = StopReason::tolerance_met;
   std::optional<Residuals> residuals;      ///< on request, see residuals_of
   std::optional<WheelRates> sensitivities; ///< on request, see sensitivities_of
+  std::optional<ForceJacobian> jacobian;   ///< on request, see jacobian_of
+  std::optional<int> state;                ///< flags of wheel/wheel_state.hpp, of mechanics
   bool solved = false;                     ///< the mechanics have run
   std::vector<PatchResult> patches;        ///< largest normal force first
   std::vector<std::string> warnings;

@@ -76,7 +76,7 @@ WheelRates compute_rates(const WheelResult& side) {
     const PatchResult& patch = *patches[k];
     // Planes of vertical gaps turn with the wheelset.
     const ByMotion<double> angle_rates = details.gap == GapConvention::vertical
-                                             ? ByMotion<double>{0.0, 0.0, 1.0}
+                                             ? ByMotion<double>{0.0, 0.0, 1.0, 0.0}
                                              : planes.moving.rates[planes.index[k]].angle;
     loaded.push_back({patch.frame, patch.grid, patch.pressure, angle_rates});
     solved.push_back({patch.grid, patch.pressure, details.elements});
@@ -85,13 +85,12 @@ WheelRates compute_rates(const WheelResult& side) {
   request.combined_modulus = details.combined_modulus;
   request.elements = details.elements;
   request.tolerance = sensitivity_tolerance;
-  request.roll_moment = false;
   std::optional<CoupledInfluence> influence;
   if (details.interaction) {
     influence.emplace(solved, *details.interaction, details.combined_modulus);
     request.influence = &*influence;
   }
-  std::array<std::optional<CoupledInfluence>, 3> changes; // by lateral, vertical, roll
+  std::array<std::optional<CoupledInfluence>, 4> changes; // by lateral, vertical, roll, yaw
   const auto note_change = [&](std::optional<CoupledInfluence>& change,
                                double ByMotion<double>::*motion) -> PatchInfluence* {
     make_changing_influence(solved, *details.interaction, planes, motion, details.combined_modulus,
@@ -101,7 +100,8 @@ WheelRates compute_rates(const WheelResult& side) {
   if (details.interaction && is_changing(*details.interaction)) {
     request.influence_rates = {note_change(changes[0], &ByMotion<double>::lateral),
                                note_change(changes[1], &ByMotion<double>::vertical),
-                               note_change(changes[2], &ByMotion<double>::roll)};
+                               note_change(changes[2], &ByMotion<double>::roll),
+                               note_change(changes[3], &ByMotion<double>::yaw)};
   }
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
@@ -112,6 +112,11 @@ WheelRates compute_rates(const WheelResult& side) {
   result.force = is_left ? found.total() : mirrored(found.total());
   result.fixed_planes = is_left ? found.fixed_planes : mirrored(found.fixed_planes);
   result.at_load = condense_at_vertical_load(result.force);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    PlaneRates plane = planes.moving.rates[planes.index[k]];
+    plane.angle = loaded[k].angle_rates;
+    result.patches.push_back({found.patches[k].normal_force_rates, plane});
+  }
   return result;
 }
 

@@ -5,31 +5,16 @@ c Model: two degrees of freedom, lateral displacement y (to the left)
 c and yaw psi, of a wheelset that runs at constant speed v, held to a
 c steady frame by a lateral and a yaw spring (free in the first run):
 c
-c   m y"    = sum(Q_y + F_y) - k_y y
-c   Iz psi" = sum(M_z - y_c F_x) - k_psi psi
+c   m y"    = F_y - k_y y
+c   Iz psi" = M_z - k_psi psi
 c
-c Q_y: lateral components of the normal forces, which make up the
-c gravitational stiffness; F_x, F_y, M_z: creep forces and moment of
-c each patch at y_c. The library finds contact points (roll and height
-c solved), normal forces, patches of both wheels at every evaluation.
-c Not modelled: inertia in roll and bounce (80 kN stay on each wheel),
-c velocity of roll in the creepages, drive and brake torques: the axle
-c turns with 2 v/(r_left + r_right).
-c
-c Creep forces: Kalker's linear theory on the Hertzian ellipse of each
-c patch, semi-axes a along and b across the rail, c = sqrt(a b):
-c   F_x = -G c**2 C11 xi
-c   F_y = -G c**2 (C22 eta + c C23 phi)
-c   M_z =  G c**3 (C23 eta - c C33 phi)
-c (coefficients of Kalker 1967 for Poisson's ratio 0.25, tabulated in
-c Kalker 1990, appendix E), saturated on the friction limit (Shen,
-c Hedrick & Elkins 1983, after Vermeulen & Johnson 1964) with
-c t = sqrt(F_x**2 + F_y**2)/(mu N):
-c   F  <- F mu N/|F| (t - t**2/3 + t**3/27) for t < 3, else mu N
-c Creepages, x along the wheelset's heading, angle d of the contact:
-c   xi  = (v - psi' y_c - omega r)/v
-c   eta = (y'/v - psi)/cos(d)
-c   phi = (psi' cos(d) - omega sin(d))/v
+c F_y, M_z: of all contact forces of both wheels, normal and creep
+c forces, about the wheelset's centre. The library finds roll and
+c height, contact points, patches, creepages from the motion, the speed
+c of the axle that runs freely, and creep forces (Shen, Hedrick &
+c Elkins 1983 on Kalker's coefficients) at every evaluation. Not
+c modelled: inertia in roll, bounce and pitch (80 kN stay on each
+c wheel), velocity of roll in the creepages.
 c
 c Integrator: Heun's method (explicit trapezium, two evaluations a
 c step of 1.5 or 2 ms). Creep damps the lateral velocity at a rate of
@@ -79,26 +64,43 @@ c     Free and slow.
    10 format (a, t36, f10.4)
       end
 
-c Scene and solver of the wheelset, made once.
+c Scene and solver of the wheelset, made once; keys and results that
+c every step needs, by number.
       subroutine opened
       implicit none
       integer*8 scene, solver
-      common /wrc/ scene, solver
+      integer keys(5), forces(2)
+      common /wrc/ scene, solver, keys, forces
       integer ierr
-      call wrcnew(scene, 'scene', kind(0), ierr)
-      if (ierr .ne. 0) stop 'no scene'
-      call wrcnew(solver, 'solver', kind(0), ierr)
-      if (ierr .ne. 0) stop 'no solver'
+      call wrcopn(scene, 'scene', kind(0), 1.0d0, ierr)
+      call wanted(ierr)
+      call wrcopn(solver, 'solver', kind(0), 1.0d0, ierr)
+      call wanted(ierr)
       call wrcset(scene, 'solve.accuracy', 1.0d-2, ierr)
       call wanted(ierr)
+      call wrcstx(scene, 'solve.accuracy_of', 'forces', ierr)
+      call wanted(ierr)
+      call wrcstx(scene, 'solve.creep', 'shen-hedrick-elkins', ierr)
+      call wanted(ierr)
       call wrcset(scene, 'load.vertical', 80.0d3, ierr)
+      call wanted(ierr)
+      call wrcstx(scene, 'motion.pitch', 'free', ierr)
+      call wanted(ierr)
+      call wrckid(scene, 'pose.lateral', keys(1), ierr)
+      call wrckid(scene, 'pose.yaw', keys(2), ierr)
+      call wrckid(scene, 'motion.speed', keys(3), ierr)
+      call wrckid(scene, 'motion.lateral', keys(4), ierr)
+      call wrckid(scene, 'motion.yaw', keys(5), ierr)
+      call wrcnid(scene, 'wheelset.force.y', forces(1), ierr)
+      call wrcnid(scene, 'wheelset.moment.z', forces(2), ierr)
       call wanted(ierr)
       end
 
       subroutine closed
       implicit none
       integer*8 scene, solver
-      common /wrc/ scene, solver
+      integer keys(5), forces(2)
+      common /wrc/ scene, solver, keys, forces
       integer ierr
       call wrcdel(solver, ierr)
       call wrcdel(scene, ierr)
@@ -109,7 +111,8 @@ c Stops with the library's text if a call has failed.
       implicit none
       integer ierr, i
       integer*8 scene, solver
-      common /wrc/ scene, solver
+      integer keys(5), forces(2)
+      common /wrc/ scene, solver, keys, forces
       character*200 text
       if (ierr .eq. 0) return
       call wrcerr(scene, text, i)
@@ -122,128 +125,51 @@ c A result of the scene.
       implicit none
       character*(*) name
       integer*8 scene, solver
-      common /wrc/ scene, solver
+      integer keys(5), forces(2)
+      common /wrc/ scene, solver, keys, forces
       integer ierr
       call wrcnum(scene, name, result, ierr)
       call wanted(ierr)
       end
 
-c Solves the contact of both wheels; y in m, psi in rad.
-      subroutine posed(y, psi)
+c Solves the contact of both wheels. State: y, psi, y', psi'; SI.
+      subroutine posed(state)
       implicit none
-      real*8 y, psi
+      real*8 state(4), inputs(5)
+      real*8 mass, inert, ky, kpsi, v
+      common /veh/ mass, inert, ky, kpsi, v
       integer*8 scene, solver
-      common /wrc/ scene, solver
+      integer keys(5), forces(2)
+      common /wrc/ scene, solver, keys, forces
       integer ierr
-      call wrcset(scene, 'pose.lateral', 1.0d3*y, ierr)
-      call wanted(ierr)
-      call wrcset(scene, 'pose.yaw', psi, ierr)
+      inputs(1) = 1.0d3*state(1)
+      inputs(2) = state(2)
+      inputs(3) = 1.0d3*v
+      inputs(4) = 1.0d3*state(3)
+      inputs(5) = state(4)
+      call wrcstb(scene, keys, inputs, 5, ierr)
       call wanted(ierr)
       call wrcstp(solver, scene, ierr)
       call wanted(ierr)
       end
 
-c Accelerations of the wheelset. State: y, psi, y', psi'; SI.
+c Accelerations of the wheelset.
       subroutine accel(state, rate)
       implicit none
-      real*8 state(4), rate(4)
+      real*8 state(4), rate(4), found(2)
       real*8 mass, inert, ky, kpsi, v
       common /veh/ mass, inert, ky, kpsi, v
       integer*8 scene, solver
-      common /wrc/ scene, solver
-      real*8 result, omega, fy, mz
-      integer i, ierr, side
-      character*5 wheel(2)
-      character*24 patch
-      real*8 force
-      save wheel
-      data wheel /'left', 'right'/
-      call posed(state(1), state(2))
-      omega = 2.0d3*v/(result('left.centroid.rolling_radius')
-     &  + result('right.centroid.rolling_radius'))
-      fy = result('left.lateral_force') + result('right.lateral_force')
-     &  - ky*state(1)
-      mz = -kpsi*state(2)
-      do 20 side = 1, 2
-        do 10 i = 0, 9
-          write (patch, '(2a, i1, a)') trim(wheel(side)), '.patches.',
-     &      i, '.'
-          call wrcnum(scene, trim(patch)//'normal_force', force, ierr)
-c         Status 2, unknown name: there is no such patch.
-          if (ierr .eq. 2) goto 20
-          call wanted(ierr)
-          call creep(trim(patch), force, state, omega, v, fy, mz)
-   10   continue
-   20 continue
+      integer keys(5), forces(2)
+      common /wrc/ scene, solver, keys, forces
+      integer ierr
+      call posed(state)
+      call wrcrdb(scene, forces, found, 2, ierr)
+      call wanted(ierr)
       rate(1) = state(3)
       rate(2) = state(4)
-      rate(3) = fy/mass
-      rate(4) = mz/inert
-      end
-
-c Adds the creep forces of a patch, in the track's frame.
-      subroutine creep(patch, normal, state, omega, v, fy, mz)
-      implicit none
-      character*(*) patch
-      real*8 normal, state(4), omega, v, fy, mz
-      real*8 shear, mu
-      parameter (shear = 80.77d9, mu = 0.3d0)
-      real*8 result, a, b, c, y, r, angle, xi, eta, phi
-      real*8 c11, c22, c23, c33, fxl, fyl, t, share
-      a = 1.0d-3*result(patch//'semi_axes.0')
-      b = 1.0d-3*result(patch//'semi_axes.1')
-      y = 1.0d-3*result(patch//'centroid.y')
-      r = 1.0d-3*result(patch//'centroid.rolling_radius')
-      angle = result(patch//'centroid.angle')
-      xi = (v - state(4)*y - omega*r)/v
-      eta = (state(3)/v - state(2))/cos(angle)
-      phi = (state(4)*cos(angle) - omega*sin(angle))/v
-      call kalker(a/b, c11, c22, c23, c33)
-      c = sqrt(a*b)
-      fxl = -shear*c**2*c11*xi
-      fyl = -shear*c**2*(c22*eta + c*c23*phi)
-      t = sqrt(fxl**2 + fyl**2)/(mu*normal)
-      share = 1.0d0
-      if (t .gt. 0.0d0) share = 1.0d0/t
-      if (t .lt. 3.0d0) share = 1.0d0 - t/3.0d0 + t**2/27.0d0
-      fy = fy + share*(fyl*cos(angle) + fxl*state(2))
-      mz = mz - share*fxl*y + share*shear*c**3*(c23*eta - c*c33*phi)
-      end
-
-c Kalker's creep coefficients for Poisson's ratio 0.25 over a/b.
-      subroutine kalker(ratio, c11, c22, c23, c33)
-      implicit none
-      real*8 ratio, c11, c22, c23, c33
-      integer n, i
-      parameter (n = 19)
-      real*8 x(n), t11(n), t22(n), t23(n), t33(n), at, w
-      save x, t11, t22, t23, t33
-c     a/b from 0.1 to 1 in tenths, then b/a from 0.9 to 0.1, as 2 - b/a,
-c     which goes on in the same steps.
-      data x /0.1d0, 0.2d0, 0.3d0, 0.4d0, 0.5d0, 0.6d0, 0.7d0, 0.8d0,
-     &  0.9d0, 1.0d0, 1.1d0, 1.2d0, 1.3d0, 1.4d0, 1.5d0, 1.6d0, 1.7d0,
-     &  1.8d0, 1.9d0/
-      data t11 /3.31d0, 3.37d0, 3.44d0, 3.53d0, 3.62d0, 3.72d0, 3.81d0,
-     &  3.91d0, 4.01d0, 4.12d0, 4.22d0, 4.36d0, 4.54d0, 4.78d0, 5.10d0,
-     &  5.57d0, 6.34d0, 7.78d0, 11.7d0/
-      data t22 /2.52d0, 2.63d0, 2.75d0, 2.88d0, 3.01d0, 3.14d0, 3.28d0,
-     &  3.41d0, 3.54d0, 3.67d0, 3.81d0, 3.99d0, 4.21d0, 4.50d0, 4.90d0,
-     &  5.48d0, 6.40d0, 8.14d0, 12.8d0/
-      data t23 /0.473d0, 0.603d0, 0.715d0, 0.823d0, 0.929d0, 1.03d0,
-     &  1.14d0, 1.25d0, 1.36d0, 1.47d0, 1.59d0, 1.75d0, 1.95d0, 2.23d0,
-     &  2.62d0, 3.24d0, 4.32d0, 6.63d0, 14.6d0/
-      data t33 /8.28d0, 4.27d0, 2.96d0, 2.32d0, 1.93d0, 1.68d0, 1.50d0,
-     &  1.37d0, 1.27d0, 1.19d0, 1.11d0, 1.04d0, 0.965d0, 0.892d0,
-     &  0.819d0, 0.747d0, 0.674d0, 0.601d0, 0.526d0/
-      at = ratio
-      if (ratio .gt. 1.0d0) at = 2.0d0 - 1.0d0/ratio
-      at = min(max(at, x(1)), x(n))
-      i = min(int(10.0d0*at), n - 1)
-      w = 10.0d0*(at - x(i))
-      c11 = t11(i) + w*(t11(i + 1) - t11(i))
-      c22 = t22(i) + w*(t22(i + 1) - t22(i))
-      c23 = t23(i) + w*(t23(i + 1) - t23(i))
-      c33 = t33(i) + w*(t33(i + 1) - t33(i))
+      rate(3) = (found(1) - ky*state(1))/mass
+      rate(4) = (1.0d-3*found(2) - kpsi*state(2))/inert
       end
 
 c Runs nstep steps of h seconds from the displacement y0. Tells the
@@ -302,14 +228,17 @@ c   lambda = 2 pi sqrt(r s/(2 conic)), s the distance of the contacts
       real*8 ampl, conic, lambda
       integer n, i
       parameter (n = 48)
-      real*8 result, pi, u, dr, r, s
+      real*8 result, pi, u, dr, r, s, state(4)
+      data state /4*0.0d0/
+      save state
       pi = acos(-1.0d0)
       conic = 0.0d0
       r = 0.0d0
       s = 0.0d0
       do 10 i = 1, n
         u = 2.0d0*pi*(i - 0.5d0)/n
-        call posed(ampl*sin(u), 0.0d0)
+        state(1) = ampl*sin(u)
+        call posed(state)
         dr = 1.0d-3*(result('left.centroid.rolling_radius')
      &    - result('right.centroid.rolling_radius'))
         conic = conic + dr*sin(u)/(n*ampl)

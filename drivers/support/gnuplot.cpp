@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <string_view>
+#include <sys/mman.h>
+#include <unistd.h>
 #include <utility>
 
+#include "support/child_process.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 #include "support/scene.hpp"
@@ -30,7 +34,45 @@ bool is_whole(const std::filesystem::path& path, const std::string& extension) {
   return stream && last.find(end) != std::string::npos;
 }
 
+/// Has a script drawn; the text of what went wrong.
+std::string run_gnuplot(const std::string& script) {
+  const int file = memfd_create("gnuplot", MFD_CLOEXEC);
+  if (file < 0) {
+    return std::string("no room for its script: ") + std::strerror(errno);
+  }
+  for (std::size_t done = 0; done < script.size();) {
+    const ssize_t count = write(file, script.data() + done, script.size() - done);
+    if (count <= 0) {
+      close(file);
+      return std::string("no room for its script: ") + is_disk_full;
+    }
+    done += static_cast<std::size_t>(count);
+  }
+  std::string text;
+  try {
+    text = in_own_process([file](int messages) {
+      lseek(file, 0, SEEK_SET);
+      dup2(file, STDIN_FILENO);
+      dup2(messages, STDERR_FILENO);
+      execlp("gnuplot", "gnuplot", "-", static_cast<char*>(nullptr));
+      throw Failure(errno == ENOENT ? "is not installed (Debian package gnuplot-nox)"
+                                    : std::string("cannot be started: ") + std::strerror(errno));
+    });
+  } catch (const Failure& failure) {
+    text = failure.what();
+  }
+  close(file);
+  return text.empty() ? text : "gnuplot: " + text;
+}
+
 } // namespace
+
+void require_gnuplot() {
+  const std::string trouble = run_gnuplot("exit\n");
+  if (!trouble.empty()) {
+    throw Failure("no picture can be drawn: " + trouble);
+  }
+}
 
 std::string within_quotes(const std::string& text) {
   std::string out; // gnuplot doubles a quote within quotes
@@ -51,9 +93,24 @@ std::string plain_within_quotes(const std::string& text) {
   return within_quotes(escaped);
 }
 
-const char* line_colour(std::size_t index) {
+std::string line_colour(std::size_t index, std::size_t count) {
   constexpr std::array colours{"#0060ad", "#d55e00", "#009e73", "#7030a0", "#a08000", "#404040"};
-  return colours[index % colours.size()];
+  if (count <= colours.size()) {
+    return colours[index % colours.size()];
+  }
+  // Hues from blue through green to red, dark enough for lines; every other one darker.
+  constexpr double blue = 240.0;
+  const double share = static_cast<double>(index) / static_cast<double>(count - 1);
+  const double hue = blue * (1.0 - share) / 60.0;
+  const double value = index % 2 == 0 ? 0.85 : 0.6;
+  std::ostringstream text;
+  text << '#' << std::hex << std::setfill('0');
+  for (const double of : {5.0, 3.0, 1.0}) { // red, green, blue of a colour wheel
+    const double k = std::fmod(of + hue, 6.0);
+    const double part = value * (1.0 - std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
+    text << std::setw(2) << std::lround(255.0 * part);
+  }
+  return text.str();
 }
 
 const char* const pressure_palette =
@@ -135,19 +192,12 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
         << " enhanced font 'DejaVu Sans,10' background rgb 'white'\n"
         << "set output '" << within_quotes(file.aside().string()) << "'\n"
         << script_.str() << (multiplot_ ? "\nunset multiplot" : "") << "\nunset output\n";
-  // A gnuplot that is missing or fails closes the pipe: that is told below, not by a signal.
-  std::signal(SIGPIPE, SIG_IGN);
-  FILE* pipe = popen("gnuplot -", "w");
-  const std::string text = whole.str();
-  const bool written =
-      pipe != nullptr && std::fwrite(text.data(), 1, text.size(), pipe) == text.size();
-  const int status = pipe == nullptr ? -1 : pclose(pipe);
-  if (!written || status != 0) {
-    throw Failure("--plot " + path.string() +
-                  ": gnuplot failed; is it installed (Debian package gnuplot-nox)?");
+  const std::string trouble = run_gnuplot(whole.str());
+  if (!trouble.empty()) {
+    throw Failure("--plot " + path.string() + ": " + trouble);
   }
   if (!is_whole(file.aside(), extension)) {
-    throw Failure("--plot " + path.string() + ": cannot be written completely: is the disk full?");
+    throw Failure("--plot " + path.string() + ": cannot be written completely: " + is_disk_full);
   }
   file.commit();
 }

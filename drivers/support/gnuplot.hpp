@@ -9,13 +9,17 @@
 
 namespace driver {
 
+/// Throws Failure if gnuplot cannot be run.
+void require_gnuplot();
+
 /// A text for single quotes of a script.
 std::string within_quotes(const std::string& text);
 /// The same, with the letters that enhanced text takes as commands shown as they are.
 std::string plain_within_quotes(const std::string& text);
 
-/// Colours of lines, told apart also by people who see colours less well.
-const char* line_colour(std::size_t index);
+/// Colours of lines, of so many in a picture: up to six that people who see colours less well tell
+/// apart too, more along the rainbow.
+std::string line_colour(std::size_t index, std::size_t count = 1);
 /// Of pressures, from none to the largest.
 extern const char* const pressure_palette;
 

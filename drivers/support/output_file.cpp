@@ -1,5 +1,9 @@
 #include "support/output_file.hpp"
 
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <limits>
 #include <unistd.h>
 
@@ -9,16 +13,48 @@ namespace driver {
 
 namespace fs = std::filesystem;
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), aside_(path_) {
+namespace {
+
+constexpr const char* aside_mark = ".part"; // then the number of the process
+
+/// Where a file stands that may be a link, or a link to one that is not there yet.
+fs::path target_of(fs::path path) {
+  constexpr int most_links = 40; // as many as Linux follows
+  std::error_code none;
+  for (int link = 0; link < most_links && fs::is_symlink(path, none); ++link) {
+    path = path.parent_path() / fs::read_symlink(path, none);
+  }
+  return path;
+}
+
+bool is_same_file(const fs::path& one, const fs::path& other) {
   std::error_code unknown;
-  if (fs::exists(path_, unknown) && !fs::is_regular_file(path_, unknown)) {
+  const fs::path whole = fs::weakly_canonical(fs::absolute(target_of(one), unknown), unknown);
+  return fs::equivalent(one, other, unknown) ||
+         (!whole.empty() &&
+          whole == fs::weakly_canonical(fs::absolute(target_of(other), unknown), unknown));
+}
+
+} // namespace
+
+OutputFile::OutputFile(const fs::path& path) : path_(target_of(path)), aside_(path_) {
+  std::error_code unknown;
+  const fs::file_status old = fs::status(path_, unknown);
+  if (fs::exists(old) && !fs::is_regular_file(old)) {
     throw Failure("cannot write " + path_.string() + ": exists and is not a regular file");
   }
-  aside_ += ".part" + std::to_string(getpid()) + path_.extension().string();
+  remove_leftovers(path_, Runs::dead);
+  aside_ += aside_mark + std::to_string(getpid()) + path_.extension().string();
+  if (fs::exists(old) && access(path_.c_str(), W_OK) != 0) { // renaming would not ask
+    throw Failure("cannot write " + path_.string() + ": it may not be written");
+  }
   stream_.open(aside_);
   if (!stream_) {
     throw Failure("cannot write " + path_.string() +
                   ": does the folder exist, and is it writable?");
+  }
+  if (fs::exists(old)) {
+    fs::permissions(aside_, old.permissions() | fs::perms::owner_write, unknown);
   }
   stream_.precision(std::numeric_limits<double>::max_digits10);
 }
@@ -34,7 +70,7 @@ OutputFile::~OutputFile() {
 void OutputFile::commit() {
   stream_.close();
   if (!stream_) {
-    throw Failure("cannot write " + path_.string() + " completely: is the disk full?");
+    throw Failure("cannot write " + path_.string() + " completely: " + is_disk_full);
   }
   std::error_code trouble;
   fs::rename(aside_, path_, trouble);
@@ -42,6 +78,46 @@ void OutputFile::commit() {
     throw Failure("cannot write " + path_.string() + ": " + trouble.message());
   }
   committed_ = true;
+}
+
+void remove_leftovers(const fs::path& path, Runs runs) {
+  const std::string start = path.filename().string() + aside_mark;
+  const std::string end = path.extension().string();
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(start) || !name.ends_with(end) ||
+        name.size() <= start.size() + end.size()) {
+      continue;
+    }
+    pid_t process = 0;
+    const char* last = name.data() + name.size() - end.size();
+    const auto parsed = std::from_chars(name.data() + start.size(), last, process);
+    const bool is_ours = parsed.ec == std::errc() && parsed.ptr == last && process > 0;
+    if (is_ours && (runs == Runs::all || (kill(process, 0) != 0 && errno == ESRCH))) {
+      fs::remove(entry.path(), ignored);
+    }
+  }
+}
+
+void refuse_overwriting(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->empty()) {
+      continue;
+    }
+    const auto same = [&](const fs::path& other) {
+      return !other.empty() && is_same_file(*output, other);
+    };
+    if (std::any_of(inputs.begin(), inputs.end(), same)) {
+      throw Failure("cannot write " + output->string() +
+                    ": this run reads it; allowed is the name of another file");
+    }
+    if (std::any_of(outputs.begin(), output, same)) {
+      throw Failure("cannot write " + output->string() +
+                    " twice; allowed is one name for each file");
+    }
+  }
 }
 
 } // namespace driver

@@ -1,15 +1,20 @@
-/// Files that are whole or not there: written aside, then renamed.
+/// Files that are whole or not there: written aside, then renamed. Symbolic links are followed, and
+/// a file that is replaced leaves its permissions to the new one.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace driver {
 
+/// What to ask when a file cannot be written whole.
+inline constexpr const char* is_disk_full = "is the disk full, or a limit set?";
+
 class OutputFile {
 public:
-  /// Throws Failure if the file cannot be made.
-  explicit OutputFile(std::filesystem::path path);
+  /// Throws Failure if the file cannot be made. Removes what runs that have died left aside.
+  explicit OutputFile(const std::filesystem::path& path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   /// Removes what was written if commit() has not been called.
@@ -27,6 +32,15 @@ private:
   std::ofstream stream_;
   bool committed_ = false;
 };
+
+/// Removes what is aside of a file: of runs that have died, or of all, if others cannot be.
+enum class Runs { dead, all };
+void remove_leftovers(const std::filesystem::path& path, Runs runs);
+
+/// Throws Failure if one of the files to be written is one that is read, or is named twice. Empty
+/// paths do not count.
+void refuse_overwriting(const std::vector<std::filesystem::path>& outputs,
+                        const std::vector<std::filesystem::path>& inputs);
 
 /// Writes a whole file by print(stream). Throws Failure if that fails.
 template <class Print> void write_whole(const std::filesystem::path& path, Print print) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "support/output_file.hpp"
 #include "support/scene.hpp"
 
 namespace driver {
@@ -20,7 +22,7 @@ inline int printed(const std::string& program, int code) {
   if (std::cout) {
     return code;
   }
-  std::cerr << program << ": cannot write to the standard output: is the disk full?\n";
+  std::cerr << program << ": cannot write to the standard output: " << is_disk_full << '\n';
   return 1;
 }
 
@@ -43,8 +45,9 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
 
 /// Parses the options and does the work. Exit codes: that of the work; 1 if it throws, or if its
 /// output is lost; 2 for wrong options. Failures are one line on stderr that starts with the
-/// program's name.
+/// program's name. A file that reaches a limit of its size is such a failure, not a signal.
 template <class Work> int run_program(CLI::App& app, int argc, char** argv, Work work) {
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     app.set_version_flag("--version", std::string("wrcontact ") + wrc_version());
     app.parse(arguments_of(argc, argv));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 #include <string_view>
 
 #include "support/toml.hpp"
@@ -91,6 +92,37 @@ void set_values(Scene& scene, const Values& values) {
       set_value(scene, key.name, found->second);
     }
   }
+}
+
+Values values_in_force(const Scene& scene) {
+  Values values;
+  const auto take = [&](const char* key, auto&& get) {
+    try {
+      values.insert_or_assign(key, get(key));
+    } catch (const wrcontact::Error&) { // of another type
+    }
+  };
+  for (const wrcontact::SceneKey& key : keys()) {
+    take(key.name, [&](const char* name) { return scene.get_number(name); });
+    take(key.name, [&](const char* name) { return scene.get_text(name); });
+    take(key.name, [&](const char* name) { return scene.get_numbers(name); });
+  }
+  return values;
+}
+
+bool is_profile_file(const std::string& name) {
+  std::error_code trouble;
+  return !is_standard(name) && std::filesystem::is_regular_file(name, trouble);
+}
+
+std::vector<std::string> profile_files(const Scene& scene) {
+  std::set<std::string> files;
+  for (const auto& [key, value] : values_in_force(scene)) {
+    if (names_profile(key) && is_profile_file(text_of(value))) {
+      files.insert(text_of(value));
+    }
+  }
+  return {files.begin(), files.end()};
 }
 
 std::string beside(const std::string& file, const std::string& profile) {

@@ -28,6 +28,13 @@ void set_value(Scene& scene, const std::string& key, const Value& value);
 /// load.left).
 void set_values(Scene& scene, const Values& values);
 
+/// All keys of a scene with their values. Keys of both sides that differ have none.
+Values values_in_force(const Scene& scene);
+/// Whether the text of a key that names a profile is that of a file, which is there.
+bool is_profile_file(const std::string& name);
+/// The files among the profiles of a scene, each once.
+std::vector<std::string> profile_files(const Scene& scene);
+
 /// Profile files named in a scene file are looked up beside it: the path if one is there, or else
 /// the name as it is.
 std::string beside(const std::string& file, const std::string& profile);

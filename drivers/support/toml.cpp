@@ -1,15 +1,13 @@
 #include "support/toml.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
+#include "support/input_file.hpp"
+
 namespace driver {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Files written by hand are short: a larger one is something else.
 constexpr std::size_t largest_file = 1 << 20;
@@ -39,23 +37,7 @@ bool has_endless_key(const std::string& text) {
 } // namespace
 
 toml::table read_toml(const std::string& what, const std::string& path) {
-  std::error_code trouble;
-  if (!fs::is_regular_file(path, trouble)) { // devices and pipes could deliver without end
-    throw Failure(what + ' ' + path + ": " +
-                  (trouble ? trouble.message() : std::string("is not a regular file")));
-  }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text(largest_file + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream.is_open() || stream.bad()) {
-    throw Failure(what + ' ' + path + ": cannot be read");
-  }
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > largest_file) {
-    throw Failure(what + ' ' + path + ": larger than " + std::to_string(largest_file) +
-                  " bytes, the most allowed");
-  }
-  return parse_toml(what, path, text);
+  return parse_toml(what, path, read_file(what, path, largest_file));
 }
 
 toml::table parse_toml(const std::string& what, const std::string& path, const std::string& text) {

@@ -1,6 +1,7 @@
 // wrc_case: solves one scene and prints, writes or draws what came out.
 #include <iostream>
 
+#include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
 #include "wrc_case/reports.hpp"
@@ -16,6 +17,16 @@ std::string keys_text() {
          << '\n';
   }
   return text.str();
+}
+
+/// The scene file, if there is one, and profiles that are files.
+std::vector<std::filesystem::path> inputs_of(const driver::Scene& scene,
+                                             const std::string& scene_file) {
+  std::vector<std::filesystem::path> inputs{scene_file};
+  for (const std::string& file : driver::profile_files(scene)) {
+    inputs.emplace_back(file);
+  }
+  return inputs;
 }
 
 } // namespace
@@ -63,6 +74,7 @@ int main(int argc, char** argv) {
       driver::apply_scene_file(scene, scene_file);
     }
     driver::apply_assignments(scene, assignments);
+    driver::refuse_overwriting({save, field, creep_field, vtk, plot}, inputs_of(scene, scene_file));
     const bool converged = scene.solve();
     if (!save.empty()) {
       scene.write(save);

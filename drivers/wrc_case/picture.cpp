@@ -125,7 +125,7 @@ void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
     const auto pressure = field("creep_pressure");
     const auto along = field("traction_x");
     const auto across = field("traction_y");
-    const double friction = scene.get_number("friction." + one.side);
+    const double friction = scene.number(one.prefix + "friction");
     const double half_width = 0.5 * scene.number(one.prefix + "creep_element_size.0");
     const double half_length = 0.5 * scene.number(one.prefix + "creep_element_size.1");
     const auto columns = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.1"));

@@ -216,9 +216,8 @@ void print_texts(const Scene& scene, std::ostream& out) {
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array counts{
-      ".iterations", ".convolutions", ".solutions",    ".regions",      ".lobes",
-      ".grid.0",     ".grid.1",       ".creep_grid.0", ".creep_grid.1", ".creep_convolutions"};
+  constexpr std::array counts{"iterations", "convolutions", "solutions", "patch_count",
+                              "regions",    "lobes",        "grid.0",    "grid.1"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
 #include "wrc_profile/reports.hpp"
@@ -22,6 +23,9 @@ struct Arguments {
   double scale = 0.0;
   double smoothing = 0.0;
   bool strict = false;
+  std::string origin;
+  double shift = 0.0;
+  std::int32_t slice = 0;
   std::string convert;
   double spacing = 0.25;
   std::string plot;
@@ -53,7 +57,7 @@ Profile load_file(const std::string& argument, const std::string& path,
   return profile;
 }
 
-wrc_read_options options_from(const Arguments& arguments) {
+wrc_read_options options_from(const CLI::App& app, const Arguments& arguments) {
   const auto choice = [](const std::string& word) {
     return word.empty() ? 0 : word == "yes" ? 1 : -1;
   };
@@ -66,15 +70,21 @@ wrc_read_options options_from(const Arguments& arguments) {
   options.strict = arguments.strict ? 1 : 0;
   options.scale = arguments.scale;
   options.smoothing_wavelength = arguments.smoothing;
+  options.origin = arguments.origin.empty()     ? 0
+                   : arguments.origin == "tape" ? WRC_ORIGIN_TAPE
+                                                : WRC_ORIGIN_FLANGE_BACK;
+  options.slice = arguments.slice;
+  options.tape_offset = app.count("--tape-offset") > 0 ? arguments.tape_offset : 0.0;
+  options.lateral_shift = arguments.shift;
   return options;
 }
 
 Profile load_asked(const CLI::App& app, const Arguments& arguments) {
   if (!is_standard(arguments.name)) {
-    return load_file("NAME|FILE", arguments.name, options_from(arguments));
+    return load_file("NAME|FILE", arguments.name, options_from(app, arguments));
   }
-  for (const char* option :
-       {"--kind", "--mirror-lateral", "--mirror-height", "--scale", "--smooth", "--strict"}) {
+  for (const char* option : {"--kind", "--mirror-lateral", "--mirror-height", "--scale", "--smooth",
+                             "--strict", "--origin", "--shift", "--slice"}) {
     if (app.count(option) > 0) {
       throw Failure(std::string(option) + ": allowed only with a file; " + arguments.name +
                     " is built in and exact");
@@ -106,45 +116,23 @@ Conversion convert(const Profile& profile, const std::string& path, double spaci
   }
   wrc_read_options options = options_of_kind(profile.kind());
   options.mirror_lateral = options.mirror_height = -1;
+  options.origin = WRC_ORIGIN_TAPE;
   return {path, spacing, compare(profile, load_file("--convert", path, options))};
 }
 
-void add_options(CLI::App& app, Arguments& arguments) {
-  const CLI::Validator positive(
-      [](const std::string& text) {
-        double value = 0.0;
-        const bool allowed =
-            CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
-        return allowed ? std::string() : text + " given, allowed is a positive number";
-      },
-      "");
+CLI::Validator positive_number() {
+  return {[](const std::string& text) {
+            double value = 0.0;
+            const bool allowed =
+                CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
+            return allowed ? std::string() : text + " given, allowed is a positive number";
+          },
+          ""};
+}
+
+void add_reading_options(CLI::App& app, Arguments& arguments) {
+  const CLI::Validator positive = positive_number();
   const CLI::IsMember yes_or_no({"yes", "no"});
-  app.add_option("PROFILE", arguments.name, "built-in name or file")->type_name("NAME|FILE");
-  app.option_defaults()->group("What to show");
-  app.add_flag("--list", arguments.list, "list the built-in profiles");
-  app.add_flag("--points", arguments.points,
-               "add points of the curve: arc, lateral, height, angle, curvature");
-  app.add_option("--compare", arguments.compare,
-                 "largest and rms normal distance to another profile in the same frame")
-      ->type_name("NAME|FILE");
-  app.add_option("--tape-offset", arguments.tape_offset,
-                 "flange back to taping line of a wheel, for the flange thickness")
-      ->type_name("MM")
-      ->capture_default_str()
-      ->check(positive);
-  app.add_flag("--json", arguments.json, "print one JSON object instead of the table");
-  app.option_defaults()->group("What to write");
-  app.add_option("--plot", arguments.plot, "draw the profile to scale and its curvature")
-      ->type_name("FILE.png|svg");
-  app.add_option("--convert", arguments.convert,
-                 "write the profile: Simpack by the extensions .prr (rail) and .prw (wheel), else "
-                 "two columns")
-      ->type_name("OUT.txt|prr|prw");
-  app.add_option("--spacing", arguments.spacing,
-                 "arc length between points, for --convert and --points")
-      ->type_name("MM")
-      ->capture_default_str()
-      ->check(positive);
   app.option_defaults()->group("How to read a file");
   app.add_option("--kind", arguments.kind, "wheel or rail; default: by the file")
       ->type_name("KIND")
@@ -164,7 +152,49 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "smooth: waves of this length are halved, shorter ones vanish")
       ->type_name("MM")
       ->check(positive);
-  app.add_flag("--strict", arguments.strict, "refuse a file that needs a guess");
+  app.add_option("--origin", arguments.origin,
+                 "where a wheel has lateral 0: tape or flange-back; default: by the file")
+      ->type_name("PLACE")
+      ->check(CLI::IsMember({"tape", "flange-back"}));
+  app.add_option("--shift", arguments.shift,
+                 "instead: add to lateral, so that the taping line is at 0")
+      ->type_name("MM")
+      ->check(CLI::Range(-500.0, 500.0));
+  app.add_option("--slice", arguments.slice,
+                 "which profile of a slices file (.slcs, .slcw), from 1")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--strict", arguments.strict, "refuse a file that needs a guess, or has a warning");
+}
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  const CLI::Validator positive = positive_number();
+  app.add_option("PROFILE", arguments.name, "built-in name or file")->type_name("NAME|FILE");
+  app.option_defaults()->group("What to show");
+  app.add_flag("--list", arguments.list, "list the built-in profiles");
+  app.add_flag("--points", arguments.points,
+               "add points of the curve: arc, lateral, height, angle, curvature");
+  app.add_option("--compare", arguments.compare,
+                 "largest and rms normal distance to another profile in the same frame")
+      ->type_name("NAME|FILE");
+  app.add_option("--tape-offset", arguments.tape_offset, "flange back to taping line of a wheel")
+      ->type_name("MM")
+      ->capture_default_str()
+      ->check(positive);
+  app.add_flag("--json", arguments.json, "print one JSON object instead of the table");
+  app.option_defaults()->group("What to write");
+  app.add_option("--plot", arguments.plot, "draw the profile to scale and its curvature")
+      ->type_name("FILE.png|svg");
+  app.add_option("--convert", arguments.convert,
+                 "write the profile: Simpack by the extensions .prr (rail) and .prw (wheel), else "
+                 "two columns")
+      ->type_name("OUT.txt|prr|prw");
+  app.add_option("--spacing", arguments.spacing,
+                 "arc length between points, for --convert and --points")
+      ->type_name("MM")
+      ->capture_default_str()
+      ->check(positive);
+  add_reading_options(app, arguments);
   app.option_defaults()->group("Options");
   app.footer(
       "\nProfiles are in mm: lateral from the taping line (wheel) or the axis (rail), positive to\n"
@@ -176,6 +206,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "      dimensions and checks of a built-in wheel\n"
       "  wrc_profile measured.txt --kind rail --smooth 3 --plot rail.png\n"
       "      a measurement in two columns, smoothed and drawn\n"
+      "  wrc_profile wheel.csv --kind wheel --origin flange-back --tape-offset 70\n"
+      "      a wheel whose lateral counts from its flange back\n"
       "  wrc_profile worn.prw --compare S1002 --plot wear.svg\n"
       "      how far a worn wheel is from the new one\n"
       "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"
@@ -192,6 +224,9 @@ int run(const CLI::App& app, const Arguments& arguments) {
   if (arguments.name.empty()) {
     throw Failure("no profile given: allowed is a built-in name or a file (see --help, --list)");
   }
+  const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
+  refuse_overwriting({arguments.convert, arguments.plot},
+                     {file(arguments.name), file(arguments.compare)});
   Profile profile = load_asked(app, arguments);
   const Measures measures = measure(profile, -arguments.tape_offset);
   ProfileReport report{std::move(profile), measures, {}, {}, {}, {}};

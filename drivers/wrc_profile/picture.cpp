@@ -33,6 +33,28 @@ std::string block_of(Gnuplot& gnuplot, const std::vector<ProfilePoint>& points) 
   return gnuplot.block(data.str());
 }
 
+std::string block_of(Gnuplot& gnuplot, const wrcontact::Profile::Points& points) {
+  std::ostringstream data;
+  data.precision(9);
+  for (std::size_t i = 0; i < points.lateral.size(); ++i) {
+    data << points.lateral[i] << ' ' << points.height[i] << '\n';
+  }
+  return gnuplot.block(data.str());
+}
+
+/// The points that were read, and those that cleaning removed; none of a built-in profile.
+void add_points(Gnuplot& gnuplot, const Profile& profile, std::vector<std::string>& shapes) {
+  const auto add = [&](std::int32_t which, const std::string& style, const std::string& title) {
+    const auto points = profile.points(which);
+    if (!points.lateral.empty()) {
+      shapes.push_back(block_of(gnuplot, points) + " using 1:2 with points " + style + " title '" +
+                       std::to_string(points.lateral.size()) + ' ' + title + "'");
+    }
+  };
+  add(WRC_POINTS_READ, "pt 7 ps 0.3 lc rgb '#f1a340'", "points read");
+  add(WRC_POINTS_DROPPED, "pt 2 ps 1.2 lw 2 lc rgb '#d00000'", "points cut or removed");
+}
+
 /// The range that holds nearly all curvature: the spikes of a noisy file would flatten the rest.
 std::pair<double, double> curvature_range(const std::vector<ProfilePoint>& points) {
   std::vector<double> values;
@@ -88,6 +110,7 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
     curvatures.push_back(beneath + " using 1:3 with lines lw 3 lc rgb '#f1a340' notitle");
   }
   shapes.push_back(block + " using 1:2 with lines lw 2 lc rgb '#1f4e9e'" + titled(profile));
+  add_points(gnuplot, profile, shapes);
   curvatures.push_back(block + " using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle");
   const Checks& checks = measures.checks;
   if (checks.smallest_radius > 0.0) {

@@ -108,6 +108,9 @@ void print_table(const ProfileReport& report, std::ostream& out) {
   if (corrections.empty()) {
     label(out, "corrected") << "nothing\n";
   }
+  for (const std::string& warning : profile.warnings()) {
+    label(out, "warning") << warning << '\n';
+  }
   label(out, "nodes") << measures.nodes.size() << '\n';
   label(out, "length") << fixed(measures.length, 3) << " mm\n";
   label(out, "lateral") << fixed(measures.least_lateral, 3) << " to "
@@ -159,6 +162,7 @@ json json_of(const ProfileReport& report) {
   object["kind"] = kind_name(report.profile);
   object["units"] = "mm, rad";
   object["corrections"] = report.profile.corrections();
+  object["warnings"] = report.profile.warnings();
   object["nodes"] = measures.nodes.size();
   object["length"] = measures.length;
   object["extents"] = {{"lateral", {measures.least_lateral, measures.greatest_lateral}},

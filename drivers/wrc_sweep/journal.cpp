@@ -1,11 +1,15 @@
 #include "wrc_sweep/journal.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <thread>
 #include <type_traits>
 #include <unistd.h>
+
+#include "support/output_file.hpp"
 
 namespace driver {
 namespace {
@@ -124,7 +128,7 @@ namespace {
 
 std::string header_of(const Study& study) {
   const std::string text = study.fingerprint();
-  return "wrc_sweep rows 1\n" + std::to_string(text.size()) + '\n' + text + '\n';
+  return "wrc_sweep rows 2\n" + std::to_string(text.size()) + '\n' + text + '\n';
 }
 
 } // namespace
@@ -147,8 +151,13 @@ Journal::Journal(fs::path path, const Study& study, Old old) : path_(std::move(p
 }
 
 Journal::~Journal() {
+  give_up_lock();
+}
+
+void Journal::give_up_lock() {
   if (locked_ >= 0) {
     close(locked_);
+    locked_ = -1;
   }
 }
 
@@ -160,9 +169,14 @@ void Journal::lock() {
                   ": does the folder exist, and is it writable?");
   }
   // Two runs that write the same results would spoil them. File systems without locks do not tell.
-  if (flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(locked_);
-    throw Failure(path_.string() + " is being written by another run: allowed is another --out");
+  // A run that was killed may take a moment to die.
+  constexpr std::chrono::milliseconds pause{20};
+  constexpr int tries = 50;
+  for (int i = 0; flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++i) {
+    if (i == tries) {
+      throw Failure(path_.string() + " is being written by another run: allowed is another --out");
+    }
+    std::this_thread::sleep_for(pause);
   }
 }
 
@@ -183,9 +197,11 @@ void Journal::open_old(const Study& study) {
   std::string found(header.size(), '\0');
   in.read(found.data(), static_cast<std::streamsize>(found.size()));
   if (!in || found != header) {
-    throw Failure("--resume: " + path_.string() +
-                  " holds rows of another study (keys, values, results, fields or version differ): "
-                  "allowed is --restart to begin again");
+    throw Failure(
+        "--resume: " + path_.string() +
+        " holds rows of another study (keys, values, results, fields, content of input files or "
+        "version differ): "
+        "allowed is --restart to begin again");
   }
   end_ = static_cast<std::int64_t>(header.size());
   // A row at a time: with fields the file may be larger than the memory.
@@ -236,7 +252,7 @@ void Journal::add(const std::vector<Row>& rows) {
   }
   file_ << std::flush;
   if (!file_) {
-    throw Failure("cannot write " + path_.string() + ": is the disk full?");
+    throw Failure("cannot write " + path_.string() + ": " + is_disk_full);
   }
 }
 

@@ -60,6 +60,8 @@ public:
   [[nodiscard]] Row read(std::int64_t scene);
   /// The results have been written: the file is not needed any more.
   void remove();
+  /// Lets go of the lock, in a child process that inherited it: it belongs to this run alone.
+  void give_up_lock();
 
 private:
   [[nodiscard]] std::int64_t place(std::int64_t scene) const {

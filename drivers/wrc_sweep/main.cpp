@@ -3,6 +3,8 @@
 #include <iostream>
 #include <unistd.h>
 
+#include "support/gnuplot.hpp"
+#include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "wrc_sweep/pictures.hpp"
 #include "wrc_sweep/ranks.hpp"
@@ -60,6 +62,47 @@ Examples:
 More: docs/studies.md
 )";
 
+/// The files of results: the tables, then pictures.
+std::vector<fs::path> files_of(const driver::Study& study, const fs::path& folder) {
+  std::vector<fs::path> files{folder / (study.name + ".csv"), folder / (study.name + ".nc")};
+  for (const driver::PictureRequest& picture : study.pictures) {
+    for (fs::path& file : driver::files_of(picture, folder)) {
+      files.push_back(std::move(file));
+    }
+  }
+  return files;
+}
+
+/// What rank 0 does before the first scene.
+void begin(const Options& options, std::optional<driver::Study>& study,
+           std::optional<driver::Journal>& journal) {
+  study = driver::read_study(options.study_file, options.assignments);
+  if (options.no_pictures) {
+    study->pictures.clear();
+  } else if (!study->pictures.empty()) {
+    driver::require_gnuplot();
+  }
+  const fs::path folder = options.folder;
+  driver::make_folder("--out", folder);
+  const fs::path rows = folder / (study->name + ".rows");
+  const std::vector<fs::path> files = files_of(*study, folder);
+  std::vector<fs::path> outputs = files;
+  outputs.push_back(rows);
+  std::vector<fs::path> inputs;
+  for (const driver::InputFile& input : study->inputs) {
+    inputs.emplace_back(input.path);
+  }
+  driver::refuse_overwriting(outputs, inputs);
+  using Old = driver::Journal::Old;
+  journal.emplace(rows, *study,
+                  options.resume    ? Old::resume
+                  : options.restart ? Old::restart
+                                    : Old::refuse);
+  for (const fs::path& file : files) { // nobody else writes them now
+    driver::remove_leftovers(file, driver::Runs::all);
+  }
+}
+
 /// What rank 0 does; the exit code.
 int lead(const Options& options, const driver::Study& study, const driver::Ranks& ranks,
          driver::Journal& journal) {
@@ -73,21 +116,18 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
               << "; --resume goes on\n";
     return interrupted_code;
   }
-  std::vector<fs::path> written{folder / (study.name + ".csv"), folder / (study.name + ".nc")};
-  driver::write_csv(study, journal, written[0]);
-  driver::write_netcdf(study, journal, written[1]);
-  if (!options.no_pictures) {
-    const driver::PictureData data(study, journal);
-    for (const driver::PictureRequest& picture : study.pictures) {
-      for (fs::path& path : driver::draw_picture(picture, data, folder)) {
-        written.push_back(std::move(path));
-      }
-    }
+  study.refuse_changed_inputs();
+  const std::vector<fs::path> files = files_of(study, folder);
+  driver::write_csv(study, journal, files[0]);
+  driver::write_netcdf(study, journal, files[1]);
+  const driver::PictureData data(study, journal);
+  for (const driver::PictureRequest& picture : study.pictures) {
+    driver::draw_picture(picture, data, folder);
   }
   if (!options.quiet) {
     std::cout << study.scene_count() << " scenes, " << journal.failed()
               << " of them with a status other than ok\n";
-    for (const fs::path& path : written) {
+    for (const fs::path& path : files) {
       std::cout << path.string() << '\n';
     }
   }
@@ -122,13 +162,7 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   std::optional<driver::Study> study;
   std::optional<driver::Journal> journal;
   try {
-    study = driver::read_study(options.study_file, options.assignments);
-    driver::make_folder("--out", options.folder);
-    using Old = driver::Journal::Old;
-    journal.emplace(fs::path(options.folder) / (study->name + ".rows"), *study,
-                    options.resume    ? Old::resume
-                    : options.restart ? Old::restart
-                                      : Old::refuse);
+    begin(options, study, journal);
   } catch (...) {
     (void)ranks.agree(false); // the others end too
     throw;

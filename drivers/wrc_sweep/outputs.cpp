@@ -2,13 +2,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <netcdf.h>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
+#include "support/child_process.hpp"
 #include "support/csv_table.hpp"
 #include "support/output_file.hpp"
 #include "wrc_sweep/result_names.hpp"
@@ -16,39 +14,6 @@
 
 namespace driver {
 namespace {
-
-/// Does work that writes a NetCDF file in a process of its own. HDF5, which writes it, does not get
-/// over a full disk: it fails again when the file is closed or the program ends, by a fault. Throws
-/// Failure with the text of what the work throws, or if its process ends in another way.
-void in_own_process(const std::filesystem::path& path, const std::function<void()>& work) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) {
-    throw Failure("cannot write " + path.string() + ": no pipe could be made");
-  }
-  const pid_t child = fork();
-  if (child == 0) {
-    close(ends[0]);
-    std::string text;
-    try {
-      work();
-    } catch (const std::exception& error) {
-      text = error.what();
-    }
-    const bool told = write(ends[1], text.data(), text.size()) >= 0;
-    _exit(told && text.empty() ? 0 : 1); // nothing of the parent's is ended or written here
-  }
-  close(ends[1]);
-  std::string text;
-  std::array<char, 256> part{};
-  for (ssize_t count = 0; (count = read(ends[0], part.data(), part.size())) > 0;) {
-    text.append(part.data(), static_cast<std::size_t>(count));
-  }
-  close(ends[0]);
-  int status = -1;
-  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
-    throw Failure(text.empty() ? "cannot write " + path.string() + ": is the disk full?" : text);
-  }
-}
 
 /// A NetCDF-4 file being written, with failures as exceptions. Not closed by its destructor, see
 /// there.
@@ -63,7 +28,7 @@ public:
     check(nc_def_dim(file_, name.c_str(), length, &id));
     return id;
   }
-  /// A variable over dimensions, of NC_DOUBLE, NC_INT64 or NC_STRING.
+  /// A variable over dimensions, of NC_DOUBLE, NC_INT64, NC_STRING or NC_CHAR.
   int variable(const std::string& name, int type, const std::vector<int>& dimensions) {
     int id = -1;
     check(nc_def_var(file_, name.c_str(), type, static_cast<int>(dimensions.size()),
@@ -85,6 +50,12 @@ public:
     check(nc_put_att_int(file_, variable, name.c_str(), NC_INT64, values.size(), values.data()));
   }
 
+  /// Unit and long name of a key or result.
+  void describe(int variable, const std::string& name) {
+    attribute(variable, "units", unit_of(name));
+    attribute(variable, "long_name", long_name_of(name));
+  }
+
   /// Whole variables.
   void put(int variable, const std::vector<double>& values) {
     check(nc_put_var_double(file_, variable, values.data()));
@@ -98,6 +69,9 @@ public:
       texts.push_back(value.c_str());
     }
     check(nc_put_var_string(file_, variable, texts.data()));
+  }
+  void put(int variable, const std::string& characters) {
+    check(nc_put_var_text(file_, variable, characters.data()));
   }
   /// Part of a variable with one dimension.
   void put_part(int variable, std::size_t first, const std::vector<double>& values) {
@@ -128,11 +102,13 @@ void write_axis(NetcdfFile& file, const Axis& axis, int dimension) {
     }
   }
   if (numbers.size() < texts.size()) {
-    file.put(file.variable(axis.key, NC_STRING, {dimension}), texts);
+    const int variable = file.variable(axis.key, NC_STRING, {dimension});
+    file.attribute(variable, "long_name", long_name_of(axis.key));
+    file.put(variable, texts);
     return;
   }
   const int variable = file.variable(axis.key, NC_DOUBLE, {dimension});
-  file.attribute(variable, "units", unit_of(axis.key));
+  file.describe(variable, axis.key);
   file.put(variable, numbers);
 }
 
@@ -169,7 +145,7 @@ void write_results(NetcdfFile& file, const Study& study, Journal& journal,
   file.put(file.variable("message", NC_STRING, dimensions), message);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const int variable = file.variable(study.results[i], NC_DOUBLE, dimensions);
-    file.attribute(variable, "units", unit_of(study.results[i]));
+    file.describe(variable, study.results[i]);
     file.put(variable, values[i]);
   }
 }
@@ -218,7 +194,7 @@ void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
   std::vector<int> fields;
   for (const std::string& name : study.fields) {
     fields.push_back(file.variable("field." + name, NC_DOUBLE, {element_dimension}));
-    file.attribute(fields.back(), "units", unit_of(name));
+    file.describe(fields.back(), name);
     file.compress(fields.back());
   }
   std::size_t first = 0;
@@ -232,12 +208,42 @@ void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
   }
 }
 
+/// Where the results come from: the study and its profile files as they were, one after the other.
+void write_inputs(NetcdfFile& file, const Study& study) {
+  std::vector<std::string> names;
+  std::vector<std::string> sums;
+  std::vector<long long> sizes;
+  std::string content;
+  for (const InputFile& input : study.inputs) {
+    names.push_back(input.path);
+    sums.push_back(input.sha256);
+    sizes.push_back(static_cast<long long>(input.content.size()));
+    content += input.content;
+  }
+  const int input_dimension = file.dimension("input", names.size());
+  const int byte_dimension = file.dimension("input_byte", content.size());
+  const auto add = [&](const char* name, int type, const char* meaning, int dimension) {
+    const int variable = file.variable(name, type, {dimension});
+    file.attribute(variable, "long_name", meaning);
+    return variable;
+  };
+  file.put(add("input_name", NC_STRING, "files read: the study, then profiles", input_dimension),
+           names);
+  file.put(add("input_sha256", NC_STRING, "SHA-256 sum of their content", input_dimension), sums);
+  const int size = add("input_size", NC_INT64, "number of bytes", input_dimension);
+  file.attribute(size, "sample_dimension", "input_byte");
+  file.put(size, sizes);
+  const int bytes = add("input_content", NC_CHAR, "their content", byte_dimension);
+  file.compress(bytes);
+  file.put(bytes, content);
+}
+
 void write_whole(const Study& study, Journal& journal, const std::filesystem::path& path) {
   NetcdfFile file(path);
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   file.attribute(NC_GLOBAL, "title", study.title.empty() ? study.name : study.title);
   file.attribute(NC_GLOBAL, "source", std::string("wrcontact ") + wrc_version());
-  for (const auto& [key, value] : study.fixed) {
+  for (const auto& [key, value] : study.constants()) { // defaults included
     file.attribute(NC_GLOBAL, key, text_of(value));
   }
   std::vector<int> dimensions;
@@ -249,6 +255,7 @@ void write_whole(const Study& study, Journal& journal, const std::filesystem::pa
   if (!study.fields.empty()) {
     write_fields(file, study, journal);
   }
+  write_inputs(file, study);
   file.close();
 }
 
@@ -280,7 +287,18 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
 
 void write_netcdf(const Study& study, Journal& journal, const std::filesystem::path& path) {
   OutputFile whole(path);
-  in_own_process(path, [&] { write_whole(study, journal, whole.aside()); });
+  // HDF5 does not get over a full disk: it fails again when the file is closed or the program ends,
+  // by a fault. A process of its own keeps that from this one.
+  const std::string trouble = in_own_process([&](int) {
+    journal.give_up_lock();
+    write_whole(study, journal, whole.aside());
+  });
+  if (!trouble.empty()) {
+    throw Failure(trouble.starts_with("cannot write")
+                      ? trouble
+                      : "cannot write " + path.string() + ": " + is_disk_full +
+                            " (NetCDF's writer " + trouble + ')');
+  }
   whole.commit();
 }
 

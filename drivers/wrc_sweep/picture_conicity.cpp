@@ -97,7 +97,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       {"amplitude, mm", "equivalent conicity", &Curve::amplitude, &Curve::conicity}};
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(3, 1, picture.title);
-  gnuplot.script() << line_style;
+  gnuplot.script() << line_style(curves.size());
   for (const Panel& panel : panels) {
     Range range;
     std::vector<std::string> items;
@@ -106,8 +106,8 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       if (!y.empty()) {
         std::for_each(y.begin(), y.end(), [&range](double value) { range.include(value); });
         items.push_back(gnuplot.block(curves[i].*panel.x, y) + " with lines lw 2 dt " +
-                        std::to_string(i + 1) + " lc rgb '" + line_colour(i) + "' title '" +
-                        within_quotes(curves[i].title) + '\'');
+                        std::to_string(i + 1) + " lc rgb '" + line_colour(i, curves.size()) +
+                        "' title '" + within_quotes(curves[i].title) + '\'');
       }
     }
     gnuplot.script() << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label
@@ -115,7 +115,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
                      << range.command("y");
     gnuplot.plot(items);
   }
-  gnuplot.draw(path, 860, 1200);
+  gnuplot.draw(path, 860 + legend_width(curves.size()), 1200);
 }
 
 } // namespace driver

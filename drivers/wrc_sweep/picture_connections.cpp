@@ -1,6 +1,7 @@
 // Contact-point connection lines: wheel and rail of the centred wheelset drawn apart, and the
 // places that touch joined by a line for each lateral position.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/gnuplot.hpp"
@@ -60,15 +61,26 @@ void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureDat
   const std::vector<Connection> all = connections_of(picture, data, centred, side);
   std::string lines;
   std::string labels;
-  // Labels where there is room for them along the wheel.
-  constexpr double room = 4.5; // mm
-  double last = 1e9;
+  std::string leaders; // from the wheel to its label
+  // Labels in rows above the wheel: each in the lowest one that has room for it.
+  constexpr double room = 4.5;       // mm along a row
+  constexpr double row_height = 2.6; // mm
+  constexpr std::size_t rows = 9;
+  std::array<double, rows> last{};
+  last.fill(1e9);
   for (const Connection& line : all) {
     const std::string at_wheel = general(line.wheel_y, 9) + ' ' + general(line.wheel_z + raised, 9);
     lines += general(line.rail_y, 9) + ' ' + general(line.rail_z, 9) + '\n' + at_wheel + "\n\n";
-    if (std::abs(line.wheel_y - last) >= room || line.lateral == 0.0) {
-      labels += at_wheel + ' ' + text_of(line.lateral) + '\n';
-      last = line.wheel_y;
+    const auto row = std::find_if(last.begin(), last.end(), [&](double place) {
+      return std::abs(line.wheel_y - place) >= room;
+    });
+    if (row != last.end()) {
+      *row = line.wheel_y;
+      const double above = row_height * (0.5 + static_cast<double>(row - last.begin()));
+      const std::string label =
+          general(line.wheel_y, 9) + ' ' + general(line.wheel_z + raised + above, 9);
+      leaders += at_wheel + '\n' + label + "\n\n";
+      labels += label + ' ' + text_of(line.lateral) + '\n';
     }
   }
   const double y = side == "left" ? 750.0 : -750.0;
@@ -84,7 +96,8 @@ void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureDat
       {gnuplot.block(lines) + " with lines lw 1.5 lc rgb '#d55e00' title 'touch each other'",
        rail + " with lines lw 2 lc rgb '#8b5a2b' title 'rail'",
        wheel + " with lines lw 2 lc rgb '#1f4e9e' title 'wheel'",
-       gnuplot.block(labels) + " using 1:2:3 with labels offset 0,0.8 font ',8' title ''"});
+       gnuplot.block(leaders) + " with lines lw 0.5 lc rgb '#b0b0b0' title ''",
+       gnuplot.block(labels) + " using 1:2:3 with labels offset 0,0.4 font ',8' title ''"});
 }
 
 } // namespace

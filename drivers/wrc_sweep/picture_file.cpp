@@ -60,6 +60,41 @@ void check_axis(const TableReader& reader, const char* name, const std::string& 
   }
 }
 
+/// A picture of values that the study does not have would be empty.
+void check_value(const TableReader& reader, const char* name, const std::string& key,
+                 const Value& value, const Study& study) {
+  std::string allowed;
+  for (const Value& other : study.axes[static_cast<std::size_t>(study.axis_of(key))].values) {
+    if (text_of(other) == text_of(value)) {
+      return;
+    }
+    allowed += (allowed.empty() ? "" : ", ") + text_of(other);
+  }
+  reader.refuse(name, text_of(value), "a value of " + key + ": " + allowed);
+}
+
+/// Values of the axis along x are places.
+void check_numbers(const TableReader& reader, const std::string& key, const Study& study) {
+  for (const Value& value : study.axes[static_cast<std::size_t>(study.axis_of(key))].values) {
+    if (!std::holds_alternative<double>(value)) {
+      reader.refuse("x", in_quotes(key),
+                    "a key whose values are numbers, not " + in_quotes(text_of(value)));
+    }
+  }
+}
+
+void check_panels(const TableReader& reader, const PictureRequest& picture) {
+  const bool lines = picture.kind == PictureRequest::Kind::lines;
+  if (lines && picture.panels.empty()) {
+    reader.refuse("panels", "[]", "one panel or more, each with lines");
+  }
+  for (const PanelRequest& panel : picture.panels) {
+    if (panel.lines.empty()) {
+      reader.refuse("panels.lines", "[]", "one line or more");
+    }
+  }
+}
+
 /// What a kind of picture reads must be among the study's results and fields.
 void check_results(const PictureRequest& picture, const Study& study) {
   const auto need = [&](const std::vector<std::string>& have, const std::string& name,
@@ -98,15 +133,23 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   }
   reader.refuse_others();
 
-  if (!picture.file.ends_with(".png") && !picture.file.ends_with(".svg")) {
-    reader.refuse("file", in_quotes(picture.file), "a name that ends in .png or .svg");
+  if ((!picture.file.ends_with(".png") && !picture.file.ends_with(".svg")) ||
+      picture.file.find('/') != std::string::npos) {
+    reader.refuse("file", in_quotes(picture.file),
+                  "a name without folder that ends in .png or .svg");
   }
   check_axis(reader, "x", picture.x, study);
+  check_numbers(reader, picture.x, study);
+  for (const double value : picture.x_values) {
+    check_value(reader, "x_values", picture.x, value, study);
+  }
+  check_panels(reader, picture);
   if (!picture.series.empty()) {
     check_axis(reader, "series", picture.series, study);
   }
   for (const auto& [key, value] : picture.where) {
     check_axis(reader, "where", key, study);
+    check_value(reader, "where", key, value, study);
   }
   for (const std::string& side : picture.sides) {
     if (side != "left" && side != "right") {

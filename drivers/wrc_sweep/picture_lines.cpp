@@ -60,9 +60,15 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   constexpr int title_height = 50;
   const auto count = static_cast<int>(picture.panels.size());
   const int height = title_height + panel_height * count;
+  const std::size_t groups = picture.series.empty() ? 1 : data.values_of(picture.series).size();
+  std::size_t most_lines = 0; // of a panel
+  for (const PanelRequest& panel : picture.panels) {
+    most_lines = std::max(most_lines, groups * panel.lines.size());
+  }
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(picture.panels.size(), 1, picture.title);
-  gnuplot.script() << line_style << "set xlabel '" << within_quotes(picture.x_label) << "'\n";
+  gnuplot.script() << line_style(most_lines) << "set xlabel '" << within_quotes(picture.x_label)
+                   << "'\n";
   for (const PanelRequest& panel : picture.panels) {
     Range range;
     std::vector<std::string> items;
@@ -71,13 +77,14 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
       items.push_back(gnuplot.block(line.data) + " with linespoints lw 2 ps 0.9 pt " +
                       std::to_string(5 + 2 * (line.mark % marks)) + " dt " +
                       std::to_string(1 + line.mark % marks) + " lc rgb '" +
-                      line_colour(line.colour) + "' title '" + within_quotes(line.title) + '\'');
+                      line_colour(line.colour, picture.series.empty() ? most_lines : groups) +
+                      "' title '" + within_quotes(line.title) + '\'');
     }
     gnuplot.script() << "set ylabel '" << within_quotes(panel.y_label) << "'\n"
                      << range.command("y");
     gnuplot.plot(items);
   }
-  gnuplot.draw(path, width, height);
+  gnuplot.draw(path, width + legend_width(most_lines), height);
 }
 
 } // namespace driver

@@ -83,31 +83,45 @@ std::string series_name(const PictureRequest& picture, const Value& value) {
                                     : name.replace(place, 2, text_of(value));
 }
 
-const char* const line_style = "set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
-                               "set lmargin 10\nset rmargin 3\n"
-                               "set key outside top center horizontal\n";
+int legend_width(std::size_t lines) {
+  constexpr std::size_t most_above = 6;
+  constexpr int beside = 240;
+  return lines > most_above ? beside : 0;
+}
 
-std::vector<std::filesystem::path> draw_picture(const PictureRequest& picture,
-                                                const PictureData& data,
-                                                const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / picture.file;
+std::string line_style(std::size_t lines) {
+  return std::string("set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
+                     "set lmargin 10\n") +
+         (legend_width(lines) > 0 ? "set key outside right top vertical\n"
+                                  : "set rmargin 3\nset key outside top center horizontal\n");
+}
+
+std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
+                                            const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files{folder / picture.file};
+  if (picture.kind == PictureRequest::Kind::conicity) {
+    files.push_back(folder / (files[0].stem().string() + "_by_amplitude.csv"));
+  }
+  return files;
+}
+
+void draw_picture(const PictureRequest& picture, const PictureData& data,
+                  const std::filesystem::path& folder) {
+  const std::vector<std::filesystem::path> files = files_of(picture, folder);
   switch (picture.kind) {
   case PictureRequest::Kind::lines:
-    draw_lines(picture, data, path);
+    draw_lines(picture, data, files[0]);
     break;
   case PictureRequest::Kind::patches:
-    draw_patches(picture, data, path);
+    draw_patches(picture, data, files[0]);
     break;
   case PictureRequest::Kind::connections:
-    draw_connections(picture, data, path);
+    draw_connections(picture, data, files[0]);
     break;
-  case PictureRequest::Kind::conicity: {
-    const std::filesystem::path table = folder / (path.stem().string() + "_by_amplitude.csv");
-    draw_conicity(picture, data, path, table);
-    return {path, table};
+  case PictureRequest::Kind::conicity:
+    draw_conicity(picture, data, files[0], files[1]);
+    break;
   }
-  }
-  return {path};
 }
 
 } // namespace driver

@@ -42,14 +42,17 @@ std::vector<double> line_of(const PictureRequest& picture, const PictureData& da
 /// "cant {}" with a value in the place of {}, or behind if there is no such place.
 std::string series_name(const PictureRequest& picture, const Value& value);
 
-/// Axes, grid and legend as all pictures of lines have them.
-extern const char* const line_style;
+/// Axes, grid and legend as all pictures of lines have them; a legend of more than six lines stands
+/// beside them, and the picture needs so many pixels for it.
+std::string line_style(std::size_t lines);
+int legend_width(std::size_t lines);
 
-/// Draws one picture into a folder; returns what it has written: the picture, and for conicity a
-/// table too.
-std::vector<std::filesystem::path> draw_picture(const PictureRequest& picture,
-                                                const PictureData& data,
-                                                const std::filesystem::path& folder);
+/// The files of a picture in a folder: the picture, and for conicity a table too.
+std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
+                                            const std::filesystem::path& folder);
+/// Draws one picture into a folder.
+void draw_picture(const PictureRequest& picture, const PictureData& data,
+                  const std::filesystem::path& folder);
 
 void draw_lines(const PictureRequest& picture, const PictureData& data,
                 const std::filesystem::path& path);

@@ -11,7 +11,6 @@
 namespace driver {
 namespace {
 
-const std::string patch_count = ".patch_count";
 constexpr std::array field_names{"x", "y", "z", "undeformed_distance", "pressure", "displacement"};
 
 /// Entries of lists as entry 0; grid.1 and the like, which have no name after the number, stay.
@@ -50,7 +49,8 @@ constexpr std::array units{
     Unit{"force.roll", "N/rad"},
     Unit{"time_ms", "ms"},
     Unit{"friction_power", "N mm/s"},
-    Unit{"friction.", "1"},
+    Unit{"friction.decay", "s/mm"},
+    Unit{"friction", "1"},
     Unit{"motion.speed", "mm/s"},
     Unit{"creepage.spin", "1/mm"},
     Unit{"creepage.", "1"},
@@ -72,6 +72,7 @@ constexpr std::array units{
     Unit{"solve.near_tolerance", "mm"},
     Unit{"solve.joining_distance", "mm"},
     Unit{"solve.", "1"},
+    Unit{".state", "1"},
     Unit{"fill", "1"},
     Unit{".grid", "1"},
     Unit{"closeness", "1"},
@@ -87,6 +88,20 @@ constexpr std::array units{
     Unit{"yaw", "rad"},
     Unit{"cant", "rad"},
 };
+
+} // namespace
+
+namespace {
+
+/// Each name is a variable of the NetCDF file.
+void refuse_doubled(const char* list, const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name) {
+      throw Failure(std::string(list) + ": \"" + *name +
+                    "\" stands there twice; allowed is each name once");
+    }
+  }
+}
 
 } // namespace
 
@@ -123,13 +138,11 @@ std::vector<std::string> all_results() {
       }
     }
   }
-  for (const char* side : {"left", "right"}) {
-    names.push_back(side + patch_count);
-  }
   return names;
 }
 
 void check_results(const std::vector<std::string>& names) {
+  refuse_doubled("study.results", names);
   const std::vector<std::string> known = all_results();
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), with_first_entry(name)) == known.end()) {
@@ -140,6 +153,7 @@ void check_results(const std::vector<std::string>& names) {
 }
 
 void check_fields(const std::vector<std::string>& names) {
+  refuse_doubled("study.fields", names);
   for (const std::string& name : names) {
     if (std::find(field_names.begin(), field_names.end(), name) == field_names.end()) {
       std::string allowed;
@@ -152,13 +166,6 @@ void check_fields(const std::vector<std::string>& names) {
 }
 
 double result_of(const Scene& scene, const std::string& name) {
-  if (name.ends_with(patch_count)) {
-    const std::string side = name.substr(0, name.size() - patch_count.size());
-    if (!scene.has_number(side + ".pmax")) {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    return scene.count_of(side + ".patches");
-  }
   return scene.number_or(name, std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -169,6 +176,21 @@ std::string unit_of(const std::string& name) {
     }
   }
   return "mm";
+}
+
+std::string long_name_of(const std::string& name) {
+  for (const wrcontact::SceneKey& key : wrcontact::scene_keys()) {
+    if (name == key.name) {
+      return key.meaning;
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool before_index = name[i] == '.' && i + 1 < name.size() &&
+                              std::isdigit(static_cast<unsigned char>(name[i + 1]));
+    text += before_index ? " " : name[i] == '.' ? ", " : name[i] == '_' ? " " : name.substr(i, 1);
+  }
+  return text;
 }
 
 } // namespace driver

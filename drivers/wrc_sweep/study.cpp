@@ -1,5 +1,14 @@
 #include "wrc_sweep/study.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <sstream>
+
+#include <openssl/evp.h>
+
+#include "support/input_file.hpp"
+
 namespace driver {
 
 std::int64_t Study::scene_count() const {
@@ -38,24 +47,79 @@ int Study::axis_of(const std::string& key) const {
   return -1;
 }
 
+InputFile read_input(const std::string& path) {
+  constexpr std::size_t most = std::size_t{64} << 20; // of a profile file (docs/fuzzing.md)
+  InputFile input{path, read_file("input", path, most), ""};
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size = 0;
+  if (EVP_Digest(input.content.data(), input.content.size(), digest.data(), &size, EVP_sha256(),
+                 nullptr) != 1) {
+    throw Failure("no SHA-256 sum of " + path);
+  }
+  std::ostringstream text;
+  text << std::hex << std::setfill('0');
+  for (unsigned i = 0; i < size; ++i) {
+    text << std::setw(2) << static_cast<int>(digest[i]);
+  }
+  input.sha256 = text.str();
+  return input;
+}
+
+void Study::refuse_changed_inputs() const {
+  for (auto input = inputs.begin() + 1; input != inputs.end(); ++input) {
+    if (read_input(input->path).sha256 != input->sha256) {
+      throw Failure(input->path + " has changed since this study began, so its rows may be of two "
+                                  "profiles: allowed is --restart to begin again");
+    }
+  }
+}
+
+Values Study::constants() const {
+  Scene scene;
+  apply(0, scene);
+  Values all = values_in_force(scene);
+  for (const Axis& axis : axes) { // a key may change others: track.rail is that of both sides
+    const auto other =
+        std::find_if(axis.values.begin(), axis.values.end(), [&](const Value& value) {
+          return text_of(value) != text_of(axis.values.front());
+        });
+    if (other != axis.values.end()) {
+      Scene changed;
+      apply(0, changed);
+      set_value(changed, axis.key, *other);
+      const Values values = values_in_force(changed);
+      std::erase_if(all, [&](const auto& entry) {
+        const auto found = values.find(entry.first);
+        return found == values.end() || text_of(found->second) != text_of(entry.second);
+      });
+    }
+    all.erase(axis.key);
+  }
+  return all;
+}
+
 std::string Study::fingerprint() const {
-  std::string text = wrc_version();
+  std::ostringstream text; // quoted, so that no two lists give the same one
+  text << wrc_version();
   for (const auto& [key, value] : fixed) {
-    text += '\n' + key + " = " + text_of(value);
+    text << '\n' << key << " = " << std::quoted(text_of(value));
   }
   for (const Axis& axis : axes) {
-    text += '\n' + axis.key + " in";
+    text << '\n' << axis.key << " in";
     for (const Value& value : axis.values) {
-      text += ' ' + text_of(value);
+      text << ' ' << std::quoted(text_of(value));
     }
   }
   for (const auto* names : {&results, &fields}) {
-    text += '\n';
+    text << '\n';
     for (const std::string& one : *names) {
-      text += one + ' ';
+      text << std::quoted(one) << ' ';
     }
   }
-  return text;
+  for (auto input = inputs.begin() + 1; input != inputs.end(); ++input) {
+    text << '\n' << std::quoted(input->path) << ' ' << input->sha256;
+  }
+  return text.str();
 }
 
 } // namespace driver

@@ -11,6 +11,16 @@
 
 namespace driver {
 
+/// A file that a study reads, as it was when the study began.
+struct InputFile {
+  std::string path;
+  std::string content;
+  std::string sha256; ///< of the content, as sha256sum prints it
+};
+
+/// Throws Failure if it cannot be read, or is larger than a profile file may be.
+InputFile read_input(const std::string& path);
+
 /// A key with the values it goes through.
 struct Axis {
   std::string key;
@@ -57,9 +67,10 @@ struct Study {
   std::string title; ///< what it is about
   Values fixed;
   std::vector<Axis> axes;
-  std::vector<std::string> results; ///< scalars, as of wrc_scene_number, and "left.patch_count"
+  std::vector<std::string> results; ///< scalars, as of wrc_scene_number
   std::vector<std::string> fields;  ///< of each patch, as of wrc_scene_field
   std::vector<PictureRequest> pictures;
+  std::vector<InputFile> inputs; ///< the study file, then profiles
 
   [[nodiscard]] std::int64_t scene_count() const;
   /// Which value of each axis a scene has.
@@ -68,8 +79,12 @@ struct Study {
   void apply(std::int64_t index, Scene& scene) const;
   /// Position of a key among the axes, -1 if it has one value only.
   [[nodiscard]] int axis_of(const std::string& key) const;
+  /// All keys that have one value in all scenes, defaults included.
+  [[nodiscard]] Values constants() const;
   /// All that the rows depend on, in one text: equal texts have equal rows.
   [[nodiscard]] std::string fingerprint() const;
+  /// Throws Failure if the content of a profile file is another than when the study began.
+  void refuse_changed_inputs() const;
 };
 
 } // namespace driver

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -207,6 +209,27 @@ void try_values(const Study& study) {
   }
 }
 
+/// The study file and the profiles that are files.
+std::vector<InputFile> inputs_of(const std::string& path, const Study& study) {
+  std::set<std::string> profiles;
+  const auto take = [&](const std::string& key, const Value& value) {
+    if (names_profile(key) && is_profile_file(text_of(value))) {
+      profiles.insert(text_of(value));
+    }
+  };
+  for (const auto& [key, value] : study.fixed) {
+    take(key, value);
+  }
+  for (const Axis& axis : study.axes) {
+    for (const Value& value : axis.values) {
+      take(axis.key, value);
+    }
+  }
+  std::vector<InputFile> inputs{read_input(path)};
+  std::transform(profiles.begin(), profiles.end(), std::back_inserter(inputs), read_input);
+  return inputs;
+}
+
 } // namespace
 
 Study read_study(const std::string& path, const std::vector<std::string>& assignments) {
@@ -232,6 +255,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& assign
   }
   check_results(study.results);
   check_fields(study.fields);
+  study.inputs = inputs_of(path, study);
   study.pictures = read_pictures(file, study);
   return study;
 }

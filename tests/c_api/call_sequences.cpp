@@ -4,161 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
-#include <string>
 #include <vector>
 
-#include "wrcontact.h"
+#include "call_arguments.hpp"
 
 namespace {
-
-Choices* choices = nullptr;
-
-std::uint64_t below(std::uint64_t end) {
-  return choices->below(end);
-}
-
-std::uint64_t any_bits() {
-  return below(std::numeric_limits<std::uint64_t>::max());
-}
-
-/// While it lives, choices are pseudo-random numbers from a single one: for arrays.
-class FromOneChoice {
-public:
-  FromOneChoice() : seeded_(below(std::uint64_t{1} << 32)), before_(choices) { choices = &seeded_; }
-  FromOneChoice(const FromOneChoice&) = delete;
-  FromOneChoice& operator=(const FromOneChoice&) = delete;
-  ~FromOneChoice() { choices = before_; }
-
-private:
-  SeededChoices seeded_;
-  Choices* before_;
-};
-
-template <class List> const auto& any_of(const List& list) {
-  return list[below(std::size(list))];
-}
-
-double any_number() {
-  static const std::array special{0.0,
-                                  -0.0,
-                                  1.0,
-                                  -1.0,
-                                  0.3,
-                                  2.0,
-                                  1e-3,
-                                  40.0,
-                                  1435.0,
-                                  460.0,
-                                  8e4,
-                                  2.1e5,
-                                  1e300,
-                                  -1e300,
-                                  std::numeric_limits<double>::max(),
-                                  std::numeric_limits<double>::denorm_min(),
-                                  std::numeric_limits<double>::infinity(),
-                                  -std::numeric_limits<double>::infinity(),
-                                  std::numeric_limits<double>::quiet_NaN()};
-  if (below(3) == 0) {
-    return any_of(special);
-  }
-  const double exponent = -6.0 + 12.0 * static_cast<double>(below(1000)) / 1000.0;
-  return (below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent);
-}
-
-/// Keys, names, words, paths and nonsense, with bars between them.
-constexpr const char* words =
-    "|.|left.|left.patches.|left.patches.0.|left.patches.99999999999999999999.pmax|"
-    "left.patches.-1.pmax|left.patches.0.pressure|right.patches.1.undeformed_distance|"
-    "left.displacement|right.rail_y|left.wheel_z|left.pmax|right.area|"
-    "left.residuals.least_gap|left.sensitivities.vertical_force.vertical|"
-    "left.sensitivities.at_load.vertical.roll|roll|units|model|left.stop_reason|"
-    "left.warnings.0|solve|none|both|left|tangent|vertical|geometry|remesh|mechanics|SI|mm|"
-    "right-down|left-up|paper|default|double|mixed|1:20|-1:1e999|S1002|60E1|CHN60|LMA|"
-    "a file.txt|a scene.toml|wheel.prw|rail.prr|worn.whl|/|/dev/zero|/proc/self/mem|"
-    "nowhere/at all.txt|\xff\xfe\x01\n\"\\|pmax|approach|pressure|displacement|normal_load|"
-    "combined_modulus|tolerance|maximum_iterations|solver|precision|stop_reason|shear_modulus|"
-    "friction|longitudinal_creepage|spin_creepage|contact|transient|shift|difference|first-order|"
-    "lateral_force|traction_x|slip_y|title|name";
-
-const char* any_text() {
-  static const std::string endless(20000, 'x');
-  static const std::vector<std::string> kept = [] {
-    std::vector<std::string> all;
-    std::istringstream from(words);
-    for (std::string word; std::getline(from, word, '|');) {
-      all.push_back(word);
-    }
-    return all;
-  }();
-  static const std::vector<const char*> texts = [] {
-    std::vector<const char*> list{nullptr};
-    for (const std::string& word : kept) {
-      list.push_back(word.c_str());
-    }
-    list.push_back(endless.c_str());
-    for (std::int64_t i = 0; i < wrc_scene_key_count(); ++i) {
-      const char* text[4] = {};
-      wrc_scene_key(i, &text[0], &text[1], &text[2], &text[3]);
-      // Plans by trial take seconds each.
-      if (std::string(text[0]) != "solve.planner") {
-        list.push_back(text[0]);
-        list.push_back(text[0]);
-      }
-    }
-    return list;
-  }();
-  return any_of(texts);
-}
-
-constexpr std::size_t array_length = 4096;
-
-std::array<double, array_length> values{};
-
-double* any_array() {
-  const FromOneChoice one;
-  for (std::size_t i = 0; i < 64; ++i) {
-    values[below(array_length)] = any_number();
-  }
-  if (below(4) == 0) { // a paraboloid
-    for (std::size_t i = 0; i < array_length; ++i) {
-      const double x = static_cast<double>(i % 16) - 7.5;
-      const double y = static_cast<double>(i / 16) - 7.5;
-      values[i] = 1e-4 * (x * x + y * y);
-    }
-  }
-  return below(16) == 0 ? nullptr : values.data();
-}
-
-/// Within the arrays, or absurd.
-std::int64_t any_count() {
-  static constexpr std::array<std::int64_t, 7> absurd{0,
-                                                      -1,
-                                                      std::numeric_limits<std::int64_t>::max(),
-                                                      std::numeric_limits<std::int64_t>::min(),
-                                                      std::int64_t{1} << 60,
-                                                      -7,
-                                                      (std::int64_t{1} << 31) + 1};
-  switch (below(4)) {
-  case 0:
-    return any_of(absurd);
-  case 1:
-    return 2;
-  case 2:
-    return 256;
-  default:
-    return static_cast<std::int64_t>(below(array_length));
-  }
-}
-
-std::int64_t any_capacity() {
-  const std::int64_t count = any_count();
-  return count > static_cast<std::int64_t>(array_length) ? 0 : count;
-}
-
-template <class Value> Value* maybe(Value* pointer) {
-  return below(16) == 0 ? nullptr : pointer;
-}
 
 /// Handles of a kind, alive, destroyed and never made.
 template <class Handle> class Pool {
@@ -273,6 +123,21 @@ wrc_status call_scene() {
   }
 }
 
+wrc_status call_by_id() {
+  wrc_scene* scene = scenes.any();
+  std::int32_t id = 0;
+  switch (below(4)) {
+  case 0:
+    return wrc_scene_key_id(scene, any_text(), maybe(&id));
+  case 1:
+    return wrc_scene_number_id(scene, any_text(), maybe(&id));
+  case 2:
+    return wrc_scene_set_numbers_by_id(scene, any_ids(), any_array(), any_count());
+  default:
+    return wrc_scene_numbers_by_id(scene, any_ids(), any_array(), any_count());
+  }
+}
+
 wrc_status call_solver() {
   wrc_solver* solver = solvers.any();
   wrc_scene* scene = scenes.any();
@@ -300,6 +165,59 @@ wrc_status call_solver() {
                                                         std::numeric_limits<std::int64_t>::max()};
     return wrc_solve_batch(maybe(batch), any_of(counts), static_cast<std::int32_t>(below(4)),
                            maybe(statuses));
+  }
+  }
+}
+
+/// A position that is mostly plausible.
+void fill_position(double* position) {
+  const double usual[] = {0.0, 3.0, 459.88, 1e-4, 0.0, 1e-3};
+  for (std::size_t i = 0; i < 6; ++i) {
+    position[i] = below(40) == 0 ? any_number() : usual[i];
+  }
+}
+
+wrc_status call_vehicle() {
+  static double positions[64], velocities[12], forces[24], by_positions[144], by_velocities[144];
+  static std::int32_t states[4];
+  static wrc_patch patches[8];
+  wrc_solver* solver = solvers.any();
+  wrc_scene* scene = scenes.any();
+  std::int64_t count = 0;
+  for (const std::size_t wheelset : {0U, 1U}) {
+    fill_position(positions + 6 * wheelset);
+    fill_position(velocities + 6 * wheelset);
+  }
+  switch (below(5)) {
+  case 0:
+    bound_cost(scene);
+    return wrc_solver_step(solver, scene, maybe(positions), maybe(velocities),
+                           below(2) == 0 ? nullptr : velocities, maybe(forces), maybe(by_positions),
+                           maybe(by_velocities), maybe(states));
+  case 1: {
+    wrc_solver* with[2] = {solver, solvers.any()};
+    wrc_scene* batch[2] = {scene, scenes.any()};
+    wrc_status statuses[2] = {};
+    bound_cost(batch[0]);
+    bound_cost(batch[1]);
+    return wrc_step_batch(maybe(with), maybe(batch), static_cast<std::int64_t>(below(4)) - 1,
+                          static_cast<std::int32_t>(below(4)), positions, velocities, nullptr,
+                          forces, maybe(by_positions), maybe(by_velocities), maybe(states),
+                          maybe(statuses));
+  }
+  case 2:
+    return wrc_scene_patches(scene, maybe(patches), sizeof *patches,
+                             static_cast<std::int64_t>(below(10)) - 1, maybe(&count));
+  case 3:
+    return wrc_solver_creep(solver, scene, static_cast<std::int64_t>(below(4)) - 1,
+                            maybe(velocities), maybe(forces), maybe(by_positions));
+  default: {
+    const std::int64_t counts[8] = {static_cast<std::int64_t>(below(3)), 1, 1, 1, 1, 1, 1, 1};
+    bound_cost(scene);
+    return wrc_scene_tabulate(scene, below(2) == 0 ? any_text() : "pose.lateral pose.yaw",
+                              maybe(positions), maybe(counts),
+                              below(2) == 0 ? any_text() : "left.pmax roll",
+                              static_cast<std::int32_t>(below(4)), nullptr, maybe(forces));
   }
   }
 }
@@ -353,6 +271,9 @@ wrc_status call_profile() {
     return wrc_profile_nodes(profile, any_array(), any_capacity(), maybe(&count));
   case 11:
     wrc_profile_correction(profile, any_count());
+    wrc_profile_warning(profile, any_count());
+    wrc_profile_points(profile, static_cast<std::int32_t>(below(4)) - 1, any_array(), any_array(),
+                       any_capacity(), maybe(&count));
     wrc_profile_standard_name(static_cast<std::int32_t>(below(4)) - 1, any_count());
     return wrc_profile_error(profile) != nullptr ? WRC_OK : -1;
   default:
@@ -461,8 +382,9 @@ wrc_status call_process() {
 wrc_status any_call() {
   static constexpr auto often = std::to_array(
       {call_process, call_solver, call_solver, call_profile, call_profile, call_profile,
-       call_normal, call_normal, call_normal, call_normal, call_rolling, call_rolling, call_rolling,
-       call_scene, call_scene, call_scene, call_scene, call_scene, call_scene});
+       call_normal,  call_normal, call_normal, call_normal,  call_rolling, call_rolling,
+       call_rolling, call_scene,  call_scene,  call_scene,   call_scene,   call_scene,
+       call_scene,   call_by_id,  call_vehicle});
   return any_of(often)();
 }
 
@@ -482,11 +404,11 @@ void destroy_handles() {
   profiles.destroy_all();
   normals.destroy_all();
   rollings.destroy_all();
-  values.fill(0.0);
+  clear_arrays();
 }
 
 std::optional<wrc_status> unheard_of_status(Choices& from, long calls) {
-  choices = &from;
+  choose_from(from);
   for (long i = 0; i < calls && !from.ended(); ++i) {
     const wrc_status status = any_call();
     if (status < WRC_OK || status > WRC_BUSY || status == WRC_INTERNAL) {

@@ -268,11 +268,11 @@ TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
        both(number("load.vertical", 1e-5), number("pose.lateral", 6.5)), true, ""},
       {"above the rail", number("pose.vertical", 461.0), false, "no contact at this height"},
       {"pressed in", number("pose.vertical", 459.75), true, ""},
-      {"on the chamfer", number("pose.lateral", -81.0), true, ""},
+      {"on the chamfer", number("pose.lateral", -81.0), true, "on the wheel's chamfer"},
       {"at the edge of the chamfer", number("pose.lateral", -60.0), true, "not reached"},
       {"leaving the end of the profile", number("pose.lateral", -82.2), true,
        "contact at the end of a profile"},
-      {"on the flange's tip", number("pose.lateral", 45.0), true, ""},
+      {"on the flange's tip", number("pose.lateral", 45.0), true, "on the flange tip"},
       {"the rail turns", number("load.vertical", 1e8), true, "the rail turns by"},
   };
   for (const State& state : all) {

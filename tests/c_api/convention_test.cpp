@@ -173,6 +173,12 @@ TEST(Inputs, EveryKeyHasAValueThatMaySetItAgain) {
     const char* text = nullptr;
     if (wrc_scene_get_number(s, name, &number) == WRC_OK) {
       set(s, {{name, number}});
+    } else if (default_value == std::string("[0.0, 0.0, 0.0]")) {
+      std::vector<double> three(3, 1.0);
+      std::int64_t count = 0;
+      ASSERT_EQ(wrc_scene_get_numbers(s, name, three.data(), 3, &count), WRC_OK) << name;
+      EXPECT_EQ(three, std::vector(3, 0.0)) << name;
+      set(s, {{name, three}});
     } else {
       ASSERT_EQ(wrc_scene_get_text(s, name, &text), WRC_OK) << name;
       const std::string value = text;

@@ -1,5 +1,5 @@
-# Fails unless the library defines wrc_* symbols and nothing else, and all that the header declares.
-# Arguments: NM, LIBRARY, HEADER.
+# Fails unless the library defines wrc_* symbols and nothing else, and all that the headers declare.
+# Arguments: NM, LIBRARY, HEADERS (their folder).
 execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY}
   OUTPUT_VARIABLE listing RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
@@ -14,8 +14,9 @@ foreach(name IN LISTS names)
   endif()
   list(APPEND exported ${name})
 endforeach()
-file(READ ${HEADER} header)
-string(REGEX MATCHALL "WRC_API [^;]*;" declarations "${header}")
+file(READ ${HEADERS}/wrcontact.h header)
+file(READ ${HEADERS}/wrcontact_grid.h grid_header)
+string(REGEX MATCHALL "WRC_API [^;]*;" declarations "${header}${grid_header}")
 set(declared "")
 foreach(declaration IN LISTS declarations)
   if(declaration MATCHES "(wrc_[a-z_]+)\\(")

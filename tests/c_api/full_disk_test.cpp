@@ -2,6 +2,7 @@
 /// limited to a size, beyond which writing fails as it does on a full disk.
 #include <csignal>
 #include <functional>
+#include <pthread.h>
 #include <sys/resource.h>
 
 #include "owned_handles.hpp"
@@ -20,12 +21,16 @@ public:
   FileSizeLimit& operator=(const FileSizeLimit&) = delete;
   ~FileSizeLimit() {
     setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
+    // The host's signals are as they were: none came, none waits, none is blocked.
+    sigset_t signals{};
+    sigpending(&signals);
+    EXPECT_EQ(sigismember(&signals, SIGXFSZ), 0);
+    pthread_sigmask(SIG_BLOCK, nullptr, &signals);
+    EXPECT_EQ(sigismember(&signals, SIGXFSZ), 0);
   }
 
 private:
   rlimit before_{};
-  void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
 };
 
 class FullDisk : public WithFolder {
@@ -53,6 +58,19 @@ protected:
     std::filesystem::remove(path("file"));
   }
 };
+
+TEST_F(FullDisk, LinksAreFollowedAndModesKept) {
+  const ScenePointer scene = make_scene();
+  (void)write("real", "old");
+  std::filesystem::permissions(path("real"), std::filesystem::perms::owner_read |
+                                                 std::filesystem::perms::owner_write);
+  std::filesystem::create_symlink("real", path("link"));
+  ASSERT_EQ(wrc_scene_write(scene.get(), path("link").c_str()), WRC_OK);
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_GT(std::filesystem::file_size(path("real")), 100U);
+  EXPECT_EQ(std::filesystem::status(path("real")).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
 
 TEST_F(FullDisk, LeavesNoHalfOfAScene) {
   const ScenePointer scene = make_scene();

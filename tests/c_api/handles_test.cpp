@@ -77,10 +77,11 @@ TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {
       throw std::runtime_error("a lock that throws");
     }
   };
+  const ScenePointer scene = make_small_scene();
+  set(scene.get(), {{"solve.planner", "measure"}}); // plans while it solves
   ASSERT_EQ(wrc_set_planner_lock(
                 lock, [](void*) {}, &throws),
             WRC_OK);
-  const ScenePointer scene = make_small_scene();
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_INTERNAL);
   EXPECT_STREQ(wrc_scene_error(scene.get()), "a lock that throws");
   throws = false;

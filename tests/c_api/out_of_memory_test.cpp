@@ -85,6 +85,41 @@ TEST(OutOfMemory, ASceneKeepsItsResultsWhicheverAllocationFails) {
   std::printf("%ld allocations of a solution failed, one after the other\n", failures);
 }
 
+TEST(OutOfMemory, NumbersByIdTakeNoneAndStayIfOneCannotBeComputed) {
+  const ScenePointer scene = make_small_scene();
+  wrc_scene* s = scene.get();
+  ASSERT_EQ(wrc_scene_solve(s), WRC_OK);
+  std::int32_t lateral = 0;
+  std::int32_t ids[4] = {};
+  const char* const names[] = {"left.pmax", "roll", "left.residuals.least_gap", "left.area"};
+  ASSERT_EQ(wrc_scene_key_id(s, "pose.lateral", &lateral), WRC_OK);
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_EQ(wrc_scene_number_id(s, names[i], &ids[i]), WRC_OK);
+  }
+  double values[4] = {};
+  ASSERT_EQ(wrc_scene_numbers_by_id(s, ids, values, 2), WRC_OK);
+  const double pmax = values[0];
+  const double two = 2.0;
+  EXPECT_EQ(with_allocations(0, [&] { return wrc_scene_set_numbers_by_id(s, &lateral, &two, 1); }),
+            WRC_OK);
+  EXPECT_EQ(with_allocations(0, [&] { return wrc_scene_numbers_by_id(s, ids, values, 2); }),
+            WRC_OK);
+  wrc_status status = WRC_OUT_OF_MEMORY;
+  long failures = 0;
+  for (long count = 0; status != WRC_OK; ++count) {
+    values[0] = -1.0;
+    status = with_allocations(count, [&] { return wrc_scene_numbers_by_id(s, ids, values, 4); });
+    if (status != WRC_OK) {
+      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_scene_error(s);
+      ASSERT_EQ(values[0], -1.0) << count;
+      ++failures;
+    }
+  }
+  EXPECT_GT(failures, 2);
+  EXPECT_EQ(values[0], pmax);
+  EXPECT_GT(values[3], 0.0);
+}
+
 TEST(OutOfMemory, ASolverThatFailsAnywhereStartsAnew) {
   wrc_solver* failing = nullptr;
   ASSERT_EQ(wrc_solver_create(&failing), WRC_OK);

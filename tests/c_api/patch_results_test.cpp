@@ -33,6 +33,7 @@ TEST(Patches, AreNamedOneByOneWithTheirFields) {
     names.insert(wrc_scene_number_name(s, i));
   }
   EXPECT_FALSE(names.contains("left.patches.2.pmax"));
+  EXPECT_EQ(number_of(s, "left.patch_count"), 2.0);
   for (const std::string patch : {"left.patches.0.", "left.patches.1."}) {
     for (const std::string& name :
          words_of("pmax pmax_element area normal_force vertical_force lateral_force "
@@ -269,8 +270,9 @@ TEST(Patches, WithoutContactThereAreNone) {
   solve(s, {{"pose.vertical", 500.0}});
   double value = 0.0;
   EXPECT_EQ(wrc_scene_number(s, "left.patches.0.pmax", &value), WRC_UNKNOWN_NAME);
-  EXPECT_EQ(number_of(s, "left.area"), 0.0);
-  EXPECT_EQ(number_of(s, "left.moment.x"), 0.0);
+  for (const char* name : {"left.area", "left.moment.x", "left.patch_count", "left.fill"}) {
+    EXPECT_EQ(number_of(s, name), 0.0) << name;
+  }
 }
 
 constexpr const char* sensitivity_names[] = {

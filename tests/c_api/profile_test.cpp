@@ -4,6 +4,8 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "owned_handles.hpp"
@@ -181,7 +183,8 @@ TEST_F(ProfileFiles, WrittenFilesReadBack) {
 }
 
 /// A rail head that bulges down: needs a correction.
-const char* const upside_down = "-30 20\n-20 5\n-10 1\n0 0\n10 1\n20 5\n30 20\n";
+const char* const upside_down = "-30 20\n-27.5 15\n-25 11\n-20 5\n-15 2.5\n-10 1\n-5 0.2\n0 0\n5 "
+                                "0.2\n10 1\n15 2.5\n20 5\n25 11\n27.5 15\n30 20\n";
 
 TEST_F(ProfileFiles, CorrectionsAreToldAndStrictRefusesThem) {
   const ProfilePointer profile = make_profile();
@@ -200,6 +203,106 @@ TEST_F(ProfileFiles, CorrectionsAreToldAndStrictRefusesThem) {
   EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_OK);
   ASSERT_EQ(wrc_profile_load_standard(p, "60E1"), WRC_OK);
   EXPECT_EQ(wrc_profile_correction(p, 0), nullptr);
+}
+
+/// A wheel that counts from its flange back, 1 mm apart; with a spike.
+std::string wheel_from_flange_back(bool spike) {
+  std::ostringstream rows;
+  for (int y = 0; y <= 130; ++y) {
+    const double tread = -(y - 70.0) / 40.0;
+    const double flange = 28.0 * std::exp(-std::pow((y - 16.0) / 11.0, 2));
+    rows << y << ' ' << tread + flange + (spike && y == 80 ? 30.0 : 0.0) << '\n';
+  }
+  return rows.str();
+}
+
+TEST_F(ProfileFiles, AWheelIsShiftedToItsTapingLine) {
+  const ProfilePointer profile = make_profile();
+  wrc_profile* p = profile.get();
+  const std::string file = write("a.wheel", wheel_from_flange_back(false));
+  const auto start = [p] {
+    double lateral = 0.0;
+    EXPECT_EQ(wrc_profile_at(p, 0.0, &lateral, nullptr, nullptr, nullptr), WRC_OK);
+    return lateral;
+  };
+  ASSERT_EQ(wrc_profile_load_file(p, file.c_str(), nullptr), WRC_OK);
+  EXPECT_DOUBLE_EQ(start(), -70.0) << "by the shape";
+  EXPECT_EQ(wrc_profile_warning(p, 0), nullptr);
+  wrc_read_options options = plain_options();
+  options.origin = WRC_ORIGIN_FLANGE_BACK;
+  options.tape_offset = 66.0;
+  options.strict = 1;
+  ASSERT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_OK) << wrc_profile_error(p);
+  EXPECT_DOUBLE_EQ(start(), -66.0);
+  options.origin = 0;
+  options.lateral_shift = -71.5;
+  options.tape_offset = 0.0;
+  ASSERT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_OK) << wrc_profile_error(p);
+  EXPECT_DOUBLE_EQ(start(), -71.5);
+  options = plain_options();
+  options.origin = WRC_ORIGIN_TAPE;
+  ASSERT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_OK);
+  EXPECT_DOUBLE_EQ(start(), 0.0);
+  ASSERT_NE(wrc_profile_warning(p, 0), nullptr);
+  EXPECT_TRUE(contains(wrc_profile_warning(p, 0), "the taping line, at 0, is not inside"));
+  EXPECT_EQ(wrc_profile_warning(p, 99), nullptr);
+  EXPECT_EQ(wrc_profile_warning(nullptr, 0), nullptr);
+  options.strict = 1;
+  EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_FILE_MALFORMED);
+  for (const std::int32_t origin : {-1, 3}) {
+    options.origin = origin;
+    EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_INVALID_ARGUMENT);
+  }
+  options = plain_options();
+  options.tape_offset = 5.0;
+  EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_INVALID_ARGUMENT);
+  options = plain_options();
+  options.lateral_shift = 1000.0;
+  EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_INVALID_ARGUMENT);
+}
+
+TEST_F(ProfileFiles, PointsReadAndDroppedAreThere) {
+  const ProfilePointer profile = make_profile();
+  wrc_profile* p = profile.get();
+  const std::string file = write("a.wheel", wheel_from_flange_back(true));
+  ASSERT_EQ(wrc_profile_load_file(p, file.c_str(), nullptr), WRC_OK);
+  std::int64_t count = 0;
+  ASSERT_EQ(wrc_profile_points(p, WRC_POINTS_READ, nullptr, nullptr, 0, &count), WRC_OK);
+  EXPECT_EQ(count, 130);
+  ASSERT_EQ(wrc_profile_points(p, WRC_POINTS_DROPPED, nullptr, nullptr, 0, &count), WRC_OK);
+  ASSERT_EQ(count, 1);
+  double lateral = 0.0;
+  double height = 0.0;
+  ASSERT_EQ(wrc_profile_points(p, WRC_POINTS_DROPPED, &lateral, &height, 1, &count), WRC_OK);
+  EXPECT_DOUBLE_EQ(lateral, 10.0);
+  EXPECT_NEAR(height, 29.75, 1e-3); // the height was shifted to 0 at the taping line
+  EXPECT_EQ(wrc_profile_points(p, WRC_POINTS_READ, &lateral, &height, 1, &count), WRC_TOO_SMALL);
+  std::vector<double> laterals(200);
+  EXPECT_EQ(wrc_profile_points(p, WRC_POINTS_READ, laterals.data(), nullptr, 200, &count),
+            WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_profile_points(p, 2, nullptr, nullptr, 0, &count), WRC_INVALID_ARGUMENT);
+  ASSERT_EQ(wrc_profile_load_standard(p, "S1002"), WRC_OK);
+  ASSERT_EQ(wrc_profile_points(p, WRC_POINTS_READ, nullptr, nullptr, 0, &count), WRC_OK);
+  EXPECT_EQ(count, 0);
+}
+
+TEST_F(ProfileFiles, OneSliceIsAProfile) {
+  const ProfilePointer profile = make_profile();
+  wrc_profile* p = profile.get();
+  (void)write("a.wheel", wheel_from_flange_back(false));
+  (void)write("b.wheel", wheel_from_flange_back(true));
+  const std::string file = write("flat.slcw", "% a wheel\n 0.0 1.0 % offset, scale\n 2\n 1\n 1\n"
+                                              " 0.00 'a.wheel'\n 0.25 'b.wheel'\n");
+  EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), nullptr), WRC_FILE_MALFORMED);
+  EXPECT_TRUE(contains(wrc_profile_error(p), "2 slices: 1 at 0 rad 'a.wheel', 2 at 0.25 rad"));
+  wrc_read_options options{};
+  options.struct_size = sizeof options;
+  options.slice = 2;
+  ASSERT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_OK) << wrc_profile_error(p);
+  ASSERT_NE(wrc_profile_correction(p, 0), nullptr);
+  EXPECT_TRUE(contains(wrc_profile_correction(p, 0), "slice 2 of 2, at 0.25 rad"));
+  options.slice = 3;
+  EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_FILE_MALFORMED);
 }
 
 TEST_F(ProfileFiles, OptionsAreHeeded) {

@@ -115,10 +115,14 @@ TEST(SceneKeys, IndexAndPointersAreChecked) {
   EXPECT_EQ(wrc_scene_key(0, &text, &text, &text, nullptr), WRC_INVALID_ARGUMENT);
 }
 
-/// A default as it is told: a number, or a text in quotes.
+/// A default as it is told: a number, a text in quotes, or three zeros.
 wrc_status set_default(wrc_scene* scene, const std::string& key, const std::string& value) {
   if (value.starts_with('"')) {
     return wrc_scene_set_text(scene, key.c_str(), value.substr(1, value.size() - 2).c_str());
+  }
+  if (value == "[0.0, 0.0, 0.0]") {
+    constexpr std::array<double, 3> zeros{};
+    return wrc_scene_set_numbers(scene, key.c_str(), zeros.data(), zeros.size());
   }
   return wrc_scene_set_number(scene, key.c_str(), std::stod(value));
 }

@@ -199,7 +199,7 @@ TEST(Threads, PlanOnlyUnderTheHostsLock) {
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
   EXPECT_EQ(lock.overlaps(), 0);
   EXPECT_EQ(host_entered, 2 * host_sections);
-  // At least once for the plans of each yardstick, once for their end, and once for each scene.
+  // Once for the plans of each yardstick, and once for the end of each of its two.
   EXPECT_GE(lock.entered() - host_entered, 3 * planning_threads * rounds);
 }
 
@@ -235,7 +235,8 @@ TEST(Threads, MayPlanWhileTheyHoldARecursiveLock) {
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
 }
 
-/// The planner's lock is taken in the middle of a first solution: that call waits there.
+/// The planner's lock is taken in the middle of a first solution with measured plans of a size:
+/// that call waits there.
 struct Gate {
   std::atomic<bool> reached{false};
   std::atomic<bool> open{false};
@@ -252,8 +253,10 @@ struct Gate {
 
 TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
   Gate gate;
-  ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
   const ScenePointer scene = make_small_scene();
+  set(scene.get(), {{"solve.planner", "measure"}});
+  const SolverPointer solver = make_solver();
+  ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
   wrc_status status = -1;
   std::thread solving([&] { status = wrc_scene_solve(scene.get()); });
   while (!gate.reached) {
@@ -266,7 +269,6 @@ TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
   EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
   wrc_scene* scenes[] = {scene.get()};
   EXPECT_EQ(wrc_solve_batch(scenes, 1, 1, nullptr), WRC_BUSY);
-  const SolverPointer solver = make_solver();
   EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_BUSY);
   gate.open = true;
   solving.join();
@@ -277,9 +279,10 @@ TEST(Threads, AHandleInUseIsRefusedUntilItsCallEnds) {
 
 TEST(Threads, AHandleMayBeDestroyedDuringACall) {
   Gate gate;
-  ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
   wrc_scene* scene = nullptr;
   ASSERT_EQ(wrc_scene_create(&scene), WRC_OK);
+  set(scene, {{"solve.planner", "measure"}, {"solve.grid", std::vector{60.0, 50.0}}});
+  ASSERT_EQ(wrc_set_planner_lock(Gate::wait, Gate::pass, &gate), WRC_OK);
   wrc_status status = -1;
   std::thread solving([&] { status = wrc_scene_solve(scene); });
   while (!gate.reached) {

@@ -19,7 +19,7 @@ protected:
   [[nodiscard]] Outcome run_limited(int blocks, const std::string& program,
                                     const std::string& arguments,
                                     const std::string& printed = "/dev/null") const {
-    const std::string command = "cd '" + folder().string() + "' && (trap '' XFSZ; ulimit -f " +
+    const std::string command = "cd '" + folder().string() + "' && (ulimit -f " +
                                 std::to_string(blocks) + "; exec '" + program + "' " + arguments +
                                 ") >" + printed + " 2>stderr.captured";
     const int status = std::system(command.c_str());

@@ -81,6 +81,7 @@ TEST_F(WrcCase, JsonHasEveryKey) {
       EXPECT_TRUE(side.at(key).is_number()) << key;
     }
     EXPECT_TRUE(side.at("iterations").is_number_integer());
+    EXPECT_TRUE(side.at("patch_count").is_number_integer());
     ASSERT_EQ(side.at("grid").size(), 2U);
     EXPECT_TRUE(side.at("grid").at(0).is_number_integer());
     EXPECT_TRUE(side.at("warnings").is_array());

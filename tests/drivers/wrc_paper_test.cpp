@@ -45,15 +45,26 @@ TEST_F(WrcPaper, JudgesWhatItIsGiven) {
             std::string::npos);
   EXPECT_NE(line_with("Roll is positive for negative y").find("| **confirmed**"),
             std::string::npos);
-  EXPECT_NE(line_with("Off the centre the roll depends on the sign").find("| **not confirmed**"),
+  EXPECT_NE(line_with("Off the centre the roll depends on the sign").find("| **refuted** by proof"),
             std::string::npos);
+  for (const char* statement : {"In the centre yaw makes the wheelset roll", "the sign matters"}) {
+    EXPECT_NE(line_with(statement).find("| **refuted** by proof"), std::string::npos) << statement;
+  }
+  // As printed, and a thousand times as much.
+  const std::string printed = line_with("These are effects of a yaw of 0.05 mrad");
+  EXPECT_NE(printed.find("| **refuted**: 0.05 mrad change the roll"), std::string::npos) << printed;
+  EXPECT_NE(line_with("(a) From -9 to 9 mm").find("| **confirmed**"), std::string::npos);
+  EXPECT_NE(line_with("(b) Below 3 mm").find("**undecidable**"), std::string::npos);
+  EXPECT_NE(line_with("which the paper calls validation").find("up to 5.6 %"), std::string::npos);
+  const std::string counts = line_with("The paper's statements on figures 6 to 13");
+  EXPECT_NE(counts.find("5 refuted (3 of them by proof)"), std::string::npos) << counts;
   EXPECT_NE(line_with("| default | cold").find("1/825"), std::string::npos);
   EXPECT_TRUE(is_png("timing.png"));
 
   // A wheelset that does not roll as it should.
   sweep("fig06_07", "LM", "--set wheelset.wheel=LM --set pose.roll=0.001");
   ASSERT_EQ(run(".").exit_code, 0);
-  EXPECT_NE(line_with("Its magnitude grows with that of y").find("| **not confirmed**"),
+  EXPECT_NE(line_with("Its magnitude grows with that of y").find("| **undecidable**"),
             std::string::npos);
   EXPECT_EQ(line_with("Roll is positive for negative y")
                 .find("y (the paper's sign, opposite to "

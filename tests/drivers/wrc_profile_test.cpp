@@ -77,15 +77,19 @@ TEST_F(WrcProfile, FindsKinksAndOverhangs) {
 
 TEST_F(WrcProfile, DimensionsThatAreNotThereAreNull) {
   write("crown.rail", "-4 -0.1\n-2 -0.02\n0 0\n2 -0.02\n4 -0.1\n");
-  const json dimensions = run_json("crown.rail").at("dimensions");
+  const json dimensions = run_json("crown.rail --scale 1").at("dimensions");
   for (const char* key : {"head_width_14", "head_width_16", "crown_radius"}) {
     EXPECT_TRUE(dimensions.at(key).is_null()) << key;
   }
-  EXPECT_NE(run("crown.rail").out.find("does not reach"), std::string::npos);
+  EXPECT_NE(run("crown.rail --scale 1").out.find("does not reach"), std::string::npos);
 }
 
 TEST_F(WrcProfile, TableTellsCorrections) {
-  write("upside_down.rail", "-30 20\n-20 5\n-10 1\n0 0\n10 1\n20 5\n30 20\n");
+  std::ostringstream points;
+  for (int y = -60; y <= 60; y += 2) {
+    points << y << ' ' << 20.0 * y * y / 3600.0 << '\n';
+  }
+  write("upside_down.rail", points.str());
   const Outcome outcome = run("upside_down.rail");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("height mirrored"), std::string::npos);

@@ -247,6 +247,29 @@ TEST_F(WrcSweep, ConicityOfAConeIsItsSlope) {
   }
 }
 
+TEST_F(WrcSweep, PicturesTellManyLinesApartAndNumberConnections) {
+  NEEDS_GNUPLOT();
+  write("s.toml", "[pose]\nyaw = [0.0, 0.01]\nlateral = {from = -6, to = 6, step = 1}\n[load]\n"
+                  "vertical = 0\n[[picture]]\nfile = \"lines.svg\"\nx = \"pose.yaw\"\nseries = "
+                  "\"pose.lateral\"\npanels = [{lines = [{result = \"left.rigid_contact.y\"}]}]\n");
+  (void)files("s.toml", "o");
+  const std::string lines = read("o/lines.svg");
+  std::set<std::string> colours;
+  for (auto at = lines.find("rgb("); at != std::string::npos; at = lines.find("rgb(", at + 1)) {
+    colours.insert(lines.substr(at, lines.find(')', at) - at));
+  }
+  EXPECT_GE(colours.size(), 13U);
+  std::ifstream shipped(std::filesystem::path(WRC_STUDIES) / "connections.toml");
+  std::string text{std::istreambuf_iterator<char>(shipped), {}};
+  const auto at = text.find("connections.png");
+  write("s.toml", text.replace(at, 15, "connections.svg"));
+  (void)files("s.toml", "o");
+  const std::string connections = read("o/connections.svg");
+  for (const char* label : {">-6.5<", ">-5.5<", ">-4<", ">-3.5<", ">-2.5<", ">2<", ">4.5<"}) {
+    EXPECT_NE(connections.find(label), std::string::npos) << label;
+  }
+}
+
 TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
   NEEDS_GNUPLOT();
   std::set<std::string> pictures;
@@ -316,6 +339,8 @@ TEST_F(WrcSweep, RefusesBadStudies) {
          {"scenes", "allowed"});
   refuse("[study]\nresults = [\"left.pmx\"]\n", {"left.pmx", "--list-results"});
   refuse("[study]\nresults = \"left.pmax\"\n", {"study.results", "list of texts"});
+  refuse("[study]\nresults = [\"roll\", \"roll\"]\n", {"study.results", "\"roll\"", "once"});
+  refuse("[study]\nfields = [\"x\", \"x\"]\n", {"study.fields", "\"x\"", "once"});
   refuse("[study]\nfields = [\"heat\"]\n", {"heat", "pressure"});
   refuse("[study]\nresult = []\n", {"study.result", "results"});
   refuse("[study]\nname = \"a/b\"\n", {"a/b", "without folder"});
@@ -323,7 +348,24 @@ TEST_F(WrcSweep, RefusesBadStudies) {
   refuse(axis + "[[picture]]\nkind = \"pie\"\n", {"picture.kind", "pie", "lines"});
   refuse(axis + "[[picture]]\nx = \"pose.yaw\"\n", {"picture.x", "pose.yaw"});
   refuse(axis + "[[picture]]\nfile = \"a.pdf\"\n", {"a.pdf", ".png"});
+  refuse(axis + "[[picture]]\nfile = \"a/b.png\"\n", {"a/b.png", "without folder"});
   refuse(axis + "[[picture]]\nkind = \"patches\"\n", {"needs", "study.fields"});
+  refuse(axis + "[[picture]]\n", {"picture.panels", "one panel or more"});
+  refuse(axis + "[[picture]]\npanels = [{y_label = \"y\"}]\n", {"picture.panels.lines"});
+  const std::string lines = "panels = [{lines = [{result = \"left.pmax\"}]}]\n";
+  refuse(axis + "[[picture]]\nx_values = [0, 2]\n" + lines,
+         {"picture.x_values = 2", "a value of pose.lateral: 0, 1"});
+  refuse("[track]\nrail = [\"60E1\", \"54E3\"]\n" + axis +
+             "[[picture]]\nwhere = {\"track.rail\" = "
+             "\"54E1\"}\n" +
+             lines,
+         {"picture.where = 54E1", "a value of track.rail: 60E1, 54E3"});
+  refuse("[track]\nrail = [\"60E1\", \"54E3\"]\n[[picture]]\n" + lines,
+         {"picture.x", "track.rail", "numbers"});
+  const std::string picture = "[[picture]]\nfile = \"p.png\"\n" + lines;
+  if (gnuplot_is_there()) {
+    refuse(axis + picture + picture, {"o/p.png", "twice"});
+  }
   refuse(axis + "[[picture]]\npanels = [{lines = [{result = \"left.area2\"}]}]\n",
          {"picture.panels.lines.result", "left.area2"});
   refuse(axis + "[[picture]]\ncolour = 3\n", {"picture.colour", "allowed"});

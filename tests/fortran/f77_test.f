@@ -7,10 +7,13 @@ c filled with ones before each call, so that half a write is seen.
       common /bad/ nbad
       nbad = 0
       call tscene
+      call tids
       call tstep
+      call tvehic
       call tnorm
       call troll
       call tprof
+      call tread
       call trefus
       if (nbad .ne. 0) then
         write (*, *) nbad, ' expectations failed'
@@ -124,6 +127,77 @@ c     The paper's Table 1 at y = 3, to the accuracy of 1e-3.
       ierr = -1
       call wrcdel(scene, ierr)
       call expect(ierr .eq. 0 .and. scene .eq. 0, 'given back')
+      end
+
+c By id the same as by name.
+      subroutine tids
+      implicit none
+      integer*8 scene
+      integer ierr, keys(2), names(3), i
+      real*8 in(2), out(3), value
+      character*100 text
+      call wrcnew(scene, 'scene', kind(0), ierr)
+      do 10 i = 1, 3
+        names(i) = -1
+        keys(min(i, 2)) = -1
+        out(i) = 7.0d0
+   10 continue
+      ierr = -1
+      call wrckid(scene, 'pose.lateral', keys(1), ierr)
+      call expect(ierr .eq. 0 .and. keys(1) .ge. 0, 'id of a key')
+      ierr = -1
+      call wrckid(scene, 'load.vertical', keys(2), ierr)
+      call expect(ierr .eq. 0 .and. keys(2) .ne. keys(1), 'another')
+      ierr = -1
+      call wrcnid(scene, 'left.vertical_force', names(1), ierr)
+      call expect(ierr .eq. 0 .and. names(1) .gt. 0, 'of a result')
+      call wrcnid(scene, 'left.patches.5.pmax', names(2), ierr)
+      call wrcnid(scene, 'roll', names(3), ierr)
+      ierr = -1
+      call wrcrdb(scene, names, out, 3, ierr)
+      call expect(ierr .eq. 10 .and. nint(out(1)) .eq. 7, 'not yet')
+      in(1) = 3.0d0
+      in(2) = 6.0d4
+      ierr = -1
+      call wrcstb(scene, keys, in, 2, ierr)
+      call expect(ierr .eq. 0, 'set by id')
+      call wrcget(scene, 'load.right', value, ierr)
+      call expect(abs(value - 6.0d4) .le. 0.0d0, 'and told by key')
+      call wrcsol(scene, ierr)
+      ierr = -1
+      call wrcrdb(scene, names, out, 3, ierr)
+      call expect(ierr .eq. 0, 'read by id')
+      call wrcnum(scene, 'left.vertical_force', value, ierr)
+      call expect(abs(out(1) - value) .le. 0.0d0, 'as by name')
+      call expect(.not. abs(out(2)) .ge. 0.0d0, 'no such patch')
+      call wrcnum(scene, 'roll', value, ierr)
+      call expect(abs(out(3) - value) .le. 0.0d0, 'the last one')
+      in(1) = 4.0d0
+      in(2) = -1.0d0
+      ierr = -1
+      call wrcstb(scene, keys, in, 2, ierr)
+      call expect(ierr .eq. 1, 'refused')
+      call wrcerr(scene, text, ierr)
+      call expect(index(text, 'load.vertical = -1') .gt. 0, 'named')
+      call wrcget(scene, 'pose.lateral', value, ierr)
+      call expect(abs(value - 3.0d0) .le. 0.0d0, 'none is set')
+      ierr = -1
+      call wrcrdb(scene, keys, out, 2, ierr)
+      call expect(ierr .eq. 1, 'keys are no results')
+      ierr = -1
+      call wrcrdb(scene, names, out, -1, ierr)
+      call expect(ierr .eq. 1, 'no such number of them')
+      i = keys(1)
+      ierr = -1
+      call wrckid(scene, 'pose.sideways', keys(1), ierr)
+      call expect(ierr .eq. 2 .and. keys(1) .eq. i, 'no such key')
+      ierr = -1
+      call wrcnid(scene, 'left.colour', keys(1), ierr)
+      call expect(ierr .eq. 2 .and. keys(1) .eq. i, 'no such name')
+      call wrcdel(scene, ierr)
+      ierr = -1
+      call wrcrdb(scene, names, out, 3, ierr)
+      call expect(ierr .ne. 0, 'no scene')
       end
 
 c A solver's steps end where a scene by itself does.
@@ -346,6 +420,101 @@ c A circle of 300 mm as a rail: its radius of curvature is found.
       call wrcdel(scene, ierr)
       end
 
+c Points of a rail in m, upside down and with the sides exchanged are
+c read as those in mm if they are said to be so, and else not.
+c Pressures are those of a scene, to its accuracy of 1e-3.
+      subroutine tread
+      implicit none
+      integer n
+      parameter (n = 201)
+      integer*8 rail
+      integer ierr, i
+      real*8 y(n), z(n), ym(n), zm(n), known, railpm
+      call wrcopn(rail, 'profile', kind(0), 1.0d0, ierr)
+      open (unit=21, file='f77_test_rail.txt')
+      do 10 i = 1, n
+        y(i) = 0.34d0*(i - 101)
+        z(i) = sqrt(300.0d0**2 - (y(i) - 4.0d0)**2) - 300.0d0
+     &    - 0.15d0*max(0.0d0, abs(y(i)) - 24.0d0)**2.2d0
+        ym(i) = -1.0d-3*y(i)
+        zm(i) = -1.0d-3*z(i)
+        write (21, '(2es25.16)') ym(i), zm(i)
+   10 continue
+      close (21)
+      call wrcpts(rail, 'in mm', 1, y, z, n, ierr)
+      known = railpm(rail)
+      ierr = -1
+      call wrcptx(rail, 'in m', 1, ym, zm, n, 1, 1, 1, 1.0d3, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 0, 'points in m')
+      call expect(abs(railpm(rail) - known) .lt. 1.0d-3*known,
+     &  'the same rail')
+      ierr = -1
+      call wrcptx(rail, 'in m', 1, ym, zm, n, -1, 1, 1, 1.0d3, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 0, 'not mirrored')
+      call expect(abs(railpm(rail) - known) .gt. 1.0d-2*known,
+     &  'another rail')
+      ierr = -1
+      call wrcptx(rail, 'smoothed', 1, y, z, n, 0, 0, 0, 1.0d0, 30.0d0,
+     &  ierr)
+      call expect(ierr .eq. 0, 'smoothed')
+      call expect(abs(railpm(rail) - known) .gt. 1.0d-2*known,
+     &  'changes the rail')
+      ierr = -1
+      call wrcptx(rail, 'no kind', -1, y, z, n, 0, 0, 0, 0.0d0, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 1, 'points have a kind')
+      ierr = -1
+      call wrcptx(rail, 'mirror 2', 1, y, z, n, 0, 2, 0, 0.0d0, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 1, 'mirroring is -1, 0 or 1')
+
+      ierr = -1
+      call wrcflx(rail, 'f77_test_rail.txt', 1, 1, 1, 1, 1.0d3, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 0, 'a file in m')
+      call expect(abs(railpm(rail) - known) .lt. 1.0d-3*known,
+     &  'the rail of the file')
+      ierr = -1
+      call wrcflx(rail, 'f77_test_rail.txt', 1, 1, 1, 0, 0.0d0, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 0, 'its scale is guessed')
+      ierr = -1
+      call wrcflx(rail, 'f77_test_rail.txt', 1, 1, 1, 1, 0.0d0, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 4, 'but not by strict reading')
+      ierr = -1
+      call wrcflx(rail, 'f77_test_rail.txt', -1, 1, 1, 0, 1.0d3, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 0, 'and its kind by the shape')
+      ierr = -1
+      call wrcflx(rail, 'f77_test_rail.txt', -1, 1, 1, 1, 1.0d3, 0.0d0,
+     &  ierr)
+      call expect(ierr .eq. 4, 'but not that either')
+      ierr = -1
+      call wrcflx(rail, 'f77_test_rail.txt', 1, 1, 1, 0, 1.0d3, -1.0d0,
+     &  ierr)
+      call expect(ierr .eq. 1, 'no such wavelength')
+      call wrcdel(rail, ierr)
+      end
+
+c The largest pressure on a rail.
+      real*8 function railpm(rail)
+      implicit none
+      integer*8 rail, scene
+      integer ierr
+      call wrcopn(scene, 'scene', kind(0), 1.0d0, ierr)
+      call wrcput(scene, 'track.rail', rail, ierr)
+      call wrcstx(scene, 'solve.side', 'left', ierr)
+      ierr = -1
+      call wrcsol(scene, ierr)
+      call expect(ierr .eq. 0, 'solved on this rail')
+      railpm = -1.0d0
+      call wrcnum(scene, 'left.pmax', railpm, ierr)
+      call wrcdel(scene, ierr)
+      end
+
 c Wrong handles and wrong widths: never a crash, always IERR.
       subroutine trefus
       implicit none
@@ -353,6 +522,7 @@ c Wrong handles and wrong widths: never a crash, always IERR.
       integer ierr, n
       real*8 value(1)
       character*60 text
+      character*120 long
       ierr = -1
       handle = 4711
       call wrcnew(handle, 'scene', 5, ierr)
@@ -367,8 +537,32 @@ c Wrong handles and wrong widths: never a crash, always IERR.
       call wrcerr(handle, text, ierr)
       call expect(ierr .ne. 0 .and. index(text, 'WRCNEW') .gt. 0,
      &  'its text')
-      call wrcnew(scene, 'scene', kind(0), ierr)
-      call wrcnew(solver, 'solver', kind(0), ierr)
+      ierr = -1
+      handle = 4711
+      call wrcopn(handle, 'scene', 5, 1.0d0, ierr)
+      call expect(ierr .ne. 0 .and. handle .eq. 0, 'no width at all')
+      ierr = -1
+      call wrcopn(handle, 'wheel', kind(0), 1.0d0, ierr)
+      call expect(ierr .eq. 2 .and. handle .eq. 0, 'no such thing')
+      ierr = -1
+      call wrcopn(handle, 'scene', kind(0), 0.0d0, ierr)
+      call expect(ierr .eq. 1, 'reals of another width')
+      ierr = -1
+      call wrcset(handle, 'pose.lateral', 1.0d0, ierr)
+      call expect(ierr .eq. 1, 'are refused from then on')
+      ierr = -1
+      call wrcerr(handle, long, ierr)
+      call expect(ierr .eq. 1 .and. index(long, '-fdefault-double-8')
+     &  .gt. 0, 'and the cure is named')
+      ierr = -1
+      call wrcdel(handle, ierr)
+      call expect(ierr .eq. 1 .and. handle .eq. 0, 'nothing is left')
+      ierr = -1
+      call wrcopn(scene, 'scene', kind(0), 1.0d0, ierr)
+      call expect(ierr .eq. 0, 'opened')
+      ierr = -1
+      call wrcopn(solver, 'SOLVER', kind(0), 1.0d0, ierr)
+      call expect(ierr .eq. 0, 'and a solver')
       ierr = -1
       call wrcstp(scene, solver, ierr)
       call expect(ierr .eq. 1, 'the wrong way round')

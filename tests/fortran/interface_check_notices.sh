@@ -9,7 +9,7 @@ failures=0
 
 # notices WHAT FILE SED: after the edit of one of the copied files the check fails.
 notices() {
-  cp "$project"/c_api/include/wrcontact.h "$project"/fortran_bindings/wrcontact* "$work"
+  cp "$project"/c_api/include/wrcontact*.h "$project"/fortran_bindings/wrcontact* "$work"
   sed -i "$3" "$work/$2"
   if cmp -s "$work/$2" "$project/c_api/include/$2" || cmp -s "$work/$2" "$project/fortran_bindings/$2"; then
     echo "nothing was changed for: $1"
@@ -20,10 +20,11 @@ notices() {
   fi
 }
 
-cp "$project"/c_api/include/wrcontact.h "$project"/fortran_bindings/wrcontact* "$work"
+cp "$project"/c_api/include/wrcontact*.h "$project"/fortran_bindings/wrcontact* "$work"
 "$project/scripts/check_fortran_interface.sh" "$work/wrcontact.h" "$work"
 notices 'a new function of the header' wrcontact.h 's|^#ifdef __cplusplus|WRC_API wrc_status wrc_new(double value);\n&|'
 notices 'a function gone from the header' wrcontact.h '/wrc_version/d'
+notices 'a function gone from the other header' wrcontact_grid.h '/wrc_rolling_advance/d'
 notices 'another argument' wrcontact.h 's|wrc_scene_solve(wrc_scene\* scene)|wrc_scene_solve(wrc_scene* scene, int32_t threads)|'
 notices 'another kind' wrcontact.h 's|wrc_solver_forget(wrc_solver\* solver, int32_t|wrc_solver_forget(wrc_solver* solver, int64_t|'
 notices 'another name of an argument' wrcontact.h 's|int32_t profiles)|int32_t all)|'
@@ -38,6 +39,6 @@ notices 'members in another order' wrcontact_c.inc 's|:: strict|:: swap|; s|:: r
 notices 'a kind in the module' wrcontact_c.inc '0,/c_int64_t), value :: count/s//c_int32_t), value :: count/'
 notices 'value lost in the module' wrcontact_c.inc '0,/real(c_double), value :: value/s//real(c_double), intent(in) :: value/'
 notices 'a constant in the module' wrcontact.f90 's/wrc_no_contact = 5/wrc_no_contact = 6/'
-notices 'a function never called' wrcontact.f90 's/wrc_scene_solve(/wrc_scene_dissolve(/'
+notices 'a function never called' wrcontact_scene.inc 's/wrc_scene_solve(/wrc_scene_dissolve(/'
 notices 'a kind in the F77 layer' wrcontact_f77.inc '0,/real(c_double), value :: value/s//integer(c_int64_t), value :: value/'
 exit "$failures"

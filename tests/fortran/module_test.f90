@@ -22,7 +22,7 @@ end module counted_lock
 
 !> Everything the Fortran module offers besides a single scene (scene_test.f90) and namelists
 !> (namelist_test.f90): keys, convention, names of results, fields of rank 2, profiles, solvers,
-!> batches, normal and rolling contact, the library.
+!> batches, normal and rolling contact (grid_contacts.inc), the library.
 program module_test
   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
   use, intrinsic :: iso_fortran_env, only: real64
@@ -41,6 +41,7 @@ program module_test
   call keys_have_values()
   call convention_is_of_the_scene()
   call results_are_named()
+  call numbers_have_ids()
   call fields_have_two_ranks()
   call profiles_are_read_and_written()
   call points_make_a_profile()
@@ -124,6 +125,46 @@ contains
     call expect(len(scene%text_name(scene%text_count() + 1)) == 0, 'past the last text')
   end subroutine results_are_named
 
+  subroutine numbers_have_ids()
+    type(contact_scene) :: scene, other
+    integer :: keys(2), names(3), stat
+    real(real64) :: values(3), spread_out(5)
+    character(200) :: errmsg
+    call small(scene)
+    keys = [scene%key_id('pose.lateral'), scene%key_id('load.vertical')]
+    names = [scene%number_id('left.vertical_force'), scene%number_id('left.patches.5.pmax'), &
+      scene%number_id('roll')]
+    call scene%numbers_by_id(names, values, stat)
+    call expect(stat == wrc_no_result .and. all(is_nan(values)), 'nothing yet')
+    call small(other)
+    call other%set_numbers_by_id(keys, [1.0_real64, 5.0e4_real64])
+    call expect(same(other%get_number('pose.lateral'), 1.0_real64), 'ids of another scene')
+    call other%solve()
+    call other%numbers_by_id(names, values, stat)
+    call expect(stat == wrc_ok, 'read')
+    call expect(same(values(1), other%number('left.vertical_force')), 'a result')
+    call expect(is_nan(values(2)), 'no such patch')
+    call expect(same(values(3), other%number('roll')), 'the last result')
+    spread_out = -1.0_real64
+    call other%numbers_by_id(names(3:1:-1), spread_out(1:5:2))
+    call expect(all(same(spread_out(1:5:4), values(3:1:-2))), 'a slice')
+    call expect(all(same(spread_out(2:4:2), -1.0_real64)), 'and nothing between')
+
+    call other%set_numbers_by_id(keys, [2.0_real64, -1.0_real64], stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'load.vertical = -1') > 0, 'refused')
+    call expect(same(other%get_number('pose.lateral'), 1.0_real64), 'then none is set')
+    call other%set_numbers_by_id(keys, values, stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'length') > 0, 'three for two')
+    call other%numbers_by_id(keys, values(:2), stat)
+    call expect(stat == wrc_invalid_argument .and. all(is_nan(values(:2))), 'keys are no results')
+    call other%numbers_by_id(names, values(:2), stat)
+    call expect(stat == wrc_invalid_argument, 'two for three')
+    call expect(other%key_id('pose.sideways', stat, errmsg) == -1, 'no such key')
+    call expect(stat == wrc_unknown_name .and. index(errmsg, 'pose.sideways') > 0, 'and says so')
+    call expect(other%number_id('left.colour', stat) == -1, 'no such result')
+    call expect(stat == wrc_unknown_name, 'and says that')
+  end subroutine numbers_have_ids
+
   subroutine fields_have_two_ranks()
     type(contact_scene) :: scene
     real(real64), allocatable :: flat(:), x(:, :), y(:, :)
@@ -150,7 +191,7 @@ contains
   subroutine profiles_are_read_and_written()
     type(contact_profile) :: wheel, copy
     real(real64) :: lateral, height, angle, curvature, again
-    real(real64), allocatable :: nodes(:)
+    real(real64), allocatable :: nodes(:), laterals(:), heights(:)
     character(:), allocatable :: text
     integer :: stat, kind
     character(200) :: errmsg
@@ -168,6 +209,10 @@ contains
     call expect(stat == wrc_unknown_name .and. len(text) == 0, 'no such text')
     call expect(wheel%correction_count() == 0, 'nothing was corrected')
     call expect(len(wheel%correction(1)) == 0, 'past the last correction')
+    call expect(wheel%warning_count() == 0, 'nothing is odd')
+    call expect(len(wheel%warning(1)) == 0, 'past the last warning')
+    call wheel%points(wrc_points_read, laterals, heights)
+    call expect(size(laterals) == 0 .and. size(heights) == 0, 'no points of a built-in profile')
     nodes = wheel%nodes()
     call expect(size(nodes) > 10, 'nodes')
     call expect(all(nodes(2:) > nodes(:size(nodes) - 1)), 'in order')
@@ -297,172 +342,7 @@ contains
     call expect(stat == wrc_too_small, 'room for each status')
   end subroutine batch_is_each_scene
 
-  !> h = r^2/2R under a load: Hertz's circle.
-  subroutine sphere_is_hertzian()
-    integer, parameter :: n = 64
-    real(real64), parameter :: radius = 500.0_real64, modulus = 1.1e5_real64, a = 5.0_real64
-    real(real64), parameter :: load = 4.0_real64*modulus*a**3/(3.0_real64*radius)
-    real(real64), parameter :: step = 2.0_real64*a/45.0_real64
-    type(normal_contact) :: normal, other
-    real(real64) :: h(n, n)
-    real(real64), allocatable :: p(:, :), flat(:)
-    integer :: i, j, stat
-    character(200) :: errmsg
-    do j = 1, n
-      do i = 1, n
-        h(i, j) = step**2*((i - 32.5_real64)**2 + (j - 32.5_real64)**2)/(2.0_real64*radius)
-      end do
-    end do
-    call normal%create()
-    call expect(is_nan(normal%number('pmax', stat)), 'not solved')
-    call expect(stat == wrc_no_result, 'and says so')
-    p = normal%field_2d('pressure', stat)
-    call expect(stat == wrc_no_result .and. size(p) == 0, 'no field yet')
-    call normal%set_grid(n, n, step, step)
-    call normal%set_distance(h)
-    call normal%set('combined_modulus', modulus)
-    call normal%set('normal_load', load)
-    call normal%set('maximum_iterations', 500)
-    call normal%set('precision', 'double')
-    call normal%set('colour', 'red', stat, errmsg)
-    call expect(stat == wrc_unknown_name .and. index(errmsg, 'colour') > 0, 'unknown key')
-    call normal%solve()
-    call expect(near(normal%number('pmax'), 1.5_real64*load/(pi*a**2), hertz_pmax), 'pmax')
-    call expect(near(normal%number('approach'), a**2/radius, hertz_approach), 'approach')
-    call expect(normal%text('stop_reason') == 'tolerance_met', 'converged')
-    p = normal%field_2d('pressure')
-    call expect(all(shape(p) == [n, n]), 'the grid''s shape')
-    call expect(near(sum(p)*step**2, load, rounding), 'the load')
-    flat = normal%field('pressure')
-    call expect(all(same(flat, reshape(p, [n*n]))), 'the same field')
-    call normal%set_distance(reshape(h, [n*n]))
-    other = normal
-    call other%solve()
-    call expect(all(same(normal%field('pressure'), flat)), 'of rank 1 the same')
-    call normal%set('tolerance', 1.0_real64, stat)
-    call expect(stat == wrc_invalid_argument, 'out of its range')
-    flat = normal%field('colour', stat)
-    call expect(stat == wrc_unknown_name .and. size(flat) == 0, 'no such field')
-  end subroutine sphere_is_hertzian
-
-  subroutine distance_is_checked_for_its_shape()
-    type(normal_contact) :: normal
-    real(real64) :: h(8, 4)
-    real(real64), allocatable :: p(:, :)
-    integer :: stat
-    character(200) :: errmsg
-    h = 0.0_real64
-    call normal%create()
-    call normal%set('normal_load', 1000)
-    ! The shape counts when both are known, whichever comes first.
-    call normal%set_distance(h)
-    call normal%set_grid(8, 4, 1.0_real64, 1.0_real64)
-    call normal%solve(stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, '8 x 4') > 0, 'transposed')
-    call normal%set_distance(transpose(h))
-    call normal%solve(stat)
-    call expect(stat == wrc_ok, 'in shape')
-    call normal%set_grid(4, 8, 1.0_real64, 1.0_real64)
-    p = normal%field_2d('displacement')
-    call expect(all(shape(p) == [4, 8]), 'results keep the shape they were solved in')
-    call normal%set_grid(0, 8, 1.0_real64, 1.0_real64, stat)
-    call expect(stat == wrc_invalid_argument, 'no elements')
-  end subroutine distance_is_checked_for_its_shape
-
-  !> Of more creepage than friction can hold, and of none.
-  subroutine rolling_contact_has_forces()
-    integer, parameter :: n = 12
-    !> Slip differs from the creepage by about 300 MPa over the shear modulus; tractions turn by as
-    !> much, and the force loses half the square of it.
-    real(real64), parameter :: turned = 2.0e-5_real64
-    type(rolling_contact) :: rolling, other
-    real(real64) :: pressure(n, n)
-    real(real64), allocatable :: q(:, :), flat(:)
-    integer :: stat
-    character(200) :: errmsg
-    pressure = 1000.0_real64
-    call rolling%create()
-    call expect(is_nan(rolling%number('lateral_force', stat)), 'not solved')
-    call expect(stat == wrc_no_result, 'and says so')
-    q = rolling%field_2d('traction_x', stat)
-    call expect(stat == wrc_no_result .and. size(q) == 0, 'no field yet')
-    call rolling%advance(stat, errmsg)
-    call expect(stat == wrc_no_result .and. index(errmsg, 'not been solved') > 0, 'no step yet')
-    call rolling%set_grid(n, n, 0.5_real64, 0.5_real64)
-    call rolling%set_pressure(pressure)
-    call rolling%set('shear_modulus', 80000)
-    call rolling%set('longitudinal_creepage', -1)
-    call rolling%set('maximum_iterations', 40)
-    call rolling%set('difference', 'first-order')
-    call rolling%set('model', 'red', stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'model = "red"') > 0, 'no such model')
-    call rolling%solve()
-    call expect(near(rolling%number('longitudinal_force'), 0.3_real64*sum(pressure)*0.25_real64, &
-      turned), 'all of it slips')
-    call expect(near(rolling%number('slip_area'), n*n*0.25_real64, rounding), 'everywhere')
-    q = rolling%field_2d('traction_x')
-    call expect(all(shape(q) == [n, n]), 'the grid''s shape')
-    flat = rolling%field('traction_x')
-    call expect(all(same(flat, reshape(q, [n*n]))), 'the same field')
-    call rolling%set_pressure(reshape(pressure, [n*n]))
-    other = rolling
-    call other%solve()
-    call expect(all(same(rolling%field('traction_x'), flat)), 'of rank 1 the same')
-    call rolling%set('longitudinal_creepage', 0)
-    call rolling%solve()
-    call expect(abs(rolling%number('longitudinal_force')) <= 0.0_real64, 'nothing slips')
-    call rolling%set('tolerance', 1.0_real64, stat)
-    call expect(stat == wrc_invalid_argument, 'out of its range')
-    flat = rolling%field('colour', stat)
-    call expect(stat == wrc_unknown_name .and. size(flat) == 0, 'no such field')
-  end subroutine rolling_contact_has_forces
-
-  subroutine steps_of_rolling_have_a_history()
-    type(rolling_contact) :: rolling
-    real(real64) :: pressure(8, 4)
-    real(real64), allocatable :: x(:, :), y(:, :)
-    real(real64) :: first, second
-    integer :: stat
-    character(200) :: errmsg
-    pressure = 1000.0_real64
-    call rolling%create()
-    call rolling%set('longitudinal_creepage', -0.002_real64)
-    call rolling%set('contact', 'transient')
-    call rolling%set_pressure(pressure)
-    call rolling%set_grid(8, 4, 0.5_real64, 0.5_real64)
-    call rolling%solve(stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, '8 x 4') > 0, 'transposed')
-    call rolling%set_grid(4, 8, 0.5_real64, 0.5_real64)
-    call rolling%solve()
-    first = rolling%number('longitudinal_force')
-    x = rolling%field_2d('traction_x')
-    y = rolling%field_2d('traction_y')
-    call rolling%solve()
-    call expect(same(rolling%number('longitudinal_force'), first), 'solving is no step')
-    call rolling%advance()
-    call rolling%solve()
-    second = rolling%number('longitudinal_force')
-    call expect(second > first, 'a second step')
-    call rolling%set_previous()
-    call rolling%solve()
-    call expect(same(rolling%number('longitudinal_force'), first), 'forgotten')
-    call rolling%set_previous(x, y)
-    call rolling%solve()
-    call expect(same(rolling%number('longitudinal_force'), second), 'given')
-    call rolling%set_previous(reshape(x, [32]), reshape(y, [32]))
-    call rolling%solve()
-    call expect(same(rolling%number('longitudinal_force'), second), 'of rank 1 the same')
-    call rolling%set_previous(transpose(x), transpose(y))
-    call rolling%solve(stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'previous') > 0, 'transposed too')
-    call rolling%set('contact', 'rolling')
-    call rolling%solve(stat)
-    call expect(stat == wrc_ok, 'steady rolling has no history')
-    call rolling%set_previous(x, transpose(y), stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'differ') > 0, 'of two shapes')
-    call rolling%set_previous(traction_x=reshape(x, [32]), stat=stat)
-    call expect(stat == wrc_invalid_argument, 'one without the other')
-  end subroutine steps_of_rolling_have_a_history
+  include 'grid_contacts.inc'
 
   subroutine written_scene_is_there()
     type(contact_scene) :: scene
@@ -517,6 +397,7 @@ contains
     call set_planner_lock(lock, unlock, c_loc(locked))
     call small(scene)
     call scene%set('solve.grid', [37, 23])
+    call scene%set('solve.planner', 'measure') ! the usual plans were made with the first handle
     call scene%solve()
     call expect(locked > 0 .and. locked/1000_c_int == mod(locked, 1000_c_int), 'taken and given back as often')
     call set_planner_lock(c_null_funptr, c_null_funptr, c_null_ptr)

@@ -1,12 +1,15 @@
 // Any text as a profile file: it is read or refused with a text that names it, without a crash, a
 // hang or memory without bound; strict reading takes nothing that reading by guesses does not, and
-// gives the same then. One executable for each format, FUZZED_FORMAT. The first byte selects the
-// options, the rest is the file.
+// gives the same then. What is accepted has the extent of a wheel or a rail, or a warning; nothing
+// accepted in strict mode has one. One executable for each format, FUZZED_FORMAT. The first byte
+// selects the options, the rest is the file.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 #include "profile/readers.hpp"
@@ -33,6 +36,7 @@ wrc::ReadOptions options_from(std::uint8_t bits) {
   if ((bits & 32U) != 0) {
     options.mirror_lateral = (bits & 2U) != 0;
     options.mirror_height = (bits & 16U) != 0;
+    options.origin = static_cast<wrc::WheelOrigin>((bits & 12U) % 3U);
   }
   if ((bits & 64U) != 0) {
     options.scale = (bits & 128U) != 0 ? 1e-3 : 25.4;
@@ -46,7 +50,27 @@ void demand(bool promise) {
   }
 }
 
-void check(const wrc::Profile& profile) {
+/// Extents of wheels and rails, in numbers of their own: those of plausibility.cpp are on trial.
+bool is_plausible(const wrc::Profile& profile, const std::vector<wrc::Position>& points) {
+  wrc::Position least = points.front();
+  wrc::Position greatest = points.front();
+  for (const wrc::Position& point : points) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      least[i] = std::min(least[i], point[i]);
+      greatest[i] = std::max(greatest[i], point[i]);
+    }
+  }
+  const double width = greatest[0] - least[0];
+  const double height = greatest[1] - least[1];
+  const bool is_wheel = profile.kind == wrc::ProfileKind::wheel;
+  return width >= 50.0 && width <= 200.0 &&
+         (is_wheel ? least[0] <= -20.0 && greatest[0] >= 20.0 && height >= 18.0 && height <= 80.0
+                   : std::abs(greatest[1]) <= 5.0);
+}
+
+void check(const wrc::ReadResult& read) {
+  const wrc::Profile& profile = read.profile;
+  demand(is_plausible(profile, read.measured) || !read.warnings.empty());
   const double length = profile.curve.length();
   demand(std::isfinite(length) && length > 0.0);
   for (const double share : {0.0, 0.3, 0.7, 1.0}) {
@@ -69,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     read = wrc::read_profile_text(text, format, name, options);
     is_read = true;
-    check(read.profile);
+    check(read);
   } catch (const wrc::Error& error) {
     demand(error.code() == wrc::ErrorCode::file_malformed);
     demand(std::string_view(error.what()).starts_with(name));
@@ -81,7 +105,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const wrc::ReadResult strict = wrc::read_profile_text(text, format, name, options);
     demand(is_read && strict.profile.points == read.profile.points &&
-           strict.corrections == read.corrections);
+           strict.corrections == read.corrections && strict.warnings.empty() &&
+           read.warnings.empty());
   } catch (const wrc::Error& error) {
     demand(error.code() == wrc::ErrorCode::file_malformed);
   }

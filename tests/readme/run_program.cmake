@@ -1,6 +1,7 @@
 # Takes the program in LANGUAGE from DOCUMENT, compiles it by the command that stands below it, with
 # the staged installation PREFIX for $W, in an empty FOLDER, runs it, and compares all digits of what
 # it prints with what WRC_CASE prints for the same scene. OPTIONS are added to the command.
+# With REFUSED the program must fail instead, and print that.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${PROJECT}/${DOCUMENT} text)
 if(MARK)
@@ -20,6 +21,15 @@ file(MAKE_DIRECTORY ${FOLDER})
 file(WRITE ${FOLDER}/${CMAKE_MATCH_1} "${program}")
 execute_process(COMMAND sh -c "${command} ${OPTIONS}" WORKING_DIRECTORY ${FOLDER}
   COMMAND_ERROR_IS_FATAL ANY)
+if(REFUSED)
+  execute_process(COMMAND ./a.out WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
+    RESULT_VARIABLE status)
+  string(FIND "${printed}" "${REFUSED}" place)
+  if(status EQUAL 0 OR place EQUAL -1 OR printed MATCHES "pmax")
+    message(FATAL_ERROR "${DOCUMENT}: with ${OPTIONS} the program ends with ${status}: ${printed}")
+  endif()
+  return()
+endif()
 execute_process(COMMAND ./a.out WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
   COMMAND_ERROR_IS_FATAL ANY)
 

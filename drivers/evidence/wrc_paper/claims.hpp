@@ -24,16 +24,24 @@ struct Finding {
   std::string numbers; ///< what the verdict rests on
 };
 
+/// What decides a statement that the results do not confirm.
+enum class Ground {
+  profile, ///< the wheel, which the paper does not print: it may hold with the paper's own
+  proof,   ///< a symmetry of the contact: it holds with no profile
+  numbers  ///< what any profile shows
+};
+
 /// One statement of the paper, in our words.
 struct Claim {
   std::string text;
   /// Judges it by the results in a folder.
   std::function<Finding(const std::filesystem::path& folder)> judge;
   std::string why_not; ///< the reason, if it is not confirmed for a wheel
+  Ground ground = Ground::profile;
 };
 
 struct Figure {
-  int number = 0;
+  int number = 0; ///< 0: the paper's conclusions
   std::string title;
   std::vector<std::string> pictures;
   std::vector<Claim> claims;
@@ -43,6 +51,8 @@ struct Figure {
 std::vector<Figure> geometry_figures();
 /// Figures 8, 11 and 13: pressures.
 std::vector<Figure> pressure_figures();
+/// The paper's conclusions, each judged by the statements of figures that it sums up.
+Figure conclusions(const std::vector<Figure>& figures);
 
 /// A number of which only the size matters.
 inline std::string small(double value) {

@@ -189,6 +189,25 @@ Finding judge_yaw_effect(const fs::path& folder) {
                                  fixed(change("8"), 3) + " mrad at 2, 4, 6, 8 mm"};
 }
 
+/// The yaw printed beside a thousand times as much.
+Finding judge_printed_yaw(const fs::path& folder) {
+  const auto most_change = [&](double yaw) {
+    double most = 0.0;
+    for (const char* y : {"0", "2", "4", "6", "8"}) {
+      const CsvTable table = yawed(folder, y);
+      most = std::max(
+          most, std::abs(table.at("pose.yaw", yaw, "roll") - table.at("pose.yaw", 0.0, "roll")));
+    }
+    return milli * most;
+  };
+  constexpr double readable = 0.01; // mrad, in the paper's figure
+  return {verdict_of(most_change(5e-5) > readable),
+          "0.05 mrad change the roll by at most " + small(most_change(5e-5)) +
+              " mrad, 50 mrad by " + fixed(most_change(0.05), 3) + " mrad"};
+}
+
+const char* const printed_yaw =
+    "0.05 mrad turn the ends of a wheelset by 0.04 mm. The effects shown need about 50 mrad.";
 const char* const fore_and_aft =
     "A wheelset and its mirror image in the plane x = 0 have opposite yaw and the same roll, "
     "lateral displacement and pressures. What depends on the sign of yaw therefore cannot be a "
@@ -244,11 +263,14 @@ std::vector<Figure> geometry_figures() {
        {"fig12.png"},
        {{"Off the centre the roll depends on the sign of yaw: larger for one, smaller for the "
          "other",
-         judge_yaw_even, fore_and_aft},
+         judge_yaw_even, fore_and_aft, Ground::proof},
         {"In the centre yaw makes the wheelset roll", judge_yaw_centred,
          "At y = 0 the mirror image in the plane y = 0 turns both yaw and roll round, and the one "
-         "in x = 0 turns yaw back: roll equals its own opposite, zero."},
-        {"The effect of yaw grows with y", judge_yaw_effect, reconstruction}}});
+         "in x = 0 turns yaw back: roll equals its own opposite, zero.",
+         Ground::proof},
+        {"The effect of yaw grows with y", judge_yaw_effect, reconstruction},
+        {"These are effects of a yaw of 0.05 mrad, as printed", judge_printed_yaw, printed_yaw,
+         Ground::numbers}}});
   return figures;
 }
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   app.add_flag("--update", update,
                "write the own baselines anew, and tell what has changed; nothing else is written");
   return driver::run_program(app, argc, argv, [&] {
+    driver::refuse_overwriting({junit}, {contact});
     const std::filesystem::path cases = folder;
     const std::filesystem::path baselines = cases / "baselines.toml";
     std::vector<driver::Check> checks = driver::run_stored_cases(cases / "cases.toml", baselines);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::grid_solution_test {
 namespace {
 
 /// A paraboloid whose vertex, at -0.02, lies between elements.
@@ -53,4 +53,4 @@ TEST(GridSolution, PlanesAndTheirPatchesComeByForce) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::grid_solution_test

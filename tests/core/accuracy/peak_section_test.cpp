@@ -5,7 +5,7 @@
 
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::peak_section_test {
 namespace {
 
 double pmax_of(Scene scene, AccuracyOf accuracy_of) {
@@ -22,10 +22,10 @@ double truth_of(Scene scene) {
 /// A lobe of three rows beside another contact: its crest is 1534 MPa, of which the grid has 1213.
 Scene narrow_lobe() {
   Scene scene;
-  scene.rail = "54E1";
+  scene.left.rail.name = scene.right.rail.name = "54E1";
   scene.lateral = 4.23077;
   scene.yaw = 0.008356;
-  scene.left_load = scene.right_load = 44196.6;
+  scene.left.load = scene.right.load = 44196.6;
   return scene;
 }
 
@@ -57,4 +57,4 @@ TEST(PeakSection, ServesBothKindsOfElements) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::peak_section_test

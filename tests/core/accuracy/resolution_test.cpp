@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::resolution_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -97,4 +97,4 @@ TEST(Resolution, RefinesTheDirectionThatNeedsIt) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::resolution_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::root_bracket_test {
 namespace {
 
 /// Steps taken to narrow the bracket of a function's root between two places.
@@ -67,4 +67,4 @@ TEST(RootBracket, EndsMeetAtAZeroAndStayWhenStopped) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::root_bracket_test

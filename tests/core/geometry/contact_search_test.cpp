@@ -11,7 +11,7 @@
 #include "support/errors.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::contact_search_test {
 namespace {
 
 /// Both ways resolve the least distance far below this, mm.
@@ -149,4 +149,4 @@ TEST(ContactSearchEnds, FlangeTipOnTheRailIsNotAProfileEnd) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::contact_search_test

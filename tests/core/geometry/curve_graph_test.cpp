@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::curve_graph_test {
 namespace {
 
 TEST(CurveGraph, EndsWhereTheCurveTurnsUpright) {
@@ -50,4 +50,4 @@ TEST(CurveGraph, RefusesASeedOnAnUprightSide) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::curve_graph_test

@@ -9,7 +9,7 @@
 #include "geometry/wheel_surface.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::height_function_test {
 namespace {
 
 /// The table is built to 1e-12 mm along the normal; positions of some hundred mm carry 1e-13.
@@ -99,4 +99,4 @@ TEST(HeightFunction, StepStaysAsItIs) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::height_function_test

@@ -6,7 +6,7 @@
 
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::locus_scan_test {
 namespace {
 
 struct Surfaces {
@@ -52,4 +52,4 @@ TEST(LocusScan, OnlyNodesOverTheRailCount) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::locus_scan_test

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "support/brute_force.hpp"
 
-namespace wrc::test {
+namespace wrc::test::rail_surface_test {
 namespace {
 
 constexpr double rounding = 1e-9; // mm
@@ -69,4 +69,4 @@ TEST(WheelSurfaceErrors, RadiusSmallerThanTheProfile) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::rail_surface_test

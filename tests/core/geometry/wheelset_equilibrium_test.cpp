@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "support/brute_force.hpp"
 
-namespace wrc::test {
+namespace wrc::test::wheelset_equilibrium_test {
 namespace {
 
 /// What the equilibrium promises for both least distances, mm.
@@ -32,7 +32,8 @@ TEST(WheelsetEquilibrium, BothLeastDistancesVanish) {
       EquilibriumRequest request;
       request.lateral = lateral;
       request.yaw = yaw;
-      const auto result = find_equilibrium(pair.wheel, pair.rail, request);
+      const auto result =
+          find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request);
       EXPECT_NEAR(result.left->vertical, result.right->vertical, least_distance_tolerance)
           << lateral << ' ' << yaw;
       // By brute force as well, which knows nothing of the contact locus.
@@ -53,10 +54,11 @@ TEST(WheelsetEquilibrium, MirroredPoseSwapsTheSidesToTheLastBit) {
       EquilibriumRequest request;
       request.lateral = lateral;
       request.yaw = yaw;
-      const auto one = find_equilibrium(pair.wheel, pair.rail, request);
+      const auto one = find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request);
       request.lateral = -lateral;
       request.yaw = -yaw;
-      const auto other = find_equilibrium(pair.wheel, pair.rail, request);
+      const auto other =
+          find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request);
       EXPECT_EQ(one.roll, -other.roll);
       EXPECT_EQ(one.vertical, other.vertical);
       const auto& left = one.left->scan.candidates.front();
@@ -71,7 +73,7 @@ TEST(WheelsetEquilibrium, MirroredPoseSwapsTheSidesToTheLastBit) {
 
 TEST(WheelsetEquilibrium, CentredWheelsetDoesNotRoll) {
   const Pair pair = s1002_on("60E1");
-  EXPECT_EQ(find_equilibrium(pair.wheel, pair.rail, {}).roll, 0.0);
+  EXPECT_EQ(find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, {}).roll, 0.0);
 }
 
 TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
@@ -91,7 +93,7 @@ TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
     }
     EquilibriumRequest request;
     request.lateral = entry.at("lateral_mm");
-    const auto result = find_equilibrium(pair.wheel, pair.rail, request);
+    const auto result = find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request);
     EXPECT_NEAR(result.roll, roll, roll_tolerance) << entry.at("id");
     ++compared;
   }
@@ -106,7 +108,7 @@ TEST(WheelsetEquilibrium, LargeWheelsDoNotRollOffTheRailsInSearchOfTheRoll) {
     for (const double lateral : {6.5, -6.5}) {
       EquilibriumRequest request;
       request.lateral = lateral;
-      const auto result = find_equilibrium(wheel, rail, request);
+      const auto result = find_equilibrium({wheel, rail}, {wheel, rail}, request);
       EXPECT_GT(result.roll * lateral, 0.0); // the wheel at the flange is lifted
       EXPECT_NEAR(result.left->vertical, result.right->vertical, 1e-9) << radius;
     }
@@ -118,7 +120,7 @@ TEST(WheelsetEquilibrium, PrescribedRollSetsEachWheelDownByItself) {
   EquilibriumRequest request;
   request.lateral = 4.0;
   request.roll = 0.0;
-  const auto result = find_equilibrium(pair.wheel, pair.rail, request);
+  const auto result = find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request);
   EXPECT_EQ(result.roll, 0.0);
   EXPECT_GT(std::abs(result.left->vertical - result.right->vertical), 1e-3);
   EXPECT_EQ(result.vertical, std::max(result.left->vertical, result.right->vertical));
@@ -129,7 +131,7 @@ TEST(WheelsetEquilibrium, OnlyTheSideAskedForIsSearched) {
   EquilibriumRequest request;
   request.roll = 0.0;
   request.right = false;
-  const auto result = find_equilibrium(pair.wheel, pair.rail, request);
+  const auto result = find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request);
   EXPECT_TRUE(result.left.has_value());
   EXPECT_FALSE(result.right.has_value());
 }
@@ -138,8 +140,8 @@ TEST(WheelsetEquilibriumErrors, WheelsetBesideTheTrack) {
   const Pair pair = s1002_on("60E1");
   EquilibriumRequest request;
   request.lateral = 300.0;
-  EXPECT_THROW(find_equilibrium(pair.wheel, pair.rail, request), Error);
+  EXPECT_THROW(find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, request), Error);
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::wheelset_equilibrium_test

@@ -12,7 +12,7 @@
 
 #include "half_space/influence_coefficients.hpp"
 
-namespace wrc::test {
+namespace wrc::test::box_convolution_test {
 namespace {
 
 /// Errors relative to the largest value, over rounding: it grows like the logarithm of the lengths
@@ -236,4 +236,4 @@ TYPED_TEST(BoxConvolutionTest, PreconditionerIsSymmetricAndPositive) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::box_convolution_test

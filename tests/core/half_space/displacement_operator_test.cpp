@@ -13,7 +13,7 @@
 #include "half_space/fft.hpp"
 #include "half_space/influence_coefficients.hpp"
 
-namespace wrc {
+namespace wrc::test::displacement_operator_test {
 namespace {
 
 /// Rounding of a transform grows like the logarithm of its length; this leaves a factor of 100.
@@ -138,24 +138,6 @@ TEST(DisplacementOperator, RefusesBadInput) {
   EXPECT_THROW(displacement.apply(four, five), Error);
 }
 
-TEST(Fft, GoodLengthIsTheLeastProductOfTwoThreeAndFive) {
-  const auto is_good = [](std::size_t length) {
-    for (const std::size_t factor : {2U, 3U, 5U}) {
-      while (length % factor == 0) {
-        length /= factor;
-      }
-    }
-    return length == 1;
-  };
-  for (std::size_t least = 1; least < 3000; ++least) {
-    std::size_t expected = least;
-    while (!is_good(expected)) {
-      ++expected;
-    }
-    ASSERT_EQ(good_fft_length(least), expected);
-  }
-}
-
 TEST(Fft, ThereAndBackMultipliesBySize) {
   RealFft transform(6, 5);
   const std::vector<double> values = random_pressure(30);
@@ -171,4 +153,4 @@ TEST(Fft, ThereAndBackMultipliesBySize) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::displacement_operator_test

@@ -11,7 +11,7 @@
 
 #include "half_space/influence_coefficients.hpp"
 
-namespace wrc::test {
+namespace wrc::test::influence_cache_test {
 namespace {
 
 /// Far coefficients are sums of another order in a row than alone.
@@ -174,4 +174,4 @@ TEST(InfluenceCache, DropsWhatWasNotAskedForSinceTheLastTime) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::influence_cache_test

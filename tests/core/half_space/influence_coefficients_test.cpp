@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc {
+namespace wrc::test::influence_coefficients_test {
 namespace {
 
 /// What influence_coefficients.hpp promises: rounding times the distance in elements plus the
@@ -189,4 +189,4 @@ TEST(InfluenceCoefficients, CentreOfASquare) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::influence_coefficients_test

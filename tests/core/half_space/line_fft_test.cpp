@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "support/errors.hpp"
 
-namespace wrc::test {
+namespace wrc::test::line_fft_test {
 namespace {
 
 /// Roundings of a transform there and back, whose number grows like the logarithm of the length.
@@ -42,16 +42,6 @@ TEST(LineLength, IsEvenAndNotMuchLonger) {
     if (least >= 48) {
       ASSERT_LE(3 * length, 4 * (least + 16)) << least;
     }
-  }
-}
-
-TEST(LineLength, GoodLengthIsTheLeastOne) {
-  for (std::size_t least = 1; least <= 1000; ++least) {
-    std::size_t expected = least;
-    while (!has_small_factors(expected)) {
-      ++expected;
-    }
-    ASSERT_EQ(good_fft_length(least), expected);
   }
 }
 
@@ -310,4 +300,4 @@ TEST(Wisdom, BadFilesAreErrors) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::line_fft_test

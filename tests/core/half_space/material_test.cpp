@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "support/errors.hpp"
 
-namespace wrc {
+namespace wrc::test::material_test {
 namespace {
 
 TEST(Material, CombinesBothBodies) {
@@ -40,4 +40,4 @@ TEST(Material, RefusesConstantsOutsideTheirRange) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::material_test

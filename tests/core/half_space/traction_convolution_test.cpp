@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::traction_convolution_test {
 namespace {
 
 /// Integrals of x^2/r^3, y^2/r^3 and x y/r^3 over the element at (x, y), by Gauss's rule with four
@@ -145,4 +145,4 @@ TEST(TractionConvolution, IsTheSumOverAllPairs) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::traction_convolution_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::vector_log_test {
 namespace {
 
 /// In units of the last place; what vector_log.hpp promises.
@@ -93,4 +93,4 @@ TEST(VectorLog, OfOnePlusASmallNumberKeepsItsDigits) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::vector_log_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::cascade_test {
 namespace {
 
 /// Some sums of some numbers of the order of ten.
@@ -208,4 +208,4 @@ TEST(Cascade, BoxesHoldAllPressure) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::cascade_test

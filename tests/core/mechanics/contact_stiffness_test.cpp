@@ -15,7 +15,7 @@
 #include "support/contact_cases.hpp"
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::contact_stiffness_test {
 namespace {
 
 using Fields = std::vector<std::vector<double>>;
@@ -497,4 +497,4 @@ TEST_F(ContactStiffnessTest, RefusesWhatItCannotSolve) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::contact_stiffness_test

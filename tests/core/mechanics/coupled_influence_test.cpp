@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::coupled_influence_test {
 namespace {
 
 constexpr double modulus = 1e5;
@@ -67,4 +67,4 @@ TEST(GridInMeanPlane, IsTheBoxMovedToItsPlace) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::coupled_influence_test

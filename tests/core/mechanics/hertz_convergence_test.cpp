@@ -12,7 +12,7 @@
 #include "pressure/pressure_field.hpp"
 #include "support/contact_cases.hpp"
 
-namespace wrc::test {
+namespace wrc::test::hertz_convergence_test {
 namespace {
 
 /// Band of the least-squares order. Below 2 on coarse grids, where the approach still gains on its
@@ -112,4 +112,4 @@ TEST_P(HertzConvergence, PeakAndApproachAreOfOrderTwo) {
 INSTANTIATE_TEST_SUITE_P(AxisRatios, HertzConvergence, testing::Values(1.0, 2.0, 5.0, 10.0, 20.0));
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::hertz_convergence_test

@@ -11,7 +11,7 @@
 
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::joint_contact_random_test {
 namespace {
 
 /// Two or three patches, paraboloids with or without waves, on grids of all shapes.
@@ -119,4 +119,4 @@ TEST(JointContactRandom, MeetsTheToleranceAsked) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::joint_contact_random_test

@@ -14,7 +14,7 @@
 #include "support/errors.hpp"
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::joint_contact_test {
 namespace {
 
 /// A patch with a gap of its own.
@@ -460,4 +460,4 @@ TEST(JointProblem, WhatIsWrongIsNamed) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::joint_contact_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace wrc::test {
+namespace wrc::test::joint_step_test {
 namespace {
 
 constexpr std::size_t boxes = 2;
@@ -115,4 +115,4 @@ TEST(JointStep, SaysSoWhereEnergiesHaveNoLeastValue) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::joint_step_test

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "support/contact_cases.hpp"
 
-namespace wrc::test {
+namespace wrc::test::normal_contact_test {
 namespace {
 
 constexpr double tolerance = 1e-10;
@@ -223,4 +223,4 @@ TEST(NormalContact, RefusesBadInput) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::normal_contact_test

@@ -8,7 +8,7 @@
 #include "half_space/displacement_operator.hpp"
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::normal_solver_exterior_test {
 namespace {
 
 using Place = std::pair<std::size_t, std::size_t>;
@@ -140,4 +140,4 @@ TEST(ExteriorCheck, LeavesSeparateBodiesAlone) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::normal_solver_exterior_test

@@ -9,7 +9,7 @@
 #include "pressure/pressure_field.hpp"
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::normal_solver_properties_test {
 namespace {
 
 constexpr double fine_tolerance = 1e-9;
@@ -304,4 +304,4 @@ TEST(NormalSolver, StopsAreNamedAndBadToleranceIsRefused) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::normal_solver_properties_test

@@ -8,7 +8,7 @@
 #include "support/dense_reference.hpp"
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::normal_solver_random_test {
 namespace {
 
 constexpr int problem_count = 64;
@@ -94,4 +94,4 @@ TEST(RandomProblems, AreSolved) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::normal_solver_random_test

@@ -13,7 +13,7 @@
 #include "support/dense_reference.hpp"
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::normal_solver_robustness_test {
 namespace {
 
 /// Cholesky factors of a matrix whose condition is some hundreds, and the exact tolerance.
@@ -215,4 +215,4 @@ TEST(NormalSolverRobustness, SecondContactBelowTheRoundingOfSinglePrecision) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::normal_solver_robustness_test

@@ -8,7 +8,7 @@
 
 #include "support/solver_checks.hpp"
 
-namespace wrc::test {
+namespace wrc::test::normal_solver_tolerance_test {
 namespace {
 
 constexpr double greatest_tolerance = 0.1;
@@ -74,4 +74,4 @@ TEST(NormalSolverTolerance, KeptOn256x128) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::normal_solver_tolerance_test

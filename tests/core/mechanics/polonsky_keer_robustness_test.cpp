@@ -10,7 +10,7 @@
 #include "pressure/pressure_field.hpp"
 #include "support/contact_cases.hpp"
 
-namespace wrc::test {
+namespace wrc::test::polonsky_keer_robustness_test {
 namespace {
 
 constexpr double tolerance = 1e-8;
@@ -190,4 +190,4 @@ TEST(PolonskyKeer, AbsentMaterialDoesNotCount) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::polonsky_keer_robustness_test

@@ -12,7 +12,7 @@
 
 #include "support/dense_reference.hpp"
 
-namespace wrc::test {
+namespace wrc::test::strip_contact_test {
 namespace {
 
 constexpr double modulus = 115000.0; // MPa
@@ -100,4 +100,4 @@ TEST(StripContact, DisplacesWavesAsPlaneStrain) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::strip_contact_test

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace wrc {
+namespace wrc::test::hertz_test {
 namespace {
 
 constexpr double modulus = 115384.6;
@@ -161,4 +161,4 @@ TEST(Hertz, RefusesBadInput) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::hertz_test

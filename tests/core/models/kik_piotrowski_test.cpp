@@ -10,7 +10,7 @@
 
 #include "models/hertz.hpp"
 
-namespace wrc::test {
+namespace wrc::test::kik_piotrowski_test {
 namespace {
 
 constexpr double modulus = 115384.6;
@@ -116,4 +116,4 @@ TEST(KikPiotrowski, StripsBesideTheContactPointMeetAPlainSum) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::kik_piotrowski_test

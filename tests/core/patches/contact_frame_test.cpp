@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::contact_frame_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -36,4 +36,4 @@ TEST(ContactFrame, VerticalAxesAreThoseOfTheWheelset) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::contact_frame_test

@@ -13,7 +13,7 @@
 #include "patches/patch_finder.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::contact_patches_test {
 namespace {
 
 /// Of two lobes or patches: signed separation and the difference of their angles.
@@ -30,7 +30,7 @@ SideEquilibrium equilibrium_of(const WheelSurface& wheel, const RailSurface& rai
   request.yaw = yaw;
   request.roll = roll;
   request.right = false;
-  return *find_equilibrium(wheel, rail, request).left;
+  return *find_equilibrium({wheel, rail}, {wheel, rail}, request).left;
 }
 
 ContactScan scan_of(const Profile& wheel, const Profile& rail, double lateral) {
@@ -455,4 +455,4 @@ TEST(ContactPatches, PlanesOfAnIndependentProgram) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::contact_patches_test

@@ -8,7 +8,7 @@
 #include "patches/contact_patches.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::depth_estimate_test {
 namespace {
 
 constexpr double modulus = 115384.6;
@@ -20,7 +20,8 @@ ContactScan scan_of(const Profile& wheel, const Profile& rail, double lateral) {
   request.right = false;
   const WheelSurface wheel_surface(wheel, {1360.0, 70.0, 460.0});
   const RailSurface rail_surface(rail, {1435.0, 14.0, rail.name == "circle" ? 0.0 : 0.025});
-  return find_equilibrium(wheel_surface, rail_surface, request).left->scan;
+  return find_equilibrium({wheel_surface, rail_surface}, {wheel_surface, rail_surface}, request)
+      .left->scan;
 }
 
 TEST(DepthEstimate, HertzForSmoothBodiesAtAnyLoad) {
@@ -65,6 +66,18 @@ TEST(DepthEstimate, AlongTheNormalOfTheMainPatch) {
               1e-9);
 }
 
+/// A last secant step, whose load is not computed, leaves no more than a bracket would.
+TEST(DepthEstimate, FindsTheLoadToAMillionth) {
+  for (const double lateral : {-4.0, 0.0, 3.0}) {
+    const ContactScan scan = scan_of(standard_profile("S1002"), standard_profile("60E1"), lateral);
+    for (const double load : {1e3, 2e4, 8e4, 3e5}) {
+      const double depth = estimate_depth(scan, modulus, load, LoadDirection::vertical);
+      EXPECT_NEAR(estimate_load(scan, modulus, depth, LoadDirection::vertical) / load, 1.0, 2e-6)
+          << lateral << ' ' << load;
+    }
+  }
+}
+
 TEST(DepthEstimate, InvertsTheLoadOverAllMagnitudes) {
   for (const double lateral : {0.0, 5.0, 5.5, 6.5}) {
     const ContactScan scan = scan_of(standard_profile("S1002"), standard_profile("60E1"), lateral);
@@ -80,4 +93,4 @@ TEST(DepthEstimate, InvertsTheLoadOverAllMagnitudes) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::depth_estimate_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::plane_area_test {
 namespace {
 
 TEST(PlaneArea, GridFillsTheAreaWithEqualElements) {
@@ -23,4 +23,4 @@ TEST(PlaneArea, WidensBySharesOfItsSides) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::plane_area_test

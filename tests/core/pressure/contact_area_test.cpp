@@ -15,7 +15,7 @@
 #include "mechanics/normal_solver.hpp"
 #include "models/hertz.hpp"
 
-namespace wrc {
+namespace wrc::test::contact_area_test {
 namespace {
 
 /// Sums of some thousand numbers of the order of one.
@@ -297,4 +297,4 @@ TEST(ContactArea, NoPressureNoArea) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::contact_area_test

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "models/hertz.hpp"
 
-namespace wrc {
+namespace wrc::test::pressure_field_test {
 namespace {
 
 /// Fields of moderate numbers, summed in double precision.
@@ -155,4 +155,4 @@ TEST(PressureField, SecondMomentsGiveTheHertzianAxes) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::pressure_field_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::smooth_pressure_test {
 namespace {
 
 /// Hertz's pressures of an ellipse with these semi-axes, at the centres of the elements.
@@ -107,4 +107,4 @@ TEST(SmoothPressure, NothingOutsideTheGrid) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::smooth_pressure_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::squared_pressure_test {
 namespace {
 
 /// A row with the square of a pressure, which falls to 0 at `edge` steps, seen in three equal rows.
@@ -55,4 +55,4 @@ TEST(SquaredPressure, EdgesStayBetweenTheCentres) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::squared_pressure_test

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "profile/curve.hpp"
 
-namespace wrc {
+namespace wrc::test::curve_test {
 namespace {
 
 /// A few rounding errors of positions of some ten mm.
@@ -175,4 +175,4 @@ TEST(Curve, ShortStretchesBetweenStepsCloseToo) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::curve_test

@@ -13,7 +13,7 @@
 #include "profile/reader_formats.hpp"
 #include "profile/readers.hpp"
 
-namespace wrc {
+namespace wrc::test::profile_reference_test {
 namespace {
 
 const std::filesystem::path reference = WRCONTACT_REFERENCE_DIR;
@@ -131,4 +131,4 @@ TEST(ReferenceProfiles, MiniprofHeightIsAGuessThatStrictReadingRefuses) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::profile_reference_test

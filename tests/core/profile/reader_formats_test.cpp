@@ -3,7 +3,7 @@
 
 #include "samples.hpp"
 
-namespace wrc {
+namespace wrc::test::reader_formats_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -37,21 +37,27 @@ TEST(ColumnsReader, RefusesWithLineAndText) {
   EXPECT_TRUE(contains(refusal("1 2\n-inf 3\n"), "sample:2: '-inf' is not a finite number"));
   EXPECT_TRUE(contains(refusal("1 2\n1e999 3\n"), "sample:2: '1e999' is not a finite number"));
   EXPECT_TRUE(contains(refusal("1 2\n1 2 3\n"), "sample:2: 3 columns, the rows before have 2"));
-  EXPECT_TRUE(contains(refusal("1,5 2,3\n"), "sample:1: '1,5 2,3' has decimal commas"));
+  EXPECT_TRUE(contains(refusal("1,5 2,4\n1,5 2.3,4\n"), "sample:2: '2.3.4' is not a number"));
+  EXPECT_TRUE(
+      contains(refusal("-20,5,6,1\n0,0,1,5\n"), "sample:1: commas between the numbers and"));
 }
 
-TEST(ColumnsReader, HeadingsAndFurtherColumnsAreGuesses) {
-  std::string rows = "y z weight\n";
+TEST(ColumnsReader, FurtherColumnsAreGuessesUnlessAHeadingNamesTheTwo) {
+  std::string rows;
   for (const Position& point : wheel_points())
-    rows += text_of(point[0]) + " , " + text_of(point[1]) + " ; 1\r\n";
+    rows +=
+        text_of(point[0]) + " , " + text_of(point[1]) + " ; " + text_of(point[0] / 3.0) + "\r\n";
   ReadOptions options;
   options.kind = ProfileKind::wheel;
   const ReadResult read = read_as(ProfileFormat::columns, rows, "sample", options);
-  EXPECT_TRUE(says(read, "1 lines before the first number skipped as headings, first in line 1"));
-  EXPECT_TRUE(says(read, "columns 3 to 3 ignored"));
+  EXPECT_TRUE(says(read, "columns 3 ignored"));
   EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
   options.strict = true;
-  EXPECT_TRUE(contains(refusal_of(rows, ProfileFormat::columns, options), "strict"));
+  EXPECT_TRUE(contains(refusal_of(rows, ProfileFormat::columns, options), "name the columns"));
+  const ReadResult named =
+      read_as(ProfileFormat::columns, "y z weight\n" + rows, "sample", options);
+  EXPECT_TRUE(says(named, "1 lines before the first number skipped as headings, first in line 1"));
+  EXPECT_TRUE(says(named, "lateral is column 1, height column 2"));
 }
 
 // Simpack
@@ -197,7 +203,6 @@ TEST(SimpackReader, RefusesBrokenFiles) {
   EXPECT_TRUE(contains(refusal(simpack("1\n", "", 1)), "1 columns"));
   EXPECT_TRUE(contains(refusal(simpack("1 2 3 4\n", "", 1)), "4 columns"));
   EXPECT_TRUE(contains(refusal(simpack("1 nan\n", "", 1)), "'nan' is not a finite number"));
-  EXPECT_TRUE(contains(refusal(simpack(rows, "rotate = 0.1\n", 1)), "rotate = 0.1"));
   EXPECT_TRUE(
       contains(refusal(simpack(rows, "mirror.y = 2\n", 1)), "mirror.y = 2, allowed: 0 or 1"));
   EXPECT_TRUE(contains(refusal(simpack(rows, "units.len.f = 0\n", 1)), "must be positive"));
@@ -206,6 +211,48 @@ TEST(SimpackReader, RefusesBrokenFiles) {
   for (int i = 0; i < 9; ++i)
     deep += "a.begin\n";
   EXPECT_TRUE(contains(refusal(deep), "sample:9: sections nested deeper than 8"));
+}
+
+TEST(SimpackReader, RotatesByAGuessOfTheSense) {
+  const std::string keys = millimetres + " units.ang.f = 57.29577951308232\n rotate = 1.0\n";
+  const double angle = 1.0 / 57.29577951308232;
+  const std::string rows = wheel_rows([angle](Position p) {
+    return Position{std::cos(angle) * p[0] + std::sin(angle) * p[1],
+                    std::cos(angle) * p[1] - std::sin(angle) * p[0]};
+  });
+  const ReadResult read = read_as(ProfileFormat::simpack, simpack(rows, keys, 1), "a.prw");
+  EXPECT_TRUE(says(read, "from y towards z"));
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), 1e-9); // of the angle's digits
+  ReadOptions strict;
+  strict.strict = true;
+  EXPECT_TRUE(
+      contains(refusal_of(simpack(rows, keys, 1), ProfileFormat::simpack, strict), "rotate = 0"));
+}
+
+TEST(SimpackReader, SignsThatTheFormatStatesAreNotOverruledByTheShape) {
+  std::vector<Position> convex;
+  for (double y = -50.0; y <= 50.0; y += 0.5)
+    convex.push_back({y, std::sqrt(1e4 - y * y) - 100.0});
+  const ReadResult wheel =
+      read_as(ProfileFormat::simpack, simpack(rows_of(convex), millimetres, 1), "a.prw");
+  EXPECT_LT(distance_at(wheel.profile.curve, convex), rounding);
+  ASSERT_FALSE(wheel.warnings.empty());
+  EXPECT_TRUE(contains(wheel.warnings.front(), "no flange shows"));
+  const ReadResult down =
+      read_as(ProfileFormat::simpack, simpack(rows_of(rail_points()), millimetres, 0), "a.prr");
+  EXPECT_LT(distance_at(down.profile.curve, rail_points()), 100.0);
+  EXPECT_GT(down.profile.curve.at(0.0).height, 10.0) << "must stay upside down";
+  ASSERT_FALSE(down.warnings.empty());
+  EXPECT_TRUE(contains(down.warnings.front(), "the head points down"));
+}
+
+TEST(SimpackReader, TakesTheUnitOfOldFilesByItsName) {
+  const ReadResult read =
+      read_as(ProfileFormat::simpack, simpack(wheel_rows(), " units.len = mm\n", 1), "a.prw");
+  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+  EXPECT_TRUE(
+      contains(refusal_of(simpack(wheel_rows(), " units.len = feet\n", 1), ProfileFormat::simpack),
+               "units.len = feet, allowed: m, cm, mm"));
 }
 
 // MiniProf
@@ -225,14 +272,58 @@ TEST(MiniprofReader, ReadsARailInNativeSigns) {
   EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
 }
 
+/// A wheel as MiniProf has it: X from the flange back, 1 mm before the first point.
+std::string miniprof_wheel(const std::string& header = "ColumnDef=X,Y\n\n") {
+  return header + wheel_rows([](Position p) { return Position{p[0] + 71.0, p[1]}; });
+}
+
+/// The sample with its flange back 71 mm from the origin, and the taping line so far from it.
+std::vector<Position> wheel_points_from(double tape_offset) {
+  std::vector<Position> points = wheel_points();
+  for (Position& point : points)
+    point[0] += 71.0 - tape_offset;
+  return points;
+}
+
 TEST(MiniprofReader, ReadsAWheelInNativeSigns) {
   ReadOptions options;
   options.strict = true;
-  const std::string rows = wheel_rows([](Position p) { return Position{-p[0], -p[1]}; });
-  const ReadResult read =
-      read_as(ProfileFormat::miniprof, "ColumnDef=X,Y\n\n" + rows, "a.whl", options);
+  const ReadResult read = read_as(ProfileFormat::miniprof, miniprof_wheel(), "a.whl", options);
   EXPECT_EQ(read.profile.kind, ProfileKind::wheel);
-  EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
+  EXPECT_TRUE(says(read, "lateral counted from the flange back, where it begins at 1.00 mm"));
+  // The sample is straight there: its height is that of the line.
+  std::vector<Position> expected = wheel_points_from(70.0);
+  for (Position& point : expected)
+    point[1] -= 1.0 / 20.0;
+  EXPECT_NEAR(read.profile.curve.at(0.0).lateral, -69.0, rounding);
+  EXPECT_LT(distance_at(read.profile.curve, expected), 1e-6);
+}
+
+TEST(MiniprofReader, TakesTheTapingLineOfTheHeaderOrTheOptions) {
+  const std::string text = miniprof_wheel("WheelDiameterTaperline=65.0\nColumnDef=X,Y\n\n");
+  const ReadResult read = read_as(ProfileFormat::miniprof, text, "a.whl");
+  EXPECT_NEAR(read.profile.curve.at(0.0).lateral, -64.0, rounding);
+  ReadOptions options;
+  options.tape_offset = 71.0;
+  const ReadResult stated = read_as(ProfileFormat::miniprof, text, "a.whl", options);
+  EXPECT_LT(distance_at(stated.profile.curve, wheel_points()), 1e-9);
+  options = {};
+  options.origin = WheelOrigin::tape;
+  const ReadResult kept = read_as(ProfileFormat::miniprof, text, "a.whl", options);
+  EXPECT_NEAR(kept.profile.curve.at(0.0).lateral, 1.0, rounding);
+  EXPECT_TRUE(std::any_of(kept.warnings.begin(), kept.warnings.end(), [](const std::string& line) {
+    return contains(line, "the taping line, at 0, is not inside");
+  }));
+}
+
+TEST(MiniprofReader, RailsOfTheInstrumentsOwnProgramAreHalfTurned) {
+  ReadOptions options;
+  options.strict = true;
+  const std::string rows = rows_of(rail_points(), [](Position p) { return Position{p[0], -p[1]}; });
+  const ReadResult read =
+      read_as(ProfileFormat::miniprof, "ProgramName=MiniProf for Windows\nColumnDef=X,Y\n" + rows,
+              "a.ban", options);
+  EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
 }
 
 TEST(MiniprofReader, TakesColumnsOffsetsQuotesAndOldHeaders) {
@@ -265,14 +356,16 @@ TEST(MiniprofReader, ColumnsLeftOutAndKeysThatStandTwiceAreTold) {
   EXPECT_TRUE(says(named, "columns ignored: A, N"));
   const std::string unnamed = "ColumnDef=X,Y\n\n" + rows;
   const ReadResult read = read_as(ProfileFormat::miniprof, unnamed, "a.ban");
-  EXPECT_TRUE(says(read, "35 rows have more columns than ColumnDef, which were ignored, first in "
+  EXPECT_TRUE(says(read, "35 rows have more columns than X and Y, which were ignored, first in "
                          "line 3"));
   const std::string twice = "XOffset=1\nXOffset=0\n\n" + miniprof_rows();
   EXPECT_TRUE(says(read_as(ProfileFormat::miniprof, twice, "a.ban"),
-                   "XOffset stands again in line 2, the last one is used"));
+                   "XOffset stands again in line 2 with another value, the last one is used"));
   ReadOptions strict;
   strict.strict = true;
-  EXPECT_TRUE(contains(refusal_of(unnamed, ProfileFormat::miniprof, strict), "more columns"));
+  const std::string quoted = "\"XOffset=1\"\nXOffset=0\nXYPoints=35\nXYPoints=35\n\n";
+  EXPECT_NO_THROW(
+      (void)read_as(ProfileFormat::miniprof, quoted + miniprof_rows(), "a.ban", strict));
   EXPECT_TRUE(contains(refusal_of(twice, ProfileFormat::miniprof, strict), "stands again"));
 }
 
@@ -280,7 +373,7 @@ TEST(MiniprofReader, RefusesBrokenFiles) {
   const auto refusal = [](const std::string& text) {
     return refusal_of(text, ProfileFormat::miniprof);
   };
-  EXPECT_TRUE(contains(refusal("ColumnDef=X,Y\n1 2\n"), "no blank line"));
+  EXPECT_TRUE(contains(refusal("ColumnDef=X,Y\n1 2\n"), "1 points, at least 5"));
   EXPECT_TRUE(
       contains(refusal("ColumnDef=X\n\n1 2\n"), "sample:1: ColumnDef=X, it must name X and Y"));
   EXPECT_TRUE(
@@ -290,4 +383,4 @@ TEST(MiniprofReader, RefusesBrokenFiles) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::reader_formats_test

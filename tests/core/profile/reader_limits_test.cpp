@@ -12,7 +12,7 @@
 #include "counting_allocator.hpp"
 #include "samples.hpp"
 
-namespace wrc {
+namespace wrc::test::reader_limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST(PointLimits, TheMostPointsAllowedAreRead) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::reader_limits_test

@@ -16,7 +16,7 @@ namespace wrc {
 /// Points of a coarse wheel: flange up at negative lateral, ascending.
 inline std::vector<Position> wheel_points() {
   std::vector<Position> points;
-  for (double y = -60.0; y <= 60.0; y += 2.0)
+  for (double y = -70.0; y <= 60.0; y += 2.0)
     points.push_back({y, 28.0 * std::exp(-std::pow((y + 50.0) / 10.0, 2)) - y / 20.0});
   return points;
 }

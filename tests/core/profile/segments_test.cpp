@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "profile/segments.hpp"
 
-namespace wrc {
+namespace wrc::test::segments_test {
 namespace {
 
 /// What segments.hpp promises.
@@ -134,4 +134,4 @@ TEST(Segments, RefusesBadShapes) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::segments_test

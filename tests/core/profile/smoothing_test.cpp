@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "profile/smoothing.hpp"
 
-namespace wrc {
+namespace wrc::test::smoothing_test {
 namespace {
 
 /// Abscissae over 200 mm with alternating spacing, to show that it does not matter.
@@ -120,4 +120,4 @@ TEST(Smoothing, RefusesBadInput) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::smoothing_test

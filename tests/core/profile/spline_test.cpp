@@ -10,7 +10,7 @@
 #include "profile/spline.hpp"
 #include "support/errors.hpp"
 
-namespace wrc {
+namespace wrc::test::spline_test {
 namespace {
 
 std::vector<Position> arc_points(double radius, int count) {
@@ -102,4 +102,4 @@ TEST(Spline, RefusesWhatIsNoLine) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::spline_test

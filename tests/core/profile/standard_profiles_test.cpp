@@ -11,7 +11,7 @@
 #include "profile/profile.hpp"
 #include "profile/standard_profiles.hpp"
 
-namespace wrc {
+namespace wrc::test::standard_profiles_test {
 namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
@@ -411,4 +411,4 @@ TEST(StandardProfiles, CornersOfTheRails) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::standard_profiles_test

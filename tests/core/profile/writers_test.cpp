@@ -12,7 +12,7 @@
 #include "samples.hpp"
 #include "support/errors.hpp"
 
-namespace wrc {
+namespace wrc::test::writers_test {
 namespace {
 
 /// Digits are written in full; what is left is the arithmetic of the curve.
@@ -89,4 +89,4 @@ TEST_F(Writers, FaultLeavesTheOldFileAndNothingElse) {
 }
 
 } // namespace
-} // namespace wrc
+} // namespace wrc::test::writers_test

@@ -14,7 +14,7 @@
 #include "remesh/undeformed_distance.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::gap_rates_test {
 namespace {
 
 constexpr double wheel_radius = 460.0;
@@ -52,7 +52,7 @@ TEST_P(GapRates, AreThoseOfCentralDifferences) {
   request.yaw = c.yaw;
   request.roll = c.roll;
   request.right = false;
-  const auto equilibrium = find_equilibrium(wheel, rail, request);
+  const auto equilibrium = find_equilibrium({wheel, rail}, {wheel, rail}, request);
   const auto& contact = equilibrium.left->scan.candidates.front();
   const double vertical = equilibrium.left->vertical - 0.08;
   const PosedPair posed{wheel, rail, equilibrium.left->pose, vertical};
@@ -162,4 +162,4 @@ TEST(GapRatesOfElements, NothingWhereThereIsNoWheel) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::gap_rates_test

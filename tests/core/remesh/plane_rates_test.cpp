@@ -2,6 +2,7 @@
 #include "remesh/plane_rates.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -10,7 +11,7 @@
 
 #include "profile/standard_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::plane_rates_test {
 namespace {
 
 constexpr double step = 2e-6; // mm
@@ -57,14 +58,15 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
   for (std::size_t k = 0; k < plain.patches.size(); ++k) {
     const PlaneRates& rates = moving.rates[k];
     const auto largest = [](const ByMotion<double>& by) {
-      return std::max({std::abs(by.lateral), std::abs(by.vertical), std::abs(by.roll) / arm});
+      return std::max({std::abs(by.lateral), std::abs(by.vertical), std::abs(by.roll) / arm,
+                       std::abs(by.yaw) / arm});
     };
-    for (std::size_t motion = 0; motion < 3; ++motion) {
+    for (std::size_t motion = 0; motion < 4; ++motion) {
       const double by = motion < 2 ? step : step / arm;
       const auto found = [&](double sign) {
         Pose at = pose;
         double z = height;
-        (motion == 0 ? at.lateral : motion == 1 ? z : at.roll) += sign * by;
+        (motion == 0 ? at.lateral : motion == 1 ? z : motion == 2 ? at.roll : at.yaw) += sign * by;
         const ContactScan moved = search_contacts(wheel, rail, at, 0.0, true);
         return find_contact_patches(moved, -moved.candidates.front().distance - z,
                                     c.joining_distance);
@@ -75,7 +77,7 @@ TEST_P(PlaneRatesOf, AreThoseOfCentralDifferences) {
       const ContactPatch& behind = all_behind.patches.at(k);
       const double unit = motion < 2 ? 1.0 : arm;
       const auto compare = [&](const char* what, const ByMotion<double>& rate, double difference) {
-        const double here = motion == 0 ? rate.lateral : (motion == 1 ? rate.vertical : rate.roll);
+        const double here = std::array{rate.lateral, rate.vertical, rate.roll, rate.yaw}.at(motion);
         EXPECT_NEAR(here / unit, difference / (2.0 * by * unit),
                     difference_tolerance * largest(rate))
             << what << " of patch " << k << ", motion " << motion;
@@ -120,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::plane_rates_test

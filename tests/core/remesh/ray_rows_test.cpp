@@ -11,7 +11,7 @@
 #include "remesh/undeformed_distance.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::ray_rows_test {
 namespace {
 
 /// Rows and single rays are solved to 1e-12 mm each. A surface that faces the ray at a flat angle
@@ -48,7 +48,7 @@ TEST_P(RayRows, AgreeWithSingleRays) {
   request.yaw = c.yaw;
   request.roll = 1e-3;
   request.right = false;
-  const auto equilibrium = find_equilibrium(wheel, rail, request);
+  const auto equilibrium = find_equilibrium({wheel, rail}, {wheel, rail}, request);
   constexpr double depth = 0.1;
   const ContactPatches found = find_contact_patches(equilibrium.left->scan, depth);
   const ContactPatch& patch = found.patches[found.main];
@@ -151,4 +151,4 @@ TEST(UndeformedDistance, MemoryOfAnotherGridIsUsedAgain) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::ray_rows_test

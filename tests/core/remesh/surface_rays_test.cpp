@@ -6,7 +6,7 @@
 
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::surface_rays_test {
 namespace {
 
 constexpr double ray_tolerance = 1e-11; // coordinates of some hundred mm carry 1e-13 each
@@ -46,4 +46,4 @@ TEST_F(SurfaceRays, MeetNothingBesideThem) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::surface_rays_test

@@ -9,7 +9,7 @@
 #include "support/brute_force.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::undeformed_distance_test {
 namespace {
 
 /// Rays are solved to 1e-12 mm; coordinates of some hundred mm carry 1e-13 each.
@@ -118,7 +118,7 @@ TEST_P(Rays, AgreeWithBisection) {
   request.yaw = c.yaw;
   request.roll = c.roll;
   request.right = false;
-  const auto equilibrium = find_equilibrium(wheel, rail, request);
+  const auto equilibrium = find_equilibrium({wheel, rail}, {wheel, rail}, request);
   const auto& contact = equilibrium.left->scan.candidates.front();
   constexpr double depth = 0.05;
   const double vertical = equilibrium.left->vertical - depth;
@@ -177,4 +177,4 @@ TEST(UndeformedDistance, NoMaterialBeyondTheEndsOfTheProfiles) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::undeformed_distance_test

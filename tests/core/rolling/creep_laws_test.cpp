@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace wrc::test {
+namespace wrc::test::creep_laws_test {
 namespace {
 
 const RollingEllipse ellipse{6.0, 4.0, 80000.0, 0.3, 82000.0, 0.28};
@@ -160,4 +160,4 @@ TEST(CreepLaws, RefusesEllipsesOutsideTheirRanges) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::creep_laws_test

@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 
-namespace wrc::test {
+namespace wrc::test::fastsim_test {
 namespace {
 
 constexpr double load = 80000.0;
@@ -359,4 +359,4 @@ TEST(FastsimStrips, RefusesWhatIsOutsideItsRanges) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::fastsim_test

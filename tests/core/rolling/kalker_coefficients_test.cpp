@@ -13,7 +13,7 @@
 #include "base/error.hpp"
 #include "evidence/no_slip_samples.hpp"
 
-namespace wrc::test {
+namespace wrc::test::kalker_coefficients_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -219,4 +219,4 @@ TEST(KalkerCoefficients, RefuseWhatIsOutsideTheirRanges) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::kalker_coefficients_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::rolling_contact_random_test {
 namespace {
 
 /// Draws problems of several families, as hard as they come.
@@ -130,4 +130,4 @@ TEST(RollingContactRandom, EveryAnswerSolvesItsProblem) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::rolling_contact_random_test

@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 
-namespace wrc::test {
+namespace wrc::test::rolling_contact_test {
 namespace {
 
 constexpr double friction = 0.3;
@@ -439,4 +439,4 @@ TEST(RollingContact, DerivativesAreComputedOnRequestOnlyAndChangeNothing) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::rolling_contact_test

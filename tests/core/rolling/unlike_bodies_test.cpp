@@ -13,7 +13,7 @@
 #include "half_space/material.hpp"
 #include "half_space/traction_convolution.hpp"
 
-namespace wrc::test {
+namespace wrc::test::unlike_bodies_test {
 namespace {
 
 constexpr double radius = 4.0;
@@ -191,4 +191,4 @@ TEST(UnlikeBodies, OnlySteadyRollingKnowsThem) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::unlike_bodies_test

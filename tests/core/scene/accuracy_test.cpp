@@ -12,7 +12,7 @@
 #include "profile/readers.hpp"
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::accuracy_test {
 namespace {
 
 /// Solves a scene at an accuracy; `truth` is that of solve_finely. `times`: by how much an error
@@ -38,12 +38,12 @@ WheelResult solve_finely(Scene scene) {
 TEST(Accuracy, LmaOnManchesterRailMeetsIt) {
   Scene scene;
   scene.side = SideChoice::left;
-  scene.wheel = "LMA";
-  scene.rail = "UIC60-Manchester";
+  scene.left.wheel.name = scene.right.wheel.name = "LMA";
+  scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
   scene.lateral = -5.1275;
   for (const double load : {10e3, 12.9e3, 20e3, 80e3, 160e3}) {
     SCOPED_TRACE(load);
-    scene.left_load = load;
+    scene.left.load = load;
     const WheelResult truth = solve_finely(scene);
     for (const double accuracy : {1e-2, 1e-3}) {
       expect_pmax_within_accuracy(scene, accuracy, truth);
@@ -93,7 +93,7 @@ TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
                  ", y = " + std::to_string(noisy.lateral));
     Scene scene;
     scene.side = SideChoice::left;
-    scene.wheel_profile = noisy_wheel(noisy.wheel, 1.9e-4, noisy.seed);
+    scene.left.wheel.given = scene.right.wheel.given = noisy_wheel(noisy.wheel, 1.9e-4, noisy.seed);
     scene.lateral = noisy.lateral;
     const WheelResult truth = solve_finely(scene);
     for (const double accuracy : {1e-2, 1e-3}) {
@@ -103,4 +103,4 @@ TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::accuracy_test

@@ -11,7 +11,7 @@
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::contact_cases_test {
 namespace {
 
 /// Asked of pmax and approach of every patch; or the change that a lateral shift of this size
@@ -31,21 +31,21 @@ constexpr const char* delicate_case = "extreme-160";
 
 Scene scene_of(const nlohmann::json& entry) {
   Scene scene;
-  scene.rail = entry.at("rail");
-  scene.wheel = entry.at("wheel");
+  scene.left.rail.name = scene.right.rail.name = entry.at("rail");
+  scene.left.wheel.name = scene.right.wheel.name = entry.at("wheel");
   set_text(scene, "track.cant", entry.at("cant").get<std::string>());
   scene.track.gauge = entry.at("gauge_mm");
   scene.track.gauge_height = entry.at("gauge_height_mm");
-  scene.wheelset.back_to_back = entry.at("back_to_back_mm");
-  scene.wheelset.tape_offset = entry.at("tape_offset_mm");
-  scene.wheelset.radius = entry.at("wheel_radius_mm");
+  scene.back_to_back = entry.at("back_to_back_mm");
+  scene.tape_offset = entry.at("tape_offset_mm");
+  scene.left.radius = scene.right.radius = entry.at("wheel_radius_mm");
   scene.wheel_material =
       scene.rail_material = {entry.at("youngs_modulus_MPa"), entry.at("poisson")};
   scene.side = entry.at("side") == "left" ? SideChoice::left : SideChoice::right;
   scene.lateral = entry.at("lateral_mm");
   scene.yaw = entry.at("yaw_rad");
   scene.roll = entry.at("roll_rad").get<double>();
-  scene.left_load = scene.right_load = entry.at("vertical_load_N");
+  scene.left.load = scene.right.load = entry.at("vertical_load_N");
   scene.accuracy = 3e-4;
   return scene;
 }
@@ -131,7 +131,8 @@ TEST(ContactCases, AllAgree) {
     SCOPED_TRACE(id);
     Scene scene = scene_of(entry);
     if (id == delicate_case) {
-      scene.rail = std::string(WRCONTACT_REFERENCE_DIR) + "/MBench_UIC60_v3.prr";
+      scene.left.rail.name = scene.right.rail.name =
+          std::string(WRCONTACT_REFERENCE_DIR) + "/MBench_UIC60_v3.prr";
       scene.track.cant = 0.0; // already in the points
     }
     const double element = entry.at("element_mm");
@@ -177,4 +178,4 @@ TEST(ContactCases, AllAgree) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::contact_cases_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::convention_test {
 namespace {
 
 using namespace dimensions;
@@ -40,4 +40,4 @@ TEST(Convention, ThereAndBack) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::convention_test

@@ -13,7 +13,7 @@
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::creep_forces_test {
 namespace {
 
 Scene scene_at(double lateral, const Creepages& left, double accuracy = 1e-3) {
@@ -21,8 +21,8 @@ Scene scene_at(double lateral, const Creepages& left, double accuracy = 1e-3) {
   scene.lateral = lateral;
   scene.accuracy = accuracy;
   scene.accuracy_of = AccuracyOf::forces;
-  scene.left_creepages = left;
-  scene.right_creepages = {left.longitudinal, -left.lateral, -left.spin};
+  scene.left.creepages = left;
+  scene.right.creepages = {left.longitudinal, -left.lateral, -left.spin};
   return scene;
 }
 
@@ -34,7 +34,7 @@ constexpr Creepages moderate{1e-3, 5e-4, 2e-4};
 
 TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
   Scene scene = scene_at(3.0, moderate);
-  scene.right_creepages.reset();
+  scene.right.creepages.reset();
   const SceneResult with = solve_scene(scene);
   EXPECT_TRUE(with.left->patches[0].creep);
   EXPECT_FALSE(with.right->patches[0].creep);
@@ -51,7 +51,7 @@ TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
 TEST(CreepForces, ZeroCreepagesAndZeroFrictionGiveNone) {
   for (const bool frictionless : {false, true}) {
     Scene scene = scene_at(3.0, frictionless ? moderate : Creepages{});
-    scene.left_friction = frictionless ? 0.0 : 0.3;
+    scene.left.friction.coefficient = frictionless ? 0.0 : 0.3;
     const SceneResult result = solve_scene(scene);
     const CreepResult& creep = creep_of(result.left);
     EXPECT_EQ(creep.longitudinal_force, 0.0);
@@ -136,8 +136,8 @@ TEST(CreepForces, CheaperModelsSaturate) {
 // reference.
 TEST(CreepForces, PartsOfOnePlaneAddUp) {
   Scene scene = scene_at(5.0, {5e-4, 0.0, 3e-4});
-  scene.rail = "UIC60-Manchester";
-  scene.left_load = 10000.0;
+  scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
+  scene.left.load = 10000.0;
   const SceneResult result = solve_scene(scene);
   const PatchResult& patch = result.left.value().patches.at(0);
   ASSERT_EQ(patch.parts.size(), 2U);
@@ -200,8 +200,8 @@ TEST(CreepForces, UnlikeMaterialsPullWithoutCreepage) {
 // change.
 TEST(CreepForces, UnlikeMaterialsOnSeveralPatches) {
   Scene scene = scene_at(4.2, moderate);
-  scene.rail = "CHN60";
-  scene.wheel = "LMA";
+  scene.left.rail.name = scene.right.rail.name = "CHN60";
+  scene.left.wheel.name = scene.right.wheel.name = "LMA";
   scene.rail_material = {70000.0, 0.33};
   const SceneResult result = solve_scene(scene);
   for (const PatchResult* patch : solved_patches(*result.left)) {
@@ -218,8 +218,8 @@ TEST(CreepForces, KeysInOtherUnitsAndFrames) {
   set_text(scene, "convention.frame", "right-down");
   const std::vector<double> given{1e-3, -5e-4, -0.2}; // 1/m
   set_numbers(scene, "creepage.left", given);
-  EXPECT_DOUBLE_EQ(scene.left_creepages->lateral, 5e-4);
-  EXPECT_DOUBLE_EQ(scene.left_creepages->spin, 2e-4);
+  EXPECT_DOUBLE_EQ(scene.left.creepages->lateral, 5e-4);
+  EXPECT_DOUBLE_EQ(scene.left.creepages->spin, 2e-4);
   EXPECT_EQ(std::get<std::vector<double>>(key_value(scene, "creepage.left")), given);
   SceneResult result = solve_scene(scene);
   EXPECT_DOUBLE_EQ(number_value(result, "left.patches.0.creepage.spin", scene.convention).value(),
@@ -230,7 +230,7 @@ TEST(CreepForces, KeysInOtherUnitsAndFrames) {
   EXPECT_ANY_THROW(set_numbers(scene, "creepage.left", std::vector<double>{1.0, 2.0}));
   EXPECT_ANY_THROW(set_numbers(scene, "creepage.left", std::vector<double>{11.0, 0.0, 0.0}));
   set_text(scene, "creepage.left", "none");
-  EXPECT_FALSE(scene.left_creepages);
+  EXPECT_FALSE(scene.left.creepages);
 }
 
 TEST(CreepForces, KeysOfOneComponentSetBothWheels) {
@@ -238,27 +238,27 @@ TEST(CreepForces, KeysOfOneComponentSetBothWheels) {
   EXPECT_EQ(std::get<std::string>(key_value(scene, "creepage.spin")), "none");
   set_number(scene, "creepage.longitudinal", 1e-3);
   set_number(scene, "creepage.spin", 2e-4);
-  EXPECT_EQ(scene.left_creepages->longitudinal, 1e-3);
-  EXPECT_EQ(scene.left_creepages->lateral, 0.0);
-  EXPECT_EQ(scene.right_creepages->spin, 2e-4);
+  EXPECT_EQ(scene.left.creepages->longitudinal, 1e-3);
+  EXPECT_EQ(scene.left.creepages->lateral, 0.0);
+  EXPECT_EQ(scene.right.creepages->spin, 2e-4);
   EXPECT_EQ(std::get<double>(key_value(scene, "creepage.spin")), 2e-4);
-  scene.left_creepages->spin = 0.0; // differ now
+  scene.left.creepages->spin = 0.0; // differ now
   EXPECT_TRUE(std::holds_alternative<std::monostate>(key_value(scene, "creepage.spin")));
   set_text(scene, "creepage.lateral", "none");
-  EXPECT_FALSE(scene.left_creepages || scene.right_creepages);
+  EXPECT_FALSE(scene.left.creepages || scene.right.creepages);
 }
 
 /// CONTACT's frame has x forward, y right, z down, and its first body is the rail.
 Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
   Scene scene;
   const std::string folder = std::string(WRCONTACT_REFERENCE_DIR) + '/';
-  scene.wheel = folder + input.at("wheel").get<std::string>();
-  scene.rail = folder + input.at("rail").get<std::string>();
+  scene.left.wheel.name = scene.right.wheel.name = folder + input.at("wheel").get<std::string>();
+  scene.left.rail.name = scene.right.rail.name = folder + input.at("rail").get<std::string>();
   scene.track.cant = input.at("cant_rad");
   scene.track.gauge = input.at("gauge_mm");
   scene.track.gauge_height = input.at("gauge_height_mm");
-  scene.wheelset.radius = input.at("nominal_radius_mm");
-  scene.wheelset.back_to_back = input.at("flange_back_distance_mm");
+  scene.left.radius = scene.right.radius = input.at("nominal_radius_mm");
+  scene.back_to_back = input.at("flange_back_distance_mm");
   const double poisson = input.at("nu");
   scene.wheel_material =
       scene.rail_material = {2.0 * input.at("G_MPa").get<double>() * (1.0 + poisson), poisson};
@@ -266,12 +266,12 @@ Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
   scene.yaw = -input.at("yaw_rad").get<double>();
   scene.roll = input.at("roll_rad").get<double>();
   scene.normal_load = patch.at("Fn_N").get<double>();
-  scene.left_friction = scene.right_friction = input.at("mu");
+  scene.left.friction.coefficient = scene.right.friction.coefficient = input.at("mu");
   const Creepages creepages{-patch.at("cksi").get<double>(), patch.at("ceta").get<double>(),
                             patch.at("cphi_per_mm").get<double>()};
   const bool left = input.at("side") == "left";
   scene.side = left ? SideChoice::left : SideChoice::right;
-  (left ? scene.left_creepages : scene.right_creepages) = creepages;
+  (left ? scene.left.creepages : scene.right.creepages) = creepages;
   scene.accuracy_of = AccuracyOf::forces;
   return scene;
 }
@@ -324,4 +324,4 @@ TEST(CreepForces, GridsAreBounded) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::creep_forces_test

@@ -10,7 +10,7 @@
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::creep_motion_test {
 namespace {
 
 Scene scene_at(double lateral) {
@@ -76,7 +76,7 @@ TEST(CreepMotion, CreepagesOfCreepCasesFollowFromTheMotion) {
       const double height = place.z - body.z;
       const ContactFrame frame = tangent_frame(place, angle);
       const double approach = patch.at("approach_mm");
-      const RigidSlip slip = rigid_slip(motion, pose, height, 460.0, frame, approach);
+      const RigidSlip slip = rigid_slip({motion, pose, height, 460.0, {}}, frame, approach);
       EXPECT_NEAR(slip.reference_speed, 1e3 * patch.at("V_ref_m_s").get<double>(), 0.05);
       EXPECT_NEAR(slip.creepages.longitudinal, -patch.at("cksi").get<double>(), 2e-6);
       EXPECT_NEAR(slip.creepages.lateral, left * patch.at("ceta").get<double>(), 1e-6);
@@ -190,4 +190,4 @@ TEST(CreepMotion, TotalsOfACentredWheelset) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::creep_motion_test

@@ -3,7 +3,7 @@
 
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::paper_table2_test {
 namespace {
 
 /// The load of the table is not printed; 80 kN along the wheelset's vertical fits. The paper's
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(CalmScenes, PaperTable2,
                                          Entry{-1.0, 852.0}, Entry{3.0, 1470.0}));
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::paper_table2_test

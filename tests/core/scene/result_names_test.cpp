@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::result_names_test {
 namespace {
 
 TEST(ResultNames, PrefixIsTakenOffOnlyIfItIsThere) {
@@ -26,4 +26,4 @@ TEST(ResultNames, IndexBelowTheCount) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::result_names_test

@@ -9,7 +9,7 @@
 #include "profile/readers.hpp"
 #include "scene/scene_keys.hpp"
 
-namespace wrc::test {
+namespace wrc::test::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -84,4 +84,4 @@ TEST_F(SceneFile, UnwritablePathIsAnError) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::scene_file_test

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace wrc::test {
+namespace wrc::test::scene_keys_test {
 namespace {
 
 /// The text of the error that a call throws; fails the test if it throws none.
@@ -24,12 +24,12 @@ template <class Call> std::string error_text(Call&& call, ErrorCode code) {
 
 TEST(SceneKeys, DefaultsAreThePapersTable1) {
   const Scene scene;
-  EXPECT_EQ(scene.wheel, "S1002");
-  EXPECT_EQ(scene.rail, "60E1");
+  EXPECT_EQ(scene.left.wheel.name, "S1002");
+  EXPECT_EQ(scene.left.rail.name, "60E1");
   EXPECT_EQ(scene.track.gauge, 1435.0);
   EXPECT_EQ(scene.track.cant, std::atan(1.0 / 40.0));
-  EXPECT_EQ(scene.wheelset.back_to_back, 1360.0);
-  EXPECT_EQ(scene.wheelset.radius, 460.0);
+  EXPECT_EQ(scene.back_to_back, 1360.0);
+  EXPECT_EQ(scene.left.radius, 460.0);
   EXPECT_EQ(scene.wheel_material.youngs_modulus, 210000.0);
   EXPECT_EQ(scene.rail_material.poisson, 0.3);
 }
@@ -82,11 +82,11 @@ TEST(SceneKeys, LaterCallsReplaceEarlierOnesOfTheSameSubject) {
   EXPECT_TRUE(scene.normal_load);
   set_number(scene, "load.left", 7.0);
   EXPECT_FALSE(scene.normal_load);
-  EXPECT_EQ(scene.left_load, 7.0);
-  EXPECT_EQ(scene.right_load, 80000.0);
+  EXPECT_EQ(scene.left.load, 7.0);
+  EXPECT_EQ(scene.right.load, 80000.0);
   set_number(scene, "load.vertical", 9.0);
-  EXPECT_EQ(scene.left_load, 9.0);
-  EXPECT_EQ(scene.right_load, 9.0);
+  EXPECT_EQ(scene.left.load, 9.0);
+  EXPECT_EQ(scene.right.load, 9.0);
   const std::array<double, 2> grid{256.0, 128.0};
   set_numbers(scene, "solve.grid", grid);
   EXPECT_TRUE(scene.grid);
@@ -109,4 +109,4 @@ TEST(SceneKeys, GridCountsAreWholeNumbers) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::scene_keys_test

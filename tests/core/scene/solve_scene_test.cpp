@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "support/errors.hpp"
 
-namespace wrc::test {
+namespace wrc::test::solve_scene_test {
 namespace {
 
 Scene small_scene(double lateral, double yaw = 0.0) {
@@ -46,9 +46,9 @@ TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
 TEST(SolveScene, DepthsThatSwingDoNotLeadAboveTheFirstTouch) {
   // Tread and flange change places from one trial to the next on this grid.
   Scene scene;
-  scene.rail = "56E1";
-  scene.wheelset.back_to_back = 1353.1720530538023;
-  scene.wheelset.radius = 397.4857841615228;
+  scene.left.rail.name = scene.right.rail.name = "56E1";
+  scene.back_to_back = 1353.1720530538023;
+  scene.left.radius = scene.right.radius = 397.4857841615228;
   scene.track.gauge = 1433.289749586064;
   scene.track.gauge_height = 11.43363854782805;
   scene.track.cant = std::atan(1.0 / 20.0);
@@ -163,16 +163,16 @@ TEST(SceneSolver, GridsGivenAndChosenMayTakeTurns) {
 
 TEST(SolveSceneErrors, UnknownProfileListsTheKnownOnes) {
   Scene scene;
-  scene.rail = "60E9";
+  scene.left.rail.name = scene.right.rail.name = "60E9";
   expect_error(
       ErrorCode::unknown_name, [&] { solve_scene(scene); }, "track.rail = \"60E9\"", "60E1");
 }
 
 TEST(SolveSceneErrors, BuiltInProfilesAreNotSmoothed) {
   Scene scene;
-  scene.rail_smoothing = 3.0;
+  scene.left.rail.smoothing = scene.right.rail.smoothing = 3.0;
   EXPECT_THROW(solve_scene(scene), Error);
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::solve_scene_test

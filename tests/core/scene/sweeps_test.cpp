@@ -13,14 +13,14 @@
 #include "mechanics/normal_solver.hpp"
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::sweeps_test {
 namespace {
 
 constexpr double force_tolerance = 1e-6;
 
 Scene two_lobes(const std::string& rail, bool solve_roll) {
   Scene scene;
-  scene.rail = rail;
+  scene.left.rail.name = scene.right.rail.name = rail;
   scene.lateral = 5.0;
   scene.side = SideChoice::left;
   if (!solve_roll) {
@@ -46,7 +46,7 @@ void sweep_load(Scene scene, double first, double last, double step, double jump
   double load_before = 0.0;
   for (double load = first; load <= last; load *= 1.0 + step) {
     SCOPED_TRACE(load);
-    scene.left_load = scene.right_load = load;
+    scene.left.load = scene.right.load = load;
     SceneResult result = solver.solve(scene);
     const WheelResult& side = *result.left;
     EXPECT_NEAR(side.force.z, load, force_tolerance * load);
@@ -97,11 +97,11 @@ TEST(LoadSweeps, PatchesAreBornAndJoinWithoutAJump) {
 
 Scene scene_of(const std::string& wheel, const std::string& rail) {
   Scene scene;
-  scene.wheel = wheel;
-  scene.rail = rail;
+  scene.left.wheel.name = scene.right.wheel.name = wheel;
+  scene.left.rail.name = scene.right.rail.name = rail;
   if (wheel == "LMA") {
-    scene.wheelset.back_to_back = 1353.0;
-    scene.wheelset.radius = 430.0;
+    scene.back_to_back = 1353.0;
+    scene.left.radius = scene.right.radius = 430.0;
     scene.track.gauge_height = 16.0;
   }
   return scene;
@@ -123,7 +123,7 @@ TEST_P(LateralSweep, FailsNowhere) {
     SceneResult result = solver.solve(scene);
     for (const auto side : {&SceneResult::left, &SceneResult::right}) {
       const WheelResult& here = *(result.*side);
-      EXPECT_NEAR(here.force.z, scene.left_load, force_tolerance * scene.left_load);
+      EXPECT_NEAR(here.force.z, scene.left.load, force_tolerance * scene.left.load);
       EXPECT_EQ(here.stop_reason, StopReason::tolerance_met);
       solutions += here.solutions;
       for (const std::string& warning : here.warnings) {
@@ -190,7 +190,7 @@ TEST(Costs, AGivenGridTakesAFewSolutions) {
   Scene scene = two_lobes("60E1", false);
   scene.grid = {{64, 32}};
   for (double load = 500.0; load < 160e3; load *= 1.04) {
-    scene.left_load = load;
+    scene.left.load = load;
     const SceneResult result = solve_scene(scene);
     EXPECT_LE(result.left->solutions, 7) << load;
     solutions += result.left->solutions;
@@ -200,4 +200,4 @@ TEST(Costs, AGivenGridTakesAFewSolutions) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::sweeps_test

@@ -8,7 +8,7 @@
 #include "support/contact_cases.hpp"
 #include "support/dense_reference.hpp"
 
-namespace wrc::test {
+namespace wrc::test::dense_reference_test {
 namespace {
 
 /// The solver runs at 1e-11 of the largest u; the worst-conditioned pressures amplify it by the
@@ -60,4 +60,4 @@ TEST_P(DenseComparison, PrescribedApproach) {
 INSTANTIATE_TEST_SUITE_P(AspectRatios, DenseComparison, testing::Values(0.05, 1.0, 6.0));
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::dense_reference_test

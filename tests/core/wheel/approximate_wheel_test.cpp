@@ -13,7 +13,7 @@
 #include "support/errors.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::approximate_wheel_test {
 namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
@@ -29,8 +29,8 @@ WheelSolution solve_crossed_cylinders(ApproximateModel model, double load, doubl
   WheelRequest side;
   side.combined_modulus = modulus;
   side.vertical_load = load;
-  return solve_wheel_approximately(wheel, rail, *find_equilibrium(wheel, rail, request).left, side,
-                                   model);
+  return solve_wheel_approximately(
+      wheel, rail, *find_equilibrium({wheel, rail}, {wheel, rail}, request).left, side, model);
 }
 
 SceneResult solve_with(const std::string& model, Scene scene) {
@@ -121,7 +121,7 @@ TEST(ApproximateWheel, SampledPressuresCarryTheLoad) {
 TEST(ApproximateWheel, PatchesShareTheLoadThroughOneDepth) {
   for (const char* model : {"hertz", "kik-piotrowski"}) {
     Scene scene = scene_at(6.15);
-    scene.rail = "56E1";
+    scene.left.rail.name = scene.right.rail.name = "56E1";
     const SceneResult result = solve_with(model, scene);
     ASSERT_EQ(result.left->patches.size(), 2u) << model;
     EXPECT_NEAR(result.left->force.z, 80000.0, 1e-4) << model;
@@ -213,7 +213,7 @@ TEST(ApproximateWheel, LoadIsMetFromSmallToLarge) {
       for (double lateral = -8.0; lateral <= 8.0; lateral += 0.5) {
         for (const double yaw : {0.0, -0.04}) {
           Scene scene = scene_at(lateral, yaw);
-          scene.left_load = scene.right_load = load;
+          scene.left.load = scene.right.load = load;
           const SceneResult result = solve_with(model, scene);
           for (const auto* side : {&*result.left, &*result.right}) {
             EXPECT_NEAR(side->force.z / load, 1.0, 1e-8)
@@ -233,7 +233,7 @@ TEST(ApproximateWheel, NothingIsThereWithoutContact) {
     scene.vertical = 470.0;
     EXPECT_TRUE(solve_with(model, scene).left->patches.empty());
     scene.vertical.reset();
-    scene.left_load = 0.0;
+    scene.left.load = 0.0;
     const SceneResult result = solve_with(model, scene);
     EXPECT_EQ(result.left->pmax, 0.0);
     EXPECT_EQ(result.left->warnings.back(), "no load");
@@ -264,4 +264,4 @@ TEST(ApproximateWheel, RefusesWhatModelsDoNotHave) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::approximate_wheel_test

@@ -8,7 +8,7 @@
 
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::combined_contact_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -106,4 +106,4 @@ TEST_F(CombinedContact, DisplacementsAreThoseThatActOnTheParts) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::combined_contact_test

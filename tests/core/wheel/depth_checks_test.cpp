@@ -4,7 +4,7 @@
 
 #include "support/errors.hpp"
 
-namespace wrc::test {
+namespace wrc::test::depth_checks_test {
 namespace {
 
 WheelRequest loaded(double load) {
@@ -111,4 +111,4 @@ TEST(DepthChecks, AnOverlapBelowTheToleranceOfTheTablesIsTold) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::depth_checks_test

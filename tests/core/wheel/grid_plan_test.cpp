@@ -6,7 +6,7 @@
 
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::grid_plan_test {
 namespace {
 
 /// Wheel and rail at their first touch.
@@ -18,7 +18,7 @@ struct Touching {
     request.lateral = at;
     request.roll = 0.0;
     request.right = false;
-    side = *find_equilibrium(wheel, rail, request).left;
+    side = *find_equilibrium({wheel, rail}, {wheel, rail}, request).left;
   }
   WheelSurface wheel;
   RailSurface rail;
@@ -82,4 +82,4 @@ TEST(GridPlan, TheVerticalConventionHasOnePlaneAndTellsWhatItLeavesOut) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::grid_plan_test

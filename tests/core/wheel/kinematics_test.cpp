@@ -6,14 +6,15 @@
 
 #include <gtest/gtest.h>
 
-namespace wrc::test {
+namespace wrc::test::kinematics_test {
 namespace {
 
 constexpr double radius = 460.0;
 
 /// A contact under a wheel, this far to the left and this steep.
 RigidSlip slip_at(const Motion& motion, double angle = 0.0, const Pose& pose = {}) {
-  return rigid_slip(motion, pose, radius, radius, tangent_frame({0.0, 750.0, 0.1}, angle), 0.1);
+  return rigid_slip({motion, pose, radius, radius, {}}, tangent_frame({0.0, 750.0, 0.1}, angle),
+                    0.1);
 }
 
 TEST(Kinematics, PureRollingHasSpinOfTheConeOnly) {
@@ -75,4 +76,4 @@ TEST(Kinematics, BackwardsTheReferenceSpeedIsNegative) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::kinematics_test

@@ -15,7 +15,7 @@
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/wheel_solution.hpp"
 
-namespace wrc::test {
+namespace wrc::test::sensitivities_test {
 namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
@@ -54,7 +54,7 @@ public:
     request.roll = at.roll;
     request.right = false;
     request.near_tolerance = 1.0;
-    equilibrium = *find_equilibrium(wheel_, rail_, request).left;
+    equilibrium = *find_equilibrium({wheel_, rail_}, {wheel_, rail_}, request).left;
   }
 
   /// The patches under the load, in the planes that the solution takes.
@@ -116,7 +116,6 @@ public:
   /// Written out once more, element by element.
   [[nodiscard]] WheelForce force(const std::vector<std::vector<double>>& pressure, const Pose& at,
                                  double height) const {
-    const Vector3 axis{std::cos(at.yaw), std::sin(at.yaw), 0.0};
     WheelForce sum;
     for (std::size_t k = 0; k < patches.size(); ++k) {
       const Grid& grid = patches[k].grid;
@@ -126,7 +125,7 @@ public:
                                       grid.lateral(i / grid.longitudinal_count), 0.0);
         const Vector3 f = pressure[k][i] * grid.element_area() * patches[k].frame.normal;
         sum.force = sum.force + f;
-        sum.roll_moment += dot(axis, cross(place - Vector3{0.0, at.lateral, height}, f));
+        sum.moment = sum.moment + cross(place - Vector3{0.0, at.lateral, height}, f);
       }
     }
     return sum;
@@ -140,7 +139,10 @@ public:
     for (const int end : {0, 1}) {
       Pose at = pose;
       double height = vertical;
-      (motion == 0 ? at.lateral : motion == 1 ? height : at.roll) += end == 0 ? -by : by;
+      (motion == 0   ? at.lateral
+       : motion == 1 ? height
+       : motion == 2 ? at.roll
+                     : at.yaw) += end == 0 ? -by : by;
       const auto pressure = pressures(at, height);
       for (std::size_t k = 0; k < pressure.size(); ++k) {
         for (std::size_t i = 0; i < pressure[k].size(); ++i) {
@@ -151,7 +153,7 @@ public:
     }
     const double scale = 0.5 / by;
     return {scale * (forces[1].force - forces[0].force),
-            scale * (forces[1].roll_moment - forces[0].roll_moment)};
+            scale * (forces[1].moment - forces[0].moment)};
   }
 
   [[nodiscard]] WheelSensitivity sensitivities(SensitivityRequest request = {}) const {
@@ -181,21 +183,25 @@ public:
 };
 
 const WheelForce& of_motion(const ForceRates& rates, std::size_t motion) {
-  return motion == 0 ? rates.lateral : motion == 1 ? rates.vertical : rates.roll;
+  return motion == 0   ? rates.lateral
+         : motion == 1 ? rates.vertical
+         : motion == 2 ? rates.roll
+                       : rates.yaw;
 }
 
 /// Of forces by distance: turns and moments over the arm.
 double difference_of(const WheelForce& a, const WheelForce& b, std::size_t motion) {
   const Vector3 apart = a.force - b.force;
+  const Vector3 turning = (1.0 / arm) * (a.moment - b.moment);
   const double unit = motion < 2 ? 1.0 : arm;
-  return std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z),
-                   std::abs(a.roll_moment - b.roll_moment) / arm}) /
+  return std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z), std::abs(turning.x),
+                   std::abs(turning.y), std::abs(turning.z)}) /
          unit;
 }
 
 double largest_entry(const ForceRates& rates) {
   double largest = 0.0;
-  for (std::size_t motion = 0; motion < 3; ++motion) {
+  for (std::size_t motion = 0; motion < 4; ++motion) {
     largest = std::max(largest, difference_of(of_motion(rates, motion), {}, motion));
   }
   return largest;
@@ -206,7 +212,7 @@ void expect_differences(const Side& side, const char* name) {
   EXPECT_EQ(found.stop_reason, StopReason::tolerance_met);
   const WheelForce force = side.force(side.solved, side.pose, side.vertical);
   EXPECT_LE(difference_of(found.force, force, 0), 1e-11 * wheel_load);
-  for (std::size_t motion = 0; motion < 3; ++motion) {
+  for (std::size_t motion = 0; motion < 4; ++motion) {
     bool same = false;
     const WheelForce expected = side.difference(motion, same);
     EXPECT_TRUE(same) << "elements in contact change: choose another grid";
@@ -251,7 +257,7 @@ public:
 };
 
 void expect_same(const ForceRates& a, const ForceRates& b, double tolerance) {
-  for (std::size_t motion = 0; motion < 3; ++motion) {
+  for (std::size_t motion = 0; motion < 4; ++motion) {
     EXPECT_LE(difference_of(of_motion(a, motion), of_motion(b, motion), motion),
               tolerance * largest_entry(b))
         << motion;
@@ -281,10 +287,10 @@ TEST(SensitivitiesOfPatches, SeveralInPlanesOfTheirOwn) {
   expect_same(by_motion.fixed_planes, by_force.fixed_planes, 1e-7);
 
   request = {};
-  request.roll_moment = false;
+  request.moments = false;
   const WheelSensitivity without_moment = side.sensitivities(request);
   EXPECT_LT(without_moment.iterations, by_force.iterations);
-  EXPECT_EQ(without_moment.fixed_planes.lateral.roll_moment, 0.0);
+  EXPECT_EQ(without_moment.fixed_planes.lateral.moment.x, 0.0);
   EXPECT_EQ(without_moment.fixed_planes.lateral.force.y, by_force.fixed_planes.lateral.force.y);
 }
 
@@ -292,7 +298,7 @@ TEST(SensitivitiesOfPatches, TurningPlanes) {
   // The normal of a plane that turns with lateral position about its centre of pressure.
   Side side("60E1", {5.6, 0.0, 0.0});
   side.press(GapConvention::tangent);
-  side.patches[0].angle_rates = {0.2, -0.03, 40.0};
+  side.patches[0].angle_rates = {0.2, -0.03, 40.0, 2.0};
   const WheelSensitivity found = side.sensitivities();
   double force = 0.0;
   double lateral = 0.0;
@@ -312,11 +318,8 @@ TEST(SensitivitiesOfPatches, TurningPlanes) {
       (0.5 / by) * (tangent_frame({}, angle + by).normal - tangent_frame({}, angle - by).normal);
   const WheelForce turning{
       force * change,
-      cross(centre - Vector3{0.0, side.pose.lateral, side.vertical}, force * change).x};
-  const auto times = [&](double rate) {
-    return WheelForce{rate * turning.force, rate * turning.roll_moment};
-  };
-  const ForceRates expected{times(0.2), times(-0.03), times(40.0)};
+      cross(centre - Vector3{0.0, side.pose.lateral, side.vertical}, force * change)};
+  const ForceRates expected{0.2 * turning, -0.03 * turning, 40.0 * turning, 2.0 * turning};
   expect_same(found.turning_planes, expected, 1e-9);
   expect_same(found.total(), found.fixed_planes + expected, 1e-9);
 }
@@ -326,7 +329,7 @@ TEST(SensitivitiesOfPatches, NoContact) {
   side.press(GapConvention::tangent);
   std::vector<double> nothing(side.solved[0].size(), 0.0);
   side.patches[0].pressure = nothing;
-  side.patches[0].angle_rates = {1.0, 1.0, 1.0};
+  side.patches[0].angle_rates = {1.0, 1.0, 1.0, 1.0};
   const WheelSensitivity found = side.sensitivities();
   EXPECT_EQ(largest_entry(found.total()), 0.0);
   EXPECT_FALSE(condense_at_vertical_load(found.total()));
@@ -354,13 +357,13 @@ TEST(SensitivitiesAtConstantLoad, HeightFollows) {
       forces[end] = side.force(side.pressures(at, height), at, height);
     }
     const Vector3 rate = (0.5 / by) * (forces[1].force - forces[0].force);
-    const double moment = 0.5 / by * (forces[1].roll_moment - forces[0].roll_moment);
+    const Vector3 moment = (0.5 / by) * (forces[1].moment - forces[0].moment);
     const double tolerance = difference_tolerance * largest_entry(found.fixed_planes);
     const double unit = turns ? arm : 1.0;
     EXPECT_EQ(motion.wheel.force.z, 0.0);
     EXPECT_NEAR(rate.z / unit, 0.0, tolerance);
     EXPECT_NEAR(rate.y / unit, motion.wheel.force.y / unit, tolerance);
-    EXPECT_NEAR(moment / unit / arm, motion.wheel.roll_moment / unit / arm, tolerance);
+    EXPECT_NEAR(moment.x / unit / arm, motion.wheel.moment.x / unit / arm, tolerance);
   }
 }
 
@@ -372,21 +375,25 @@ TEST(SensitivitiesOfTheRightSide, AreThoseOfTheMirror) {
   const ForceRates found = mirrored(side.sensitivities().fixed_planes);
   const auto force_at = [&](const Pose& at, double height) {
     const WheelForce left = side.force(side.pressures(mirrored(at), height), mirrored(at), height);
-    // A moment about an axis along the track turns the other way in the mirror.
-    return WheelForce{{left.force.x, -left.force.y, left.force.z}, -left.roll_moment};
+    // Moments about axes in the mirror's plane turn the other way in it.
+    return WheelForce{{left.force.x, -left.force.y, left.force.z},
+                      {-left.moment.x, left.moment.y, -left.moment.z}};
   };
-  for (std::size_t motion = 0; motion < 3; ++motion) {
+  for (std::size_t motion = 0; motion < 4; ++motion) {
     const double by = motion < 2 ? step : step / arm;
     const auto moved = [&](double sign) {
       Pose at = pose;
       double height = side.vertical;
-      (motion == 0 ? at.lateral : motion == 1 ? height : at.roll) += sign * by;
+      (motion == 0   ? at.lateral
+       : motion == 1 ? height
+       : motion == 2 ? at.roll
+                     : at.yaw) += sign * by;
       return force_at(at, height);
     };
     const WheelForce ahead = moved(1.0);
     const WheelForce behind = moved(-1.0);
     const WheelForce expected{(0.5 / by) * (ahead.force - behind.force),
-                              0.5 / by * (ahead.roll_moment - behind.roll_moment)};
+                              (0.5 / by) * (ahead.moment - behind.moment)};
     EXPECT_LE(difference_of(of_motion(found, motion), expected, motion),
               difference_tolerance * largest_entry(found));
   }
@@ -394,4 +401,4 @@ TEST(SensitivitiesOfTheRightSide, AreThoseOfTheMirror) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::sensitivities_test

@@ -11,7 +11,7 @@
 #include "support/simple_profiles.hpp"
 #include "wheel/wheel_solution.hpp"
 
-namespace wrc::test {
+namespace wrc::test::steep_contact_test {
 namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
@@ -47,7 +47,7 @@ struct SphereOnPlane {
     request.right = false;
     // The contact lies in the middle of the plane.
     request.lateral = middle.y - radius * std::sin(angle) - 750.0;
-    equilibrium = *find_equilibrium(wheel, rail, request).left;
+    equilibrium = *find_equilibrium({wheel, rail}, {wheel, rail}, request).left;
   }
   [[nodiscard]] double pressed_in() const {
     return middle.z + radius * std::cos(angle) - approach / std::cos(angle);
@@ -145,4 +145,4 @@ TEST(SteepContact, WholeSideUnderTheSameNormalForce) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::steep_contact_test

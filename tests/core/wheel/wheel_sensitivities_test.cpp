@@ -15,7 +15,7 @@
 
 #include "scene/solve_scene.hpp"
 
-namespace wrc::test {
+namespace wrc::test::wheel_sensitivities_test {
 namespace {
 
 /// Distance of the wheelset's centre from the contact, mm: a turn moves it by so much more.
@@ -46,15 +46,15 @@ void PrintTo(const Case& c, std::ostream* out) {
 /// At the height that the usual load asks for.
 Scene scene_of(const Case& c) {
   Scene scene;
-  scene.wheel = c.wheel;
-  scene.rail = c.rail;
-  scene.wheelset.back_to_back = scene.wheel == "LMA" ? 1353.0 : 1360.0;
+  scene.left.wheel.name = scene.right.wheel.name = c.wheel;
+  scene.left.rail.name = scene.right.rail.name = c.rail;
+  scene.back_to_back = scene.left.wheel.name == "LMA" ? 1353.0 : 1360.0;
   scene.lateral = c.lateral;
   scene.roll = c.roll;
   scene.yaw = c.yaw;
   scene.gap = c.gap;
   scene.interaction = c.interaction;
-  scene.left_load = c.load;
+  scene.left.load = c.load;
   scene.side = SideChoice::left;
   scene.grid = {{96, 96}};
   scene.tolerance = 1e-10;
@@ -76,14 +76,15 @@ TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
   ASSERT_NE(rates, nullptr);
   EXPECT_EQ(sensitivities_of(*here.left), rates);
 
-  const std::array<Vector3, 3> found{rates->force.lateral.force, rates->force.vertical.force,
-                                     (1.0 / arm) * rates->force.roll.force};
+  const std::array<Vector3, 4> found{rates->force.lateral.force, rates->force.vertical.force,
+                                     (1.0 / arm) * rates->force.roll.force,
+                                     (1.0 / arm) * rates->force.yaw.force};
   double largest = 0.0;
   for (const Vector3& rate : found) {
     largest = std::max({largest, std::abs(rate.y), std::abs(rate.z)});
   }
   const double step = std::min(longest_step, step_share * here.left->depth);
-  for (std::size_t motion = 0; motion < 3; ++motion) {
+  for (std::size_t motion = 0; motion < 4; ++motion) {
     Vector3 forces[2];
     for (const int end : {0, 1}) {
       Scene moved = scene;
@@ -92,8 +93,10 @@ TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
         moved.lateral += by;
       } else if (motion == 1) {
         *moved.vertical += by;
-      } else {
+      } else if (motion == 2) {
         *moved.roll += by / arm;
+      } else {
+        moved.yaw += by / arm;
       }
       forces[end] = solve_scene(moved).left->force;
     }
@@ -156,4 +159,4 @@ TEST(SideSensitivitiesByName, ThereAreNoneWithoutContact) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::wheel_sensitivities_test

@@ -11,7 +11,7 @@
 #include "models/hertz.hpp"
 #include "support/simple_profiles.hpp"
 
-namespace wrc::test {
+namespace wrc::test::wheel_solution_test {
 namespace {
 
 const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
@@ -38,7 +38,8 @@ Fixture fixture(const Profile& wheel, const Profile& rail, double lateral, doubl
   request.yaw = yaw;
   request.roll = 0.0;
   request.right = false;
-  made.equilibrium = *find_equilibrium(made.wheel, made.rail, request).left;
+  made.equilibrium =
+      *find_equilibrium({made.wheel, made.rail}, {made.wheel, made.rail}, request).left;
   return made;
 }
 
@@ -223,4 +224,4 @@ TEST(WheelSolution, ErrorEstimateBoundsTheErrorAgainstAFinerGrid) {
 }
 
 } // namespace
-} // namespace wrc::test
+} // namespace wrc::test::wheel_solution_test

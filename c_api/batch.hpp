@@ -1,0 +1,78 @@
+/// Many solutions in one call, on several threads.
+///
+/// Thread rule: these functions start the threads and wait for them.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "handles.hpp"
+
+namespace wrc {
+
+inline constexpr int32_t max_threads = 1024;                // not a tuning constant
+inline constexpr int64_t max_batch_size = int64_t{1} << 24; // not a tuning constant
+
+inline bool is_permitted_batch(int64_t count, int32_t threads) {
+  return count >= 0 && count <= max_batch_size && threads >= 1 && threads <= max_threads;
+}
+
+template <class Handle> using HandlesInUse = std::vector<std::unique_ptr<InUse<Object<Handle>>>>;
+
+/// All handles of a batch, or the status that says why they are not available.
+template <class Handle>
+wrc_status take_all(Handle* const* handles, int64_t count, HandlesInUse<Handle>& taken) {
+  std::vector<Handle*> ordered(handles, handles + count);
+  std::sort(ordered.begin(), ordered.end());
+  if (std::adjacent_find(ordered.begin(), ordered.end()) != ordered.end()) {
+    return WRC_INVALID_ARGUMENT;
+  }
+  for (int64_t i = 0; i < count; ++i) {
+    const auto& handle =
+        taken.emplace_back(std::make_unique<InUse<Object<Handle>>>(entry_of(handles[i])));
+    if (!handle->held()) {
+      return handle->exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+    }
+  }
+  return WRC_OK;
+}
+
+/// What is to be done by index, on up to so many threads, each with a worker of its own, which
+/// `make_worker` gives. Statuses (or null) are what the worker returns for an index. The first one
+/// that is not WRC_OK.
+template <class MakeWorker>
+wrc_status run_all(std::size_t count, int32_t threads, wrc_status* statuses,
+                   const MakeWorker& make_worker) {
+  const DefaultFloatingPoint floating_point; // for the threads too
+  std::vector<wrc_status> own(statuses == nullptr ? count : 0);
+  wrc_status* results = statuses == nullptr ? own.data() : statuses;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&]() noexcept {
+    auto worker = make_worker();
+    for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
+      results[i] = worker(i);
+    }
+  };
+  const std::size_t most = std::min(static_cast<std::size_t>(threads), count);
+  std::vector<std::thread> others;
+  others.reserve(std::max<std::size_t>(most, 1));
+  try {
+    for (std::size_t i = 1; i < most; ++i) {
+      others.emplace_back(work);
+    }
+  } catch (...) {
+    // Fewer threads than requested: the same results, later.
+  }
+  work();
+  for (std::thread& other : others) {
+    other.join();
+  }
+  const auto* failed =
+      std::find_if(results, results + count, [](wrc_status status) { return status != WRC_OK; });
+  return failed == results + count ? WRC_OK : *failed;
+}
+
+} // namespace wrc

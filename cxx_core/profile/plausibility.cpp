@@ -1,0 +1,314 @@
+#include "profile/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "profile/profile_shape.hpp"
+
+namespace wrc::reading {
+namespace {
+
+/// What wheels and rails of railways and trams measure, mm.
+/// origin: source: wheels are 105 to 150 mm wide, heads of rails 50 to 80 (EN 13715, EN 13674-1,
+/// EN 14811), measurements may end earlier; flanges are 20 (trams) to 38 mm (worn) high, their tips
+/// 10 to 21 mm from the flange back.
+constexpr Position width_range{50.0, 200.0};
+constexpr Position flange_range{20.0, 45.0};
+constexpr Position tip_range{8.0, 28.0};
+/// A flange back that was measured is where the taping line says, by this, mm; it is measured if
+/// the points begin so far below the tip. origin: reasoned: backs wear by 2 mm at most; rounded
+/// tips are 5 to 8 mm high.
+constexpr double back_tolerance = 4.0;
+constexpr double back_depth = 10.0;
+/// Reach of a wheel beside its taping line, mm: its flange root and the outer tread.
+/// origin: source: the flank begins 32 to 40 mm beside the taping line (EN 13715).
+constexpr double least_reach = 20.0;
+/// A crown farther from height 0 than this is measured from elsewhere, mm.
+/// origin: measured: worn rails of the collection have their crown at up to 1.7 mm below 0.
+constexpr double crown_tolerance = 5.0;
+
+/// Height at the taping line, by which the radius is wrong, mm.
+/// origin: reasoned: coefficients of standards leave 0.03 mm.
+constexpr double height_tolerance = 1.0;
+
+/// Depth below the top that a wheel touches, and depth of a chamfer, mm.
+/// origin: source: gauge faces are measured 14 mm below the top, chamfers are 5 mm high (EN 13715).
+constexpr double contact_depth = 14.0;
+constexpr double chamfer_depth = 6.0;
+
+/// Limits of gaps between neighbours and of steps, mm; a gap stands out from the other distances.
+/// origin: reasoned: a patch is 5 to 20 mm long, approaches are 0.1 mm; coarse points that are
+/// equally far apart are no gap up to the size of a patch.
+constexpr double largest_gap = 3.0;
+constexpr double gap_ratio = 4.0;
+constexpr double largest_coarse_gap = 10.0;
+constexpr double largest_step = 1.0;
+/// Lines on both sides of a step run alike.
+/// origin: reasoned: more is a corner.
+constexpr double step_angle = 20.0 * std::numbers::pi / 180.0;
+/// Points on each side of a step that its direction is taken from.
+/// origin: reasoned: enough to average scatter of a tenth of their distance.
+constexpr std::size_t step_points = 3;
+/// Lateral may run back by this, mm.
+/// origin: reasoned: scatter on steep flanks is a tenth of this.
+constexpr double largest_return = 0.3;
+
+/// Scatter above which smoothing is advised, mm rms.
+/// origin: reasoned: a tenth of an approach.
+constexpr double notable_scatter = 0.01;
+/// Of points farther apart, mm, scatter and shape cannot be told apart.
+/// origin: derived: an arc of 13 mm, the sharpest of a rail's head, leaves their chords by 0.01 mm.
+constexpr double scatter_spacing = 1.0;
+/// The median of |e| below in standard deviations of the points.
+/// origin: derived: e = n[-2]/4 - n[-1] + 1.5 n[0] - n[1] + n[2]/4 has 2.09 of them, its median
+/// 0.6745 of that.
+constexpr double scatter_of_median = 1.41;
+
+/// A curve that leaves the chord of two neighbours by more than this, mm and as a share of the
+/// chord, swings.
+/// origin: derived: an arc over a chord leaves it by 0.2 of its length where it turns by 87
+/// degrees.
+constexpr double largest_swing = 0.5;
+constexpr double swing_share = 0.2;
+
+void check_range(double value, const Position& range, const std::string& what,
+                 const std::string& remedy, Log& log) {
+  if (value < range[0] || value > range[1])
+    log.warn(what + " " + fixed_text(value) + " mm, expected are " + fixed_text(range[0], 0) +
+             " to " + fixed_text(range[1], 0) + "; " + remedy);
+}
+
+/// The points that can be in contact.
+struct Part {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double least_height = 0.0;
+
+  /// Whether the chord from point i to the next one can be touched.
+  [[nodiscard]] bool holds(std::span<const Position> points, std::size_t i) const {
+    return i >= first && i < last && std::max(points[i][1], points[i + 1][1]) > least_height;
+  }
+};
+
+/// A warning where wheel and rail touch, a note elsewhere.
+void tell(bool touched, const std::string& text, Log& log) {
+  if (touched)
+    log.warn(text);
+  else
+    log.note(text + ", where wheel and rail do not touch");
+}
+
+Part contact_part(std::span<const Position> points, ProfileKind kind) {
+  if (kind == ProfileKind::rail)
+    return {0, points.size() - 1, extent_of(points, 1)[1] - contact_depth};
+  const std::optional<Flange> flange = flange_of(points);
+  const auto tip = flange ? std::find(points.begin(), points.end(), flange->tip) : points.begin();
+  const std::optional<double> tape = height_at_taping_line(points);
+  return {static_cast<std::size_t>(tip - points.begin()), points.size() - 1,
+          (tape ? *tape : points.back()[1]) - chamfer_depth};
+}
+
+double angle_between(const Position& a, const Position& b, const Position& c, const Position& d) {
+  return std::remainder(std::atan2(d[1] - c[1], d[0] - c[0]) - std::atan2(b[1] - a[1], b[0] - a[0]),
+                        2.0 * std::numbers::pi);
+}
+
+/// Offset of the line after a pair of points from the line before it, if both run alike.
+double step_at(std::span<const Position> points, std::size_t i) {
+  const std::size_t before = i >= step_points ? i - step_points : 0;
+  const std::size_t after = std::min(i + 1 + step_points, points.size() - 1);
+  if (before == i || after == i + 1 ||
+      std::abs(angle_between(points[before], points[i], points[i + 1], points[after])) > step_angle)
+    return 0.0;
+  const Position along{points[i][0] - points[before][0] + points[after][0] - points[i + 1][0],
+                       points[i][1] - points[before][1] + points[after][1] - points[i + 1][1]};
+  return std::abs(along[0] * (points[i + 1][1] - points[i][1]) -
+                  along[1] * (points[i + 1][0] - points[i][0])) /
+         std::hypot(along[0], along[1]);
+}
+
+void check_distances(std::span<const Position> points, const Part& part, Log& log) {
+  const double spacing = median_spacing(points);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double distance = distance_between(points[i], points[i + 1]);
+    if (distance <= largest_step)
+      continue;
+    const double step = step_at(points, i);
+    const std::string where =
+        " between " + place_text(points[i]) + " and " + place_text(points[i + 1]);
+    if (step > largest_step && distance > gap_ratio * spacing)
+      tell(part.holds(points, i), "step of " + fixed_text(step) + " mm" + where, log);
+    else if ((distance > largest_gap && distance > gap_ratio * spacing) ||
+             distance > largest_coarse_gap)
+      tell(part.holds(points, i), "gap of " + fixed_text(distance) + " mm" + where, log);
+  }
+}
+
+/// On the part that can be in contact, from its outermost point on one side to that on the other.
+void check_single_valued(std::span<const Position> points, const Part& part, Log& log) {
+  std::vector<Position> surface;
+  for (std::size_t i = part.first; i <= part.last; ++i)
+    if (points[i][1] > part.least_height)
+      surface.push_back(points[i]);
+  if (surface.size() < 2)
+    return;
+  const auto [left, right] =
+      std::minmax_element(surface.begin(), surface.end(),
+                          [](const Position& a, const Position& b) { return a[0] < b[0]; });
+  Position outermost = *left;
+  Position worst{};
+  double largest = 0.0;
+  for (auto point = left; point < right; ++point) {
+    if ((*point)[0] > outermost[0])
+      outermost = *point;
+    if (outermost[0] - (*point)[0] > largest) {
+      largest = outermost[0] - (*point)[0];
+      worst = *point;
+    }
+  }
+  if (largest > largest_return || right < left)
+    log.warn("the running surface is not single-valued: lateral runs back by " +
+             fixed_text(right < left ? (*right)[0] - (*left)[0] : largest) + " mm at " +
+             place_text(right < left ? *right : worst));
+}
+
+/// Whether the flange is where the taping line, at 0, says.
+void check_flange_back(std::span<const Position> points, const Flange& flange, double tape_offset,
+                       Log& log) {
+  check_range(flange.tip[0] + tape_offset, tip_range,
+              "with the taping line at 0, the flange tip's distance from the flange back is",
+              "state profile_origin", log);
+  const double back = extent_of(points, 0)[0];
+  const bool measured = points.front()[1] < flange.tip[1] - back_depth;
+  if (back < -tape_offset - back_tolerance || (measured && back > -tape_offset + back_tolerance))
+    log.warn("the flange back is at lateral " + fixed_text(back) + " mm, expected is " +
+             fixed_text(-tape_offset) +
+             " by the distance of the taping line; state profile_origin " + "or tape_offset");
+}
+
+void check_wheel(std::span<const Position> points, double tape_offset, Log& log) {
+  const std::string remedy = "state profile_origin, mirror_height or the scale";
+  const Position lateral = extent_of(points, 0);
+  if (lateral[0] > -least_reach || lateral[1] < least_reach)
+    log.warn("lateral from " + fixed_text(lateral[0]) + " to " + fixed_text(lateral[1]) +
+             " mm: the taping line, at 0, is not inside by " + fixed_text(least_reach, 0) +
+             " mm; " + remedy);
+  const std::optional<Flange> flange = flange_of(points);
+  if (!flange) {
+    log.warn("no flange shows: nothing 12 mm wide stands more than 8 mm off the tread");
+    return;
+  }
+  if (flange->is_down)
+    log.warn("the flange points to smaller radius, its tip at " + place_text(flange->tip) + "; " +
+             remedy);
+  if (!flange->is_down && extent_of(points, 1)[1] > flange->tip[1])
+    log.warn("height up to " + fixed_text(extent_of(points, 1)[1]) +
+             " mm, above the flange tip at " + place_text(flange->tip));
+  if (flange->is_outside)
+    log.warn("the flange is on the field side, its tip at " + place_text(flange->tip) +
+             "; state mirror_lateral");
+  const std::optional<double> tape = height_at_taping_line(points);
+  if (tape && std::abs(*tape) > height_tolerance)
+    log.warn("height " + fixed_text(*tape) + " mm at the taping line, expected is 0; " + remedy);
+  check_range(tape && !flange->is_down ? flange->tip[1] - *tape : flange->height, flange_range,
+              "flange height", remedy, log);
+  if (!flange->is_down && !flange->is_outside)
+    check_flange_back(points, *flange, tape_offset, log);
+}
+
+void check_rail(std::span<const Position> points, Log& log) {
+  const std::optional<Head> head = head_of(points);
+  if (head && head->is_down)
+    log.warn("the head points down: " + fixed_text(head->top_width) +
+             " mm wide at its lower end, " + fixed_text(head->bottom_width) +
+             " mm at its upper one; state mirror_height");
+  const double crown = extent_of(points, 1)[1];
+  if (std::abs(crown) > crown_tolerance)
+    log.warn("the crown is at height " + fixed_text(crown) +
+             " mm, expected near 0; a scene puts it to the height of the track");
+}
+
+/// Told, no warning: what scatters a little is read all the same.
+void tell_scatter(std::span<const Position> points, Log& log) {
+  const double spacing = median_spacing(points);
+  if (spacing > scatter_spacing)
+    return;
+  std::vector<double> off(points.size(), 0.0); // from the chord of the neighbours, signed
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Position chord{points[i + 1][0] - points[i - 1][0], points[i + 1][1] - points[i - 1][1]};
+    off[i] = (chord[0] * (points[i][1] - points[i - 1][1]) -
+              chord[1] * (points[i][0] - points[i - 1][0])) /
+             std::max(std::hypot(chord[0], chord[1]), 1e-12);
+  }
+  std::vector<double> rough;
+  for (std::size_t i = 2; i + 2 < points.size(); ++i)
+    rough.push_back(std::abs(off[i] - 0.5 * (off[i - 1] + off[i + 1])));
+  if (rough.empty())
+    return;
+  const auto middle = rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2);
+  std::nth_element(rough.begin(), middle, rough.end());
+  const double scatter = *middle / scatter_of_median;
+  if (scatter > notable_scatter)
+    log.note("the points scatter by " + fixed_text(scatter, 3) +
+             " mm (rms) about a smooth line: smoothing is advised, with a wavelength of " +
+             fixed_text(std::max(2.0, 10.0 * spacing), 0) + " mm or more");
+}
+
+} // namespace
+
+std::optional<double> height_at_taping_line(std::span<const Position> points) {
+  for (std::size_t i = points.size(); i-- > 1;) {
+    const Position& a = points[i - 1];
+    const Position& b = points[i];
+    if (std::min(a[0], b[0]) <= 0.0 && std::max(a[0], b[0]) >= 0.0)
+      return a[0] == b[0] ? b[1] : a[1] + (b[1] - a[1]) * (0.0 - a[0]) / (b[0] - a[0]);
+  }
+  return std::nullopt;
+}
+
+void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset,
+                  Log& log) {
+  const Position lateral = extent_of(points, 0);
+  check_range(lateral[1] - lateral[0], width_range, "width", "state the scale", log);
+  if (kind == ProfileKind::wheel)
+    check_wheel(points, tape_offset, log);
+  else
+    check_rail(points, log);
+  const Part part = contact_part(points, kind);
+  check_distances(points, part, log);
+  check_single_valued(points, part, log);
+  tell_scatter(points, log);
+}
+
+void check_curve(const Profile& profile, Log& log) {
+  std::size_t passed = 0; // the curve has nodes at all points and in between
+  double largest = 0.0;
+  std::size_t place = 0;
+  const std::vector<Position>& points = profile.points;
+  for (const double arc : profile.curve.starts()) {
+    const CurvePoint at = profile.curve.at(arc);
+    while (passed + 1 < points.size() &&
+           std::hypot(at.lateral - points[passed + 1][0], at.height - points[passed + 1][1]) < 1e-9)
+      ++passed;
+    if (passed + 1 >= points.size())
+      break;
+    const Position& a = points[passed];
+    const Position chord{points[passed + 1][0] - a[0], points[passed + 1][1] - a[1]};
+    const double length = std::hypot(chord[0], chord[1]);
+    const double off =
+        std::abs(chord[0] * (at.height - a[1]) - chord[1] * (at.lateral - a[0])) / length;
+    if (off > largest_swing && off > swing_share * length && off > largest) {
+      largest = off;
+      place = passed;
+    }
+  }
+  if (largest > 0.0)
+    tell(contact_part(points, profile.kind).holds(points, place),
+         "the curve swings by " + fixed_text(largest) + " mm between the points " +
+             place_text(points[place]) + " and " + place_text(points[place + 1]),
+         log);
+}
+
+} // namespace wrc::reading

@@ -1,0 +1,26 @@
+/// Whether points can be those of a wheel or a rail: warnings with numbers, errors in strict mode.
+///
+/// Checked are the width, a wheel's flange (height, side, distance from the taping line), a rail's
+/// height of the crown, and on the part that can be in contact whether lateral ascends, gaps and
+/// steps; that part is, of a wheel, from the flange tip to the chamfer, of a rail, down to 14 mm
+/// below the top. Units mm, frame of profile.hpp. Thread rule: no state.
+#pragma once
+
+#include <span>
+
+#include "profile/profile.hpp"
+#include "profile/reader_lines.hpp"
+
+namespace wrc::reading {
+
+/// Points in the order of profile.hpp; `tape_offset` is the distance of a wheel's taping line from
+/// its flange back.
+void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log);
+
+/// Warns of places where the curve through the points leaves them.
+void check_curve(const Profile& profile, Log& log);
+
+/// Height of a wheel's points at lateral 0, on its running surface; none if they do not reach it.
+std::optional<double> height_at_taping_line(std::span<const Position> points);
+
+} // namespace wrc::reading

@@ -1,0 +1,311 @@
+#include "profile/settling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "profile/plausibility.hpp"
+#include "profile/profile_cleaning.hpp"
+#include "profile/profile_shape.hpp"
+
+namespace wrc::reading {
+namespace {
+
+/// Taping line of a wheel from its flange back, where nothing states it, mm.
+/// origin: source: EN 13715.
+constexpr double usual_tape_offset = 70.0;
+
+/// Widths in mm that tell units: of a wheel, of a rail's head.
+/// origin: source: EN 13715, EN 13674-1.
+constexpr double wheel_width = 135.0;
+constexpr double rail_width = 72.0;
+/// A unit of another power of ten is taken by these widths, an inch or a cm only near a whole
+/// profile's width, by this factor.
+/// origin: reasoned: 1000 cannot be mistaken; 10 and 25.4 differ by 2.5, so 1.3 keeps them apart.
+constexpr Position thinkable_width{20.0, 300.0};
+constexpr double near_width = 1.3;
+
+/// Columns are swapped if the first extends over less than this share of the second; a whole rail
+/// is as high as wide, a half one higher, in mm.
+/// origin: source: wheels and heads of rails are at least 1.9 times as wide as high (EN 13715,
+/// EN 13674-1).
+constexpr double swapped_ratio = 0.6;
+constexpr double greatest_head_height = 100.0;
+
+/// Where a wheel that counts from its flange back begins, and its tip, mm.
+/// origin: measured: files of six instruments begin at -0.2 to 3.9, tips are at 15 to 21.
+constexpr Position back_range{-5.0, 12.0};
+constexpr Position tip_from_back{5.0, 40.0};
+
+/// Height at the taping line that is another origin of heights and no rounding of a drawing, mm.
+/// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
+constexpr double tape_height_tolerance = 1.0;
+
+std::string lower_extension(std::string_view name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+std::string_view name_of(ProfileKind kind) {
+  return kind == ProfileKind::wheel ? "wheel" : "rail";
+}
+
+/// Options, then content, then extension; a file of columns may say nothing.
+std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions& options,
+                                       Log& log) {
+  const std::string extension = lower_extension(log.name());
+  std::optional<ProfileKind> by_name;
+  if (extension == ".prr" || extension == ".ban" || extension == ".rail")
+    by_name = ProfileKind::rail;
+  else if (extension == ".prw" || extension == ".whl" || extension == ".wheel")
+    by_name = ProfileKind::wheel;
+  const std::optional<ProfileKind> by_content = raw.kind ? raw.kind : by_name;
+  if (raw.kind && by_name && *raw.kind != *by_name)
+    log.note("the header says " + std::string(name_of(*raw.kind)) + ", the extension " +
+             std::string(name_of(*by_name)) + "; the header is used");
+  if (options.kind && by_content && *options.kind != *by_content)
+    log.note("read as a " + std::string(name_of(*options.kind)) + " as requested; the file says " +
+             std::string(name_of(*by_content)));
+  return options.kind ? options.kind : by_content;
+}
+
+/// The outline of a whole rail is longer than what can be its running surface.
+/// origin: source: outlines of EN 13674-1 are up to 690 mm long.
+constexpr double longest_outline = 1000.0;
+
+void check_length(const std::vector<Position>& points, double most, const Log& log) {
+  const double length = chord_length(points);
+  if (!(length >= ReadLimits::min_length && length <= most))
+    log.refuse("the points are " + text_of(length) + " mm long in total, allowed are " +
+               text_of(ReadLimits::min_length) + " to " + text_of(most) +
+               " mm; state the scale, or order the points");
+}
+
+/// Factor to mm that the extent shows; 1 if it shows none.
+double unit_by_extent(double width, std::optional<ProfileKind> kind) {
+  const auto is_near = [width](double factor, double usual) {
+    const double ratio = factor * width / usual;
+    return ratio < near_width && ratio > 1.0 / near_width;
+  };
+  if (width >= thinkable_width[0] && width <= thinkable_width[1])
+    return 1.0;
+  for (const double factor : {10.0, 25.4})
+    if ((kind != ProfileKind::rail && is_near(factor, wheel_width)) ||
+        (kind != ProfileKind::wheel && is_near(factor, rail_width)))
+      return factor;
+  for (const double factor : {1000.0, 0.001})
+    if (factor * width >= thinkable_width[0] && factor * width <= thinkable_width[1])
+      return factor;
+  return 1.0;
+}
+
+void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOptions& options,
+                  Log& log) {
+  const std::vector<Position>& points = raw.points;
+  if (options.scale && *options.scale != 1.0) {
+    scale_points(raw, *options.scale, *options.scale);
+    log.note("multiplied by " + text_of(*options.scale) + " to mm as requested");
+  } else if (!options.scale && !raw.unit_is_stated) {
+    const Position lateral = extent_of(points, 0);
+    const Position height = extent_of(points, 1);
+    const double extent = std::max(lateral[1] - lateral[0], height[1] - height[0]);
+    const double factor = unit_by_extent(extent, kind);
+    if (factor != 1.0) {
+      log.guess("multiplied by " + text_of(factor) + ", since the points extend over " +
+                    short_text_of(extent) + " and so over " + short_text_of(factor * extent) +
+                    " mm",
+                "state the scale");
+      scale_points(raw, factor, factor);
+    }
+  }
+  check_length(points, longest_outline, log);
+  for (const Position& point : points)
+    if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
+      log.refuse("point (" + text_of(point[0]) + ", " + text_of(point[1]) + "), at most " +
+                 text_of(ReadLimits::max_coordinate) + " mm are allowed");
+}
+
+void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
+  if (raw.signs != Signs::silent || raw.columns_are_named)
+    return;
+  const Position first = extent_of(raw.points, 0);
+  const Position second = extent_of(raw.points, 1);
+  const double width = first[1] - first[0];
+  const double height = second[1] - second[0];
+  if (!(width < swapped_ratio * height) || !(height >= thinkable_width[0]) ||
+      (kind != ProfileKind::wheel && height > greatest_head_height && width < rail_width))
+    return;
+  log.guess("columns swapped, since the first extends over " + fixed_text(width) +
+                " mm and the second over " + fixed_text(height) + " mm",
+            "name them in a heading, \"z y\"");
+  for (std::vector<Position>* each : {&raw.points, &raw.dropped})
+    for (Position& point : *each)
+      std::swap(point[0], point[1]);
+}
+
+/// A wheel has a flange. A rail's ends are both on one side of its middle.
+ProfileKind kind_by_shape(const std::vector<Position>& points) {
+  if (flange_of(points))
+    return ProfileKind::wheel;
+  const double middle = points[points.size() / 2][1];
+  return (points.front()[1] - middle) * (points.back()[1] - middle) > 0.0 ? ProfileKind::rail
+                                                                          : ProfileKind::wheel;
+}
+
+/// What the format defines.
+void turn_to_frame(RawProfile& raw, ProfileKind kind, Log& log) {
+  if (kind == ProfileKind::rail && raw.lateral_towards_gauge) {
+    scale_points(raw, -1.0, 1.0);
+    log.note("lateral mirrored, the format counts it towards the gauge side");
+  }
+  if (kind == ProfileKind::rail && raw.rail_height_down) {
+    scale_points(raw, 1.0, -1.0);
+    log.note("height mirrored: in this format a rail's height is positive downwards");
+  }
+}
+
+void orient_height(RawProfile& raw, ProfileKind kind, Log& log) {
+  std::string evidence;
+  if (kind == ProfileKind::rail) {
+    const std::optional<Head> head = head_of(raw.points);
+    if (!head || !head->is_down)
+      return;
+    evidence = "the rail head bulged down: it is " + fixed_text(head->top_width) +
+               " mm wide at its lower end, " + fixed_text(head->bottom_width) + " at its upper one";
+  } else {
+    const std::optional<Flange> flange = flange_of(raw.points);
+    if (!flange || !flange->is_down)
+      return;
+    evidence = "the flange pointed down: " + fixed_text(flange->width) +
+               " mm wide 8 mm below the tread, above it are " + fixed_text(flange->other_width);
+  }
+  const bool half_turn = kind == ProfileKind::rail && raw.half_turned;
+  scale_points(raw, half_turn ? -1.0 : 1.0, -1.0);
+  log.guess((half_turn ? "height and lateral mirrored, since " : "height mirrored, since ") +
+                evidence,
+            "state mirror_height");
+}
+
+/// The signs that were requested, or else those that the shape shows where the format has none.
+void orient(RawProfile& raw, ProfileKind kind, const ReadOptions& options, Log& log) {
+  if (options.mirror_height) {
+    if (*options.mirror_height) {
+      scale_points(raw, 1.0, -1.0);
+      log.note("height mirrored as requested");
+    }
+  } else if (raw.signs != Signs::stated) {
+    orient_height(raw, kind, log);
+  }
+  if (options.mirror_lateral) {
+    if (*options.mirror_lateral) {
+      scale_points(raw, -1.0, 1.0);
+      log.note("lateral mirrored as requested");
+    }
+  } else if (raw.signs != Signs::stated && kind == ProfileKind::wheel) {
+    const std::optional<Flange> flange = flange_of(raw.points);
+    if (flange && flange->is_outside) {
+      scale_points(raw, -1.0, 1.0);
+      log.guess("lateral mirrored, since the flange was on the positive side, its tip at " +
+                    fixed_text(flange->tip[0]),
+                "state mirror_lateral");
+    }
+  }
+}
+
+void shift(RawProfile& raw, const Position& by) {
+  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
+    for (Position& point : *points)
+      point = {point[0] + by[0], point[1] + by[1]};
+}
+
+bool counts_from_flange_back(const std::vector<Position>& points) {
+  const std::optional<Flange> flange = flange_of(points);
+  const double least = extent_of(points, 0)[0];
+  return flange && !flange->is_outside && !flange->is_down && least >= back_range[0] &&
+         least <= back_range[1] && flange->tip[0] >= tip_from_back[0] &&
+         flange->tip[0] <= tip_from_back[1];
+}
+
+/// What is to be added to a wheel's lateral, so that its taping line is at 0; none if it is there.
+std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_offset,
+                                           const ReadOptions& options, Log& log) {
+  if (options.lateral_shift) {
+    log.note("lateral shifted by " + text_of(*options.lateral_shift) + " mm as requested");
+    return options.lateral_shift;
+  }
+  const std::string shifted = ": shifted by " + text_of(-tape_offset) + " mm to the taping line";
+  if (options.origin == WheelOrigin::flange_back) {
+    log.note("lateral counted from the flange back, as stated" + shifted);
+    return -tape_offset;
+  }
+  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw.points))
+    return std::nullopt;
+  const std::string text = "lateral counted from the flange back, where it begins at " +
+                           fixed_text(extent_of(raw.points, 0)[0]) + " mm" + shifted;
+  if (raw.counts_from_flange_back)
+    log.note(text);
+  else
+    log.guess(text, "state profile_origin");
+  return -tape_offset;
+}
+
+/// Puts the taping line of a wheel to lateral 0, and the height there to 0.
+void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& options, Log& log) {
+  const std::optional<double> by = shift_to_taping_line(raw, tape_offset, options, log);
+  if (by)
+    shift(raw, {*by, 0.0});
+  const std::optional<double> height = height_at_taping_line(raw.points);
+  const bool is_off = height && std::abs(*height) > tape_height_tolerance;
+  if (!height || (!by && (!is_off || options.origin == WheelOrigin::tape)))
+    return;
+  shift(raw, {0.0, -*height});
+  const std::string text =
+      "height shifted by " + fixed_text(-*height, 4) + " mm, to 0 at the taping line";
+  if (by)
+    log.note(text);
+  else
+    log.guess(text, "state profile_origin");
+}
+
+} // namespace
+
+Settled settle(RawProfile& raw, const ReadOptions& options, Log& log) {
+  const std::optional<ProfileKind> stated = stated_kind(raw, options, log);
+  std::vector<Position>& points = raw.points;
+  if (points.size() < ReadLimits::min_points)
+    log.refuse(std::to_string(points.size()) + " points, at least " +
+               std::to_string(ReadLimits::min_points) +
+               " are needed; allowed are files of two columns, Simpack .prr/.prw, MiniProf "
+               ".ban/.whl");
+  settle_units(raw, stated, options, log);
+  open_outline(raw, stated, log);
+  remove_doubles(raw, options.least_point_distance, log);
+  if (points.size() < ReadLimits::min_points)
+    log.refuse(std::to_string(points.size()) + " different points, at least " +
+               std::to_string(ReadLimits::min_points) + " are needed");
+  remove_outliers(raw, log);
+  settle_columns(raw, stated, log);
+  const ProfileKind kind = stated ? *stated : kind_by_shape(points);
+  if (!stated)
+    log.guess("treated as a " + std::string(name_of(kind)) + " by its shape", "state the kind");
+  turn_to_frame(raw, kind, log);
+  orient(raw, kind, options, log);
+  if (points.front()[0] > points.back()[0]) {
+    std::reverse(points.begin(), points.end());
+    log.note("order reversed, to run from the flange or gauge side to the field side");
+  }
+  cut_ends(raw, kind, log);
+  const double tape_offset =
+      options.tape_offset ? *options.tape_offset : raw.tape_offset.value_or(usual_tape_offset);
+  if (kind == ProfileKind::wheel)
+    settle_origin(raw, tape_offset, options, log);
+  check_points(points, kind, tape_offset, log);
+  return {kind, std::move(raw.points), std::move(raw.dropped)};
+}
+
+} // namespace wrc::reading

@@ -1,0 +1,22 @@
+/// From the points of a format to those of a profile: kind, units, cleaning, signs, order, origin.
+///
+/// What the format defines comes first, then what the options state; where both are silent the
+/// shape decides, which is told as a guess with what it was seen by. Units mm. Thread rule: no
+/// state.
+#pragma once
+
+#include "profile/reader_formats.hpp"
+#include "profile/readers.hpp"
+
+namespace wrc::reading {
+
+struct Settled {
+  ProfileKind kind = ProfileKind::wheel;
+  std::vector<Position> points;
+  std::vector<Position> dropped;
+};
+
+/// Throws Error(file_malformed).
+Settled settle(RawProfile& raw, const ReadOptions& options, Log& log);
+
+} // namespace wrc::reading

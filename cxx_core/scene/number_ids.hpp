@@ -1,0 +1,58 @@
+/// Numbers of a result by id: a name is taken apart once, and values are read without it.
+///
+/// "left.patches.1.parts.0.pmax" says to what a number belongs (left wheel, patch 1, its part 0),
+/// in which group of names it is (those of a patch) and which one of them it is (an entry of the
+/// table in scene/number_tables.hpp). An id is that, and packed the same as one integer: the same
+/// in every process, for every scene, solved or not, with one version of the library. Thread rule:
+/// pure functions.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace wrc {
+
+/// Names that have a table. Of the scene; of a wheel; of one of its near contacts; of a patch or a
+/// part of it.
+enum class NumberGroup : std::uint8_t {
+  scene,
+  time,
+  wheelset,
+  side,
+  total,
+  rigid_contact,
+  centroid,
+  residuals,
+  sensitivities,
+  at_load,
+  jacobian,
+  near_contact,
+  patch,
+  reference, ///< place of a patch
+  patch_centroid,
+  creep
+};
+
+struct NumberId {
+  NumberGroup group = NumberGroup::scene;
+  std::size_t entry = 0;
+  bool right = false;    ///< of a wheel: the right one
+  std::size_t index = 0; ///< of the near contact or patch
+  std::size_t part = 0;  ///< of the part of a patch, from 1; 0: the patch itself
+};
+
+/// What a name stands for, whether or not a result has it; none if no result ever has.
+std::optional<NumberId> number_id(std::string_view name);
+
+/// Indices that a packed id has room for.
+inline constexpr std::size_t max_packed_index = 1023; // not a tuning constant
+inline constexpr std::size_t max_packed_part = 254;   // not a tuning constant
+
+/// As one positive integer, which no index of a key is; none if an index is beyond those above.
+std::optional<std::int32_t> pack(const NumberId& id);
+/// None if it is not what pack has given.
+std::optional<NumberId> unpack(std::int32_t packed);
+
+} // namespace wrc

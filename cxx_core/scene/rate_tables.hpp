@@ -1,0 +1,105 @@
+/// Tables of derivatives: what changes by what, as matrices, row by row.
+///
+/// Jacobians of a wheel (wheel/force_jacobian.hpp) and creep forces by creepages,
+/// load and friction (wheel/creep_forces.hpp). As all tables of scene/number_tables.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "scene/number_table.hpp"
+#include "wheel/force_jacobian.hpp"
+
+namespace wrc::number_tables {
+
+/// What changes by what, "force.y.by.yaw".
+struct RateName {
+  std::array<char, 40> text{};
+  std::size_t length = 0;
+
+  constexpr RateName(std::string_view first, std::string_view second) {
+    for (const std::string_view part : {first, std::string_view(".by."), second}) {
+      for (const char c : part) {
+        text[length++] = c;
+      }
+    }
+  }
+  [[nodiscard]] constexpr std::string_view view() const { return {text.data(), length}; }
+};
+
+/// Rows and columns of a Jacobian.
+struct Variable {
+  std::string_view name;
+  int length; ///< its power in the unit
+  bool turns; ///< its sign with the frame
+};
+inline constexpr std::array jacobian_rows{
+    Variable{"force.x", 0, false},  Variable{"force.y", 0, true},  Variable{"force.z", 0, true},
+    Variable{"moment.x", 1, false}, Variable{"moment.y", 1, true}, Variable{"moment.z", 1, true}};
+inline constexpr std::array jacobian_columns{Variable{"lateral", 1, true},
+                                             Variable{"vertical", 1, true},
+                                             Variable{"roll", 0, false},
+                                             Variable{"yaw", 0, true},
+                                             Variable{"speed", 1, false},
+                                             Variable{"lateral_velocity", 1, true},
+                                             Variable{"vertical_velocity", 1, true},
+                                             Variable{"roll_rate", 0, false},
+                                             Variable{"pitch_rate", 0, false},
+                                             Variable{"yaw_rate", 0, true}};
+static_assert(jacobian_columns.size() == state_count);
+
+inline constexpr std::array creep_rows{Variable{"creep_force.longitudinal", 0, false},
+                                       Variable{"creep_force.lateral", 0, true},
+                                       Variable{"spin_moment", 1, true}};
+inline constexpr std::array creep_columns{
+    Variable{"longitudinal", 0, false}, Variable{"lateral", 0, true}, Variable{"spin", -1, true},
+    Variable{"normal_force", 0, false}, Variable{"friction", 0, false}};
+
+/// Of a force, or of a force times lengths, by a column.
+constexpr Dimension rate_of(const Variable& row, const Variable& column) {
+  constexpr std::array quantities{Quantity::stiffness, Quantity::number, Quantity::moment,
+                                  Quantity::area};
+  return {quantities[static_cast<std::size_t>(1 + row.length - column.length)],
+          row.turns != column.turns};
+}
+
+template <std::size_t entry>
+inline constexpr RateName jacobian_name{jacobian_rows[entry / state_count].name,
+                                        jacobian_columns[entry % state_count].name};
+
+inline constexpr auto jacobian_numbers = []<std::size_t... entry>(std::index_sequence<entry...>) {
+  return std::array{Number<ForceJacobian>{
+      jacobian_name<entry>.view(),
+      rate_of(jacobian_rows[entry / state_count], jacobian_columns[entry % state_count]),
+      [](const ForceJacobian& j) { return j[entry / state_count][entry % state_count]; }}...};
+}
+(std::make_index_sequence<jacobian_rows.size() * state_count>());
+
+template <std::size_t entry>
+inline constexpr RateName creep_rate_name{creep_rows[entry / creep_columns.size()].name,
+                                          creep_columns[entry % creep_columns.size()].name};
+
+constexpr double creep_rate(const CreepDerivatives& derivatives, std::size_t row,
+                            std::size_t column) {
+  return column < 3    ? derivatives.by_creepage[3 * row + column]
+         : column == 3 ? derivatives.by_load[row]
+                       : derivatives.by_friction[row];
+}
+
+inline constexpr auto creep_rate_numbers = []<std::size_t... entry>(std::index_sequence<entry...>) {
+  constexpr std::size_t columns = creep_columns.size();
+  return std::array{Number<CreepResult>{
+      creep_rate_name<entry>.view(),
+      rate_of(creep_rows[entry / columns], creep_columns[entry % columns]),
+      [](const CreepResult& c) {
+        return c.derivatives
+                   ? std::optional(creep_rate(*c.derivatives, entry / columns, entry % columns))
+                   : std::nullopt;
+      }}...};
+}
+(std::make_index_sequence<creep_rows.size() * creep_columns.size()>());
+
+} // namespace wrc::number_tables

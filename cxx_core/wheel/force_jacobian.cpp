@@ -1,0 +1,182 @@
+#include "wheel/force_jacobian.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "remesh/gap_rates.hpp"
+#include "wheel/wheel_sensitivities.hpp"
+
+namespace wrc {
+namespace {
+
+using Vector = VectorOf<RatedByState>;
+
+std::array<double, position_count> by_position(const ByMotion<double>& rates) {
+  return {rates.lateral, rates.vertical, rates.roll, rates.yaw};
+}
+
+Vector constant(const Vector3& vector) {
+  return {vector.x, vector.y, vector.z};
+}
+
+void add_rate(Vector& vector, std::size_t position, const Vector3& rate) {
+  vector.x.rates[position] += rate.x;
+  vector.y.rates[position] += rate.y;
+  vector.z.rates[position] += rate.z;
+}
+
+/// The reference moves along the plane with the penetration, and along its normal with the wheel.
+MovingFrame moving_frame(const PatchResult& patch, const PlaneRates& rates, const Vector3& centre,
+                         const Pose& pose) {
+  const ContactFrame& frame = patch.frame;
+  const Vector3 place = frame.origin - patch.approach * frame.normal;
+  MovingFrame moving{constant(frame.longitudinal),
+                     constant(frame.lateral),
+                     constant(frame.normal),
+                     constant(place),
+                     constant(centre),
+                     frame.origin.y,
+                     patch.reference.s_wheel};
+  const std::array<RigidMotion, position_count> motions{lateral_motion(), vertical_motion(),
+                                                        roll_motion(pose.yaw), yaw_motion()};
+  const Vector3 axle = Rotation(pose).to_track({0.0, 1.0, 0.0});
+  const auto angle = by_position(rates.angle);
+  const auto along = by_position(rates.mean_x);
+  const auto across = by_position(rates.mean_y);
+  for (std::size_t i = 0; i < position_count; ++i) {
+    const RigidMotion& motion = motions[i];
+    const Vector3 of_wheel = motion.translation + cross(motion.rotation, place - centre);
+    add_rate(moving.lateral, i, angle[i] * frame.normal);
+    add_rate(moving.normal, i, -angle[i] * frame.lateral);
+    const Vector3 of_place = along[i] * frame.longitudinal +
+                             (across[i] / frame.lateral.y) * frame.lateral +
+                             dot(of_wheel, frame.normal) * frame.normal;
+    add_rate(moving.place, i, of_place);
+    moving.s_wheel.rates[i] = dot(of_place - of_wheel, axle);
+    add_rate(moving.centre, i, motion.translation);
+    moving.reference_y.rates[i] = across[i];
+  }
+  return moving;
+}
+
+/// What a patch's creep forces depend on, left-hand frame.
+struct CreepState {
+  std::array<RatedByState, 3> creepages;
+  RatedByState friction;
+};
+
+CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
+                          const MovingFrame& frame) {
+  const double mirror = details.mirror;
+  RatedSlip slip{{creep.creepages.longitudinal, mirror * creep.creepages.lateral,
+                  mirror * creep.creepages.spin},
+                 creep.slip_speed};
+  if (details.motion) {
+    slip = rated_slip(*details.motion, frame);
+  }
+  const auto& [longitudinal, lateral, spin] = slip.creepages;
+  const RatedByState speed =
+      slip.slip_speed * sqrt(longitudinal * longitudinal + lateral * lateral);
+  return {slip.creepages, friction_of(details.friction, frame.s_wheel, speed)};
+}
+
+/// Of a patch's longitudinal and lateral creep force and its spin moment, left-hand frame.
+std::array<RatedByState, 3> rated_creep_forces(const CreepResult& creep, double mirror,
+                                               const PatchRates& rates, const CreepState& state) {
+  const std::array<double, 3> forces{creep.longitudinal_force, mirror * creep.lateral_force,
+                                     mirror * creep.spin_moment};
+  const auto by_position_of_load = by_position(rates.normal_force);
+  CreepDerivatives derivatives = *creep.derivatives;
+  mirror_derivatives(derivatives, mirror);
+  std::array<RatedByState, 3> rated;
+  for (std::size_t row = 0; row < forces.size(); ++row) {
+    rated[row].value = forces[row];
+    for (std::size_t i = 0; i < state_count; ++i) {
+      double& rate = rated[row].rates[i];
+      rate = derivatives.by_friction[row] * state.friction.rates[i];
+      for (std::size_t c = 0; c < state.creepages.size(); ++c) {
+        rate += derivatives.by_creepage[3 * row + c] * state.creepages[c].rates[i];
+      }
+      if (i < position_count) {
+        rate += derivatives.by_load[row] * by_position_of_load[i];
+      }
+    }
+  }
+  return rated;
+}
+
+/// Adds the rates of a force and a moment.
+void add(ForceJacobian& jacobian, const Vector& force, const Vector& moment) {
+  const std::array<const RatedByState*, 6> rows{&force.x,  &force.y,  &force.z,
+                                                &moment.x, &moment.y, &moment.z};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t i = 0; i < state_count; ++i) {
+      jacobian[row][i] += rows[row]->rates[i];
+    }
+  }
+}
+
+void add_normal_forces(ForceJacobian& jacobian, const ForceRates& rates) {
+  Vector force{};
+  Vector moment{};
+  const std::array<const WheelForce*, position_count> by{&rates.lateral, &rates.vertical,
+                                                         &rates.roll, &rates.yaw};
+  for (std::size_t i = 0; i < position_count; ++i) {
+    add_rate(force, i, by[i]->force);
+    add_rate(moment, i, by[i]->moment);
+  }
+  add(jacobian, force, moment);
+}
+
+/// From the left-hand frame of a right side to the track frame, or back.
+void mirror_rows_and_columns(ForceJacobian& jacobian) {
+  constexpr std::array<double, 6> rows{1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
+  constexpr std::array<double, state_count> columns{-1.0, 1.0, -1.0, -1.0, 1.0,
+                                                    -1.0, 1.0, -1.0, 1.0,  -1.0};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      jacobian[row][i] *= rows[row] * columns[i];
+    }
+  }
+}
+
+ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates) {
+  const WheelDetails& details = wheel.details;
+  const Vector3 centre{0.0, details.pose.lateral, wheel.vertical - wheel.depth};
+  ForceJacobian jacobian{};
+  add_normal_forces(jacobian, details.mirror > 0.0 ? rates.force : mirrored(rates.force));
+  const std::vector<const PatchResult*> patches = solved_patches(wheel);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const PatchResult& patch = *patches[k];
+    if (!patch.creep || !patch.creep->derivatives) {
+      continue;
+    }
+    const MovingFrame frame = moving_frame(patch, rates.patches[k].plane, centre, details.pose);
+    const auto [longitudinal, lateral, spin] =
+        rated_creep_forces(*patch.creep, details.mirror, rates.patches[k],
+                           creep_state_of(*patch.creep, details, frame));
+    const Vector force = longitudinal * frame.longitudinal + lateral * frame.lateral;
+    add(jacobian, force, cross(frame.place - frame.centre, force) + spin * frame.normal);
+  }
+  if (details.mirror < 0.0) {
+    mirror_rows_and_columns(jacobian);
+  }
+  return jacobian;
+}
+
+} // namespace
+
+const ForceJacobian* jacobian_of(WheelResult& wheel) {
+  const std::vector<const PatchResult*> patches = solved_patches(wheel);
+  const bool known = std::all_of(patches.begin(), patches.end(), [](const PatchResult* patch) {
+    return !patch->creep || patch->creep->derivatives || !(patch->normal_force > 0.0);
+  });
+  if (!wheel.jacobian && known) {
+    if (const WheelRates* rates = sensitivities_of(wheel)) {
+      wheel.jacobian = compute_jacobian(wheel, *rates);
+    }
+  }
+  return wheel.jacobian ? &*wheel.jacobian : nullptr;
+}
+
+} // namespace wrc

@@ -1,0 +1,33 @@
+/// How all contact forces of a wheel change with the wheelset's positions and velocities.
+///
+/// For implicit integrators. Forces and moments about the wheelset's centre as those of
+/// wheel/total_force.hpp, F = sum (N n + T) and M = sum (r x (N n + T) + M_spin n), by lateral
+/// position, height, roll and yaw and by six velocities; by the position along the track and the
+/// angle of the axle nothing changes. Normal forces as in wheel/sensitivities.hpp. Tangential ones,
+/// with creepages c and the derivatives of the tangential solution (CreepDerivatives), change by
+///   dT = (dT/dc) dc + (dT/dN) dN + (dT/dmu) dmu
+/// and with their plane, which turns. dc and dmu from the motion of wheelset and patch
+/// (wheel/kinematics.hpp, wheel/friction.hpp).
+/// Units N, N mm by mm, rad, mm/s, rad/s. Track frame. Thread rule: one thread at a time for a
+/// result.
+///
+/// Not known here: that the contact's shape changes; what tangential forces of a pitch rate that is
+/// sought change in it.
+#pragma once
+
+#include <array>
+
+#include "wheel/kinematics.hpp"
+
+namespace wrc {
+
+struct WheelResult;
+
+/// Rows Fx, Fy, Fz, Mx, My, Mz; columns as StateVariable.
+using ForceJacobian = std::array<std::array<double, state_count>, 6>;
+
+/// Computed once. None without contact, of an approximate model of normal contact, and where there
+/// are creep forces without their derivatives (CreepRequest). Creepages that are given stay.
+const ForceJacobian* jacobian_of(WheelResult& wheel);
+
+} // namespace wrc

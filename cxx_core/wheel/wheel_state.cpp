@@ -1,0 +1,55 @@
+#include "wheel/wheel_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wheel/constants.hpp"
+
+namespace wrc {
+namespace {
+
+/// The profile's slope there, between two nodes linear.
+double slope_at(const ProfileNodes& nodes, double s) {
+  const auto after = std::upper_bound(nodes.lateral.begin(), nodes.lateral.end(), s);
+  if (after == nodes.lateral.begin()) {
+    return nodes.slope.front();
+  }
+  if (after == nodes.lateral.end()) {
+    return nodes.slope.back();
+  }
+  const auto i = static_cast<std::size_t>(after - nodes.lateral.begin());
+  const double share = (s - nodes.lateral[i - 1]) / (nodes.lateral[i] - nodes.lateral[i - 1]);
+  return std::lerp(nodes.slope[i - 1], nodes.slope[i], share);
+}
+
+/// Whether the profile falls more steeply somewhere between this place and the taping line.
+bool is_on_flange_tip(const ProfileNodes& nodes, double s) {
+  double steepest = INFINITY;
+  for (std::size_t i = 0; i < nodes.lateral.size(); ++i) {
+    if (nodes.lateral[i] > s && nodes.lateral[i] < 0.0) {
+      steepest = std::min(steepest, nodes.slope[i]);
+    }
+  }
+  return std::atan(steepest) < std::atan(slope_at(nodes, s)) - planar_limit;
+}
+
+bool is_on_chamfer(const ProfileNodes& nodes, double s) {
+  return s > 0.0 && std::atan(slope_at(nodes, s)) < -max_tread_slope;
+}
+
+} // namespace
+
+std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> yield_pressure) {
+  if (!wheel.solved) {
+    return std::nullopt;
+  }
+  int state = wheel.patches.empty() ? lifted : 0;
+  const ProfileNodes& nodes = wheel.details.wheel->nodes();
+  for (const PatchResult& patch : wheel.patches) {
+    state |= is_on_flange_tip(nodes, patch.reference.s_wheel) ? on_flange_tip : 0;
+    state |= is_on_chamfer(nodes, patch.reference.s_wheel) ? on_chamfer : 0;
+  }
+  return state | (yield_pressure && wheel.pmax > *yield_pressure ? beyond_yield : 0);
+}
+
+} // namespace wrc

@@ -1,0 +1,23 @@
+/// States of a wheel that a vehicle must hear of.
+///
+/// Lifted: no contact. On the flange tip: a patch lies beyond the steepest place of the flange,
+/// where a wheel that climbs (Nadal 1896) is held no longer. On the chamfer: a patch lies beyond
+/// the tread. Beyond yield: the largest pressure exceeds the limit given. Units mm, MPa. Thread
+/// rule: a pure function.
+///
+/// Not known here: how the wheel came there.
+#pragma once
+
+#include <optional>
+
+#include "wheel/wheel_result.hpp"
+
+namespace wrc {
+
+/// Values of the flags in wheel_state; those of the C interface.
+enum WheelState : int { lifted = 1, on_flange_tip = 2, on_chamfer = 4, beyond_yield = 8 };
+
+/// The flags together; none if the mechanics have not run. `yield_pressure`: none without a limit.
+std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> yield_pressure);
+
+} // namespace wrc

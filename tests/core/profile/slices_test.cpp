@@ -1,0 +1,84 @@
+/// Slices files: what is listed, and what is refused.
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "profile/slices.hpp"
+#include "samples.hpp"
+#include "support/errors.hpp"
+
+namespace wrc::test::slices_test {
+namespace {
+
+const std::string two_slices =
+    "% a switch\n 100.0  1000.0 % offset, scale\n 2 % slices\n 1 0 0\n 2\n"
+    " 0.5 'a.prr'\n 1.25, \"sub/b.prr\" % the tongue\n";
+
+TEST(Slices, AreListedAtTheirPlaces) {
+  const std::vector<Slice> slices = read_slices(two_slices, "track/switch.slcs");
+  ASSERT_EQ(slices.size(), 2U);
+  EXPECT_DOUBLE_EQ(slices[0].place, 100500.0);
+  EXPECT_DOUBLE_EQ(slices[1].place, 101250.0);
+  EXPECT_EQ(slices[1].file, std::filesystem::path("track/sub/b.prr"));
+  EXPECT_EQ(slices_text(slices, ProfileKind::rail),
+            "2 slices: 1 at 100500 mm 'a.prr', 2 at 101250 mm 'b.prr'");
+}
+
+TEST(Slices, RefuseWhatIsNone) {
+  const auto refuses = [](const std::string& text, const char* part) {
+    test::expect_error(
+        ErrorCode::file_malformed, [&] { (void)read_slices(text, "a.slcs"); }, part);
+  };
+  refuses("", "a.slcs: ends before offset and scale");
+  refuses("0 1\n2\n", "ends before the number of features");
+  refuses("0\n", "a.slcs:1: offset and scale of the places expected");
+  refuses("0 1\n0\n", "0 slices, allowed are 1 to 4999");
+  refuses("0 1\n1.5\n", "1.5 slices, allowed are 1 to 4999");
+  refuses("0 1\n1\n1\n1\n0 a.prr\n",
+          "a.slcs:5: '0 a.prr', expected is a place and a file in quotes");
+  refuses("0 1\n2\n1\n1\n0 'a'\n0 'b'\n", "place 0 after 0, places must ascend");
+  refuses("x 1\n", "'x' is not a number");
+}
+
+class SlicesFile : public ::testing::Test {
+protected:
+  SlicesFile()
+      : folder_(std::filesystem::path(::testing::TempDir()) /
+                ("wrcontact_slices_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~SlicesFile() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path write(const char* name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(SlicesFile, OneOfThemIsReadAsAProfile) {
+  (void)write("a.txt", rows_of(rail_points()));
+  const auto path = write("a.slcs", "0 1\n2\n1\n1\n0 'a.txt'\n5 'b.slcs'\n");
+  ReadOptions options;
+  options.slice = 1;
+  const ReadResult read = read_profile(path, options);
+  EXPECT_EQ(read.profile.kind, ProfileKind::rail);
+  EXPECT_LT(distance_at(read.profile.curve, rail_points()), 1e-12);
+  EXPECT_TRUE(says(read, "slice 1 of 2, at 0 mm, as a profile that is the same everywhere"));
+  const auto refuses = [&](int slice, const char* part) {
+    options.slice = slice;
+    test::expect_error(
+        ErrorCode::file_malformed, [&] { (void)read_profile(path, options); }, part);
+  };
+  refuses(0, "slice = 0, allowed is 1 to 2 of its 2 slices: 1 at 0 mm 'a.txt'");
+  refuses(3, "slice = 3");
+  refuses(2, "a slice is itself a slices file");
+}
+
+} // namespace
+} // namespace wrc::test::slices_test

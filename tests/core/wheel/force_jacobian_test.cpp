@@ -1,0 +1,152 @@
+/// Jacobians of contact forces against central differences of whole scenes.
+///
+/// They are those of similar contacts on fixed elements; tests/core/evidence/compare_jacobian shows
+/// by how much they are off over random scenes.
+#include "wheel/force_jacobian.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/state_differences.hpp"
+#include "wheel/wheel_sensitivities.hpp"
+
+namespace wrc::test::force_jacobian_test {
+namespace {
+
+/// Of a column's largest entry. Velocities change creepages only, up to 4e-3 was seen; a position
+/// changes the contact's shape, too, up to 2e-2.
+constexpr double velocity_tolerance = 8e-3;
+constexpr double position_tolerance = 4e-2;
+
+struct Case {
+  const char* name;
+  double lateral;
+  double yaw;
+  CreepModel model = CreepModel::full;
+  double speed = 2e4;
+  double of_positions = position_tolerance;
+  FrictionLaw friction{};
+};
+
+/// Halved at a slip of 60 mm/s, as creepages of 0.3 % have here.
+const FrictionLaw falling{.coefficient = 0.4, .limit_ratio = 0.3, .decay = 0.02};
+/// Lubricated flanges.
+const FrictionLaw by_place{.places = {{-35.0, 0.1}, {-5.0, 0.4}, {40.0, 0.3}}};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+/// At the height at which the usual load is carried.
+Scene scene_of(const Case& c) {
+  Scene scene;
+  scene.lateral = c.lateral;
+  scene.yaw = c.yaw;
+  scene.accuracy = 1e-3;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.creep = c.model;
+  scene.left.friction = scene.right.friction = c.friction;
+  const SceneResult under_load = solve_scene(scene);
+  scene.roll = under_load.roll;
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  scene.motion = Motion{.speed = c.speed,
+                        .pitch = 1.0005 * c.speed / 460.0,
+                        .lateral = 20.0,
+                        .vertical = 1.0,
+                        .roll = 0.005,
+                        .yaw = 0.01};
+  return scene;
+}
+
+class Jacobians : public testing::TestWithParam<Case> {};
+
+TEST_P(Jacobians, AreThoseOfCentralDifferences) {
+  Scene scene = scene_of(GetParam());
+  scene.derivatives = true;
+  SceneResult here = solve_scene(scene);
+  scene.derivatives = false;
+  for (const auto side : {&SceneResult::left, &SceneResult::right}) {
+    const ForceJacobian* jacobian = jacobian_of(*(here.*side));
+    ASSERT_NE(jacobian, nullptr);
+    for (std::size_t which = 0; which < state_count; ++which) {
+      EXPECT_LE(column_error(*jacobian, which, difference_by(scene, which, side)),
+                which < position_count ? GetParam().of_positions : velocity_tolerance)
+          << which << (side == &SceneResult::left ? " left" : " right");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Jacobians,
+                         testing::Values(Case{"centred", 0.0, 0.0}, Case{"outwards", -2.0, 0.004},
+                                         Case{"flange_root", 5.0, 0.002},
+                                         Case{"flange", 6.6, 0.005},
+                                         Case{"backwards", -2.0, -0.001, CreepModel::full, -2e4},
+                                         /* Forces without a bound depend most on the shape. */
+                                         Case{"linear", -2.0, 0.001, CreepModel::linear, 2e4, 8e-2},
+                                         Case{"polach", -2.0, 0.003, CreepModel::polach},
+                                         Case{"fastsim", -2.0, 0.001, CreepModel::fastsim},
+                                         Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips},
+                                         Case{"friction_falls", -2.0, 0.004, CreepModel::polach,
+                                              2e4, position_tolerance, falling},
+                                         Case{"friction_by_place", 3.0, 0.004, CreepModel::polach,
+                                              2e4, position_tolerance, by_place}),
+                         [](const testing::TestParamInfo<Case>& tested) {
+                           return tested.param.name;
+                         });
+
+TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
+  Scene scene = scene_of({"", 2.0, 0.003});
+  scene.derivatives = true;
+  SceneResult one = solve_scene(scene);
+  scene.lateral = -scene.lateral;
+  scene.yaw = -scene.yaw;
+  *scene.roll = -*scene.roll;
+  scene.motion = mirrored(*scene.motion);
+  SceneResult other = solve_scene(scene);
+  const ForceJacobian& left = *jacobian_of(*one.left);
+  const ForceJacobian& right = *jacobian_of(*other.right);
+  for (std::size_t which = 0; which < state_count; ++which) {
+    const bool turns = which == 1 || which == 4 || which == 6 || which == 8;
+    for (std::size_t row = 0; row < 6; ++row) {
+      EXPECT_EQ(left[row][which], (row % 2 == 0) == turns ? right[row][which] : -right[row][which])
+          << row << ' ' << which;
+    }
+  }
+}
+
+TEST(JacobiansWithoutDerivatives, AreThoseOfNormalForcesOrNone) {
+  Scene scene = scene_of({"", 1.0, 0.0});
+  SceneResult with_creep = solve_scene(scene);
+  EXPECT_EQ(jacobian_of(*with_creep.left), nullptr); // not requested
+  scene.motion.reset();
+  SceneResult without = solve_scene(scene);
+  const ForceJacobian& jacobian = *jacobian_of(*without.left);
+  EXPECT_EQ(jacobian[2][1], sensitivities_of(*without.left)->force.vertical.force.z);
+  EXPECT_EQ(jacobian[0][static_cast<std::size_t>(StateVariable::speed)], 0.0);
+  scene.vertical = 500.0;
+  SceneResult apart = solve_scene(scene);
+  EXPECT_EQ(jacobian_of(*apart.left), nullptr);
+}
+
+/// With creepages given, the positions change normal forces, planes and what scales with them.
+TEST(JacobiansOfGivenCreepages, LeaveThemAsTheyAre) {
+  Scene scene = scene_of({"", 1.0, 0.0});
+  scene.motion.reset();
+  scene.left.creepages = scene.right.creepages = Creepages{5e-4, -1e-3, 1e-4};
+  scene.derivatives = true;
+  SceneResult here = solve_scene(scene);
+  const ForceJacobian& jacobian = *jacobian_of(*here.left);
+  scene.motion = Motion{.speed = 1.0, .pitch = 1.0}; // has a place for each state, changes nothing
+  for (std::size_t which = 0; which < 3; ++which) {  // the yaw changes next to nothing
+    EXPECT_LE(column_error(jacobian, which, difference_by(scene, which, &SceneResult::left)),
+              position_tolerance)
+        << which;
+  }
+  for (std::size_t which = position_count; which < state_count; ++which) {
+    EXPECT_EQ(jacobian[0][which], 0.0);
+  }
+}
+
+} // namespace
+} // namespace wrc::test::force_jacobian_test

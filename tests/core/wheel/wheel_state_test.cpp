@@ -1,0 +1,60 @@
+/// States of a wheel in scenes that have them.
+#include "wheel/wheel_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scene/solve_scene.hpp"
+
+namespace wrc::test::wheel_state_test {
+namespace {
+
+/// The left wheel at this lateral position, without roll.
+Scene scene_at(double lateral) {
+  Scene scene;
+  scene.side = SideChoice::left;
+  scene.roll = 0.0;
+  scene.lateral = lateral;
+  scene.accuracy = 1e-1;
+  return scene;
+}
+
+int state_at(double lateral) {
+  return *solve_scene(scene_at(lateral)).left->state;
+}
+
+TEST(WheelStates, OfAWheelThatRunsAreNone) {
+  for (const double lateral : {-10.0, -5.0, 0.0, 5.0, 6.5, 7.5}) {
+    EXPECT_EQ(state_at(lateral), 0) << lateral;
+  }
+}
+
+TEST(WheelStates, OnTheFlangeTipTheWheelDerails) {
+  for (const double lateral : {20.0, 30.0}) {
+    EXPECT_EQ(state_at(lateral), on_flange_tip) << lateral;
+  }
+}
+
+TEST(WheelStates, OnTheChamferItHasLeftTheTread) {
+  EXPECT_EQ(state_at(-70.0), 0);
+  EXPECT_EQ(state_at(-90.0), on_chamfer);
+}
+
+TEST(WheelStates, BeyondTheLimitOfThePressure) {
+  Scene scene = scene_at(0.0);
+  const double pmax = solve_scene(scene).left->pmax;
+  scene.yield_pressure = 1.01 * pmax;
+  EXPECT_EQ(*solve_scene(scene).left->state, 0);
+  scene.yield_pressure = 0.99 * pmax;
+  EXPECT_EQ(*solve_scene(scene).left->state, beyond_yield);
+}
+
+TEST(WheelStates, LiftedWithoutContactAndNoneBeforeTheMechanics) {
+  Scene scene = scene_at(0.0);
+  scene.vertical = 470.0;
+  EXPECT_EQ(*solve_scene(scene).left->state, lifted);
+  scene.until = Module::geometry;
+  EXPECT_FALSE(solve_scene(scene).left->state.has_value());
+}
+
+} // namespace
+} // namespace wrc::test::wheel_state_test

@@ -1,0 +1,147 @@
+!> Calls for vehicle simulations of the Fortran module.
+program vehicle_test
+  use, intrinsic :: iso_fortran_env, only: real64
+  use wrcontact
+  use expectations
+  implicit none
+  real(real64), parameter :: q(6) = [0.0_real64, 3.0_real64, 459.815_real64, 1.8e-4_real64, 0.0_real64, &
+    1.0e-3_real64]
+  real(real64), parameter :: v(6) = [2.0e4_real64, 15.0_real64, 1.0_real64, 2.0e-3_real64, &
+    43.5_real64, -5.0e-3_real64]
+
+  call steps_give_forces_patches_and_derivatives()
+  call steps_of_many_wheelsets()
+  call creep_forces_of_own_creepages()
+  call tables_over_keys()
+  call finish()
+
+contains
+
+  subroutine make(scene)
+    type(contact_scene), intent(inout) :: scene
+    call scene%create()
+    call scene%set('solve.accuracy', 1.0e-2_real64)
+    call scene%set('solve.accuracy_of', 'forces')
+    call scene%set('solve.creep', 'fastsim')
+  end subroutine make
+
+  subroutine steps_give_forces_patches_and_derivatives()
+    type(contact_scene) :: scene
+    type(contact_solver) :: solver, none
+    type(contact_patch) :: patches(4)
+    real(real64) :: f(6, 2), g(6, 2), dfdq(6, 6, 2), dfdv(6, 6, 2), moved(6), rails(3, 2)
+    integer :: stat, patch_count, states(2)
+    character(200) :: errmsg
+    call make(scene)
+    call solver%create()
+    call solver%step(scene, q, v, f)
+    call expect(same(f(2, 1), scene%number('left.total.force.y')), 'left lateral force')
+    call expect(same(f(6, 2), scene%number('right.total.moment.z')), 'right moment about z')
+    states = -1
+    call solver%step(scene, q, v, g, stat, errmsg, dfdq, dfdv, patches=patches, &
+      patch_count=patch_count, states=states)
+    call expect(stat == wrc_ok .and. all(same(f, g)), 'derivatives change no bit')
+    call expect(all(states == 0), 'no state to tell')
+    call expect(same(dfdq(2, 3, 1), scene%number('left.jacobian.force.y.by.vertical')), 'by height')
+    call expect(same(dfdv(1, 5, 2), scene%number('right.jacobian.force.x.by.pitch_rate')), 'by pitch')
+    call expect(patch_count == 2, 'two patches')
+    call expect(same(patches(2)%wheel, 1.0_real64), 'the second on the right')
+    call expect(same(patches(1)%friction_power, scene%number('left.patches.0.friction_power')), &
+      'the last member')
+    call solver%step(scene, q, v, g, stat, errmsg, patches=patches(:1), patch_count=patch_count)
+    call expect(stat == wrc_too_small .and. patch_count == 2, 'no room for both')
+    rails = 0
+    rails(1, 2) = -0.5_real64
+    call solver%step(scene, q, v, g, rails=rails)
+    call expect(same(g(3, 1), f(3, 1)) .and. .not. same(g(2, 2), f(2, 2)), 'the right rail moved')
+    moved = q
+    moved(3) = 470
+    call solver%step(scene, moved, v, g, patch_count=patch_count, states=states)
+    call expect(all(same(g, 0.0_real64)) .and. all(states == wrc_lifted) .and. patch_count == 0, &
+      'lifted')
+    moved(6) = 1
+    g = f
+    call solver%step(scene, moved, v, g, stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'pose.yaw = 1') == 1, 'refused')
+    call expect(all(same(g, f)), 'and left as it was')
+    call none%step(scene, q, v, g, stat)
+    call expect(stat == wrc_invalid_argument, 'without a solver')
+    call scene%solve()
+    call scene%patches(patches, patch_count)
+    call expect(patch_count == 0, 'still lifted')
+  end subroutine steps_give_forces_patches_and_derivatives
+
+  subroutine steps_of_many_wheelsets()
+    integer, parameter :: n = 3
+    type(contact_scene) :: scenes(n), alone
+    type(contact_solver) :: solvers(n), solver
+    real(real64) :: qs(6, n), vs(6, n), f(6, 2, n), g(6, 2), dfdq(6, 6, 2, n), dfdq1(6, 6, 2)
+    integer :: i, statuses(n), states(2, n), stat
+    character(200) :: errmsg
+    do i = 1, n
+      call make(scenes(i))
+      call solvers(i)%create()
+      qs(:, i) = q
+      qs(2, i) = 3 + 0.01_real64*i
+      vs(:, i) = v
+    end do
+    call step_batch(solvers, scenes, qs, vs, f, 2, statuses, dfdq=dfdq, states=states)
+    call expect(all(statuses == wrc_ok) .and. all(states == 0), 'all of them')
+    call make(alone)
+    call solver%create()
+    do i = 1, n
+      call solver%step(alone, qs(:, i), vs(:, i), g, dfdq=dfdq1)
+      call expect(all(same(f(:, :, i), g)), 'as by itself')
+      call expect(all(same(dfdq(:, :, :, i), dfdq1)), 'and its derivatives')
+    end do
+    qs(6, 2) = 1
+    call step_batch(solvers, scenes, qs, vs, f, 2, statuses, stat, errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'pose.yaw') == 1, 'the second fails')
+    call expect(statuses(2) == stat .and. statuses(3) == wrc_ok, 'alone')
+    call step_batch(solvers(:2), scenes, qs, vs, f, 2, stat=stat, errmsg=errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'q(6, n)') > 0, 'two for three')
+  end subroutine steps_of_many_wheelsets
+
+  subroutine creep_forces_of_own_creepages()
+    type(contact_scene) :: scene
+    type(contact_solver) :: solver
+    type(contact_patch) :: patches(4)
+    real(real64) :: f(6, 2), forces(3), by(3, 3), ahead(3), creepages(3)
+    integer :: patch_count, stat
+    call make(scene)
+    call solver%create()
+    call solver%step(scene, q, v, f, patches=patches, patch_count=patch_count)
+    creepages = [patches(1)%longitudinal_creepage, patches(1)%lateral_creepage, &
+      patches(1)%spin_creepage]
+    call solver%creep(scene, 1, creepages, forces, by_creepage=by)
+    call expect(abs(forces(1) - patches(1)%longitudinal_creep_force) <= 1.0e-6_real64*abs(forces(1)), &
+      'those of the step')
+    creepages(2) = creepages(2) + 1.0e-5_real64
+    call solver%creep(scene, 1, creepages, ahead)
+    call expect(abs(ahead(2) - forces(2) - 1.0e-5_real64*by(2, 2)) < 2.0e-2_real64*abs(ahead(2) - &
+      forces(2)), 'and their slope')
+    call solver%creep(scene, 3, creepages, forces, stat)
+    call expect(stat == wrc_invalid_argument, 'no third patch')
+  end subroutine creep_forces_of_own_creepages
+
+  subroutine tables_over_keys()
+    type(contact_scene) :: scene
+    real(real64), allocatable :: table(:, :)
+    real(real64), parameter :: laterals(3) = [-2, 0, 3], yaws(2) = [0.0_real64, 2.0e-3_real64]
+    integer :: stat
+    character(200) :: errmsg
+    call make(scene)
+    call scene%tabulate('pose.lateral pose.yaw', [laterals, yaws], [3, 2], 'roll  left.pmax', table, &
+      threads=2, path='table.txt')
+    call expect(all(shape(table) == [2, 6]), 'two results of six combinations')
+    call scene%set('pose.lateral', laterals(3))
+    call scene%set('pose.yaw', yaws(2))
+    call scene%solve()
+    call expect(same(table(1, 6), scene%number('roll')), 'the last one')
+    call expect(same(table(2, 6), scene%number('left.pmax')), 'and its pressure')
+    call scene%tabulate('pose.lateral', laterals, [2], 'roll', table, stat=stat, errmsg=errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'counts') > 0, 'three for two')
+    call expect(all(shape(table) == [2, 6]), 'and left as it was')
+  end subroutine tables_over_keys
+
+end program vehicle_test
