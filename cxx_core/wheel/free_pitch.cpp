@@ -107,12 +107,14 @@ private:
   /// `growth` at most.
   template <class Function> FreePitch search(double step, double growth, const Function& function) {
     Point ahead = last_;
+    const double slowest = rolling_ - creepage_;
+    const double fastest = rolling_ + creepage_;
     while ((ahead.value < 0.0) == (last_.value < 0.0)) {
-      if (std::abs(ahead.place - rolling_) >= creepage_) {
+      if (ahead.place <= slowest || ahead.place >= fastest) {
         return {ahead.place, true};
       }
       const Point behind = last_ = ahead;
-      ahead = function(std::clamp(last_.place + step, rolling_ - creepage_, rolling_ + creepage_));
+      ahead = function(std::clamp(last_.place + step, slowest, fastest));
       if (is_balanced(ahead)) {
         return {ahead.place, false};
       }
