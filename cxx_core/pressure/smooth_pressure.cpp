@@ -180,33 +180,95 @@ std::optional<SmoothPressure::Extent> SmoothPressure::lateral_extent() const {
   return result;
 }
 
+/// Places along the rolling direction are the same for all lines.
+class SmoothPressure::Line {
+public:
+  Line(const SmoothPressure& pressure, double first, double step, std::size_t count)
+      : of_(pressure), along_(count), weights_(count) {
+    const Grid& grid = of_.grid_;
+    for (std::size_t j = 0; j < count; ++j) {
+      along_[j] = place_of((first + static_cast<double>(j) * step - grid.longitudinal_first) /
+                               grid.longitudinal_step,
+                           grid.longitudinal_count, 1);
+      weights_[j] = cubic_weights(along_[j].beyond);
+    }
+  }
+
+  void move_to(double lateral) {
+    across_ = place_of((lateral - of_.grid_.lateral_first) / of_.grid_.lateral_step,
+                       of_.grid_.lateral_count, 0);
+  }
+
+  [[nodiscard]] double square(std::size_t j) const {
+    const std::size_t columns = of_.grid_.longitudinal_count;
+    const std::size_t corner = across_.before * columns + along_[j].before;
+    constexpr double outside = -std::numeric_limits<double>::infinity();
+    if (!across_.inside || !along_[j].inside) {
+      return outside;
+    }
+    const std::array<std::size_t, 4> corners{corner, corner + 1, corner + columns,
+                                             corner + columns + 1};
+    const bool in_contact =
+        std::any_of(corners.begin(), corners.end(), [this](auto at) { return of_.loaded_[at]; });
+    const bool filled =
+        std::all_of(corners.begin(), corners.end(), [this](auto at) { return of_.known_[at]; });
+    if (!in_contact && !filled) {
+      return outside;
+    }
+    double before = 0.0;
+    double after = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      before += weights_[j][k] * of_.squares_[corner + k - 1];
+      after += weights_[j][k] * of_.squares_[corner + columns + k - 1];
+    }
+    const double square = before + across_.beyond * (after - before);
+    return in_contact || square < 0.0 ? square : outside;
+  }
+
+private:
+  const SmoothPressure& of_;
+  std::vector<Place> along_;
+  std::vector<std::array<double, 4>> weights_;
+  Place across_;
+};
+
 void SmoothPressure::fill(const Grid& other, std::vector<double>& pressure) const {
   pressure.assign(other.element_count(), 0.0);
-  const std::size_t columns = grid_.longitudinal_count;
-  std::vector<Place> along(other.longitudinal_count);
-  std::vector<std::array<double, 4>> weights(along.size());
-  for (std::size_t j = 0; j < along.size(); ++j) {
-    along[j] = place_of(
-        (other.longitudinal(j) - grid_.longitudinal_first) / grid_.longitudinal_step, columns, 1);
-    weights[j] = cubic_weights(along[j].beyond);
-  }
+  Line line(*this, other.longitudinal_first, other.longitudinal_step, other.longitudinal_count);
   for (std::size_t i = 0; i < other.lateral_count; ++i) {
-    const Place across = place_of((other.lateral(i) - grid_.lateral_first) / grid_.lateral_step,
-                                  grid_.lateral_count, 0);
-    for (std::size_t j = 0; j < along.size() && across.inside; ++j) {
-      const std::size_t corner = across.before * columns + along[j].before;
-      if (!along[j].inside || !(loaded_[corner] || loaded_[corner + 1] ||
-                                loaded_[corner + columns] || loaded_[corner + columns + 1])) {
+    line.move_to(other.lateral(i));
+    for (std::size_t j = 0; j < other.longitudinal_count; ++j) {
+      pressure[i * other.longitudinal_count + j] = std::sqrt(std::max(line.square(j), 0.0));
+    }
+  }
+}
+
+void SmoothPressure::fill_means(const Grid& other, std::vector<double>& pressure,
+                                std::vector<double>& covered) const {
+  const std::size_t columns = other.longitudinal_count;
+  pressure.assign(other.element_count(), 0.0);
+  covered.assign(other.element_count(), 0.0);
+  const double half = 0.5 * other.longitudinal_step;
+  Line line(*this, other.longitudinal_first - half, half, 2 * columns + 1);
+  for (std::size_t i = 0; i < other.lateral_count; ++i) {
+    line.move_to(other.lateral(i));
+    double before = line.square(0);
+    for (std::size_t j = 0; j < 2 * columns; ++j) {
+      const double after = line.square(j + 1);
+      const double high = std::max(before, after);
+      const double low = std::min(before, after);
+      before = after;
+      if (!(high > 0.0)) {
         continue;
       }
-      double before = 0.0;
-      double after = 0.0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        before += weights[j][k] * squares_[corner + k - 1];
-        after += weights[j][k] * squares_[corner + columns + k - 1];
-      }
-      const double square = before + across.beyond * (after - before);
-      pressure[i * other.longitudinal_count + j] = std::sqrt(std::max(square, 0.0));
+      const std::size_t at = i * columns + j / 2;
+      const double share = low < 0.0 ? high / (high - low) : 1.0;
+      const double p_high = std::sqrt(high);
+      const double p_low = std::sqrt(std::max(low, 0.0));
+      // The mean of the square root of a linear function.
+      const double mean = 2.0 / 3.0 * (high + p_high * p_low + p_low * p_low) / (p_high + p_low);
+      pressure[at] += 0.5 * share * mean;
+      covered[at] += 0.5 * share;
     }
   }
 }

@@ -7,7 +7,8 @@
 /// from three elements further in, 3 f1 - 3 f2 + f3. In the same way two elements outside are
 /// filled in, from as many of the 8 directions as have three known elements (else two, else one),
 /// which weigh with the slope of p^2 along them. In between p^2 is interpolated cubically along
-/// rows and linearly across, where profiles have kinks.
+/// rows and linearly across, where profiles have kinks. Means over elements take p^2 as linear in
+/// each half of an element.
 ///
 /// Units are the caller's. Thread rule: constant after construction.
 ///
@@ -39,8 +40,15 @@ public:
   [[nodiscard]] std::optional<Extent> lateral_extent() const;
   /// Pressures at the centres of another grid in the same plane; 0 outside the contact.
   void fill(const Grid& other, std::vector<double>& pressure) const;
+  /// Means over another grid's elements along the lines through their centres, and the share of
+  /// these lengths that is in contact.
+  void fill_means(const Grid& other, std::vector<double>& pressure,
+                  std::vector<double>& covered) const;
 
 private:
+  /// p^2 at places along the rolling direction, on the line at a lateral place; outside the contact
+  /// negative, minus infinity where nothing is filled in.
+  class Line;
   /// p^2 of up to three known elements in a row, from the next one on.
   struct Continuation {
     std::array<double, 3> values{};

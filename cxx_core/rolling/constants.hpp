@@ -23,6 +23,13 @@ inline constexpr double march_scale = 1.5;
 /// origin: derived: exact for the first eleven terms of the series.
 inline constexpr std::size_t march_terms = 6;
 
+/// Where the leading edge is in a whole first element, as a share of it from behind, and the
+/// compliance that moves it by half an element: leading_edge.hpp.
+/// origin: derived: from the half-plane without slip (LeadingEdge.ComesFromTheHalfPlane).
+inline constexpr double edge_of_whole_element = 0.988;
+/// origin: derived: as edge_of_whole_element.
+inline constexpr double edge_stiffening = 3.21;
+
 /// r of the natural residual q - cut(q - r s), over the inverse of an element's self-influence.
 /// origin: measured (wrc_benchmark --case rolling): twice as much costs a quarter more
 /// convolutions, half as much a tenth.

@@ -7,6 +7,7 @@
 
 #include "half_space/traction_convolution.hpp"
 #include "rolling/constants.hpp"
+#include "rolling/leading_edge.hpp"
 #include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_newton.hpp"
 #include "rolling/unlike_bodies.hpp"
@@ -15,17 +16,18 @@ namespace wrc {
 
 namespace {
 
-/// The coarser grid's bound: means of two by two elements.
-template <typename Real>
-void coarsen_bound(TractionNewton<Real>& fine, TractionNewton<Real>& coarse) {
-  const Real* from = fine.bound();
-  Real* to = coarse.bound();
-  std::fill_n(to, coarse.size(), Real{0});
-  for (std::size_t i = 0; i < fine.shape().rows; ++i) {
-    for (std::size_t j = 0; j < fine.shape().columns; ++j) {
-      to[i / 2 * coarse.pitch() + j / 2] += Real(0.25) * from[i * fine.pitch() + j];
+/// Bound and covered shares on the coarser grid: means of two by two elements.
+template <typename Real> void coarsen(TractionNewton<Real>& fine, TractionNewton<Real>& coarse) {
+  const auto average = [&](const Real* from, Real* to) {
+    std::fill_n(to, coarse.size(), Real{0});
+    for (std::size_t i = 0; i < fine.shape().rows; ++i) {
+      for (std::size_t j = 0; j < fine.shape().columns; ++j) {
+        to[i / 2 * coarse.pitch() + j / 2] += Real(0.25) * from[i * fine.pitch() + j];
+      }
     }
-  }
+  };
+  average(fine.bound(), coarse.bound());
+  average(fine.edge(), coarse.edge());
 }
 
 /// Tractions of the coarser grid over their bound, by bilinear interpolation between elements in
@@ -98,8 +100,17 @@ public:
 
   NewtonOutcome solve(const ScaledTractions& scaled, const RollingProblem& problem) {
     scaled.fill_bound(finest().bound(), finest().pitch());
+    std::fill_n(finest().edge(), finest().size(), Real{0});
+    if (scaled.has_edges()) {
+      scaled.fill_covered(finest().edge(), finest().pitch());
+    }
     for (std::size_t level = 1; level < levels_.size(); ++level) {
-      coarsen_bound(*levels_[level - 1], *levels_[level]);
+      coarsen(*levels_[level - 1], *levels_[level]);
+    }
+    for (auto& level : levels_) {
+      if (scaled.has_edges()) {
+        make_edges(level->bound(), level->edge(), level->shape(), level->pitch());
+      }
     }
     NewtonOutcome all;
     for (std::size_t level = levels_.size(); level-- > 0;) {

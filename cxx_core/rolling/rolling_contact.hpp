@@ -50,9 +50,12 @@ enum class SlipDifference {
 struct RollingProblem {
   Grid grid;
   std::span<const double> pressure; ///< MPa per element, >= 0
-  double friction = 0.3;            ///< mu, >= 0
-  double shear_modulus = 0.0;       ///< G, MPa: 1/G = (1/G1 + 1/G2)/2
-  double poisson = 0.0;             ///< nu: nu/G = (nu1/G1 + nu2/G2)/2, 0 to 0.5
+  /// Share of each element along x that is in contact, 0 to 1, where pressures are means over
+  /// elements; empty: contact ends between elements. Of steady rolling (leading_edge.hpp).
+  std::span<const double> covered;
+  double friction = 0.3;      ///< mu, >= 0
+  double shear_modulus = 0.0; ///< G, MPa: 1/G = (1/G1 + 1/G2)/2
+  double poisson = 0.0;       ///< nu: nu/G = (nu1/G1 + nu2/G2)/2, 0 to 0.5
   /// K, -0.5 to 0.5: K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4; other than 0 in steady rolling
   /// only.
   double difference_parameter = 0.0;

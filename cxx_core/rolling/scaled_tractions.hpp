@@ -48,12 +48,19 @@ public:
   /// Nothing can be transmitted: no pressure or no friction.
   [[nodiscard]] bool empty() const { return box_.shape.rows == 0; }
   [[nodiscard]] const Box& box() const { return box_; }
+  /// Contact may begin within elements.
+  [[nodiscard]] bool has_edges() const {
+    return !problem_.covered.empty() && problem_.motion == TangentialMotion::rolling;
+  }
   [[nodiscard]] double aspect() const { return aspect_; }
   [[nodiscard]] TractionTable table() const {
     return traction_table(aspect_, box_.shape.table_rows(), box_.shape.table_columns());
   }
 
   template <typename Real> void fill_bound(Real* bound, std::size_t pitch) const;
+  /// Shares of elements in contact; nothing is written if the problem has none.
+  /// The problem's shares in contact; only if there are any.
+  template <typename Real> void fill_covered(Real* covered, std::size_t pitch) const;
   /// Rigid slip at the centres of elements 2^level times as large, x components first.
   template <typename Real>
   void fill_rigid_slip(Real* slip, const TractionShape& shape, std::size_t pitch,

@@ -11,6 +11,7 @@
 #include "half_space/traction_convolution.hpp"
 #include "mechanics/normal_contact.hpp"
 #include "rolling/constants.hpp"
+#include "rolling/leading_edge.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_loops.hpp"
@@ -39,6 +40,16 @@ void check_problem(const RollingProblem& problem) {
   if (wrong != problem.pressure.end()) {
     throw_invalid_argument("pressure[" + std::to_string(wrong - problem.pressure.begin()) + "]",
                            *wrong, "must be finite and not negative");
+  }
+  if (!problem.covered.empty() && problem.covered.size() != problem.pressure.size()) {
+    throw_invalid_argument("covered.size", static_cast<double>(problem.covered.size()),
+                           "must be the number of pressures, or 0");
+  }
+  const auto no_share = std::find_if(problem.covered.begin(), problem.covered.end(),
+                                     [](double share) { return !(share >= 0.0 && share <= 1.0); });
+  if (no_share != problem.covered.end()) {
+    throw_invalid_argument("covered[" + std::to_string(no_share - problem.covered.begin()) + "]",
+                           *no_share, "must be from 0 to 1");
   }
   if (!(problem.friction >= 0.0) || !std::isfinite(problem.friction)) {
     throw_invalid_argument("friction", problem.friction, "must be finite and not negative");
@@ -106,8 +117,15 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   for (std::size_t i = 0; i < 2 * count; ++i) {
     s[i] += rigid[i];
   }
+  std::vector<double> edge(count);
+  if (scaled.has_edges()) {
+    scaled.fill_covered(edge.data(), pitch);
+    make_edges(bound.data(), edge.data(), shape, pitch);
+    add_edges(edge.data(), 1.0 - problem.poisson, q.data(), s.data(), count);
+  }
   const double step = natural_step_of(shape, convolution.self_influence(), problem.motion);
-  const ResidualSums sums = natural_residual(q.data(), s.data(), bound.data(), step, count);
+  const ResidualSums sums =
+      natural_residual(q.data(), s.data(), bound.data(), edge.data(), step, count);
   double whole_q = 0.0;
   double gap = 0.0;
   double rigid_power = 0.0;

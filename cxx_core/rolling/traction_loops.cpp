@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/vector_clones.hpp"
+#include "rolling/constants.hpp"
 
 namespace wrc {
 
@@ -33,19 +34,24 @@ WRC_VECTOR_BODY Cut<Real> cut_of(Real qx, Real qy, Real sx, Real sy, Real g, Rea
   return cut;
 }
 
+/// r of an element whose edge adds to its influence on itself.
+template <typename Real> WRC_VECTOR_BODY Real step_at(Real inverse_r, Real edge) {
+  return Real{1} / (inverse_r + Real(1.0 / natural_step) * edge);
+}
+
 /// Factor that brings a vector of this square within the bound.
 template <typename Real> WRC_VECTOR_BODY Real factor_within(Real square, Real g) {
   return square > g * g ? g / std::sqrt(square) : Real{1};
 }
 
 template <typename Real>
-WRC_VECTOR_BODY ResidualSums residual_body(const Real* q, const Real* s, const Real* g, Real r,
-                                           std::size_t n) {
+WRC_VECTOR_BODY ResidualSums residual_body(const Real* q, const Real* s, const Real* g,
+                                           const Real* edge, Real inverse_r, std::size_t n) {
   double change = 0.0;
   double size = 0.0;
 #pragma omp simd reduction(+ : change, size)
   for (std::size_t i = 0; i < n; ++i) {
-    const Cut<Real> cut = cut_of(q[i], q[n + i], s[i], s[n + i], g[i], r);
+    const Cut<Real> cut = cut_of(q[i], q[n + i], s[i], s[n + i], g[i], step_at(inverse_r, edge[i]));
     const Real x = q[i] - cut.x;
     const Real y = q[n + i] - cut.y;
     const bool inside = g[i] > Real{0};
@@ -56,17 +62,20 @@ WRC_VECTOR_BODY ResidualSums residual_body(const Real* q, const Real* s, const R
 }
 
 template <typename Real>
-WRC_VECTOR_BODY void linearise_body(const Real* q, const Real* s, const Real* g,
+WRC_VECTOR_BODY void linearise_body(const Real* q, const Real* s, const Real* g, const Real* edge,
                                     const ElementScales& scales, const LinearisedElements<Real>& at,
                                     Real* change, std::size_t n) {
-  const auto r = static_cast<Real>(scales.step);
   const auto inverse_r = static_cast<Real>(1.0 / scales.step);
+  const auto share_x = static_cast<Real>(scales.edge_x);
   const auto damping = static_cast<Real>(scales.damping);
-  const auto dx = static_cast<Real>(scales.diagonal_x);
-  const auto dy = static_cast<Real>(scales.diagonal_y);
+  const auto diagonal_x = static_cast<Real>(scales.diagonal_x);
+  const auto diagonal_y = static_cast<Real>(scales.diagonal_y);
 #pragma omp simd
   for (std::size_t i = 0; i < n; ++i) {
     const Real bound = g[i];
+    const Real dx = diagonal_x + share_x * edge[i];
+    const Real dy = diagonal_y + edge[i];
+    const Real r = step_at(inverse_r, edge[i]);
     const Real qx = q[i];
     const Real qy = q[n + i];
     const Cut<Real> cut = cut_of(qx, qy, s[i], s[n + i], bound, r);
@@ -79,8 +88,7 @@ WRC_VECTOR_BODY void linearise_body(const Real* q, const Real* s, const Real* g,
     at.projector_xx[i] = exists * (slips ? tx * tx : Real{1});
     at.projector_yy[i] = exists * (slips ? ty * ty : Real{1});
     at.projector_xy[i] = exists * (slips ? tx * ty : Real{0});
-    const Real ratio =
-        damping + (slips ? cut.excess * inverse_r / (inside ? bound : Real{1}) : Real{0});
+    const Real ratio = damping + (slips ? cut.excess / r / (inside ? bound : Real{1}) : Real{0});
     at.ratio[i] = exists * ratio;
     const Real along = exists / (tx * tx * dx + ty * ty * dy + ratio + sticks * dx);
     at.inverse_xx[i] = slips ? tx * tx * along : exists / (dx + ratio);
@@ -105,10 +113,21 @@ WRC_VECTOR_BODY void project_body(const LinearisedElements<Real>& at, const Real
 }
 
 template <typename Real>
-WRC_VECTOR_BODY void cut_body(Real* q, const Real* s, const Real* g, Real r, std::size_t n) {
+WRC_VECTOR_BODY void edges_body(const Real* edge, Real share_x, const Real* z, Real* out,
+                                std::size_t n) {
 #pragma omp simd
   for (std::size_t i = 0; i < n; ++i) {
-    const Cut<Real> cut = cut_of(q[i], q[n + i], s[i], s[n + i], g[i], r);
+    out[i] += share_x * edge[i] * z[i];
+    out[n + i] += edge[i] * z[n + i];
+  }
+}
+
+template <typename Real>
+WRC_VECTOR_BODY void cut_body(Real* q, const Real* s, const Real* g, const Real* edge,
+                              Real inverse_r, std::size_t n) {
+#pragma omp simd
+  for (std::size_t i = 0; i < n; ++i) {
+    const Cut<Real> cut = cut_of(q[i], q[n + i], s[i], s[n + i], g[i], step_at(inverse_r, edge[i]));
     const Real within = factor_within(q[i] * q[i] + q[n + i] * q[n + i], g[i]);
     q[i] = cut.slipping ? cut.x : within * q[i];
     q[n + i] = cut.slipping ? cut.y : within * q[n + i];
@@ -148,14 +167,14 @@ WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::si
 #define TRACTION_LOOPS(Real)                                                                       \
   template <>                                                                                      \
   WRC_VECTOR_CLONES ResidualSums natural_residual(const Real* q, const Real* s, const Real* g,     \
-                                                  double step, std::size_t n) {                    \
-    return residual_body(q, s, g, static_cast<Real>(step), n);                                     \
+                                                  const Real* edge, double step, std::size_t n) {  \
+    return residual_body(q, s, g, edge, static_cast<Real>(1.0 / step), n);                         \
   }                                                                                                \
   template <>                                                                                      \
   WRC_VECTOR_CLONES void linearise(                                                                \
-      const Real* q, const Real* s, const Real* g, const ElementScales& scales,                    \
+      const Real* q, const Real* s, const Real* g, const Real* edge, const ElementScales& scales,  \
       const LinearisedElements<Real>& elements, Real* change, std::size_t n) {                     \
-    linearise_body(q, s, g, scales, elements, change, n);                                          \
+    linearise_body(q, s, g, edge, scales, elements, change, n);                                    \
   }                                                                                                \
   template <>                                                                                      \
   WRC_VECTOR_CLONES void project(const LinearisedElements<Real>& elements, const Real* in,         \
@@ -163,9 +182,14 @@ WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::si
     project_body(elements, in, z, out, n);                                                         \
   }                                                                                                \
   template <>                                                                                      \
-  WRC_VECTOR_CLONES void cut_to_bound(Real* q, const Real* s, const Real* g, double step,          \
-                                      std::size_t n) {                                             \
-    cut_body(q, s, g, static_cast<Real>(step), n);                                                 \
+  WRC_VECTOR_CLONES void add_edges(const Real* edge, double edge_x, const Real* z, Real* out,      \
+                                   std::size_t n) {                                                \
+    edges_body(edge, static_cast<Real>(edge_x), z, out, n);                                        \
+  }                                                                                                \
+  template <>                                                                                      \
+  WRC_VECTOR_CLONES void cut_to_bound(Real* q, const Real* s, const Real* g, const Real* edge,     \
+                                      double step, std::size_t n) {                                \
+    cut_body(q, s, g, edge, static_cast<Real>(1.0 / step), n);                                     \
   }                                                                                                \
   template <>                                                                                      \
   WRC_VECTOR_CLONES double dot(const Real* one, const Real* other, std::size_t count) {            \

@@ -28,6 +28,7 @@ struct ElementScales {
   double step = 1.0;       ///< r
   double diagonal_x = 1.0; ///< of the march
   double diagonal_y = 1.0;
+  double edge_x = 1.0;  ///< compliance of an edge in x over that in y
   double damping = 0.0; ///< added to the ratio of every element
 };
 
@@ -37,16 +38,18 @@ struct ResidualSums {
   [[nodiscard]] double ratio() const { return change == 0.0 ? 0.0 : change / size; }
 };
 
-/// The natural residual of q with slip s; elements without bound g count nothing.
+/// The natural residual of q with slip s; elements without bound g count nothing. `edge`: what the
+/// leading edge adds to an element's influence on itself, in y; r is smaller there.
 template <typename Real>
-ResidualSums natural_residual(const Real* q, const Real* s, const Real* g, double step,
-                              std::size_t n);
+ResidualSums natural_residual(const Real* q, const Real* s, const Real* g, const Real* edge,
+                              double step, std::size_t n);
 
 /// Sorts elements into adhesion and slip, fills `elements` and writes to `change` what brings q
 /// onto the bound where it slips and within it where it sticks.
 template <typename Real>
-void linearise(const Real* q, const Real* s, const Real* g, const ElementScales& scales,
-               const LinearisedElements<Real>& elements, Real* change, std::size_t n);
+void linearise(const Real* q, const Real* s, const Real* g, const Real* edge,
+               const ElementScales& scales, const LinearisedElements<Real>& elements, Real* change,
+               std::size_t n);
 
 /// out = P in + ratio z, all of 2 n values.
 template <typename Real>
@@ -55,7 +58,12 @@ void project(const LinearisedElements<Real>& elements, const Real* in, const Rea
 
 /// q onto the bound against the slip where q - r s exceeds it, else within it.
 template <typename Real>
-void cut_to_bound(Real* q, const Real* s, const Real* g, double step, std::size_t n);
+void cut_to_bound(Real* q, const Real* s, const Real* g, const Real* edge, double step,
+                  std::size_t n);
+
+/// out += what edges add to displacements under z.
+template <typename Real>
+void add_edges(const Real* edge, double edge_x, const Real* z, Real* out, std::size_t n);
 
 template <typename Real> double dot(const Real* one, const Real* other, std::size_t count);
 /// to += factor from.

@@ -72,12 +72,12 @@ TractionNewton<Real>::TractionNewton(const TractionGrid& grid, double poisson,
       count_(grid.shape.rows * pitch_),
       convolution_(grid.shape, pitch_, poisson, weights, table, plans),
       march_(grid.shape.rows, pitch_, grid.step_over_width, motion == TangentialMotion::rolling),
-      fields_((1 + 2 * vector_count + element_fields) * count_), elements_{} {
+      fields_((2 + 2 * vector_count + element_fields) * count_), elements_{} {
   std::fill_n(fields_.data(), fields_.size(), Real{0});
   const auto self = convolution_.self_influence();
   self_influence_ = std::sqrt(self[0] * self[1]);
   scales_ = {natural_step_of(shape_, self, motion), march_.diagonal() * self[0],
-             march_.diagonal() * self[1], 0.0};
+             march_.diagonal() * self[1], 1.0 - poisson, 0.0};
   Real* scalars = vector(vector_count);
   elements_ = {scalars,
                scalars + count_,
@@ -90,12 +90,14 @@ TractionNewton<Real>::TractionNewton(const TractionGrid& grid, double poisson,
 
 template <typename Real> void TractionNewton<Real>::convolve(const Real* in, Real* out) {
   convolution_.apply(in, in + count_, out, out + count_, workspace_);
+  add_edges(edge(), scales_.edge_x, in, out, count_);
   ++convolutions_;
 }
 
 template <typename Real>
 double TractionNewton<Real>::residual_of(const Real* q, const Real* s) const {
-  return natural_residual(q, s, fields_.data(), scales_.step, count_).ratio();
+  return natural_residual(q, s, fields_.data(), fields_.data() + count_, scales_.step, count_)
+      .ratio();
 }
 
 template <typename Real>
@@ -210,7 +212,7 @@ template <typename Real> NewtonOutcome TractionNewton<Real>::solve(const NewtonL
       break;
     }
     ++outcome.iterations;
-    linearise(q, s, g, scales_, elements_, change, count_);
+    linearise(q, s, g, edge(), scales_, elements_, change, count_);
     add_scaled(q, 1.0, change, size);
     convolve(change, right);
     add_scaled(s, 1.0, right, size);
@@ -223,7 +225,7 @@ template <typename Real> NewtonOutcome TractionNewton<Real>::solve(const NewtonL
   }
   std::copy_n(best_q, size, q);
   std::copy_n(best_s, size, s);
-  cut_to_bound(q, s, g, scales_.step, count_);
+  cut_to_bound(q, s, g, edge(), scales_.step, count_);
   outcome.converged = outcome.residual <= limits.tolerance;
   outcome.convolutions = convolutions_;
   return outcome;
@@ -236,7 +238,8 @@ const Real* TractionNewton<Real>::solve_rate(const Real* slip_rate, double relat
   Real* slips_of_rate = vector(best_slips);
   Real* right = vector(right_side);
   scales_.damping = 0.0;
-  linearise(vector(tractions), vector(slips), bound(), scales_, elements_, vector(changes), count_);
+  linearise(vector(tractions), vector(slips), bound(), edge(), scales_, elements_, vector(changes),
+            count_);
   std::fill_n(rate, size, Real{0});
   std::copy_n(slip_rate, size, slips_of_rate);
   double first = 0.0;

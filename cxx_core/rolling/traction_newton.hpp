@@ -50,6 +50,9 @@ public:
   [[nodiscard]] std::size_t size() const { return count_; }
   /// The bound g of each element; 0 outside the contact and beyond the columns.
   [[nodiscard]] Real* bound() { return fields_.data(); }
+  /// What a leading edge within the element adds to its influence on itself, in y
+  /// (leading_edge.hpp); 0 to begin with.
+  [[nodiscard]] Real* edge() { return fields_.data() + count_; }
   /// The rigid slip; kept.
   [[nodiscard]] Real* rigid_slip() { return vector(rigid); }
   /// The tractions: where the solution starts, and the solution.
@@ -64,7 +67,7 @@ public:
   const Real* solve_rate(const Real* slip_rate, double relative_tolerance);
 
 private:
-  /// Fields of two components, behind the bound.
+  /// Fields of two components, behind bound and edge.
   enum Vector : std::size_t {
     rigid,
     tractions,
@@ -77,7 +80,7 @@ private:
     best_slips,
     vector_count
   };
-  [[nodiscard]] Real* vector(Vector which) { return fields_.data() + (1 + 2 * which) * count_; }
+  [[nodiscard]] Real* vector(Vector which) { return fields_.data() + (2 + 2 * which) * count_; }
   void convolve(const Real* in, Real* out);
   [[nodiscard]] double residual_of(const Real* q, const Real* s) const;
   void solve_linear(double relative_tolerance, Real* step, Real* step_slip);

@@ -12,59 +12,11 @@
 #include "rolling/fastsim.hpp"
 #include "rolling/unlike_bodies.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/creep_grid.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {
 namespace {
-
-/// The grid over the rectangle around the contact.
-Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
-                         int lobes) {
-  const auto along = pressure.longitudinal_extent();
-  const auto across = pressure.lateral_extent();
-  if (!along || !across) {
-    return grid;
-  }
-  const double columns =
-      std::clamp(std::pow(share_of_creep_columns * accuracy / creep_error_of_one_column,
-                          -1.0 / creep_error_order),
-                 min_creep_columns, max_creep_columns);
-  const double rows = creep_rows_by_columns * columns * static_cast<double>(lobes);
-  const auto even = [](double count) {
-    return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
-  };
-  Grid result;
-  result.longitudinal_count = even(columns);
-  result.lateral_count = even(std::min(rows, 2.0 * max_creep_columns));
-  const auto divide = [](const auto& extent, std::size_t count, double& first, double& step) {
-    step = (extent.last - extent.first) / static_cast<double>(count);
-    first = extent.first + 0.5 * step;
-  };
-  divide(*along, result.longitudinal_count, result.longitudinal_first, result.longitudinal_step);
-  divide(*across, result.lateral_count, result.lateral_first, result.lateral_step);
-  return result;
-}
-
-/// A grid with as many elements more on each side as reach the outer grid's edges, half its own at
-/// most: where contact of unlike bodies may move to.
-Grid extended_to(const Grid& inner, const Grid& outer) {
-  Grid result = inner;
-  const auto extend = [](double& first, std::size_t& count, double step, double outer_first,
-                         double outer_last) {
-    const double last = first + static_cast<double>(count - 1) * step;
-    const auto elements = [&](double room) {
-      return std::min(static_cast<std::size_t>(std::ceil(std::max(room, 0.0) / step)), count / 2);
-    };
-    const std::size_t before = elements(first - outer_first);
-    count += before + elements(outer_last - last);
-    first -= static_cast<double>(before) * step;
-  };
-  extend(result.longitudinal_first, result.longitudinal_count, inner.longitudinal_step,
-         outer.longitudinal_first, outer.longitudinal(outer.longitudinal_count - 1));
-  extend(result.lateral_first, result.lateral_count, inner.lateral_step, outer.lateral_first,
-         outer.lateral(outer.lateral_count - 1));
-  return result;
-}
 
 /// Creepages at a place of a patch's plane from those at its reference.
 Creepages creepages_at(const Creepages& reference, double longitudinal, double lateral) {
@@ -216,7 +168,12 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   if (unlike) {
     creep.grid = extended_to(creep.grid, patch.grid);
   }
-  pressure.fill(creep.grid, creep.pressure);
+  std::vector<double> covered;
+  if (request.model == CreepModel::full && !unlike) {
+    pressure.fill_means(creep.grid, creep.pressure, covered);
+  } else {
+    pressure.fill(creep.grid, creep.pressure);
+  }
   const double force = std::accumulate(creep.pressure.begin(), creep.pressure.end(), 0.0) *
                        creep.grid.element_area();
   for (double& p : creep.pressure) {
@@ -227,8 +184,10 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   problem.grid = motion.backwards ? turned(creep.grid) : creep.grid;
   if (motion.backwards) {
     creep.pressure = turned(std::move(creep.pressure), 1.0);
+    std::reverse(covered.begin(), covered.end());
   }
   problem.pressure = creep.pressure;
+  problem.covered = covered;
   problem.friction = motion.friction;
   problem.shear_modulus = request.material.modulus;
   problem.poisson = request.material.poisson;

@@ -62,6 +62,33 @@ TEST(SmoothPressure, ExtentsAreThoseOfTheEllipse) {
   EXPECT_NEAR(smooth.lateral_extent()->last, 2.3, 0.03);
 }
 
+// Against sums over a hundred places: p^2 is linear in halves of elements, 0.1 semi-axes long, and
+// so up to 0.0025 off, where p is 0.2 and more.
+TEST(SmoothPressure, MeansOverElementsCountWhatIsInContact) {
+  const SmoothPressure smooth(coarse, hertz(coarse, 4.0, 2.3));
+  const Grid other{4, 11, 1.0, 0.8, -1.6, -3.9};
+  std::vector<double> pressure;
+  std::vector<double> covered;
+  smooth.fill_means(other, pressure, covered);
+  constexpr std::size_t places = 100;
+  Grid fine = other;
+  fine.longitudinal_count *= places;
+  fine.longitudinal_step /= static_cast<double>(places);
+  fine.longitudinal_first += 0.5 * (fine.longitudinal_step - other.longitudinal_step);
+  std::vector<double> values;
+  smooth.fill(fine, values);
+  for (std::size_t at = 0; at < pressure.size(); ++at) {
+    double sum = 0.0;
+    double inside = 0.0;
+    for (std::size_t k = 0; k < places; ++k) {
+      sum += values[at * places + k];
+      inside += values[at * places + k] > 0.0 ? 1.0 : 0.0;
+    }
+    EXPECT_NEAR(pressure[at], sum / static_cast<double>(places), 0.0025 / (2.0 * 0.2)) << at;
+    EXPECT_NEAR(covered[at], inside / static_cast<double>(places), 0.03) << at;
+  }
+}
+
 // What an element at the end of a row holds is not what stands at its centre.
 TEST(SmoothPressure, ValuesAtEndsOfRowsDoNotCount) {
   std::vector<double> pressure = hertz(coarse, 4.0, 2.3);

@@ -68,9 +68,11 @@ inline ForceColumn force_column(const WheelResult& wheel) {
           share * total.moment.x, share * total.moment.y, share * total.moment.z};
 }
 
+/// Over a share of the usual step.
 inline ForceColumn difference_by(const Scene& scene, std::size_t which,
-                                 std::optional<WheelResult> SceneResult::*side) {
-  const double step = step_of(scene, which);
+                                 std::optional<WheelResult> SceneResult::*side,
+                                 double share = 1.0) {
+  const double step = share * step_of(scene, which);
   const auto forces = [&](double sign) {
     Scene moved = scene;
     state_of(moved, which) += sign * step;

@@ -1,0 +1,20 @@
+/// Elements of the tangential problem of a patch.
+///
+/// As many along the contact as the law error = c n^-m asks for (constants.hpp), fewer across;
+/// of lobes side by side each has as many across. Units mm. Thread rule: pure functions.
+#pragma once
+
+#include "base/grid.hpp"
+#include "pressure/smooth_pressure.hpp"
+
+namespace wrc {
+
+/// The grid over the rectangle around the contact; `grid`, that of the pressures, without contact.
+Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
+                         int lobes);
+
+/// A grid with as many elements more on each side as reach the outer grid's edges, half its own at
+/// most: where contact of unlike bodies may move to.
+Grid extended_to(const Grid& inner, const Grid& outer);
+
+} // namespace wrc

@@ -1,0 +1,141 @@
+/// Leading edges within elements: where the constants come from, and what they give.
+#include "rolling/leading_edge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rolling/rolling_contact.hpp"
+#include "rolling/scaled_tractions.hpp"
+
+namespace wrc::test::leading_edge_test {
+namespace {
+
+/// Solves a dense system by elimination; its diagonal is large enough.
+std::vector<double> solved(std::vector<std::vector<double>> matrix, std::vector<double> right) {
+  const std::size_t n = right.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = matrix[i][k] / matrix[k][k];
+      for (std::size_t j = k; j < n; ++j) {
+        matrix[i][j] -= factor * matrix[k][j];
+      }
+      right[i] -= factor * right[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) {
+      right[k] -= matrix[k][j] * right[j];
+    }
+    right[k] /= matrix[k][k];
+  }
+  return right;
+}
+
+/// Displacement -ln|x| under an even traction on an element of length 1, at a distance.
+double displacement(double distance) {
+  const auto integral = [](double x) { return x == 0.0 ? 0.0 : x * std::log(std::abs(x)) - x; };
+  return integral(distance - 0.5) - integral(distance + 0.5);
+}
+
+/// The share of the first element, from behind, at which tractions far behind see the edge. A strip
+/// of the half-plane without slip, whose tractions are w/pi ((x_1 - x)/(x - x_0))^(1/2): a line
+/// through (pi q/w)^2 (x - x_0) = x_1 - x in the middle gives both ends.
+double edge_seen(double compliance) {
+  constexpr std::size_t count = 160;
+  const DifferenceWeights weights = difference_of(RollingProblem{}).weights;
+  std::vector<std::vector<double>> matrix(count, std::vector<double>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      for (std::size_t m = 0; m < weights.size(); ++m) {
+        matrix[i][j] += weights[m] * displacement(static_cast<double>(j) - static_cast<double>(i) +
+                                                  static_cast<double>(m) - 1.0);
+      }
+    }
+  }
+  matrix[0][0] += compliance;
+  const std::vector<double> traction = solved(matrix, std::vector<double>(count, 1.0));
+  // (Q + 1) x = x_1 + Q x_0 with Q = (pi q)^2 and x = -i: least squares.
+  double n = 0.0;
+  double q = 0.0;
+  double qq = 0.0;
+  double y = 0.0;
+  double qy = 0.0;
+  for (std::size_t i = count / 4; i < 3 * count / 4; ++i) {
+    const double square = std::pow(std::numbers::pi * traction[i], 2);
+    const double value = -(square + 1.0) * static_cast<double>(i);
+    n += 1.0;
+    q += square;
+    qq += square * square;
+    y += value;
+    qy += square * value;
+  }
+  return 0.5 + (y * qq - q * qy) / (n * qq - q * q);
+}
+
+TEST(LeadingEdge, ComesFromTheHalfPlane) {
+  // The plane problem of lateral tractions has 2/(pi G) before the logarithm.
+  const double unit = 0.5 * std::numbers::pi;
+  EXPECT_NEAR(edge_seen(0.0), 0.988, 2e-3);
+  for (const double covered : {0.1, 0.4, 0.7}) {
+    EXPECT_NEAR(edge_seen(unit * edge_compliance(covered)), covered, 3e-3);
+  }
+  EXPECT_NEAR(edge_compliance(0.988), 0.0, 1e-9);
+}
+
+/// Error of Carter's force, over mu Q, for a line contact whose edges lie within elements: means of
+/// the pressure, and where contact begins.
+double carter_error(std::size_t count, double shift, bool edges) {
+  constexpr double share = 0.6;
+  constexpr double width = 2000.0;
+  const double step = 2.0 / static_cast<double>(count);
+  RollingProblem problem;
+  problem.grid = {1, count + 1, width, step, 0.0, -1.0 + (0.5 - shift) * step};
+  const auto integral = [](double x) {
+    const double at = std::clamp(x, -1.0, 1.0);
+    return 0.5 * (at * std::sqrt(1.0 - at * at) + std::asin(at));
+  };
+  std::vector<double> pressure;
+  std::vector<double> covered;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double first = problem.grid.longitudinal(i) - 0.5 * step;
+    pressure.push_back((integral(first + step) - integral(first)) / step);
+    covered.push_back((std::min(first + step, 1.0) - std::max(first, -1.0)) / step);
+  }
+  problem.pressure = pressure;
+  problem.covered = edges ? std::span<const double>(covered) : std::span<const double>();
+  problem.friction = 1.0;
+  problem.shear_modulus = 1.0;
+  problem.poisson = 0.28;
+  problem.tolerance = 1e-6;
+  problem.creepages.longitudinal = -share * 2.0 * (1.0 - problem.poisson);
+  const RollingSolution solution = RollingSolver().solve(problem);
+  return solution.longitudinal_force / (0.5 * std::numbers::pi * width) -
+         (1.0 - (1.0 - share) * (1.0 - share));
+}
+
+// Errors fall by 16 from 16 to 64 elements, wherever the edge is in its element.
+TEST(LeadingEdge, CartersForceIsOfSecondOrder) {
+  const double ends_with_element = carter_error(64, 0.0, false);
+  for (const double shift : {0.2, 0.5, 0.8}) {
+    EXPECT_LT(std::abs(carter_error(16, shift, true)), 2.5e-3) << shift;
+    EXPECT_LT(std::abs(carter_error(64, shift, true)), 2.5e-4) << shift;
+  }
+  EXPECT_LT(std::abs(ends_with_element), 8e-4);
+  EXPECT_GT(std::abs(carter_error(16, 0.5, false)), 5e-3);
+}
+
+TEST(LeadingEdge, OfEachStripItsFirstElementUnderABound) {
+  // From the leading edge: nothing, a whole element and a part of one behind a gap.
+  const std::vector<double> bound{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0};
+  std::vector<double> edge{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.25};
+  make_edges(bound.data(), edge.data(), {4, 2}, 2);
+  EXPECT_EQ(edge, (std::vector<double>{0.0, edge_compliance(1.0), 0.0, 0.0, edge_compliance(1.0),
+                                       0.0, 0.0, edge_compliance(0.25)}));
+}
+
+} // namespace
+} // namespace wrc::test::leading_edge_test
