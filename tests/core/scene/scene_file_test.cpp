@@ -3,6 +3,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
@@ -28,7 +30,9 @@ protected:
     return text.str();
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "wrcontact_scene_file_test";
+  /// Of the process: tests run side by side.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / ("wrcontact_scene_file_test_" + std::to_string(getpid()));
 };
 
 bool contains(const std::string& text, const std::string& part) {

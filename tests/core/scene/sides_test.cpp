@@ -2,6 +2,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "profile/readers.hpp"
@@ -184,7 +186,8 @@ TEST(Sides, AnErrorNamesTheKeyOfTheSide) {
 }
 
 TEST(Sides, GivenProfilesOfTheSidesGoIntoFilesOfTheirOwn) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "wrcontact_sides_test";
+  const auto folder = std::filesystem::path(testing::TempDir()) /
+                      ("wrcontact_sides_test_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   ReadOptions options;
   options.kind = ProfileKind::wheel;
