@@ -80,10 +80,18 @@ constexpr double longest_outline = 1000.0;
 
 void check_length(const std::vector<Position>& points, double most, const Log& log) {
   const double length = chord_length(points);
-  if (!(length >= ReadLimits::min_length && length <= most))
-    log.refuse("the points are " + text_of(length) + " mm long in total, allowed are " +
-               text_of(ReadLimits::min_length) + " to " + text_of(most) +
-               " mm; state the scale, or order the points");
+  if (length >= ReadLimits::min_length && length <= most)
+    return;
+  std::size_t end = 1; // of the longest chord
+  for (std::size_t i = 2; i < points.size(); ++i)
+    if (distance_between(points[i - 1], points[i]) > distance_between(points[end - 1], points[end]))
+      end = i;
+  log.refuse("the points are " + short_text_of(length) + " mm long in total, allowed are " +
+             text_of(ReadLimits::min_length) + " to " + text_of(most) +
+             " mm; the longest chord is " +
+             short_text_of(distance_between(points[end - 1], points[end])) + " mm, from " +
+             place_text(points[end - 1]) + " to " + place_text(points[end]) +
+             "; state the scale, order the points, or remove what is no point");
 }
 
 /// Factor to mm that the extent shows; 1 if it shows none.

@@ -146,7 +146,7 @@ TEST(Readers, DuplicatesAreDroppedAndSaid) {
 
 TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
   expect_refused("", "is empty");
-  expect_refused("\n\n# nothing\n", "0 points");
+  expect_refused("\n\n# nothing\n", "no row of two numbers");
   expect_refused("0 0\n10 1\n20 2\n30 3\n", "4 points");
   expect_refused("0 0\n10 1\n10 1\n20 2\n30 3\n", "4 different points");
   expect_refused("0 0\n1 0\n2 0\n3 0\n4 0\n", "mm long in total");

@@ -45,6 +45,13 @@ void add_faults(std::vector<Variant>& all) {
     };
     add("gap", without(points, 3.0, 16.0)).warnings = {"gap of 13."};
     add("gap_of_5_mm", without(points, 3.0, 8.0)).warnings = {"gap of 5."};
+    std::vector<Position> coarse;
+    for (std::size_t i = 0; i < points.size(); i += 4)
+      if (std::abs(points[i][0] - 10.0) > 1.0)
+        coarse.push_back(points[i]);
+    Variant& missing = add("missing_among_points_2_mm_apart", coarse);
+    missing.warnings = {"gap of "};
+    missing.tolerance = 0.5; // of the ends
     for (const double height : {30.0, -30.0, 3.0, 1.5}) {
       Variant& spike = add("", with_spike(points, 12.0, height));
       spike.name =
@@ -85,6 +92,13 @@ void add_faults(std::vector<Variant>& all) {
     there_and_back.insert(there_and_back.end(), back.begin() + 1, back.end());
     Variant& again = add("there_and_back", there_and_back);
     again.refusal = "a closed outline";
+    std::vector<Position> mixed_up(points.begin(), points.begin() + 100);
+    mixed_up.insert(mixed_up.end(), points.begin(), points.end());
+    Variant& begun_twice = add("begun_twice", mixed_up);
+    begun_twice.warnings = {"the running surface is not single-valued"};
+    std::vector<Position> marked = points;
+    marked[200][1] = -9999.0; // no value
+    add("no_value_as_9999", marked).refusal = "; the longest chord is 999";
     std::vector<Position> shuffled = points;
     std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(7));
     Variant& mixed = add("shuffled", shuffled);
