@@ -51,14 +51,6 @@ const Unit* unit_of(std::string_view word) {
 constexpr std::array<std::string_view, 10> column_names{
     "x", "y", "z", "s", "t", "h", "lateral", "lat", "height", "vertical"};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 /// What the lines before the rows say.
 struct Heading {
   std::size_t line = 0;
@@ -66,13 +58,14 @@ struct Heading {
   std::vector<Unit> units;
   bool has_brackets = false; ///< about a unit
 
-  /// It names two columns, or has a unit in brackets, or nothing but units: other lines may have
-  /// an "in" or an "m" in them.
+  /// It names two columns, has a unit in brackets, or nothing but units, perhaps after the word:
+  /// other lines may have an "in" or an "m" in them.
   [[nodiscard]] bool is_of_columns() const {
     const auto known = std::count_if(names.begin(), names.end(), [](const std::string& name) {
       return std::find(column_names.begin(), column_names.end(), name) != column_names.end();
     });
-    return known >= 2 || has_brackets || (names.empty() && !units.empty());
+    return known >= 2 || has_brackets ||
+           (!units.empty() && (names.empty() || names.front().starts_with("unit")));
   }
 };
 

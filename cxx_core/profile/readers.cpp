@@ -1,6 +1,7 @@
 #include "profile/readers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -45,13 +46,20 @@ namespace {
 using reading::Log;
 using reading::RawProfile;
 
-std::string lower_extension(std::string_view name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
+struct Extension {
+  std::string_view name;
+  FileType type;
+};
+
+constexpr std::array<Extension, 8> extensions{
+    {{".prr", {ProfileFormat::simpack, ProfileKind::rail}},
+     {".prw", {ProfileFormat::simpack, ProfileKind::wheel}},
+     {".ban", {ProfileFormat::miniprof, ProfileKind::rail}},
+     {".whl", {ProfileFormat::miniprof, ProfileKind::wheel}},
+     {".slcs", {ProfileFormat::slices, ProfileKind::rail}},
+     {".slcw", {ProfileFormat::slices, ProfileKind::wheel}},
+     {".rail", {ProfileFormat::columns, ProfileKind::rail}},
+     {".wheel", {ProfileFormat::columns, ProfileKind::wheel}}}};
 
 void check_options(const ReadOptions& options) {
   if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
@@ -109,6 +117,7 @@ RawProfile parse(std::string_view text, ProfileFormat format, Log& log) {
   case ProfileFormat::miniprof:
     return reading::read_miniprof(text, log);
   case ProfileFormat::columns:
+  case ProfileFormat::slices: // are a list of other files
     break;
   }
   return reading::read_columns(text, log);
@@ -127,8 +136,7 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
                     slices_text(slices, kind) +
                     "; profiles that vary along the track are not supported");
   const Slice& chosen = slices[static_cast<std::size_t>(options.slice - 1)];
-  ProfileKind nested{};
-  if (is_slices_file(chosen.file, nested))
+  if (type_of(chosen.file).format == ProfileFormat::slices)
     throw Error(ErrorCode::file_malformed,
                 path.string() + ": a slice is itself a slices file, " + chosen.file.string());
   ReadOptions of_slice = options;
@@ -145,13 +153,11 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
 
 } // namespace
 
-ProfileFormat format_of(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path.string());
-  if (extension == ".prr" || extension == ".prw")
-    return ProfileFormat::simpack;
-  if (extension == ".ban" || extension == ".whl")
-    return ProfileFormat::miniprof;
-  return ProfileFormat::columns;
+FileType type_of(const std::filesystem::path& path) {
+  const std::string name = reading::lower(path.extension().string());
+  const auto* const found = std::find_if(extensions.begin(), extensions.end(),
+                                         [&](const Extension& each) { return each.name == name; });
+  return found == extensions.end() ? FileType{} : found->type;
 }
 
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
@@ -173,11 +179,11 @@ ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::s
 
 ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& options) {
   check_options(options);
-  ProfileFormat format = format_of(path);
+  const FileType type = type_of(path);
+  ProfileFormat format = type.format;
   const std::string content = read_file(path, ReadLimits::file_bytes);
-  ProfileKind kind{};
-  if (is_slices_file(path, kind))
-    return read_slice(content, path, kind, options);
+  if (format == ProfileFormat::slices)
+    return read_slice(content, path, *type.kind, options);
   if (format == ProfileFormat::columns)
     format = reading::format_by_content(content).value_or(format);
   return read_profile_text(content, format, path.string(), options);

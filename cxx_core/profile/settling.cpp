@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.hpp"
 #include "profile/plausibility.hpp"
@@ -43,14 +42,6 @@ constexpr Position tip_from_back{5.0, 40.0};
 /// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
 constexpr double tape_height_tolerance = 1.0;
 
-std::string lower_extension(std::string_view name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
 std::string_view name_of(ProfileKind kind) {
   return kind == ProfileKind::wheel ? "wheel" : "rail";
 }
@@ -58,12 +49,7 @@ std::string_view name_of(ProfileKind kind) {
 /// Options, then content, then extension; a file of columns may say nothing.
 std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions& options,
                                        Log& log) {
-  const std::string extension = lower_extension(log.name());
-  std::optional<ProfileKind> by_name;
-  if (extension == ".prr" || extension == ".ban" || extension == ".rail")
-    by_name = ProfileKind::rail;
-  else if (extension == ".prw" || extension == ".whl" || extension == ".wheel")
-    by_name = ProfileKind::wheel;
+  const std::optional<ProfileKind> by_name = type_of(log.name()).kind;
   const std::optional<ProfileKind> by_content = raw.kind ? raw.kind : by_name;
   if (raw.kind && by_name && *raw.kind != *by_name)
     log.note("the header says " + std::string(name_of(*raw.kind)) + ", the extension " +
@@ -293,10 +279,11 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log) {
   settle_units(raw, stated, options, log);
   open_outline(raw, stated, log);
   remove_doubles(raw, options.least_point_distance, log);
+  remove_outliers(raw, log);
+  remove_doubles(raw, options.least_point_distance, log); // that outliers were between
   if (points.size() < ReadLimits::min_points)
     log.refuse(std::to_string(points.size()) + " different points, at least " +
                std::to_string(ReadLimits::min_points) + " are needed");
-  remove_outliers(raw, log);
   settle_columns(raw, stated, log);
   const ProfileKind kind = stated ? *stated : kind_by_shape(points);
   if (!stated)

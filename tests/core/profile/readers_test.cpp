@@ -234,12 +234,12 @@ TEST(Readers, SmoothingIsSaidAndDone) {
 }
 
 TEST(Readers, FormatGoesByTheExtension) {
-  EXPECT_EQ(format_of("a/b.prr"), ProfileFormat::simpack);
-  EXPECT_EQ(format_of("b.PRW"), ProfileFormat::simpack);
-  EXPECT_EQ(format_of("b.ban"), ProfileFormat::miniprof);
-  EXPECT_EQ(format_of("b.whl"), ProfileFormat::miniprof);
-  EXPECT_EQ(format_of("b.txt"), ProfileFormat::columns);
-  EXPECT_EQ(format_of("b"), ProfileFormat::columns);
+  EXPECT_EQ(type_of("a/b.prr").format, ProfileFormat::simpack);
+  EXPECT_EQ(type_of("b.PRW").format, ProfileFormat::simpack);
+  EXPECT_EQ(type_of("b.ban").format, ProfileFormat::miniprof);
+  EXPECT_EQ(type_of("b.whl").format, ProfileFormat::miniprof);
+  EXPECT_EQ(type_of("b.txt").format, ProfileFormat::columns);
+  EXPECT_EQ(type_of("b").format, ProfileFormat::columns);
 }
 
 TEST(Readers, RefusesWhatIsNoFile) {

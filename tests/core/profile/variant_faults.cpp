@@ -96,6 +96,14 @@ void add_faults(std::vector<Variant>& all) {
     mixed_up.insert(mixed_up.end(), points.begin(), points.end());
     Variant& begun_twice = add("begun_twice", mixed_up);
     begun_twice.warnings = {"the running surface is not single-valued"};
+    if (kind == ProfileKind::wheel) {
+      std::vector<Position> spoke = points;
+      for (int i = 0; i < 5; ++i)
+        spoke.insert(spoke.begin() + 10, {-69.0 - 0.1 * i, -65.0 + i});
+      Variant& deep = add("points_deep_within", spoke);
+      deep.warnings = {"more than 75 mm below the highest one, is between others"};
+      deep.tolerance = 0.0;
+    }
     std::vector<Position> marked = points;
     marked[200][1] = -9999.0; // no value
     add("no_value_as_9999", marked).refusal = "; the longest chord is 999";
