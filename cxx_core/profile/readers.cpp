@@ -71,8 +71,11 @@ void check_options(const ReadOptions& options) {
   if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0)
     throw_invalid_argument("least_point_distance", options.least_point_distance,
                            "above 0, at most 1 mm");
-  if (options.tape_offset && !(*options.tape_offset >= 20.0 && *options.tape_offset <= 120.0))
-    throw_invalid_argument("tape_offset", *options.tape_offset, "20 to 120 mm");
+  if (options.tape_offset && !(*options.tape_offset >= ReadLimits::min_tape_offset &&
+                               *options.tape_offset <= ReadLimits::max_tape_offset))
+    throw_invalid_argument("tape_offset", *options.tape_offset,
+                           text_of(ReadLimits::min_tape_offset) + " to " +
+                               text_of(ReadLimits::max_tape_offset) + " mm");
   if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length))
     throw_invalid_argument("lateral_shift", *options.lateral_shift,
                            "-" + text_of(ReadLimits::max_length) + " to " +
@@ -85,6 +88,8 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
     if (options.smoothing_wavelength > 0.0) {
       profile.points = smooth_points(profile.points, options.smoothing_wavelength);
       log.note("smoothed, waves of " + text_of(options.smoothing_wavelength) + " mm are halved");
+    } else {
+      reading::tell_scatter(profile.points, log);
     }
     profile.curve = curve_through(profile.points);
     reading::check_curve(profile, log);

@@ -62,9 +62,11 @@ struct ReadLimits {
   static constexpr std::size_t line_bytes = 4096;
   static constexpr std::size_t min_points = 5;
   static constexpr std::size_t max_points = 200000;
-  static constexpr double min_length = 5.0;     ///< mm, total chord length
-  static constexpr double max_length = 500.0;   ///< mm
-  static constexpr double max_coordinate = 1e5; ///< mm
+  static constexpr double min_length = 5.0;        ///< mm, total chord length
+  static constexpr double max_length = 500.0;      ///< mm
+  static constexpr double max_coordinate = 1e5;    ///< mm
+  static constexpr double min_tape_offset = 20.0;  ///< mm
+  static constexpr double max_tape_offset = 120.0; ///< mm
 };
 
 /// What a file's extension says.

@@ -38,10 +38,6 @@ constexpr double greatest_head_height = 100.0;
 constexpr Position back_range{-5.0, 12.0};
 constexpr Position tip_from_back{5.0, 40.0};
 
-/// Height at the taping line that is another origin of heights and no rounding of a drawing, mm.
-/// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
-constexpr double tape_height_tolerance = 1.0;
-
 std::string_view name_of(ProfileKind kind) {
   return kind == ProfileKind::wheel ? "wheel" : "rail";
 }
@@ -217,9 +213,11 @@ void shift(RawProfile& raw, const Position& by) {
       point = {point[0] + by[0], point[1] + by[1]};
 }
 
-bool counts_from_flange_back(const std::vector<Position>& points) {
-  const std::optional<Flange> flange = flange_of(points);
-  const double least = extent_of(points, 0)[0];
+bool counts_from_flange_back(const RawProfile& raw) {
+  const double least = extent_of(raw.points, 0)[0];
+  if (raw.counts_from_flange_back) // unless an offset moved it
+    return least >= back_range[0];
+  const std::optional<Flange> flange = flange_of(raw.points);
   return flange && !flange->is_outside && !flange->is_down && least >= back_range[0] &&
          least <= back_range[1] && flange->tip[0] >= tip_from_back[0] &&
          flange->tip[0] <= tip_from_back[1];
@@ -237,7 +235,7 @@ std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_of
     log.note("lateral counted from the flange back, as stated" + shifted);
     return -tape_offset;
   }
-  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw.points))
+  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw))
     return std::nullopt;
   const std::string text = "lateral counted from the flange back, where it begins at " +
                            fixed_text(extent_of(raw.points, 0)[0]) + " mm" + shifted;

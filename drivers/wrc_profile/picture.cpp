@@ -14,7 +14,9 @@ constexpr double plot_width = 900.0;
 constexpr double left_margin = 80.0;
 constexpr double right_margin = 30.0;
 constexpr double top_margin = 50.0;
-constexpr double between = 70.0;
+constexpr double between = 80.0;
+/// Of the key above the lower panel, between the two, where it covers no curve.
+constexpr double key_above = 25.0;
 constexpr double curvature_height = 240.0;
 constexpr double bottom_margin = 60.0;
 /// Room around the profile, as a share of its width.
@@ -137,7 +139,9 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
       << plain_within_quotes(profile.text("name")) << " (" << kind_name(profile) << ")   "
       << plain_within_quotes(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
       << measures.least_height - margin << ':' << measures.greatest_height + margin << "]\n"
-      << "set key " << (is_wheel(profile) ? "top right" : "bottom center") << '\n';
+      << "set key horizontal center maxrows 1 at screen "
+      << (left_margin + 0.5 * plot_width) / total_width << ", screen "
+      << (bottom_margin + curvature_height + key_above) / total_height << '\n';
   gnuplot.plot(shapes);
   out << "set title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <random>
 #include <sstream>
 
@@ -153,6 +154,23 @@ TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
   expect_refused("1e300 0\n-1e300 1\n1e300 2\n3 3\n4 4\n", "mm long in total");
   expect_refused("1e9 0\n1000000010 1\n1000000020 2\n1000000030 3\n1000000040 4\n",
                  "at most 1e+05 mm");
+}
+
+TEST(Readers, ScatterIsToldByThePressureThatFlattensIt) {
+  const auto told_with_digits = [](int digits) {
+    std::string rows;
+    const Curve curve = standard_profile("S1002").curve;
+    for (double arc = 0.0; arc < curve.length(); arc += 0.25) {
+      const CurvePoint at = curve.at(arc);
+      std::ostringstream row;
+      row << std::fixed << std::setprecision(digits) << at.lateral << ' ' << at.height << '\n';
+      rows += row.str();
+    }
+    return says(read_rows(rows, wheel_options()), "MPa to flatten: smoothing is advised");
+  };
+  EXPECT_TRUE(told_with_digits(2));
+  EXPECT_TRUE(told_with_digits(3)); // pmax 1062 MPa instead of 898 in the default scene
+  EXPECT_FALSE(told_with_digits(4));
 }
 
 TEST(Readers, RefusesPointsThatTurnBack) {

@@ -324,6 +324,14 @@ void add_miniprof(std::vector<Variant>& all) {
     Variant& renamed = add("miniprof_as_text", header + "\n" + rows(points));
     renamed.name = prefix(kind) + "miniprof_as_text.dat";
     renamed.options.kind = kind;
+    if (kind == ProfileKind::wheel) { // as the format counts it, whatever the shape shows
+      Variant& part =
+          add("miniprof_of_the_tread", header + "\n" + rows({points.begin() + 90, points.end()}));
+      part.tolerance = 0.0;
+      part.corrections = {"lateral counted from the flange back, where it begins at 29"};
+      part.warnings = {"no flange shows"};
+      part.is_plain = false;
+    }
     Variant& down = add("miniprof_upside_down", header + "\n" + rows(scaled(points, 1.0, -1.0)));
     down.is_plain = false;
     down.corrections = {"height mirrored"};
