@@ -100,7 +100,7 @@ struct Table {
   LineCount headings;
   bool only_commas = true; ///< between numbers, in all rows
   bool has_point = false;  ///< a decimal point somewhere
-  std::string first_heading;
+  std::string last_heading;
   LineCount decimal_commas;
 
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
@@ -176,8 +176,7 @@ Table read_table(std::string_view text, Log& log) {
     if (line.empty())
       continue;
     if (table.rows() == 0 && is_heading(line)) {
-      if (table.headings.count == 0)
-        table.first_heading = quoted(line);
+      table.last_heading = quoted(line);
       table.headings.add(lines.number());
       take_heading(table, line, lines.number());
       continue;
@@ -299,10 +298,8 @@ RawProfile read_columns(std::string_view text, Log& log) {
   const Table table = read_table(text, log);
   RawProfile raw;
   if (table.rows() == 0)
-    log.refuse("no row of two numbers" + (table.headings.count > 0
-                                              ? "; line " + std::to_string(table.headings.first) +
-                                                    " is " + table.first_heading
-                                              : std::string()));
+    log.refuse("no row of two numbers" +
+               (table.last_heading.empty() ? "" : "; the last line is " + table.last_heading));
   if (table.columns > 2 && table.only_commas && !table.has_point)
     log.refuse(table.lines.front(),
                "commas between the numbers and perhaps in them; separate the numbers by "

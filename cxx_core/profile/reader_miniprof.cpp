@@ -216,7 +216,6 @@ RawProfile read_miniprof(std::string_view text, Log& log) {
   raw.signs = Signs::usual;
   raw.lateral_towards_gauge = !by_instrument;
   raw.rail_height_down = by_instrument;
-  raw.half_turned = by_instrument;
   raw.unit_is_stated = true;
   raw.counts_from_flange_back = true;
   if (header.tape_offset && *header.tape_offset >= ReadLimits::min_tape_offset &&

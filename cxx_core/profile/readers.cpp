@@ -34,9 +34,7 @@ std::size_t drop_close_points(std::vector<Position>& points, double least) {
 }
 
 void scale_points(RawProfile& raw, double lateral, double height) {
-  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
-    for (Position& point : *points)
-      point = {lateral * point[0], height * point[1]};
+  change_points(raw, [=](const Position& p) { return Position{lateral * p[0], height * p[1]}; });
 }
 
 } // namespace reading

@@ -133,9 +133,7 @@ void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) 
   log.guess("columns swapped, since the first extends over " + fixed_text(width) +
                 " mm and the second over " + fixed_text(height) + " mm",
             "name them in a heading, \"z y\"");
-  for (std::vector<Position>* each : {&raw.points, &raw.dropped})
-    for (Position& point : *each)
-      std::swap(point[0], point[1]);
+  change_points(raw, [](const Position& p) { return Position{p[1], p[0]}; });
 }
 
 /// A wheel has a flange. A rail's ends are both on one side of its middle.
@@ -174,7 +172,7 @@ void orient_height(RawProfile& raw, ProfileKind kind, Log& log) {
     evidence = "the flange pointed down: " + fixed_text(flange->width) +
                " mm wide 8 mm below the tread, above it are " + fixed_text(flange->other_width);
   }
-  const bool half_turn = kind == ProfileKind::rail && raw.half_turned;
+  const bool half_turn = kind == ProfileKind::rail && raw.rail_height_down;
   scale_points(raw, half_turn ? -1.0 : 1.0, -1.0);
   log.guess((half_turn ? "height and lateral mirrored, since " : "height mirrored, since ") +
                 evidence,
@@ -208,9 +206,7 @@ void orient(RawProfile& raw, ProfileKind kind, const ReadOptions& options, Log& 
 }
 
 void shift(RawProfile& raw, const Position& by) {
-  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
-    for (Position& point : *points)
-      point = {point[0] + by[0], point[1] + by[1]};
+  change_points(raw, [&by](const Position& p) { return Position{p[0] + by[0], p[1] + by[1]}; });
 }
 
 bool counts_from_flange_back(const RawProfile& raw) {

@@ -215,7 +215,7 @@ void add_columns(std::vector<Variant>& all) {
     Variant one =
         columns(kind, "one_column",
                 table(points, [](std::size_t, Position p) { return std::vector<double>{p[1]}; }));
-    one.refusal = "no row of two numbers; line 1 is '";
+    one.refusal = "no row of two numbers; the last line is '";
     all.push_back(one);
     Variant count = columns(kind, "number_of_points_first",
                             std::to_string(points.size()) + "\n" + rows(points));
@@ -229,7 +229,7 @@ void add_columns(std::vector<Variant>& all) {
     for (const Position& point : points)
       labelled += "P: " + number_text(point[0]) + ' ' + number_text(point[1]) + '\n';
     Variant labels = columns(kind, "labelled_rows", labelled);
-    labels.refusal = "no row of two numbers; line 1 is 'P: ";
+    labels.refusal = "no row of two numbers; the last line is 'P: ";
     all.push_back(labels);
   }
 }
