@@ -53,7 +53,7 @@ void add_points(Gnuplot& gnuplot, const Profile& profile, std::vector<std::strin
                        std::to_string(points.lateral.size()) + ' ' + title + "'");
     }
   };
-  add(WRC_POINTS_READ, "pt 7 ps 0.3 lc rgb '#f1a340'", "points read");
+  add(WRC_POINTS_READ, "pt 7 ps 0.6 lc rgb '#aaaaaa'", "points read");
   add(WRC_POINTS_DROPPED, "pt 2 ps 1.2 lw 2 lc rgb '#d00000'", "points cut or removed");
 }
 
@@ -111,8 +111,8 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
     shapes.push_back(beneath + " using 1:2 with lines lw 4 lc rgb '#f1a340'" + titled(*other));
     curvatures.push_back(beneath + " using 1:3 with lines lw 3 lc rgb '#f1a340' notitle");
   }
-  shapes.push_back(block + " using 1:2 with lines lw 2 lc rgb '#1f4e9e'" + titled(profile));
-  add_points(gnuplot, profile, shapes);
+  add_points(gnuplot, profile, shapes); // beneath the curve, which they would hide
+  shapes.push_back(block + " using 1:2 with lines lw 1.5 lc rgb '#1f4e9e'" + titled(profile));
   curvatures.push_back(block + " using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle");
   const Checks& checks = measures.checks;
   if (checks.smallest_radius > 0.0) {
