@@ -46,8 +46,8 @@ constexpr double gap_ratio = 4.0;
 constexpr double ratio_beside_gap = 1.75;
 constexpr double largest_coarse_gap = 10.0;
 constexpr double largest_step = 1.0;
-/// Lines on both sides of a step run alike.
-/// origin: reasoned: more is a corner.
+/// Lines on both sides of a step run alike, the chord between them does not.
+/// origin: reasoned: more is a corner, less the turn of an arc of 13 mm among points 4 mm apart.
 constexpr double step_angle = 20.0 * std::numbers::pi / 180.0;
 /// Points on each side of a step that its direction is taken from.
 /// origin: reasoned: enough to average scatter of a tenth of their distance.
@@ -161,7 +161,7 @@ void check_distances(std::span<const Position> points, const Part& part, Log& lo
     const bool touched = part.holds(points[i], points[i + 1]);
     const std::string where =
         " between " + place_text(points[i]) + " and " + place_text(points[i + 1]);
-    if (step > largest_step && distance > gap_ratio * spacing)
+    if (step > largest_step && step > std::sin(step_angle) * distance)
       tell(touched, "step of " + fixed_text(step) + " mm" + where, log);
     else if (is_gap(points, i, spacing))
       tell(touched, "gap of " + fixed_text(distance) + " mm" + where, log);

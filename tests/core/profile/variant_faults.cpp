@@ -64,6 +64,12 @@ void add_gaps_and_spikes(std::vector<Variant>& all, ProfileKind kind) {
                       }));
   step.tolerance = 0.0;
   step.warnings = {"step of 2.0"};
+  std::vector<Position> coarse_step;
+  for (std::size_t i = 0; i < points.size(); i += 4)
+    coarse_step.push_back({points[i][0], points[i][1] + (points[i][0] > 5.0 ? 1.5 : 0.0)});
+  Variant& low_step = add("step_among_points_2_mm_apart", coarse_step);
+  low_step.tolerance = 0.0;
+  low_step.warnings = {"step of 1."};
 }
 
 void add_other_lines(std::vector<Variant>& all, ProfileKind kind) {
