@@ -14,7 +14,6 @@ if [ ${#names[@]} = 0 ]; then
   names=(columns simpack miniprof)
 fi
 mkdir -p build/fuzz
-longest=300
 
 # The files of one format, each once as it is and once for strict reading: the first byte says so,
 # and whether it is a rail (tests/fuzz/profile_reader.cpp).
@@ -26,7 +25,6 @@ thin_real_files() {
     columns) extensions='prr prw ban whl' ;;
     *) return 0 ;;
   esac
-  longest=4000
   mkdir -p "$folder"
   for kind in $extensions; do
     find "$REAL" -iname "*.$kind" -size -1000k | while read -r file; do
@@ -65,7 +63,10 @@ for name in "${names[@]}"; do
   longest=300
   if [ -n "${REAL:-}" ]; then
     thin_real_files "$name" "$folder/real"
-    if [ -d "$folder/real" ]; then seeds=("$PWD/$folder/real"); fi
+    if [ -d "$folder/real" ]; then
+      seeds=("$PWD/$folder/real")
+      longest=$(find "$folder/real" -type f -printf '%s\n' | sort -n | tail -n 1)
+    fi
   fi
   dictionary=()
   if [ -f "tests/fuzz/$name.dict" ]; then dictionary=("-dict=$PWD/tests/fuzz/$name.dict"); fi

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
+#include "base/error.hpp"
 #include "profile/profile_shape.hpp"
 
 namespace wrc::reading {
@@ -29,24 +31,23 @@ constexpr double least_reach = 20.0;
 /// origin: measured: worn rails of the collection have their crown at up to 1.7 mm below 0.
 constexpr double crown_tolerance = 5.0;
 
-/// Height at the taping line, by which the radius is wrong, mm.
-/// origin: reasoned: coefficients of standards leave 0.03 mm.
-constexpr double height_tolerance = 1.0;
-
 /// Depth below the top that a wheel touches, and depth of a chamfer, mm.
 /// origin: source: gauge faces are measured 14 mm below the top, chamfers are 5 mm high (EN 13715).
 constexpr double contact_depth = 14.0;
 constexpr double chamfer_depth = 6.0;
 
-/// Limits of gaps between neighbours and of steps, mm; a gap stands out from the other distances.
+/// Limits of gaps between neighbours and of steps, mm. A gap stands out from all distances or from
+/// those beside it.
 /// origin: reasoned: a patch is 5 to 20 mm long, approaches are 0.1 mm; coarse points that are
-/// equally far apart are no gap up to the size of a patch.
+/// equally far apart are no gap up to the size of a patch. A missing point makes twice the distance
+/// of those beside it, a flank among points of equal lateral distances at most 1.5 times.
 constexpr double largest_gap = 3.0;
 constexpr double gap_ratio = 4.0;
+constexpr double ratio_beside_gap = 1.75;
 constexpr double largest_coarse_gap = 10.0;
 constexpr double largest_step = 1.0;
-/// Lines on both sides of a step run alike.
-/// origin: reasoned: more is a corner.
+/// Lines on both sides of a step run alike, the chord between them does not.
+/// origin: reasoned: more is a corner, less the turn of an arc of 13 mm among points 4 mm apart.
 constexpr double step_angle = 20.0 * std::numbers::pi / 180.0;
 /// Points on each side of a step that its direction is taken from.
 /// origin: reasoned: enough to average scatter of a tenth of their distance.
@@ -55,13 +56,17 @@ constexpr std::size_t step_points = 3;
 /// origin: reasoned: scatter on steep flanks is a tenth of this.
 constexpr double largest_return = 0.3;
 
-/// Scatter above which smoothing is advised, mm rms.
-/// origin: reasoned: a tenth of an approach.
-constexpr double notable_scatter = 0.01;
+/// Pressure that flattens the scatter of points, MPa, above which smoothing is advised.
+/// origin: measured: S1002 with points 0.25 mm apart and two digits behind the point has 3900 and
+/// a pmax of 2605 instead of 898, with three 390 and 1062, with four 39 and 903.
+constexpr double notable_pressure = 100.0;
+/// Pressure amplitude over amplitude of waves two points long, in mean squares, MPa.
+/// origin: source: pi E* / wavelength (Johnson, Contact Mechanics, 13.2), E* of steel 115 GPa.
+constexpr double flattening = std::numbers::pi * 115e3 * std::numbers::sqrt2 / 2.0;
 /// Of points farther apart, mm, scatter and shape cannot be told apart.
 /// origin: derived: an arc of 13 mm, the sharpest of a rail's head, leaves their chords by 0.01 mm.
 constexpr double scatter_spacing = 1.0;
-/// The median of |e| below in standard deviations of the points.
+/// The median of |e| in standard deviations of the points.
 /// origin: derived: e = n[-2]/4 - n[-1] + 1.5 n[0] - n[1] + n[2]/4 has 2.09 of them, its median
 /// 0.6745 of that.
 constexpr double scatter_of_median = 1.41;
@@ -80,15 +85,17 @@ void check_range(double value, const Position& range, const std::string& what,
              " to " + fixed_text(range[1], 0) + "; " + remedy);
 }
 
-/// The points that can be in contact.
+/// Where a profile can be in contact: of a wheel, what lies to the field side of the flange tip.
 struct Part {
-  std::size_t first = 0;
-  std::size_t last = 0;
+  double least_lateral = -HUGE_VAL;
   double least_height = 0.0;
 
-  /// Whether the chord from point i to the next one can be touched.
-  [[nodiscard]] bool holds(std::span<const Position> points, std::size_t i) const {
-    return i >= first && i < last && std::max(points[i][1], points[i + 1][1]) > least_height;
+  [[nodiscard]] bool holds(const Position& point) const {
+    return point[0] > least_lateral && point[1] > least_height;
+  }
+  /// Whether the chord between two points can be touched.
+  [[nodiscard]] bool holds(const Position& a, const Position& b) const {
+    return holds({std::max(a[0], b[0]), std::max(a[1], b[1])});
   }
 };
 
@@ -101,13 +108,17 @@ void tell(bool touched, const std::string& text, Log& log) {
 }
 
 Part contact_part(std::span<const Position> points, ProfileKind kind) {
-  if (kind == ProfileKind::rail)
-    return {0, points.size() - 1, extent_of(points, 1)[1] - contact_depth};
-  const std::optional<Flange> flange = flange_of(points);
-  const auto tip = flange ? std::find(points.begin(), points.end(), flange->tip) : points.begin();
+  Part part;
+  if (kind == ProfileKind::rail) {
+    part.least_height = extent_of(points, 1)[1] - contact_depth;
+    return part;
+  }
   const std::optional<double> tape = height_at_taping_line(points);
-  return {static_cast<std::size_t>(tip - points.begin()), points.size() - 1,
-          (tape ? *tape : points.back()[1]) - chamfer_depth};
+  part.least_height = (tape ? *tape : points.back()[1]) - chamfer_depth;
+  const std::optional<Flange> flange = flange_of(points);
+  if (flange && !flange->is_outside && !flange->is_down)
+    part.least_lateral = flange->tip[0];
+  return part;
 }
 
 double angle_between(const Position& a, const Position& b, const Position& c, const Position& d) {
@@ -129,6 +140,17 @@ double step_at(std::span<const Position> points, std::size_t i) {
          std::hypot(along[0], along[1]);
 }
 
+/// Whether the distance of a point from the next one is a gap among the others.
+bool is_gap(std::span<const Position> points, std::size_t i, double spacing) {
+  const double distance = distance_between(points[i], points[i + 1]);
+  const double beside =
+      std::max(i > 0 ? distance_between(points[i - 1], points[i]) : 0.0,
+               i + 2 < points.size() ? distance_between(points[i + 1], points[i + 2]) : 0.0);
+  return distance > largest_coarse_gap ||
+         (distance > largest_gap &&
+          (distance > gap_ratio * spacing || distance > ratio_beside_gap * beside));
+}
+
 void check_distances(std::span<const Position> points, const Part& part, Log& log) {
   const double spacing = median_spacing(points);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -136,42 +158,53 @@ void check_distances(std::span<const Position> points, const Part& part, Log& lo
     if (distance <= largest_step)
       continue;
     const double step = step_at(points, i);
+    const bool touched = part.holds(points[i], points[i + 1]);
     const std::string where =
         " between " + place_text(points[i]) + " and " + place_text(points[i + 1]);
-    if (step > largest_step && distance > gap_ratio * spacing)
-      tell(part.holds(points, i), "step of " + fixed_text(step) + " mm" + where, log);
-    else if ((distance > largest_gap && distance > gap_ratio * spacing) ||
-             distance > largest_coarse_gap)
-      tell(part.holds(points, i), "gap of " + fixed_text(distance) + " mm" + where, log);
+    if (step > largest_step && step > std::sin(step_angle) * distance)
+      tell(touched, "step of " + fixed_text(step) + " mm" + where, log);
+    else if (is_gap(points, i, spacing))
+      tell(touched, "gap of " + fixed_text(distance) + " mm" + where, log);
   }
 }
 
-/// On the part that can be in contact, from its outermost point on one side to that on the other.
+struct Return {
+  double distance = 0.0;
+  Position place{};
+};
+
+/// How far lateral comes back from where it was farthest to one side, +1 or -1.
+Return largest_return_of(std::span<const Position> points, double side) {
+  Return worst;
+  double farthest = -HUGE_VAL;
+  for (const Position& point : points) {
+    farthest = std::max(farthest, side * point[0]);
+    if (farthest - side * point[0] > worst.distance)
+      worst = {farthest - side * point[0], point};
+  }
+  return worst;
+}
+
+/// On the part that can be in contact lateral ascends from its least to its greatest value; before
+/// and behind, on worn gauge faces, it may run the other way.
 void check_single_valued(std::span<const Position> points, const Part& part, Log& log) {
   std::vector<Position> surface;
-  for (std::size_t i = part.first; i <= part.last; ++i)
-    if (points[i][1] > part.least_height)
-      surface.push_back(points[i]);
-  if (surface.size() < 2)
+  std::copy_if(points.begin(), points.end(), std::back_inserter(surface),
+               [&](const Position& point) { return part.holds(point); });
+  if (surface.empty())
     return;
   const auto [left, right] =
       std::minmax_element(surface.begin(), surface.end(),
                           [](const Position& a, const Position& b) { return a[0] < b[0]; });
-  Position outermost = *left;
-  Position worst{};
-  double largest = 0.0;
-  for (auto point = left; point < right; ++point) {
-    if ((*point)[0] > outermost[0])
-      outermost = *point;
-    if (outermost[0] - (*point)[0] > largest) {
-      largest = outermost[0] - (*point)[0];
-      worst = *point;
-    }
-  }
-  if (largest > largest_return || right < left)
+  Return worst{std::max(0.0, right < left ? (*right)[0] - (*left)[0] : 0.0), *left};
+  for (const Return& each : {largest_return_of({surface.begin(), left}, -1.0),
+                             largest_return_of({left, std::max(left, right)}, 1.0),
+                             largest_return_of({right, surface.end()}, -1.0)})
+    if (each.distance > worst.distance)
+      worst = each;
+  if (worst.distance > largest_return)
     log.warn("the running surface is not single-valued: lateral runs back by " +
-             fixed_text(right < left ? (*right)[0] - (*left)[0] : largest) + " mm at " +
-             place_text(right < left ? *right : worst));
+             fixed_text(worst.distance) + " mm at " + place_text(worst.place));
 }
 
 /// Whether the flange is where the taping line, at 0, says.
@@ -210,7 +243,7 @@ void check_wheel(std::span<const Position> points, double tape_offset, Log& log)
     log.warn("the flange is on the field side, its tip at " + place_text(flange->tip) +
              "; state mirror_lateral");
   const std::optional<double> tape = height_at_taping_line(points);
-  if (tape && std::abs(*tape) > height_tolerance)
+  if (tape && std::abs(*tape) > tape_height_tolerance)
     log.warn("height " + fixed_text(*tape) + " mm at the taping line, expected is 0; " + remedy);
   check_range(tape && !flange->is_down ? flange->tip[1] - *tape : flange->height, flange_range,
               "flange height", remedy, log);
@@ -230,30 +263,28 @@ void check_rail(std::span<const Position> points, Log& log) {
              " mm, expected near 0; a scene puts it to the height of the track");
 }
 
-/// Told, no warning: what scatters a little is read all the same.
-void tell_scatter(std::span<const Position> points, Log& log) {
-  const double spacing = median_spacing(points);
-  if (spacing > scatter_spacing)
-    return;
+/// Standard deviation of the points from a smooth line, mm, by the second differences of their
+/// curvature, so that neither arcs nor uneven distances count.
+double scatter_of(std::span<const Position> points, double spacing) {
   std::vector<double> off(points.size(), 0.0); // from the chord of the neighbours, signed
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Position chord{points[i + 1][0] - points[i - 1][0], points[i + 1][1] - points[i - 1][1]};
-    off[i] = (chord[0] * (points[i][1] - points[i - 1][1]) -
-              chord[1] * (points[i][0] - points[i - 1][0])) /
-             std::max(std::hypot(chord[0], chord[1]), 1e-12);
+    const Position& before = points[i - 1];
+    const Position chord{points[i + 1][0] - before[0], points[i + 1][1] - before[1]};
+    const double area =
+        chord[0] * (points[i][1] - before[1]) - chord[1] * (points[i][0] - before[0]);
+    off[i] = area * spacing * spacing /
+             std::max(std::hypot(chord[0], chord[1]) * distance_between(points[i], before) *
+                          distance_between(points[i + 1], points[i]),
+                      1e-12);
   }
   std::vector<double> rough;
   for (std::size_t i = 2; i + 2 < points.size(); ++i)
     rough.push_back(std::abs(off[i] - 0.5 * (off[i - 1] + off[i + 1])));
   if (rough.empty())
-    return;
+    return 0.0;
   const auto middle = rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2);
   std::nth_element(rough.begin(), middle, rough.end());
-  const double scatter = *middle / scatter_of_median;
-  if (scatter > notable_scatter)
-    log.note("the points scatter by " + fixed_text(scatter, 3) +
-             " mm (rms) about a smooth line: smoothing is advised, with a wavelength of " +
-             fixed_text(std::max(2.0, 10.0 * spacing), 0) + " mm or more");
+  return *middle / scatter_of_median;
 }
 
 } // namespace
@@ -279,14 +310,31 @@ void check_points(std::span<const Position> points, ProfileKind kind, double tap
   const Part part = contact_part(points, kind);
   check_distances(points, part, log);
   check_single_valued(points, part, log);
-  tell_scatter(points, log);
+}
+
+void tell_scatter(std::span<const Position> points, Log& log) {
+  const double spacing = median_spacing(points);
+  if (spacing > scatter_spacing)
+    return;
+  const double scatter = scatter_of(points, spacing);
+  const double pressure = flattening * scatter / spacing;
+  if (pressure > notable_pressure)
+    log.note("the points scatter by " + short_text_of(scatter) +
+             " mm (rms) about a smooth line, which takes about " + fixed_text(pressure, 0) +
+             " MPa to flatten: smoothing is advised, with a wavelength of " +
+             fixed_text(std::max(2.0, 10.0 * spacing), 0) + " mm or more");
 }
 
 void check_curve(const Profile& profile, Log& log) {
-  std::size_t passed = 0; // the curve has nodes at all points and in between
-  double largest = 0.0;
-  std::size_t place = 0;
+  struct Swing {
+    double off = 0.0;
+    std::size_t place = 0;
+  };
+  Swing touched;
+  Swing untouched;
   const std::vector<Position>& points = profile.points;
+  const Part part = contact_part(points, profile.kind);
+  std::size_t passed = 0; // the curve has nodes at all points and in between
   for (const double arc : profile.curve.starts()) {
     const CurvePoint at = profile.curve.at(arc);
     while (passed + 1 < points.size() &&
@@ -295,20 +343,20 @@ void check_curve(const Profile& profile, Log& log) {
     if (passed + 1 >= points.size())
       break;
     const Position& a = points[passed];
-    const Position chord{points[passed + 1][0] - a[0], points[passed + 1][1] - a[1]};
-    const double length = std::hypot(chord[0], chord[1]);
+    const Position& b = points[passed + 1];
+    const double length = distance_between(a, b);
     const double off =
-        std::abs(chord[0] * (at.height - a[1]) - chord[1] * (at.lateral - a[0])) / length;
-    if (off > largest_swing && off > swing_share * length && off > largest) {
-      largest = off;
-      place = passed;
-    }
+        std::abs((b[0] - a[0]) * (at.height - a[1]) - (b[1] - a[1]) * (at.lateral - a[0])) / length;
+    Swing& largest = part.holds(a, b) ? touched : untouched;
+    if (off > largest_swing && off > swing_share * length && off > largest.off)
+      largest = {off, passed};
   }
-  if (largest > 0.0)
-    tell(contact_part(points, profile.kind).holds(points, place),
-         "the curve swings by " + fixed_text(largest) + " mm between the points " +
-             place_text(points[place]) + " and " + place_text(points[place + 1]),
-         log);
+  for (const Swing* swing : {&touched, &untouched})
+    if (swing->off > 0.0)
+      tell(swing == &touched,
+           "the curve swings by " + fixed_text(swing->off) + " mm between the points " +
+               place_text(points[swing->place]) + " and " + place_text(points[swing->place + 1]),
+           log);
 }
 
 } // namespace wrc::reading

@@ -13,9 +13,16 @@
 
 namespace wrc::reading {
 
+/// Height at the taping line that is another origin of heights and no rounding of a drawing, mm.
+/// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
+inline constexpr double tape_height_tolerance = 1.0;
+
 /// Points in the order of profile.hpp; `tape_offset` is the distance of a wheel's taping line from
 /// its flange back.
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log);
+
+/// Tells scatter that makes pressures; no warning, what scatters a little is read all the same.
+void tell_scatter(std::span<const Position> points, Log& log);
 
 /// Warns of places where the curve through the points leaves them.
 void check_curve(const Profile& profile, Log& log);

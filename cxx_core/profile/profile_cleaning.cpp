@@ -226,6 +226,11 @@ void cut_ends(RawProfile& raw, ProfileKind kind, Log& log) {
   const auto is_deep = [least](const Position& point) { return point[1] < least; };
   const auto first = std::find_if_not(points.begin(), points.end(), is_deep);
   const auto last = std::find_if_not(points.rbegin(), points.rend(), is_deep).base();
+  // The groove of a rail with a guard rail is deep, nothing within a wheel.
+  if (const auto deep = std::find_if(first, last, is_deep);
+      kind == ProfileKind::wheel && deep != last)
+    log.warn("point " + place_text(*deep) + ", more than " + fixed_text(depth, 0) +
+             " mm below the highest one, is between others");
   const std::size_t cut = points.size() - static_cast<std::size_t>(last - first);
   if (cut == 0)
     return;

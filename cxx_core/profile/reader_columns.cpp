@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "base/error.hpp"
@@ -23,40 +24,48 @@ struct Unit {
 };
 
 /// Names of units in headings (not a tuning constant).
-constexpr std::array<Unit, 9> units{{{"mm", 1.0},
-                                     {"cm", 10.0},
-                                     {"m", 1000.0},
-                                     {"in", 25.4},
-                                     {"inch", 25.4},
-                                     {"inches", 25.4},
-                                     {"um", 0.001},
-                                     {"\xC2\xB5m", 0.001},
-                                     {"\xCE\xBCm", 0.001}}};
+constexpr std::array<Unit, 13> units{{{"mm", 1.0},
+                                      {"millimetre", 1.0},
+                                      {"millimeter", 1.0},
+                                      {"cm", 10.0},
+                                      {"m", 1000.0},
+                                      {"metre", 1000.0},
+                                      {"meter", 1000.0},
+                                      {"in", 25.4},
+                                      {"inch", 25.4},
+                                      {"inche", 25.4},
+                                      {"um", 0.001},
+                                      {"\xC2\xB5m", 0.001},
+                                      {"\xCE\xBCm", 0.001}}};
+
+/// A unit, also in the plural.
+const Unit* unit_of(std::string_view word) {
+  if (word.size() > 2 && word.ends_with('s'))
+    word.remove_suffix(1);
+  const auto* const unit =
+      std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.name == word; });
+  return unit == units.end() ? nullptr : unit;
+}
 
 /// Names of columns in headings.
 constexpr std::array<std::string_view, 10> column_names{
     "x", "y", "z", "s", "t", "h", "lateral", "lat", "height", "vertical"};
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 /// What the lines before the rows say.
 struct Heading {
   std::size_t line = 0;
   std::vector<std::string> names; ///< of columns, without units
   std::vector<Unit> units;
+  bool has_brackets = false; ///< about a unit
 
-  /// It names two columns, or nothing but units: other lines may have an "in" or an "m" in them.
+  /// It names two columns, has a unit in brackets, or nothing but units, perhaps after the word:
+  /// other lines may have an "in" or an "m" in them.
   [[nodiscard]] bool is_of_columns() const {
     const auto known = std::count_if(names.begin(), names.end(), [](const std::string& name) {
       return std::find(column_names.begin(), column_names.end(), name) != column_names.end();
     });
-    return known >= 2 || (names.empty() && !units.empty());
+    return known >= 2 || has_brackets ||
+           (!units.empty() && (names.empty() || names.front().starts_with("unit")));
   }
 };
 
@@ -65,13 +74,19 @@ Heading heading_of(std::string_view text, std::size_t line) {
   heading.line = line;
   const std::string clean = lower(text);
   const Words words = words_of(clean, " \t,;:\"'[](){}/|_=");
-  for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i) {
-    const auto* const unit = std::find_if(
-        units.begin(), units.end(), [&](const Unit& each) { return each.name == words.word[i]; });
-    if (unit != units.end())
+  const std::size_t count = std::min(words.count, Words::max_words);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view word = words.word[i];
+    const Unit* const unit = unit_of(word);
+    if (unit == nullptr) {
+      heading.names.emplace_back(word);
+    } else if (word != "in" || i + 1 == count || unit_of(words.word[i + 1]) == nullptr ||
+               words.word[i + 1] == "in") { // else as in "y in mm"
       heading.units.push_back(*unit);
-    else
-      heading.names.emplace_back(words.word[i]);
+      heading.has_brackets =
+          heading.has_brackets ||
+          (word.data() != clean.data() && (word.data()[-1] == '[' || word.data()[-1] == '('));
+    }
   }
   return heading;
 }
@@ -85,6 +100,7 @@ struct Table {
   LineCount headings;
   bool only_commas = true; ///< between numbers, in all rows
   bool has_point = false;  ///< a decimal point somewhere
+  std::string last_heading;
   LineCount decimal_commas;
 
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
@@ -138,6 +154,17 @@ void read_row(Table& table, std::string_view line, std::size_t number, const Log
     table.decimal_commas.add(number);
 }
 
+/// A first row that gives the number of rows and columns is none.
+void drop_counts(Table& table) {
+  if (table.rows() < 2 || table.at(0, 0) != static_cast<double>(table.rows() - 1) ||
+      table.at(0, 1) != static_cast<double>(table.columns))
+    return;
+  table.headings.add(table.lines.front());
+  table.lines.erase(table.lines.begin());
+  table.numbers.erase(table.numbers.begin(),
+                      table.numbers.begin() + static_cast<std::ptrdiff_t>(table.columns));
+}
+
 Table read_table(std::string_view text, Log& log) {
   Table table;
   for (Lines lines(text, log); lines.next();) {
@@ -149,21 +176,27 @@ Table read_table(std::string_view text, Log& log) {
     if (line.empty())
       continue;
     if (table.rows() == 0 && is_heading(line)) {
+      table.last_heading = quoted(line);
       table.headings.add(lines.number());
       take_heading(table, line, lines.number());
       continue;
     }
     read_row(table, line, lines.number(), log);
   }
+  drop_counts(table);
   return table;
 }
 
-/// Whether every row counts on from the previous one.
+/// Whether rows are numbered: 0, 1, 2 or 10, 20, 30.
 bool counts_rows(const Table& table, std::size_t column) {
-  for (std::size_t row = 1; row < table.rows(); ++row)
-    if (table.at(row, column) - table.at(row - 1, column) != 1.0)
+  const double first = table.at(0, column);
+  const double step = table.at(1, column) - first;
+  if (std::trunc(step) != step || step < 1.0 || (first != 0.0 && first != 1.0 && first != step))
+    return false;
+  for (std::size_t row = 2; row < table.rows(); ++row)
+    if (table.at(row, column) - table.at(row - 1, column) != step)
       return false;
-  return table.rows() > 1 && std::trunc(table.at(0, column)) == table.at(0, column);
+  return true;
 }
 
 bool is_constant(const Table& table, std::size_t column) {
@@ -205,23 +238,22 @@ std::optional<Pair> named_columns(const Table& table) {
   return lateral && height ? std::optional(Pair{*lateral, *height}) : std::nullopt;
 }
 
+/// What is left of the columns without constant ones and the numbers of the rows.
 Pair unnamed_columns(const Table& table, Log& log) {
-  std::vector<std::size_t> left;
-  std::vector<std::size_t> ignored;
-  for (std::size_t column = 0; column < table.columns; ++column) {
-    const std::size_t after = table.columns - column - 1;
-    const bool can_go = table.columns - ignored.size() > 2 && left.size() + after >= 2;
-    if (can_go && column == 0 && counts_rows(table, column)) {
-      log.guess("column 1 ignored, since it counts the rows", "remove it, or name the columns");
-      ignored.push_back(column);
-    } else if (can_go && is_constant(table, column)) {
-      log.guess("column " + std::to_string(column + 1) + " ignored, since it is constant",
-                "remove it, or name the columns");
-      ignored.push_back(column);
-    } else {
-      left.push_back(column);
-    }
-  }
+  std::vector<std::size_t> left(table.columns);
+  std::iota(left.begin(), left.end(), 0U);
+  const auto ignore = [&](std::size_t place, const std::string& why) {
+    log.guess("column " + std::to_string(left[place] + 1) + " ignored, since it " + why,
+              "remove it, or name the columns");
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+  };
+  for (std::size_t place = 0; place < left.size() && left.size() > 2;)
+    if (is_constant(table, left[place]))
+      ignore(place, "is constant");
+    else
+      ++place;
+  if (left.size() > 2 && table.rows() > 1 && counts_rows(table, left[0]))
+    ignore(0, "counts the rows");
   if (left.size() > 2) {
     std::string numbers;
     for (std::size_t i = 2; i < left.size(); ++i)
@@ -266,7 +298,8 @@ RawProfile read_columns(std::string_view text, Log& log) {
   const Table table = read_table(text, log);
   RawProfile raw;
   if (table.rows() == 0)
-    return raw;
+    log.refuse("no row of two numbers" +
+               (table.last_heading.empty() ? "" : "; the last line is " + table.last_heading));
   if (table.columns > 2 && table.only_commas && !table.has_point)
     log.refuse(table.lines.front(),
                "commas between the numbers and perhaps in them; separate the numbers by "

@@ -24,13 +24,14 @@ enum class Signs {
 
 struct RawProfile {
   std::vector<Position> points;
-  std::vector<Position> dropped{};      ///< points that were removed, in the same frame
-  std::optional<ProfileKind> kind;      ///< as the content says
-  std::string title;                    ///< as the content says, may be empty
-  Signs signs = Signs::silent;          ///< of the points, once turned as the next three say
-  bool lateral_towards_gauge = false;   ///< a rail's lateral is positive to the gauge side
-  bool rail_height_down = false;        ///< a rail's height is positive downwards
-  bool half_turned = false;             ///< if the shape is upside down, both signs are wrong
+  std::vector<Position> dropped{};    ///< points that were removed, in the same frame
+  std::optional<ProfileKind> kind;    ///< as the content says
+  std::string title;                  ///< as the content says, may be empty
+  Signs signs = Signs::silent;        ///< of the points, once turned as the next three say
+  bool lateral_towards_gauge = false; ///< a rail's lateral is positive to the gauge side
+  /// A rail's height is positive downwards; if the shape shows that it is not, the rail was turned
+  /// by half a turn and both signs are wrong.
+  bool rail_height_down = false;
   bool columns_are_named = false;       ///< which is lateral and which height
   bool unit_is_stated = false;          ///< points are in mm
   bool counts_from_flange_back = false; ///< wheels of this format have lateral 0 there
@@ -43,7 +44,13 @@ RawProfile read_miniprof(std::string_view text, Log& log);
 
 /// Adds a point; refuses more than the largest number.
 void add_point(RawProfile& raw, const Position& point, std::size_t line, const Log& log);
-/// Multiplies the coordinates of all points, the dropped ones too.
+/// Changes all points, the dropped ones too.
+template <class Change> void change_points(RawProfile& raw, const Change& change) {
+  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
+    for (Position& point : *points)
+      point = change(point);
+}
+/// Multiplies their coordinates.
 void scale_points(RawProfile& raw, double lateral, double height);
 /// Drops points closer than `least` to the one kept before. Returns how many.
 std::size_t drop_close_points(std::vector<Position>& points, double least);

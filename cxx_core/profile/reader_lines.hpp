@@ -69,6 +69,8 @@ struct LineCount {
 };
 
 std::string_view trimmed(std::string_view text);
+/// In small letters, those of ASCII.
+std::string lower(std::string_view text);
 
 /// The words of a line, at most `max_words`; `count` goes on beyond.
 struct Words {

@@ -14,14 +14,13 @@
 
 #include "base/error.hpp"
 #include "profile/reader_formats.hpp"
+#include "profile/readers.hpp"
 
 namespace wrc::reading {
 namespace {
 
 /// So many rows of numbers in a header are points (not a tuning constant: rows of a format).
 constexpr std::size_t rows_of_points = 5;
-/// Taping lines that a scene allows, mm (permitted range, not a tuning constant).
-constexpr Position tape_offsets{20.0, 120.0};
 
 bool is_comment(std::string_view line) {
   return line.find_first_of("\"!%#") == 0;
@@ -217,11 +216,10 @@ RawProfile read_miniprof(std::string_view text, Log& log) {
   raw.signs = Signs::usual;
   raw.lateral_towards_gauge = !by_instrument;
   raw.rail_height_down = by_instrument;
-  raw.half_turned = by_instrument;
   raw.unit_is_stated = true;
   raw.counts_from_flange_back = true;
-  if (header.tape_offset && *header.tape_offset >= tape_offsets[0] &&
-      *header.tape_offset <= tape_offsets[1])
+  if (header.tape_offset && *header.tape_offset >= ReadLimits::min_tape_offset &&
+      *header.tape_offset <= ReadLimits::max_tape_offset)
     raw.tape_offset = header.tape_offset;
   return raw;
 }

@@ -92,7 +92,7 @@ struct Signature {
 };
 
 /// origin: source: the specifications of these formats.
-constexpr std::array<Signature, 15> signatures{{
+constexpr std::array<Signature, 16> signatures{{
     {"PK\x03\x04", "an Excel workbook (.xlsx) or another ZIP archive"},
     {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", "an old Excel workbook (.xls)"},
     {"%PDF", "a PDF document"},
@@ -107,6 +107,7 @@ constexpr std::array<Signature, 15> signatures{{
     {"AC10", "a drawing (.dwg)"},
     {"ISO-10303-21", "a STEP model"},
     {"<", "XML or HTML"},
+    {"{\\rtf", "a document (.rtf)"},
     {"{", "JSON"},
 }};
 

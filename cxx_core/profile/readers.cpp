@@ -1,6 +1,7 @@
 #include "profile/readers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -33,9 +34,7 @@ std::size_t drop_close_points(std::vector<Position>& points, double least) {
 }
 
 void scale_points(RawProfile& raw, double lateral, double height) {
-  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
-    for (Position& point : *points)
-      point = {lateral * point[0], height * point[1]};
+  change_points(raw, [=](const Position& p) { return Position{lateral * p[0], height * p[1]}; });
 }
 
 } // namespace reading
@@ -45,13 +44,20 @@ namespace {
 using reading::Log;
 using reading::RawProfile;
 
-std::string lower_extension(std::string_view name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
+struct Extension {
+  std::string_view name;
+  FileType type;
+};
+
+constexpr std::array<Extension, 8> extensions{
+    {{".prr", {ProfileFormat::simpack, ProfileKind::rail}},
+     {".prw", {ProfileFormat::simpack, ProfileKind::wheel}},
+     {".ban", {ProfileFormat::miniprof, ProfileKind::rail}},
+     {".whl", {ProfileFormat::miniprof, ProfileKind::wheel}},
+     {".slcs", {ProfileFormat::slices, ProfileKind::rail}},
+     {".slcw", {ProfileFormat::slices, ProfileKind::wheel}},
+     {".rail", {ProfileFormat::columns, ProfileKind::rail}},
+     {".wheel", {ProfileFormat::columns, ProfileKind::wheel}}}};
 
 void check_options(const ReadOptions& options) {
   if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
@@ -63,8 +69,11 @@ void check_options(const ReadOptions& options) {
   if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0)
     throw_invalid_argument("least_point_distance", options.least_point_distance,
                            "above 0, at most 1 mm");
-  if (options.tape_offset && !(*options.tape_offset >= 20.0 && *options.tape_offset <= 120.0))
-    throw_invalid_argument("tape_offset", *options.tape_offset, "20 to 120 mm");
+  if (options.tape_offset && !(*options.tape_offset >= ReadLimits::min_tape_offset &&
+                               *options.tape_offset <= ReadLimits::max_tape_offset))
+    throw_invalid_argument("tape_offset", *options.tape_offset,
+                           text_of(ReadLimits::min_tape_offset) + " to " +
+                               text_of(ReadLimits::max_tape_offset) + " mm");
   if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length))
     throw_invalid_argument("lateral_shift", *options.lateral_shift,
                            "-" + text_of(ReadLimits::max_length) + " to " +
@@ -77,6 +86,8 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
     if (options.smoothing_wavelength > 0.0) {
       profile.points = smooth_points(profile.points, options.smoothing_wavelength);
       log.note("smoothed, waves of " + text_of(options.smoothing_wavelength) + " mm are halved");
+    } else {
+      reading::tell_scatter(profile.points, log);
     }
     profile.curve = curve_through(profile.points);
     reading::check_curve(profile, log);
@@ -109,6 +120,7 @@ RawProfile parse(std::string_view text, ProfileFormat format, Log& log) {
   case ProfileFormat::miniprof:
     return reading::read_miniprof(text, log);
   case ProfileFormat::columns:
+  case ProfileFormat::slices: // are a list of other files
     break;
   }
   return reading::read_columns(text, log);
@@ -127,8 +139,7 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
                     slices_text(slices, kind) +
                     "; profiles that vary along the track are not supported");
   const Slice& chosen = slices[static_cast<std::size_t>(options.slice - 1)];
-  ProfileKind nested{};
-  if (is_slices_file(chosen.file, nested))
+  if (type_of(chosen.file).format == ProfileFormat::slices)
     throw Error(ErrorCode::file_malformed,
                 path.string() + ": a slice is itself a slices file, " + chosen.file.string());
   ReadOptions of_slice = options;
@@ -145,13 +156,11 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
 
 } // namespace
 
-ProfileFormat format_of(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path.string());
-  if (extension == ".prr" || extension == ".prw")
-    return ProfileFormat::simpack;
-  if (extension == ".ban" || extension == ".whl")
-    return ProfileFormat::miniprof;
-  return ProfileFormat::columns;
+FileType type_of(const std::filesystem::path& path) {
+  const std::string name = reading::lower(path.extension().string());
+  const auto* const found = std::find_if(extensions.begin(), extensions.end(),
+                                         [&](const Extension& each) { return each.name == name; });
+  return found == extensions.end() ? FileType{} : found->type;
 }
 
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
@@ -173,11 +182,11 @@ ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::s
 
 ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& options) {
   check_options(options);
-  ProfileFormat format = format_of(path);
+  const FileType type = type_of(path);
+  ProfileFormat format = type.format;
   const std::string content = read_file(path, ReadLimits::file_bytes);
-  ProfileKind kind{};
-  if (is_slices_file(path, kind))
-    return read_slice(content, path, kind, options);
+  if (format == ProfileFormat::slices)
+    return read_slice(content, path, *type.kind, options);
   if (format == ProfileFormat::columns)
     format = reading::format_by_content(content).value_or(format);
   return read_profile_text(content, format, path.string(), options);

@@ -25,7 +25,7 @@
 
 namespace wrc {
 
-enum class ProfileFormat { columns, simpack, miniprof };
+enum class ProfileFormat { columns, simpack, miniprof, slices };
 
 /// Where a wheel's file has lateral 0.
 enum class WheelOrigin { by_file, tape, flange_back };
@@ -62,13 +62,19 @@ struct ReadLimits {
   static constexpr std::size_t line_bytes = 4096;
   static constexpr std::size_t min_points = 5;
   static constexpr std::size_t max_points = 200000;
-  static constexpr double min_length = 5.0;     ///< mm, total chord length
-  static constexpr double max_length = 500.0;   ///< mm
-  static constexpr double max_coordinate = 1e5; ///< mm
+  static constexpr double min_length = 5.0;        ///< mm, total chord length
+  static constexpr double max_length = 500.0;      ///< mm
+  static constexpr double max_coordinate = 1e5;    ///< mm
+  static constexpr double min_tape_offset = 20.0;  ///< mm
+  static constexpr double max_tape_offset = 120.0; ///< mm
 };
 
-/// The format that goes with a file's extension.
-ProfileFormat format_of(const std::filesystem::path& path);
+/// What a file's extension says.
+struct FileType {
+  ProfileFormat format = ProfileFormat::columns;
+  std::optional<ProfileKind> kind;
+};
+FileType type_of(const std::filesystem::path& path);
 
 /// Reads a profile, of a slices file (slices.hpp) the one of options.slice. Throws Error:
 /// file_unreadable, file_malformed, or invalid_argument for options.

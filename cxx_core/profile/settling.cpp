@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.hpp"
 #include "profile/plausibility.hpp"
@@ -39,18 +38,6 @@ constexpr double greatest_head_height = 100.0;
 constexpr Position back_range{-5.0, 12.0};
 constexpr Position tip_from_back{5.0, 40.0};
 
-/// Height at the taping line that is another origin of heights and no rounding of a drawing, mm.
-/// origin: reasoned: coefficients of standards leave 0.03 mm; the radius would be wrong by as much.
-constexpr double tape_height_tolerance = 1.0;
-
-std::string lower_extension(std::string_view name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
 std::string_view name_of(ProfileKind kind) {
   return kind == ProfileKind::wheel ? "wheel" : "rail";
 }
@@ -58,12 +45,7 @@ std::string_view name_of(ProfileKind kind) {
 /// Options, then content, then extension; a file of columns may say nothing.
 std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions& options,
                                        Log& log) {
-  const std::string extension = lower_extension(log.name());
-  std::optional<ProfileKind> by_name;
-  if (extension == ".prr" || extension == ".ban" || extension == ".rail")
-    by_name = ProfileKind::rail;
-  else if (extension == ".prw" || extension == ".whl" || extension == ".wheel")
-    by_name = ProfileKind::wheel;
+  const std::optional<ProfileKind> by_name = type_of(log.name()).kind;
   const std::optional<ProfileKind> by_content = raw.kind ? raw.kind : by_name;
   if (raw.kind && by_name && *raw.kind != *by_name)
     log.note("the header says " + std::string(name_of(*raw.kind)) + ", the extension " +
@@ -80,10 +62,18 @@ constexpr double longest_outline = 1000.0;
 
 void check_length(const std::vector<Position>& points, double most, const Log& log) {
   const double length = chord_length(points);
-  if (!(length >= ReadLimits::min_length && length <= most))
-    log.refuse("the points are " + text_of(length) + " mm long in total, allowed are " +
-               text_of(ReadLimits::min_length) + " to " + text_of(most) +
-               " mm; state the scale, or order the points");
+  if (length >= ReadLimits::min_length && length <= most)
+    return;
+  std::size_t end = 1; // of the longest chord
+  for (std::size_t i = 2; i < points.size(); ++i)
+    if (distance_between(points[i - 1], points[i]) > distance_between(points[end - 1], points[end]))
+      end = i;
+  log.refuse("the points are " + short_text_of(length) + " mm long in total, allowed are " +
+             text_of(ReadLimits::min_length) + " to " + text_of(most) +
+             " mm; the longest chord is " +
+             short_text_of(distance_between(points[end - 1], points[end])) + " mm, from " +
+             place_text(points[end - 1]) + " to " + place_text(points[end]) +
+             "; state the scale, order the points, or remove what is no point");
 }
 
 /// Factor to mm that the extent shows; 1 if it shows none.
@@ -143,9 +133,7 @@ void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) 
   log.guess("columns swapped, since the first extends over " + fixed_text(width) +
                 " mm and the second over " + fixed_text(height) + " mm",
             "name them in a heading, \"z y\"");
-  for (std::vector<Position>* each : {&raw.points, &raw.dropped})
-    for (Position& point : *each)
-      std::swap(point[0], point[1]);
+  change_points(raw, [](const Position& p) { return Position{p[1], p[0]}; });
 }
 
 /// A wheel has a flange. A rail's ends are both on one side of its middle.
@@ -184,7 +172,7 @@ void orient_height(RawProfile& raw, ProfileKind kind, Log& log) {
     evidence = "the flange pointed down: " + fixed_text(flange->width) +
                " mm wide 8 mm below the tread, above it are " + fixed_text(flange->other_width);
   }
-  const bool half_turn = kind == ProfileKind::rail && raw.half_turned;
+  const bool half_turn = kind == ProfileKind::rail && raw.rail_height_down;
   scale_points(raw, half_turn ? -1.0 : 1.0, -1.0);
   log.guess((half_turn ? "height and lateral mirrored, since " : "height mirrored, since ") +
                 evidence,
@@ -218,14 +206,14 @@ void orient(RawProfile& raw, ProfileKind kind, const ReadOptions& options, Log& 
 }
 
 void shift(RawProfile& raw, const Position& by) {
-  for (std::vector<Position>* points : {&raw.points, &raw.dropped})
-    for (Position& point : *points)
-      point = {point[0] + by[0], point[1] + by[1]};
+  change_points(raw, [&by](const Position& p) { return Position{p[0] + by[0], p[1] + by[1]}; });
 }
 
-bool counts_from_flange_back(const std::vector<Position>& points) {
-  const std::optional<Flange> flange = flange_of(points);
-  const double least = extent_of(points, 0)[0];
+bool counts_from_flange_back(const RawProfile& raw) {
+  const double least = extent_of(raw.points, 0)[0];
+  if (raw.counts_from_flange_back) // unless an offset moved it
+    return least >= back_range[0];
+  const std::optional<Flange> flange = flange_of(raw.points);
   return flange && !flange->is_outside && !flange->is_down && least >= back_range[0] &&
          least <= back_range[1] && flange->tip[0] >= tip_from_back[0] &&
          flange->tip[0] <= tip_from_back[1];
@@ -243,7 +231,7 @@ std::optional<double> shift_to_taping_line(const RawProfile& raw, double tape_of
     log.note("lateral counted from the flange back, as stated" + shifted);
     return -tape_offset;
   }
-  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw.points))
+  if (options.origin == WheelOrigin::tape || !counts_from_flange_back(raw))
     return std::nullopt;
   const std::string text = "lateral counted from the flange back, where it begins at " +
                            fixed_text(extent_of(raw.points, 0)[0]) + " mm" + shifted;
@@ -285,10 +273,11 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log) {
   settle_units(raw, stated, options, log);
   open_outline(raw, stated, log);
   remove_doubles(raw, options.least_point_distance, log);
+  remove_outliers(raw, log);
+  remove_doubles(raw, options.least_point_distance, log); // that outliers were between
   if (points.size() < ReadLimits::min_points)
     log.refuse(std::to_string(points.size()) + " different points, at least " +
                std::to_string(ReadLimits::min_points) + " are needed");
-  remove_outliers(raw, log);
   settle_columns(raw, stated, log);
   const ProfileKind kind = stated ? *stated : kind_by_shape(points);
   if (!stated)

@@ -58,20 +58,12 @@ Slice read_slice(Content& content, double offset, double scale,
   const reading::Words words = reading::words_of(line.substr(0, first), " \t,");
   if (first == std::string_view::npos || last <= first + 1 || words.count != 1)
     content.refuse(reading::quoted(line) + ", expected is a place and a file in quotes");
-  return {scale * (offset + content.number(words.word[0])),
-          folder / std::string(line.substr(first + 1, last - first - 1))};
+  std::string file(line.substr(first + 1, last - first - 1));
+  std::replace(file.begin(), file.end(), '\\', '/');
+  return {scale * (offset + content.number(words.word[0])), folder / file};
 }
 
 } // namespace
-
-bool is_slices_file(const std::filesystem::path& path, ProfileKind& kind) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  kind = extension == ".slcs" ? ProfileKind::rail : ProfileKind::wheel;
-  return extension == ".slcs" || extension == ".slcw";
-}
 
 std::vector<Slice> read_slices(std::string_view text, const std::filesystem::path& path) {
   const Log log(path.string(), false);

@@ -22,9 +22,6 @@ struct Slice {
   std::filesystem::path file;
 };
 
-/// Whether a file's extension is that of slices; then `kind` is what they are of.
-bool is_slices_file(const std::filesystem::path& path, ProfileKind& kind);
-
 /// The slices in a text; `path` gives the folder of their files and the name in messages. Throws
 /// Error(file_malformed).
 std::vector<Slice> read_slices(std::string_view text, const std::filesystem::path& path);

@@ -65,18 +65,16 @@ std::string simpack_text(const Profile& profile, const std::vector<Position>& po
 std::string text_for(const Profile& profile, const std::filesystem::path& path, double spacing) {
   const std::vector<Position> points = sample(profile.curve, spacing);
   const std::string extension = path.extension().string();
-  ProfileKind of_slices{};
-  if (is_slices_file(path, of_slices))
-    throw_invalid_argument("extension", extension, ".prr, .prw or two-column text");
-  switch (format_of(path)) {
+  const FileType type = type_of(path);
+  switch (type.format) {
   case ProfileFormat::columns:
     return columns_text(profile, points);
   case ProfileFormat::simpack:
-    if ((extension.back() == 'w' || extension.back() == 'W') !=
-        (profile.kind == ProfileKind::wheel))
+    if (type.kind != profile.kind)
       throw_invalid_argument("extension", extension, ".prw for wheels, .prr for rails");
     return simpack_text(profile, points);
   case ProfileFormat::miniprof:
+  case ProfileFormat::slices:
     break;
   }
   throw_invalid_argument("extension", extension, ".prr, .prw or two-column text");

@@ -14,7 +14,9 @@ constexpr double plot_width = 900.0;
 constexpr double left_margin = 80.0;
 constexpr double right_margin = 30.0;
 constexpr double top_margin = 50.0;
-constexpr double between = 70.0;
+constexpr double between = 80.0;
+/// Of the key above the lower panel, between the two, where it covers no curve.
+constexpr double key_above = 25.0;
 constexpr double curvature_height = 240.0;
 constexpr double bottom_margin = 60.0;
 /// Room around the profile, as a share of its width.
@@ -51,7 +53,7 @@ void add_points(Gnuplot& gnuplot, const Profile& profile, std::vector<std::strin
                        std::to_string(points.lateral.size()) + ' ' + title + "'");
     }
   };
-  add(WRC_POINTS_READ, "pt 7 ps 0.3 lc rgb '#f1a340'", "points read");
+  add(WRC_POINTS_READ, "pt 7 ps 0.6 lc rgb '#aaaaaa'", "points read");
   add(WRC_POINTS_DROPPED, "pt 2 ps 1.2 lw 2 lc rgb '#d00000'", "points cut or removed");
 }
 
@@ -109,8 +111,8 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
     shapes.push_back(beneath + " using 1:2 with lines lw 4 lc rgb '#f1a340'" + titled(*other));
     curvatures.push_back(beneath + " using 1:3 with lines lw 3 lc rgb '#f1a340' notitle");
   }
-  shapes.push_back(block + " using 1:2 with lines lw 2 lc rgb '#1f4e9e'" + titled(profile));
-  add_points(gnuplot, profile, shapes);
+  add_points(gnuplot, profile, shapes); // beneath the curve, which they would hide
+  shapes.push_back(block + " using 1:2 with lines lw 1.5 lc rgb '#1f4e9e'" + titled(profile));
   curvatures.push_back(block + " using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle");
   const Checks& checks = measures.checks;
   if (checks.smallest_radius > 0.0) {
@@ -137,7 +139,9 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
       << plain_within_quotes(profile.text("name")) << " (" << kind_name(profile) << ")   "
       << plain_within_quotes(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
       << measures.least_height - margin << ':' << measures.greatest_height + margin << "]\n"
-      << "set key " << (is_wheel(profile) ? "top right" : "bottom center") << '\n';
+      << "set key horizontal center maxrows 1 at screen "
+      << (left_margin + 0.5 * plot_width) / total_width << ", screen "
+      << (bottom_margin + curvature_height + key_above) / total_height << '\n';
   gnuplot.plot(shapes);
   out << "set title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <random>
 #include <sstream>
 
@@ -146,13 +147,30 @@ TEST(Readers, DuplicatesAreDroppedAndSaid) {
 
 TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
   expect_refused("", "is empty");
-  expect_refused("\n\n# nothing\n", "0 points");
+  expect_refused("\n\n# nothing\n", "no row of two numbers");
   expect_refused("0 0\n10 1\n20 2\n30 3\n", "4 points");
   expect_refused("0 0\n10 1\n10 1\n20 2\n30 3\n", "4 different points");
   expect_refused("0 0\n1 0\n2 0\n3 0\n4 0\n", "mm long in total");
   expect_refused("1e300 0\n-1e300 1\n1e300 2\n3 3\n4 4\n", "mm long in total");
   expect_refused("1e9 0\n1000000010 1\n1000000020 2\n1000000030 3\n1000000040 4\n",
                  "at most 1e+05 mm");
+}
+
+TEST(Readers, ScatterIsToldByThePressureThatFlattensIt) {
+  const auto told_with_digits = [](int digits) {
+    std::string rows;
+    const Curve curve = standard_profile("S1002").curve;
+    for (double arc = 0.0; arc < curve.length(); arc += 0.25) {
+      const CurvePoint at = curve.at(arc);
+      std::ostringstream row;
+      row << std::fixed << std::setprecision(digits) << at.lateral << ' ' << at.height << '\n';
+      rows += row.str();
+    }
+    return says(read_rows(rows, wheel_options()), "MPa to flatten: smoothing is advised");
+  };
+  EXPECT_TRUE(told_with_digits(2));
+  EXPECT_TRUE(told_with_digits(3)); // pmax 1062 MPa instead of 898 in the default scene
+  EXPECT_FALSE(told_with_digits(4));
 }
 
 TEST(Readers, RefusesPointsThatTurnBack) {
@@ -234,12 +252,12 @@ TEST(Readers, SmoothingIsSaidAndDone) {
 }
 
 TEST(Readers, FormatGoesByTheExtension) {
-  EXPECT_EQ(format_of("a/b.prr"), ProfileFormat::simpack);
-  EXPECT_EQ(format_of("b.PRW"), ProfileFormat::simpack);
-  EXPECT_EQ(format_of("b.ban"), ProfileFormat::miniprof);
-  EXPECT_EQ(format_of("b.whl"), ProfileFormat::miniprof);
-  EXPECT_EQ(format_of("b.txt"), ProfileFormat::columns);
-  EXPECT_EQ(format_of("b"), ProfileFormat::columns);
+  EXPECT_EQ(type_of("a/b.prr").format, ProfileFormat::simpack);
+  EXPECT_EQ(type_of("b.PRW").format, ProfileFormat::simpack);
+  EXPECT_EQ(type_of("b.ban").format, ProfileFormat::miniprof);
+  EXPECT_EQ(type_of("b.whl").format, ProfileFormat::miniprof);
+  EXPECT_EQ(type_of("b.txt").format, ProfileFormat::columns);
+  EXPECT_EQ(type_of("b").format, ProfileFormat::columns);
 }
 
 TEST(Readers, RefusesWhatIsNoFile) {

@@ -70,6 +70,22 @@ void add_units(std::vector<Variant>& all) {
                             "y;z\ncm;cm\n" + rows(scaled(points, 0.1, 0.1), {.between = ";"}));
     lines.is_plain = true;
     all.push_back(lines);
+    struct Words {
+      const char* name;
+      const char* text;
+      double millimetres;
+    };
+    for (const Words& words :
+         {Words{"heading_y_in_cm", "y in cm, z in cm\n", 10.0},
+          {"heading_unit_in_words", "Lateral position (metres)  Height (metres)\n", 1000.0},
+          {"heading_in_german", "Querlage [cm]; H\xC3\xB6he [cm]\n", 10.0}}) {
+      Variant variant = columns(
+          kind, words.name,
+          words.text + rows(scaled(points, 1.0 / words.millimetres, 1.0 / words.millimetres)));
+      variant.tolerance = 1e-5;
+      variant.is_plain = true;
+      all.push_back(variant);
+    }
     Variant two = columns(kind, "two_units", "y [mm] z [in]\n" + rows(points));
     two.refusal = "two units, mm and in";
     all.push_back(two);
@@ -167,6 +183,18 @@ void add_columns(std::vector<Variant>& all) {
       return std::vector<double>{1250.0, p[0], p[1]};
     };
     add("numbered_rows", table(points, counted), "counts the rows", false);
+    add("numbered_in_tens",
+        table(points,
+              [](std::size_t i, Position p) {
+                return std::vector<double>{10.0 * static_cast<double>(i + 1), p[0], p[1]};
+              }),
+        "counts the rows", false);
+    add("weights",
+        table(points,
+              [](std::size_t, Position p) {
+                return std::vector<double>{p[0], p[1], 1.0};
+              }),
+        "column 3 ignored, since it is constant", false);
     add("numbered_rows_with_heading", "no y z\n" + table(points, counted),
         "lateral is column 2, height column 3", true);
     add("constant_column", table(points, in_space), "is constant", false);
@@ -187,12 +215,22 @@ void add_columns(std::vector<Variant>& all) {
     Variant one =
         columns(kind, "one_column",
                 table(points, [](std::size_t, Position p) { return std::vector<double>{p[1]}; }));
-    one.refusal = "points, at least 5 are needed";
+    one.refusal = "no row of two numbers; the last line is '";
     all.push_back(one);
     Variant count = columns(kind, "number_of_points_first",
                             std::to_string(points.size()) + "\n" + rows(points));
     count.is_plain = true;
     all.push_back(count);
+    Variant counts = columns(kind, "numbers_of_points_and_columns_first",
+                             std::to_string(points.size()) + " 2\n" + rows(points));
+    counts.is_plain = true;
+    all.push_back(counts);
+    std::string labelled;
+    for (const Position& point : points)
+      labelled += "P: " + number_text(point[0]) + ' ' + number_text(point[1]) + '\n';
+    Variant labels = columns(kind, "labelled_rows", labelled);
+    labels.refusal = "no row of two numbers; the last line is 'P: ";
+    all.push_back(labels);
   }
 }
 
@@ -286,6 +324,14 @@ void add_miniprof(std::vector<Variant>& all) {
     Variant& renamed = add("miniprof_as_text", header + "\n" + rows(points));
     renamed.name = prefix(kind) + "miniprof_as_text.dat";
     renamed.options.kind = kind;
+    if (kind == ProfileKind::wheel) { // as the format counts it, whatever the shape shows
+      Variant& part =
+          add("miniprof_of_the_tread", header + "\n" + rows({points.begin() + 90, points.end()}));
+      part.tolerance = 0.0;
+      part.corrections = {"lateral counted from the flange back, where it begins at 29"};
+      part.warnings = {"no flange shows"};
+      part.is_plain = false;
+    }
     Variant& down = add("miniprof_upside_down", header + "\n" + rows(scaled(points, 1.0, -1.0)));
     down.is_plain = false;
     down.corrections = {"height mirrored"};
