@@ -1,7 +1,7 @@
 /// Jacobians of contact forces against central differences of whole scenes.
 ///
-/// They are those of similar contacts on fixed elements; tests/core/evidence/compare_jacobian shows
-/// by how much they are off over random scenes.
+/// They are those of fixed sets of elements, which follow the contact; how far they are off over
+/// random scenes shows tests/core/evidence/compare_jacobian.
 #include "wheel/force_jacobian.hpp"
 
 #include <cmath>
