@@ -257,19 +257,22 @@ RollingSolution solve_both_ways(const PatchResult& patch, const PatchMotion& mot
   return std::move(both.rolling);
 }
 
-/// Of what the full theory is solved for on `grid`, by position.
+/// Of what is solved for by position; `now`: as it rolls forwards, on `grid` of the patch's plane.
 std::vector<ProblemRate> problem_rates(const PatchResult& patch, const PatchRates& rates,
-                                       const Grid& grid, bool backwards) {
+                                       const Grid& grid, const RollingProblem& now,
+                                       bool backwards) {
   std::vector<ProblemRate> result;
   for (const PatchMove& move : moves_of(patch, rates, creep_pressure_step)) {
-    const auto after = [&](const MovedPatch& moved) {
-      GridPressure at{moved_grid(grid, moved.elements), {}};
-      at.pressure = pressures_on(
-          at.grid, SmoothPressure(moved_grid(patch.grid, moved.elements), moved.pressure),
-          moved.normal_force);
-      return backwards ? GridPressure{turned(at.grid), turned(std::move(at.pressure), 1.0)} : at;
-    };
-    result.push_back(rate_between(after(move.ahead), after(move.behind), move.apart));
+    const MovedPatch& moved = move.ahead;
+    Grid ahead = moved_grid(grid, moved.elements);
+    std::vector<double> pressure =
+        pressures_on(ahead, SmoothPressure(moved_grid(patch.grid, moved.elements), moved.pressure),
+                     moved.normal_force);
+    if (backwards) {
+      ahead = turned(ahead);
+      pressure = turned(std::move(pressure), 1.0);
+    }
+    result.push_back(rate_between(now, ahead, pressure, 0.5 * move.apart));
   }
   return result;
 }
@@ -301,7 +304,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   problem.derivatives = request.derivatives;
   std::vector<ProblemRate> by_position;
   if (rates != nullptr && !unlike) {
-    by_position = problem_rates(patch, *rates, creep.grid, motion.backwards);
+    by_position = problem_rates(patch, *rates, creep.grid, problem, motion.backwards);
     problem.rates = by_position;
   }
   RollingSolution solution;

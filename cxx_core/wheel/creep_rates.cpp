@@ -154,14 +154,15 @@ void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, doub
   }
 }
 
-ProblemRate rate_between(const GridPressure& ahead, const GridPressure& behind, double apart) {
-  ProblemRate rate{(ahead.grid.longitudinal_first - behind.grid.longitudinal_first) / apart,
-                   (ahead.grid.longitudinal_step - behind.grid.longitudinal_step) / apart,
-                   (ahead.grid.lateral_first - behind.grid.lateral_first) / apart,
-                   (ahead.grid.lateral_step - behind.grid.lateral_step) / apart,
-                   std::vector<double>(ahead.pressure.size())};
-  for (std::size_t i = 0; i < rate.pressure.size(); ++i) {
-    rate.pressure[i] = (ahead.pressure[i] - behind.pressure[i]) / apart;
+ProblemRate rate_between(const RollingProblem& now, const Grid& grid,
+                         std::span<const double> pressure, double step) {
+  ProblemRate rate{(grid.longitudinal_first - now.grid.longitudinal_first) / step,
+                   (grid.longitudinal_step - now.grid.longitudinal_step) / step,
+                   (grid.lateral_first - now.grid.lateral_first) / step,
+                   (grid.lateral_step - now.grid.lateral_step) / step,
+                   std::vector<double>(pressure.size())};
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    rate.pressure[i] = (pressure[i] - now.pressure[i]) / step;
   }
   return rate;
 }

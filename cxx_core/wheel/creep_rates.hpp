@@ -9,7 +9,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "rolling/creep_laws.hpp"
@@ -43,12 +43,9 @@ std::array<PatchMove, position_count> moves_of(const PatchResult& patch, const P
 /// A grid of the patch's plane after its elements have moved.
 Grid moved_grid(Grid grid, const ElementMotion& motion);
 
-/// Pressures on a grid about a patch's reference.
-struct GridPressure {
-  Grid grid;
-  std::vector<double> pressure;
-};
-ProblemRate rate_between(const GridPressure& ahead, const GridPressure& behind, double apart);
+/// From a problem to a grid and pressures on it, a step later.
+ProblemRate rate_between(const RollingProblem& now, const Grid& grid,
+                         std::span<const double> pressure, double step);
 
 /// Of the forces of FASTSIM by strips, by a difference; its flexibilities are taken to grow with
 /// the contact's length.

@@ -14,10 +14,14 @@
 namespace wrc::test::force_jacobian_test {
 namespace {
 
-/// Of a column's largest entry. Velocities change creepages only, up to 4e-3 was seen; a position
-/// changes the contact's shape, too, up to 2e-2.
+/// Of a column's largest entry: what elements that enter the contact or change between adhesion and
+/// slip leave. Velocities: up to 4e-3 was seen; positions: up to 1.5e-2, up to 3.1e-2 on the flange
+/// and by strips, whose flexibilities are taken to grow with the contact.
 constexpr double velocity_tolerance = 8e-3;
-constexpr double position_tolerance = 4e-2;
+constexpr double position_tolerance = 2e-2;
+constexpr double flange_tolerance = 4e-2;
+/// On an ellipse, which has no elements: up to 3.2e-3 was seen.
+constexpr double ellipse_tolerance = 5e-3;
 
 struct Case {
   const char* name;
@@ -77,23 +81,21 @@ TEST_P(Jacobians, AreThoseOfCentralDifferences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Jacobians,
-                         testing::Values(Case{"centred", 0.0, 0.0}, Case{"outwards", -2.0, 0.004},
-                                         Case{"flange_root", 5.0, 0.002},
-                                         Case{"flange", 6.6, 0.005},
-                                         Case{"backwards", -2.0, -0.001, CreepModel::full, -2e4},
-                                         /* Forces without a bound depend most on the shape. */
-                                         Case{"linear", -2.0, 0.001, CreepModel::linear, 2e4, 8e-2},
-                                         Case{"polach", -2.0, 0.003, CreepModel::polach},
-                                         Case{"fastsim", -2.0, 0.001, CreepModel::fastsim},
-                                         Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips},
-                                         Case{"friction_falls", -2.0, 0.004, CreepModel::polach,
-                                              2e4, position_tolerance, falling},
-                                         Case{"friction_by_place", 3.0, 0.004, CreepModel::polach,
-                                              2e4, position_tolerance, by_place}),
-                         [](const testing::TestParamInfo<Case>& tested) {
-                           return tested.param.name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Jacobians,
+    testing::Values(Case{"centred", 0.0, 0.0}, Case{"outwards", -2.0, 0.004},
+                    Case{"flange_root", 5.0, 0.002},
+                    Case{"flange", 6.6, 0.005, CreepModel::full, 2e4, flange_tolerance},
+                    Case{"backwards", -2.0, -0.001, CreepModel::full, -2e4},
+                    Case{"linear", -2.0, 0.001, CreepModel::linear, 2e4, ellipse_tolerance},
+                    Case{"polach", -2.0, 0.003, CreepModel::polach, 2e4, ellipse_tolerance},
+                    Case{"fastsim", -2.0, 0.001, CreepModel::fastsim, 2e4, ellipse_tolerance},
+                    Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips, 2e4, flange_tolerance},
+                    Case{"friction_falls", -2.0, 0.004, CreepModel::polach, 2e4, ellipse_tolerance,
+                         falling},
+                    Case{"friction_by_place", 3.0, 0.004, CreepModel::polach, 2e4,
+                         ellipse_tolerance, by_place}),
+    [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
 TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
   Scene scene = scene_of({"", 2.0, 0.003});
