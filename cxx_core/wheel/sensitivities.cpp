@@ -67,9 +67,8 @@ double slope_at(std::span<const double> field, std::size_t element, std::size_t 
                 std::size_t count, std::size_t stride, double step) {
   const std::size_t behind = place > 0 ? element - stride : element;
   const std::size_t ahead = place + 1 < count ? element + stride : element;
-  return ahead > behind ? (field[ahead] - field[behind]) /
-                              (step * static_cast<double>((ahead - behind) / stride))
-                        : 0.0;
+  const std::size_t steps = (ahead - behind) / stride;
+  return steps > 0 ? (field[ahead] - field[behind]) / (step * static_cast<double>(steps)) : 0.0;
 }
 
 /// What the motion of its elements adds to the rates of a patch's gaps: their undeformed distance
