@@ -145,4 +145,9 @@ inline constexpr double polonsky_keer_start_quantile = 0.2;
 /// origin: measured: it takes 5 to 30; the limit ends what does not converge.
 inline constexpr int strip_step_limit = 200;
 
+/// Relative change of the ratio of an element's sides by which influence coefficients are
+/// differentiated.
+/// origin: derived: the differences' own error and rounding are both below 1e-6.
+inline constexpr double stiffness_aspect_step = 1e-4;
+
 } // namespace wrc

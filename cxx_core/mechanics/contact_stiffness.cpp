@@ -86,6 +86,7 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
   for (const SolvedPatch& solved : patches) {
     Patch patch;
     patch.grid = solved.grid;
+    patch.elements = solved.elements;
     patch.begin = count;
     patch.in_contact = find_pressure_box(
         {solved.grid.lateral_count, solved.grid.longitudinal_count}, solved.pressure, 0, patch.box);
@@ -157,6 +158,46 @@ void ContactStiffness::displace(const Group& group, const double* force, double*
     add_influence(force, displacement);
   }
   multiply(contact_.data() + group.begin, displacement + group.begin, group.count);
+}
+
+ContactStiffness::Displacements
+ContactStiffness::displacements_of(std::size_t patch_index, std::span<const double> pressure) {
+  const Patch& patch = patches_[patch_index];
+  Displacements result{std::vector<double>(pressure.size()), std::vector<double>(pressure.size())};
+  if (!patch.in_contact) {
+    return result;
+  }
+  const std::size_t rows = patch.box.rows();
+  const std::size_t columns = patch.box.columns();
+  std::vector<double> in_box(patch.count());
+  const auto in_grid = [&](const auto& visit) {
+    for_each_row(patch.box, patch.grid.longitudinal_count,
+                 [&](std::size_t from_box, std::size_t from_grid) {
+                   for (std::size_t i = 0; i < columns; ++i) {
+                     visit(from_box + i, from_grid + i);
+                   }
+                 });
+  };
+  in_grid([&](std::size_t box, std::size_t grid) { in_box[box] = pressure[grid]; });
+  const double unit = patch.unit * patch.grid.element_area() / force_unit_;
+  const double aspect = patch.grid.lateral_step / patch.grid.longitudinal_step;
+  const auto displaced = [&](double factor) {
+    const auto convolution =
+        BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0},
+                                       {shared_aspect(factor * aspect), patch.elements}, cache_);
+    std::vector<double> values(patch.count());
+    convolution.apply(in_box.data(), values.data(), workspace_);
+    return values;
+  };
+  const std::vector<double> here = displaced(1.0);
+  const std::vector<double> wider = displaced(1.0 + stiffness_aspect_step);
+  const std::vector<double> narrower = displaced(1.0 - stiffness_aspect_step);
+  in_grid([&](std::size_t box, std::size_t grid) {
+    result.displacement[grid] = unit * here[box];
+    result.by_lateral_step[grid] =
+        unit * (wider[box] - narrower[box]) / (2.0 * stiffness_aspect_step);
+  });
+  return result;
 }
 
 void ContactStiffness::add_influence(const double* force, double* displacement) {

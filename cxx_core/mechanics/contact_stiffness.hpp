@@ -79,9 +79,18 @@ public:
                          std::vector<std::vector<double>>& pressure, double tolerance = 1e-8,
                          int maximum_iterations = 5000);
 
+  /// What pressures of a patch displace at it, mm, and how that changes with the logarithm of the
+  /// lateral step. (Displacements are lengths: with both steps they grow by themselves.)
+  struct Displacements {
+    std::vector<double> displacement;
+    std::vector<double> by_lateral_step;
+  };
+  Displacements displacements_of(std::size_t patch, std::span<const double> pressure);
+
 private:
   struct Patch {
     Grid grid;
+    Elements elements = Elements::constant;
     bool in_contact = false;
     ElementBox box;
     std::size_t begin = 0; ///< of the box's elements among those of all boxes

@@ -77,6 +77,10 @@ inline constexpr double rate_tolerance = 1e-2;
 /// origin: reasoned: a bound.
 inline constexpr int rate_restarts = 10;
 
+/// Relative change of the ratio of an element's sides by which its coefficients are differentiated.
+/// origin: derived: the differences' own error and rounding are both below 1e-7.
+inline constexpr double aspect_step = 1e-4;
+
 /// Shorter side of the coarsest grid of the cascade, at least.
 /// origin: measured (a trial of the method, 40 to 60 ellipses): below, what it costs is not saved
 /// on finer grids.

@@ -8,6 +8,7 @@
 #include "half_space/traction_convolution.hpp"
 #include "rolling/constants.hpp"
 #include "rolling/leading_edge.hpp"
+#include "rolling/problem_rates.hpp"
 #include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_newton.hpp"
 #include "rolling/unlike_bodies.hpp"
@@ -170,6 +171,7 @@ struct RollingSolver::State {
         solution.by_creepage[3 * force + creepage] = rates[force];
       }
     }
+    solution.by_rate = rates_of_forces(problem, scaled, level, *plans);
     return outcome;
   }
 };
@@ -190,6 +192,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
   solution.slip_y.resize(problem.grid.element_count());
   const ScaledTractions scaled(problem, *state_->plans);
   if (scaled.empty()) {
+    solution.by_rate.resize(problem.rates.size());
     return solution;
   }
   const CascadeKey key{scaled.box().shape.rows, scaled.box().shape.columns,

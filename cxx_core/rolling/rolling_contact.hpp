@@ -47,6 +47,15 @@ enum class SlipDifference {
   first_order ///< one element upstream, as CONTACT (Vollebregt) does: for comparison
 };
 
+/// How a problem changes with something: elements, which move with the grid, and their pressures.
+struct ProblemRate {
+  double longitudinal_first = 0.0; ///< mm, as the others
+  double longitudinal_step = 0.0;
+  double lateral_first = 0.0;
+  double lateral_step = 0.0;
+  std::vector<double> pressure; ///< MPa per element; without effect where there is none
+};
+
 struct RollingProblem {
   Grid grid;
   std::span<const double> pressure; ///< MPa per element, >= 0
@@ -67,7 +76,9 @@ struct RollingProblem {
   TangentialMotion motion = TangentialMotion::rolling;
   SlipDifference difference = SlipDifference::biased;
   bool derivatives = false; ///< whether RollingSolution::by_creepage is requested
-  double tolerance = 1e-3;  ///< of the residual, see TangentialResiduals::natural
+  /// For which RollingSolution::by_rate is requested, of like bodies in steady rolling.
+  std::span<const ProblemRate> rates;
+  double tolerance = 1e-3; ///< of the residual, see TangentialResiduals::natural
   int maximum_iterations = 30;
 };
 
@@ -86,6 +97,8 @@ struct RollingSolution {
   /// by mm and rad. Those by friction follow for like bodies, since F is homogeneous in mu and the
   /// creepages: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi.
   std::array<double, 9> by_creepage{};
+  /// Of Fx, Fy (N) and Mz (N mm) by each of the problem's rates, in the same way.
+  std::vector<std::array<double, 3>> by_rate;
   double slip_area = 0.0;     ///< mm^2
   double adhesion_area = 0.0; ///< mm^2
   /// -F.w in N: frictional power over the speed, exact for steady rolling, where the elastic energy

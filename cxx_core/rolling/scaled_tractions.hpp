@@ -53,6 +53,10 @@ public:
     return !problem_.covered.empty() && problem_.motion == TangentialMotion::rolling;
   }
   [[nodiscard]] double aspect() const { return aspect_; }
+  [[nodiscard]] double bound() const { return bound_; }
+  [[nodiscard]] double slip_scale() const { return slip_scale_; }
+  /// By the problem's order, from rows downstream.
+  [[nodiscard]] std::size_t element(std::size_t row, std::size_t column) const;
   [[nodiscard]] TractionTable table() const {
     return traction_table(aspect_, box_.shape.table_rows(), box_.shape.table_columns());
   }
@@ -82,7 +86,6 @@ public:
   [[nodiscard]] double power_of_given_slip(const RollingSolution& solution) const;
 
 private:
-  [[nodiscard]] std::size_t element(std::size_t row, std::size_t column) const;
   void find_box();
   void take_in_previous(LinePlans& plans);
   void take_in_pressure(LinePlans& plans);
@@ -92,8 +95,8 @@ private:
   const RollingProblem& problem_;
   Box box_;
   double aspect_ = 1.0;
-  double bound_ = 0.0;      ///< mu times the largest pressure, MPa
-  double slip_scale_ = 0.0; ///< a slip of 1 without units
+  double bound_ = 0.0;      ///< mu times the largest pressure, MPa: a traction without units of 1
+  double slip_scale_ = 0.0; ///< likewise of slips
   SlipDifferenceWeights difference_;
   /// Slip from previous tractions or from pressures, without units; empty: none.
   std::vector<double> given_slip_;

@@ -65,6 +65,8 @@ public:
   /// as linearised at the solution, to this relative accuracy. The same layout as tractions; valid
   /// until the next call.
   const Real* solve_rate(const Real* slip_rate, double relative_tolerance);
+  /// What tractions displace; fields of two components.
+  void convolve(const Real* in, Real* out);
 
 private:
   /// Fields of two components, behind bound and edge.
@@ -81,7 +83,6 @@ private:
     vector_count
   };
   [[nodiscard]] Real* vector(Vector which) { return fields_.data() + (2 + 2 * which) * count_; }
-  void convolve(const Real* in, Real* out);
   [[nodiscard]] double residual_of(const Real* q, const Real* s) const;
   void solve_linear(double relative_tolerance, Real* step, Real* step_slip);
   void take_step(double residual, const Real* step, const Real* step_slip);

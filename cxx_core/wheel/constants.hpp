@@ -209,6 +209,10 @@ inline constexpr double free_pitch_tolerance = 0.01;
 /// slides. origin: reasoned: errors of truncation 1e-4, of rounding 1e-11.
 inline constexpr double creep_difference_step = 1e-2;
 
+/// Change of pressures, in the largest of them, by which they are differentiated.
+/// origin: reasoned: elements under pressure keep it, all but some at the edge.
+inline constexpr double creep_pressure_step = 1e-4;
+
 /// Speed below which creepages go to 0 with the velocities, mm/s.
 /// origin: reasoned: at walking speed, 1 m/s, it changes creepages by 5e-7 of themselves.
 inline constexpr double standstill_speed = 1.0;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/error.hpp"
 #include "mechanics/cascade.hpp"
 #include "pressure/smooth_pressure.hpp"
 #include "rolling/creep_laws.hpp"
@@ -13,7 +12,9 @@
 #include "rolling/unlike_bodies.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_grid.hpp"
+#include "wheel/creep_rates.hpp"
 #include "wheel/wheel_result.hpp"
+#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {
 namespace {
@@ -56,19 +57,28 @@ Creepages turned(const Creepages& creepages) {
   return {-creepages.longitudinal, -creepages.lateral, creepages.spin};
 }
 
-/// Forces on the Hertzian ellipse with the patch's second moments, about the patch's origin.
-CreepForces forces_on_ellipse(const PatchResult& patch, const PatchMotion& motion,
-                              const CreepRequest& request, CreepResult& creep) {
+/// The Hertzian ellipse with the second moments of pressures, and its centre from the reference.
+struct EllipseInPlane {
+  double longitudinal_semi_axis, lateral_semi_axis;
+  double load;
+  double x, y;
+};
+
+EllipseInPlane ellipse_of(const Grid& grid, const PressureRegion& contact, double load) {
   // Contact on a single line of elements has no second moment across it.
+  return {std::max(contact.semi_axis_longitudinal, 0.5 * grid.longitudinal_step),
+          std::max(contact.semi_axis_lateral, 0.5 * grid.lateral_step), load,
+          contact.centroid_longitudinal, contact.centroid_lateral};
+}
+
+/// About the reference.
+CreepForces forces_on_ellipse(const EllipseInPlane& contact, const PatchMotion& motion,
+                              const CreepRequest& request, CreepResult& creep) {
   const RollingEllipse ellipse{
-      std::max(patch.semi_axis_longitudinal, 0.5 * patch.grid.longitudinal_step),
-      std::max(patch.semi_axis_lateral, 0.5 * patch.grid.lateral_step),
-      patch.normal_force,
-      motion.friction,
-      request.material.modulus,
-      request.material.poisson};
-  const double x = patch.contact.centroid_longitudinal;
-  const double y = patch.contact.centroid_lateral;
+      contact.longitudinal_semi_axis, contact.lateral_semi_axis, contact.load, motion.friction,
+      request.material.modulus,       request.material.poisson};
+  const double x = contact.x;
+  const double y = contact.y;
   const Creepages forwards = creepages_at(motion.creepages, x, y);
   const Creepages centre = motion.backwards ? turned(forwards) : forwards;
   const KalkerCoefficients coefficients = kalker_coefficients(ellipse);
@@ -123,6 +133,49 @@ std::array<double, 9> difference_by_creepage(const PatchResult& patch, const Cre
   return derivatives;
 }
 
+/// On the Hertzian ellipse, with derivatives.
+CreepForces solve_on_ellipse(const PatchResult& patch, const PatchMotion& motion,
+                             const CreepRequest& request, const PatchRates* rates,
+                             CreepResult& creep) {
+  const EllipseInPlane ellipse = ellipse_of(patch.grid, patch.contact, patch.normal_force);
+  CreepResult unused;
+  if (request.derivatives) {
+    creep.derivatives.emplace().by_creepage = difference_by_creepage(
+        patch, request, motion, motion.creepages, [&](const Creepages& creepages) {
+          PatchMotion moved = motion;
+          moved.creepages = creepages;
+          return forces_on_ellipse(ellipse, moved, request, unused);
+        });
+    if (rates != nullptr) {
+      creep.derivatives->by_position = differences_of(
+          moves_of(patch, *rates, creep_difference_step), [&](const MovedPatch& moved) {
+            const Grid grid = moved_grid(patch.grid, moved.elements);
+            const EllipseInPlane other =
+                ellipse_of(grid, summarise_pressure(grid, moved.pressure), moved.normal_force);
+            return forces_on_ellipse(other, motion, request, unused);
+          });
+    }
+  }
+  return forces_on_ellipse(ellipse, motion, request, creep);
+}
+
+/// Pressures on a grid, of this force together: at the centres of elements, or, where the shares in
+/// contact are asked for, their means.
+std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
+                                 double normal_force, std::vector<double>* covered) {
+  std::vector<double> result;
+  if (covered != nullptr) {
+    pressure.fill_means(grid, result, *covered);
+  } else {
+    pressure.fill(grid, result);
+  }
+  const double force = std::accumulate(result.begin(), result.end(), 0.0) * grid.element_area();
+  for (double& p : result) {
+    p *= force > 0.0 ? normal_force / force : 0.0;
+  }
+  return result;
+}
+
 /// FASTSIM strip by strip; its derivatives are differences.
 RollingSolution solve_by_strips(const PatchResult& patch, const PatchMotion& motion,
                                 const CreepRequest& request, RollingProblem problem,
@@ -132,10 +185,14 @@ RollingSolution solve_by_strips(const PatchResult& patch, const PatchMotion& mot
   if (request.derivatives) {
     solution.by_creepage = difference_by_creepage(
         patch, request, motion, problem.creepages, [&](const Creepages& creepages) -> CreepForces {
-          problem.creepages = creepages;
-          const RollingSolution found = solve_with_fastsim(problem, flexibilities);
+          RollingProblem other = problem;
+          other.creepages = creepages;
+          const RollingSolution found = solve_with_fastsim(other, flexibilities);
           return {found.longitudinal_force, found.lateral_force, found.spin_moment};
         });
+    for (const ProblemRate& rate : problem.rates) {
+      solution.by_rate.push_back(difference_by_strips(problem, flexibilities, rate));
+    }
   }
   return solution;
 }
@@ -157,10 +214,31 @@ RollingSolution solve_both_ways(const PatchResult& patch, const PatchMotion& mot
   return std::move(both.rolling);
 }
 
+/// Of what is solved for by position; `now`: as it rolls forwards, on `grid` of the patch's plane.
+std::vector<ProblemRate> problem_rates(const PatchResult& patch, const PatchRates& rates,
+                                       const Grid& grid, const RollingProblem& now,
+                                       bool backwards) {
+  std::vector<ProblemRate> result;
+  for (const PatchMove& move : moves_of(patch, rates, creep_pressure_step)) {
+    const MovedPatch& moved = move.ahead;
+    Grid ahead = moved_grid(grid, moved.elements);
+    std::vector<double> covered; // the edge stays where it is in its element
+    std::vector<double> pressure =
+        pressures_on(ahead, SmoothPressure(moved_grid(patch.grid, moved.elements), moved.pressure),
+                     moved.normal_force, now.covered.empty() ? nullptr : &covered);
+    if (backwards) {
+      ahead = turned(ahead);
+      pressure = turned(std::move(pressure), 1.0);
+    }
+    result.push_back(rate_between(now, ahead, pressure, 0.5 * move.apart));
+  }
+  return result;
+}
+
 /// On the patch's own pressures.
 CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
-                            const CreepRequest& request, RollingSolver& solver,
-                            CreepResult& creep) {
+                            const CreepRequest& request, const PatchRates* rates,
+                            RollingSolver& solver, CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
   creep.grid = grid_around_contact(patch.grid, pressure, request.accuracy, patch.lobes);
   const bool unlike =
@@ -169,16 +247,9 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
     creep.grid = extended_to(creep.grid, patch.grid);
   }
   std::vector<double> covered;
-  if (request.model == CreepModel::full && !unlike) {
-    pressure.fill_means(creep.grid, creep.pressure, covered);
-  } else {
-    pressure.fill(creep.grid, creep.pressure);
-  }
-  const double force = std::accumulate(creep.pressure.begin(), creep.pressure.end(), 0.0) *
-                       creep.grid.element_area();
-  for (double& p : creep.pressure) {
-    p *= force > 0.0 ? patch.normal_force / force : 0.0;
-  }
+  const bool by_means = request.model == CreepModel::full && !unlike;
+  creep.pressure =
+      pressures_on(creep.grid, pressure, patch.normal_force, by_means ? &covered : nullptr);
   const double sign = motion.backwards ? -1.0 : 1.0;
   RollingProblem problem;
   problem.grid = motion.backwards ? turned(creep.grid) : creep.grid;
@@ -194,6 +265,11 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   problem.creepages = motion.backwards ? turned(motion.creepages) : motion.creepages;
   problem.tolerance = creep_iteration_share * request.accuracy;
   problem.derivatives = request.derivatives;
+  std::vector<ProblemRate> by_position;
+  if (rates != nullptr && !unlike) {
+    by_position = problem_rates(patch, *rates, creep.grid, problem, motion.backwards);
+    problem.rates = by_position;
+  }
   RollingSolution solution;
   if (unlike) {
     solution = solve_both_ways(patch, motion, request, problem, solver, creep);
@@ -207,6 +283,14 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
     by_creepage = solution.by_creepage;
     for (const std::size_t turning : {2U, 5U, 6U, 7U}) { // forces by spin, moments by creepages
       by_creepage[turning] *= sign;
+    }
+    if (!solution.by_rate.empty()) {
+      auto& by = creep.derivatives->by_position.emplace();
+      for (std::size_t i = 0; i < position_count; ++i) {
+        by[i] = sign * solution.by_rate[i][0];
+        by[position_count + i] = sign * solution.by_rate[i][1];
+        by[2 * position_count + i] = solution.by_rate[i][2];
+      }
     }
   }
   creep.slip_area = solution.slip_area;
@@ -238,25 +322,10 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   return {sign * solution.longitudinal_force, sign * solution.lateral_force, solution.spin_moment};
 }
 
-/// Those by load and friction, from those by creepages (CreepDerivatives).
-void complete(CreepDerivatives& derivatives, const CreepForces& forces, const PatchMotion& motion,
-              double normal_force) {
-  const std::array<double, 3> values{forces.longitudinal, forces.lateral, forces.spin_moment};
-  constexpr std::array<double, 3> growth{1.0, 1.0, 4.0 / 3.0};
-  const Creepages& at = motion.creepages;
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    const double* by = derivatives.by_creepage.data() + 3 * row;
-    const double by_translation = by[0] * at.longitudinal + by[1] * at.lateral;
-    derivatives.by_load[row] = (growth[row] * values[row] - by_translation / 3.0) / normal_force;
-    derivatives.by_friction[row] =
-        motion.friction > 0.0 ? (values[row] - by_translation - by[2] * at.spin) / motion.friction
-                              : 0.0;
-  }
-}
-
 /// `motion`: at the patch's origin.
 CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
-                        const CreepRequest& request, double mirror, RollingSolver& solver) {
+                        const CreepRequest& request, double mirror, const PatchRates* rates,
+                        RollingSolver& solver) {
   CreepResult creep;
   creep.creepages = mirrored(motion.creepages, mirror);
   creep.friction = motion.friction;
@@ -266,19 +335,11 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
   }
   const bool on_patch =
       request.model == CreepModel::full || request.model == CreepModel::fastsim_strips;
-  const CreepForces forces = on_patch ? forces_on_patch(patch, motion, request, solver, creep)
-                                      : forces_on_ellipse(patch, motion, request, creep);
+  const CreepForces forces = on_patch
+                                 ? forces_on_patch(patch, motion, request, rates, solver, creep)
+                                 : solve_on_ellipse(patch, motion, request, rates, creep);
   if (request.derivatives) {
-    if (!on_patch) {
-      creep.derivatives.emplace().by_creepage = difference_by_creepage(
-          patch, request, motion, motion.creepages, [&](const Creepages& creepages) {
-            CreepResult unused;
-            PatchMotion moved = motion;
-            moved.creepages = creepages;
-            return forces_on_ellipse(patch, moved, request, unused);
-          });
-    }
-    complete(*creep.derivatives, forces, motion, patch.normal_force);
+    complete(*creep.derivatives, forces, motion.creepages, motion.friction, patch.normal_force);
     mirror_derivatives(*creep.derivatives, mirror);
   }
   creep.longitudinal_force = forces.longitudinal;
@@ -323,27 +384,6 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
   return motion;
 }
 
-/// Adds those of a part at a place of the plane, whose creepages there follow from those at the
-/// origin: c' = T c, and forces about it are T^t of the part's.
-void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, double weight,
-                     double longitudinal, double lateral) {
-  const std::array<std::array<double, 3>, 3> transfer{
-      {{1.0, 0.0, -lateral}, {0.0, 1.0, longitudinal}, {0.0, 0.0, 1.0}}};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t inner = 0; inner < 3; ++inner) {
-      const double arm = transfer[inner][row];
-      whole.by_load[row] += weight * arm * part.by_load[inner];
-      whole.by_friction[row] += arm * part.by_friction[inner];
-      for (std::size_t column = 0; column < 3; ++column) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          whole.by_creepage[3 * row + column] +=
-              arm * part.by_creepage[3 * inner + k] * transfer[k][column];
-        }
-      }
-    }
-  }
-}
-
 /// Parts of one plane together, about its origin.
 void add_part(CreepResult& whole, const CreepResult& part, double weight, double longitudinal,
               double lateral) {
@@ -370,47 +410,21 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
   whole.convolutions += part.convolutions;
 }
 
-void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
-  if (request.material.difference_parameter == 0.0 || wheel.patches.empty()) {
-    return;
-  }
-  if (request.model != CreepModel::full) {
-    wheel.warnings.emplace_back("creep forces of unlike materials: this model leaves out what "
-                                "pressures and tractions change in each other, the full one knows "
-                                "it");
-    return;
-  }
-  double change = 0.0;
-  for (const PatchResult* patch : solved_patches(wheel)) {
-    change = std::max(change, patch->creep->pressure_change);
-  }
-  if (change > request.accuracy) {
-    wheel.warnings.push_back("creep forces of unlike materials: tractions change pressures by " +
-                             short_text_of(change) +
-                             " in the mean, which results of normal contact leave out");
-  }
-}
-
 } // namespace
-
-void mirror_derivatives(CreepDerivatives& derivatives, double mirror) {
-  for (const std::size_t turning : {1U, 2U, 3U, 6U}) {
-    derivatives.by_creepage[turning] *= mirror;
-  }
-  for (const std::size_t turning : {1U, 2U}) {
-    derivatives.by_load[turning] *= mirror;
-    derivatives.by_friction[turning] *= mirror;
-  }
-}
 
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver) {
   wheel.details.friction = request.friction;
   if (request.motion) {
     wheel.details.motion = wheelset_motion(wheel, request);
   }
+  const WheelRates* rates = request.derivatives ? sensitivities_of(wheel) : nullptr;
+  const PatchRates* of_patch = rates != nullptr ? rates->patches.data() : nullptr;
   for (PatchResult& patch : wheel.patches) {
     std::vector<CreepResult> parts;
-    patch.creep = creep_of_patch(wheel, patch, request, solver, parts);
+    patch.creep = creep_of_patch(wheel, patch, request, solver, parts, of_patch);
+    if (of_patch != nullptr) {
+      of_patch += std::max<std::size_t>(parts.size(), 1);
+    }
     for (std::size_t i = 0; i < parts.size(); ++i) {
       patch.parts[i].creep = std::move(parts[i]);
     }
@@ -419,19 +433,20 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, Rolling
 
 CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
                            const CreepRequest& request, RollingSolver& solver,
-                           std::vector<CreepResult>& parts) {
+                           std::vector<CreepResult>& parts, const PatchRates* rates) {
   const double mirror = wheel.details.mirror;
   const PatchMotion motion = motion_of(patch, patch, wheel, request);
   if (patch.parts.empty()) {
-    return solve_patch(patch, motion, request, mirror, solver);
+    return solve_patch(patch, motion, request, mirror, rates, solver);
   }
   CreepResult whole;
   whole.creepages = mirrored(motion.creepages, mirror);
   whole.slip_speed = motion.slip_speed;
   for (const PatchResult& part : patch.parts) {
     const Vector3 apart = part.frame.origin - patch.frame.origin;
-    const CreepResult& creep = parts.emplace_back(
-        solve_patch(part, motion_of(part, patch, wheel, request), request, mirror, solver));
+    const CreepResult& creep =
+        parts.emplace_back(solve_patch(part, motion_of(part, patch, wheel, request), request,
+                                       mirror, rates != nullptr ? rates++ : nullptr, solver));
     add_part(whole, creep, part.normal_force / patch.normal_force,
              dot(apart, patch.frame.longitudinal), mirror * dot(apart, patch.frame.lateral));
   }
@@ -439,17 +454,6 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
     whole.numerical_loss /= whole.power_per_speed;
   }
   return whole;
-}
-
-void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
-  for (const PatchResult& patch : wheel.patches) {
-    if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
-      wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +
-                               " not reached: estimated error " +
-                               short_text_of(*patch.creep->error_estimate));
-    }
-  }
-  warn_of_unlike_bodies(wheel, request);
 }
 
 } // namespace wrc

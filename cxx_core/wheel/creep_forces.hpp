@@ -30,6 +30,7 @@
 
 namespace wrc {
 
+struct PatchRates;
 struct PatchResult;
 struct WheelResult;
 
@@ -63,6 +64,10 @@ struct CreepDerivatives {
   /// F is homogeneous in mu and the creepages: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi
   /// dF/dphi; of unlike bodies without what their pressures add.
   std::array<double, 3> by_friction{};
+  /// By lateral position, height, roll and yaw, as the patch's pressures and its reference change
+  /// with them (wheel/creep_rates.hpp), row by row; left-hand frame of the side. None where these
+  /// are not known.
+  std::optional<std::array<double, 12>> by_position;
 };
 
 /// The tangential contact of one patch.
@@ -94,15 +99,14 @@ struct CreepResult {
   std::vector<double> slip_y;
 };
 
-/// Into the left-hand frame of a side (`mirror` -1 on the right), or back.
-void mirror_derivatives(CreepDerivatives& derivatives, double mirror);
 /// Fills in the creep forces of all patches, in place of earlier ones.
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver);
 /// Those of one patch, and of its parts; of a request with a motion those of the wheel's motion as
-/// solve_creep_forces has set it.
+/// solve_creep_forces has set it. `rates`: of the patch, or of its parts one after the other, for
+/// the derivatives by positions.
 CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
                            const CreepRequest& request, RollingSolver& solver,
-                           std::vector<CreepResult>& parts);
+                           std::vector<CreepResult>& parts, const PatchRates* rates = nullptr);
 /// Adds the warnings that the creep forces found give rise to.
 void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "remesh/gap_rates.hpp"
+#include "wheel/creep_rates.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {
@@ -11,7 +12,7 @@ namespace {
 
 using Vector = VectorOf<RatedByState>;
 
-std::array<double, position_count> by_position(const ByMotion<double>& rates) {
+template <class Value> std::array<Value, position_count> by_position(const ByMotion<Value>& rates) {
   return {rates.lateral, rates.vertical, rates.roll, rates.yaw};
 }
 
@@ -25,8 +26,8 @@ void add_rate(Vector& vector, std::size_t position, const Vector3& rate) {
   vector.z.rates[position] += rate.z;
 }
 
-/// The reference moves along the plane with the penetration, and along its normal with the wheel.
-MovingFrame moving_frame(const PatchResult& patch, const PlaneRates& rates, const Vector3& centre,
+/// The place is one approach below the reference, which moves along the rail.
+MovingFrame moving_frame(const PatchResult& patch, const PatchRates& rates, const Vector3& centre,
                          const Pose& pose) {
   const ContactFrame& frame = patch.frame;
   const Vector3 place = frame.origin - patch.approach * frame.normal;
@@ -41,20 +42,18 @@ MovingFrame moving_frame(const PatchResult& patch, const PlaneRates& rates, cons
                                                         roll_motion(pose.yaw), yaw_motion()};
   const Vector3 axle = Rotation(pose).to_track({0.0, 1.0, 0.0});
   const auto angle = by_position(rates.angle);
-  const auto along = by_position(rates.mean_x);
-  const auto across = by_position(rates.mean_y);
+  const auto reference = by_position(rates.reference);
+  const auto gap = by_position(rates.gap);
   for (std::size_t i = 0; i < position_count; ++i) {
     const RigidMotion& motion = motions[i];
     const Vector3 of_wheel = motion.translation + cross(motion.rotation, place - centre);
     add_rate(moving.lateral, i, angle[i] * frame.normal);
     add_rate(moving.normal, i, -angle[i] * frame.lateral);
-    const Vector3 of_place = along[i] * frame.longitudinal +
-                             (across[i] / frame.lateral.y) * frame.lateral +
-                             dot(of_wheel, frame.normal) * frame.normal;
+    const Vector3 of_place = reference[i] + gap[i] * frame.normal;
     add_rate(moving.place, i, of_place);
     moving.s_wheel.rates[i] = dot(of_place - of_wheel, axle);
     add_rate(moving.centre, i, motion.translation);
-    moving.reference_y.rates[i] = across[i];
+    moving.reference_y.rates[i] = reference[i].y;
   }
   return moving;
 }
@@ -98,7 +97,8 @@ std::array<RatedByState, 3> rated_creep_forces(const CreepResult& creep, double 
         rate += derivatives.by_creepage[3 * row + c] * state.creepages[c].rates[i];
       }
       if (i < position_count) {
-        rate += derivatives.by_load[row] * by_position_of_load[i];
+        rate += derivatives.by_position ? (*derivatives.by_position)[row * position_count + i]
+                                        : derivatives.by_load[row] * by_position_of_load[i];
       }
     }
   }
@@ -151,7 +151,7 @@ ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates
     if (!patch.creep || !patch.creep->derivatives) {
       continue;
     }
-    const MovingFrame frame = moving_frame(patch, rates.patches[k].plane, centre, details.pose);
+    const MovingFrame frame = moving_frame(patch, rates.patches[k], centre, details.pose);
     const auto [longitudinal, lateral, spin] =
         rated_creep_forces(*patch.creep, details.mirror, rates.patches[k],
                            creep_state_of(*patch.creep, details, frame));

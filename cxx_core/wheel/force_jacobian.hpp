@@ -5,14 +5,15 @@
 /// position, height, roll and yaw and by six velocities; by the position along the track and the
 /// angle of the axle nothing changes. Normal forces as in wheel/sensitivities.hpp. Tangential ones,
 /// with creepages c and the derivatives of the tangential solution (CreepDerivatives), change by
-///   dT = (dT/dc) dc + (dT/dN) dN + (dT/dmu) dmu
+///   dT = (dT/dc) dc + (dT/dp) dp + (dT/dmu) dmu
 /// and with their plane, which turns. dc and dmu from the motion of wheelset and patch
-/// (wheel/kinematics.hpp, wheel/friction.hpp).
+/// (wheel/kinematics.hpp, wheel/friction.hpp), dT/dp dp, by pressures, as wheel/creep_rates.hpp has
+/// it; of unlike bodies the contact is taken to stay similar, (dT/dN) dN.
 /// Units N, N mm by mm, rad, mm/s, rad/s. Track frame. Thread rule: one thread at a time for a
 /// result.
 ///
-/// Not known here: that the contact's shape changes; what tangential forces of a pitch rate that is
-/// sought change in it.
+/// Not known here: elements that enter the contact, or change between adhesion and slip; what
+/// tangential forces of a pitch rate that is sought change in it.
 #pragma once
 
 #include <array>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include "remesh/gap_rates.hpp"
 
@@ -18,36 +19,17 @@ WheelForce mirrored_wheel(const WheelForce& a, double motion_sign) {
           {-motion_sign * a.moment.x, motion_sign * a.moment.y, -motion_sign * a.moment.z}};
 }
 
-double sum_of_products(std::span<const double> first, std::span<const double> second) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    sum += first[i] * second[i];
-  }
-  return sum;
-}
-
 std::vector<std::span<const double>> spans_of(const Fields& fields) {
   return {fields.begin(), fields.end()};
 }
 
-/// What pressures are weighted with: for their force, and for its first moments in the plane.
+/// Force of pressures, and its first moments in the plane.
 constexpr std::size_t weight_count = 3; // not a tuning constant
 using Weighted = std::array<double, weight_count>;
 
 Weighted weights_at(const Grid& grid, std::size_t element) {
   return {1.0, grid.longitudinal(element % grid.longitudinal_count),
           grid.lateral(element / grid.longitudinal_count)};
-}
-
-Fields weight_fields(const Grid& grid) {
-  Fields fields(weight_count, std::vector<double>(grid.element_count()));
-  for (std::size_t element = 0; element < grid.element_count(); ++element) {
-    const Weighted weights = weights_at(grid, element);
-    for (std::size_t i = 0; i < weight_count; ++i) {
-      fields[i][element] = weights[i];
-    }
-  }
-  return fields;
 }
 
 /// Force and moments of a field of pressures.
@@ -69,79 +51,176 @@ WheelForce about_centre(const ContactFrame& frame, const Vector3& centre, const 
   return {sums[0] * frame.normal, cross(place, frame.normal)};
 }
 
-/// Rates of a patch's force and of its moments in the plane, by motion.
-using WeightedRates = std::array<Weighted, motion_count>;
+template <class Value> std::array<Value, motion_count> by_motion(const ByMotion<Value>& rates) {
+  return {rates.lateral, rates.vertical, rates.roll, rates.yaw};
+}
 
+template <class Value> ByMotion<Value> to_rates(std::array<Value, motion_count> by_motion) {
+  auto& [lateral, vertical, roll, yaw] = by_motion;
+  return {std::move(lateral), std::move(vertical), std::move(roll), std::move(yaw)};
+}
+
+using ElementMotions = std::array<ElementMotion, motion_count>;
+
+/// By what a field changes from element to element, per mm.
+double slope_at(std::span<const double> field, std::size_t element, std::size_t place,
+                std::size_t count, std::size_t stride, double step) {
+  const std::size_t behind = place > 0 ? element - stride : element;
+  const std::size_t ahead = place + 1 < count ? element + stride : element;
+  const std::size_t steps = (ahead - behind) / stride;
+  return steps > 0 ? (field[ahead] - field[behind]) / (step * static_cast<double>(steps)) : 0.0;
+}
+
+/// What the motion of its elements adds to the rates of a patch's gaps: their undeformed distance
+/// changes with their place, what pressures displace at them with their size.
+void add_motion_of_elements(const LoadedPatch& patch, const ElementMotions& motions,
+                            const ContactStiffness::Displacements& displacements,
+                            Fields& gap_rates) {
+  const Grid& grid = patch.grid;
+  for (std::size_t element = 0; element < patch.undeformed_distance.size(); ++element) {
+    if (!(patch.pressure[element] > 0.0)) {
+      continue;
+    }
+    const std::size_t column = element % grid.longitudinal_count;
+    const std::size_t row = element / grid.longitudinal_count;
+    const double along = slope_at(patch.undeformed_distance, element, column,
+                                  grid.longitudinal_count, 1, grid.longitudinal_step);
+    const double across = slope_at(patch.undeformed_distance, element, row, grid.lateral_count,
+                                   grid.longitudinal_count, grid.lateral_step);
+    for (std::size_t motion = 0; motion < motion_count; ++motion) {
+      const ElementMotion& of = motions[motion];
+      gap_rates[motion][element] +=
+          (of.along + of.longitudinal_growth * grid.longitudinal(column)) * along +
+          (of.across + of.lateral_growth * grid.lateral(row)) * across +
+          of.longitudinal_growth * displacements.displacement[element] +
+          (of.lateral_growth - of.longitudinal_growth) * displacements.by_lateral_step[element];
+    }
+  }
+}
+
+/// Rates of the force and its moments in the plane, of elements that move.
+Weighted rates_of_sums(const LoadedPatch& patch, std::span<const double> pressure_rate,
+                       const ElementMotion& motion, const Weighted& sums) {
+  Weighted rate = weighted_sums(patch.grid, pressure_rate);
+  for (std::size_t i = 0; i < weight_count; ++i) {
+    rate[i] += (motion.longitudinal_growth + motion.lateral_growth) * sums[i];
+  }
+  rate[1] += motion.along * sums[0] + motion.longitudinal_growth * sums[1];
+  rate[2] += motion.across * sums[0] + motion.lateral_growth * sums[2];
+  return rate;
+}
+
+/// Elements that follow the centre of pressure and the root mean square distances from it, from
+/// rates of pressures of elements that move otherwise.
+ElementMotion following(const LoadedPatch& patch, std::span<const double> pressure_rate,
+                        const ElementMotion& motion) {
+  double force = 0.0;
+  double force_rate = 0.0;
+  std::array<double, 2> first{}, first_rate{}, second{}, second_rate{};
+  for (std::size_t element = 0; element < patch.pressure.size(); ++element) {
+    const double p = patch.pressure[element];
+    const double rate = pressure_rate[element];
+    const Weighted weights = weights_at(patch.grid, element);
+    force += p;
+    force_rate += rate;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double place = weights[i + 1];
+      first[i] += p * place;
+      first_rate[i] += rate * place;
+      second[i] += p * place * place;
+      second_rate[i] += rate * place * place;
+    }
+  }
+  std::array<double, 2> centre_rate{}, growth{};
+  std::array<double, 2> centre{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    centre[i] = first[i] / force;
+    centre_rate[i] = (first_rate[i] - centre[i] * force_rate) / force;
+    const double square = second[i] / force - centre[i] * centre[i];
+    const double square_rate = (second_rate[i] - second[i] / force * force_rate) / force -
+                               2.0 * centre[i] * centre_rate[i];
+    growth[i] = square > 0.0 ? 0.5 * square_rate / square : 0.0;
+  }
+  // Of the pressures over the elements as they are; the elements' own motion comes on top.
+  return {motion.along + centre_rate[0] - growth[0] * centre[0],
+          motion.across + centre_rate[1] - growth[1] * centre[1],
+          motion.longitudinal_growth + growth[0], motion.lateral_growth + growth[1]};
+}
+
+/// Rates of all pressures: first of elements that stay or go along the rail with the contact, then
+/// of elements that follow it.
 class RateSolver {
 public:
   RateSolver(std::span<const LoadedPatch> patches, const SensitivityRequest& request,
              ContactStiffness& solver, const std::vector<Fields>& gap_rates)
-      : patches_(patches), request_(request), solver_(solver), gap_rates_(gap_rates),
-        rates_(patches.size()) {}
-
-  std::vector<WeightedRates> solve(WheelSensitivity& result) {
-    if (request_.influence != nullptr && patches_.size() > 1) {
-      solve_by_motion(result);
-    } else {
-      solve_by_weight(result);
+      : patches_(patches), tolerance_(request.tolerance), solver_(solver), gap_rates_(gap_rates),
+        elements_(patches.size()), pressures_(patches.size()) {
+    follows_ = request.influence == nullptr || patches.size() == 1;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const auto along = by_motion(patches[k].along_rates);
+      for (std::size_t motion = 0; motion < motion_count; ++motion) {
+        elements_[k][motion].along = along[motion];
+      }
+      displacements_.push_back(solver.displacements_of(k, patches[k].pressure));
+      follows_ = follows_ && !patches[k].undeformed_distance.empty();
     }
-    return std::move(rates_);
+  }
+
+  void solve(WheelSensitivity& result) {
+    solve_once(result);
+    if (follows_) {
+      for (std::size_t k = 0; k < patches_.size(); ++k) {
+        for (std::size_t motion = 0; motion < motion_count; ++motion) {
+          elements_[k][motion] =
+              following(patches_[k], pressures_[k][motion], elements_[k][motion]);
+        }
+      }
+      solve_once(result);
+    }
+  }
+
+  [[nodiscard]] Weighted of_sums(std::size_t patch, std::size_t motion,
+                                 const Weighted& sums) const {
+    return rates_of_sums(patches_[patch], pressures_[patch][motion], elements_[patch][motion],
+                         sums);
+  }
+  [[nodiscard]] const ElementMotions& elements(std::size_t patch) const { return elements_[patch]; }
+  std::array<std::vector<double>, motion_count> pressures(std::size_t patch) {
+    return std::move(pressures_[patch]);
   }
 
 private:
-  Fields solve_for(const Fields& displacement, WheelSensitivity& result) {
-    Fields pressure;
-    const StiffnessOutcome outcome =
-        solver_.solve(spans_of(displacement), pressure, request_.tolerance);
-    result.iterations += outcome.iterations;
-    if (outcome.stop_reason != StopReason::tolerance_met) {
-      result.stop_reason = outcome.stop_reason;
+  void solve_once(WheelSensitivity& result) {
+    std::vector<Fields> gaps = gap_rates_;
+    for (std::size_t k = 0; k < patches_.size(); ++k) {
+      add_motion_of_elements(patches_[k], elements_[k], displacements_[k], gaps[k]);
     }
-    return pressure;
-  }
-
-  /// Patches that do not interact: one solution gives the forces' rates by all motions, two more
-  /// those of the moments.
-  void solve_by_weight(WheelSensitivity& result) {
-    std::vector<Fields> weights;
-    for (const LoadedPatch& patch : patches_) {
-      weights.push_back(weight_fields(patch.grid));
-    }
-    for (std::size_t i = 0; i < (request_.moments ? weight_count : 1); ++i) {
-      Fields one;
-      for (Fields& of_patch : weights) {
-        one.push_back(std::move(of_patch[i]));
-      }
-      const Fields answer = solve_for(one, result);
-      for (std::size_t k = 0; k < patches_.size(); ++k) {
-        for (std::size_t motion = 0; motion < motion_count; ++motion) {
-          rates_[k][motion][i] =
-              -patches_[k].grid.element_area() * sum_of_products(answer[k], gap_rates_[k][motion]);
-        }
-      }
-    }
-  }
-
-  /// Otherwise one solution for each motion gives the rates of all pressures.
-  void solve_by_motion(WheelSensitivity& result) {
     for (std::size_t motion = 0; motion < motion_count; ++motion) {
-      Fields change;
-      for (const Fields& of_patch : gap_rates_) {
-        change.push_back(of_patch[motion]);
-      }
-      const Fields pressure = solve_for(change, result);
+      Fields closing(patches_.size());
       for (std::size_t k = 0; k < patches_.size(); ++k) {
-        const Weighted sums = weighted_sums(patches_[k].grid, pressure[k]);
-        std::transform(sums.begin(), sums.end(), rates_[k][motion].begin(), std::negate<>());
+        std::transform(gaps[k][motion].begin(), gaps[k][motion].end(),
+                       std::back_inserter(closing[k]), std::negate<>());
+      }
+      Fields pressure;
+      const StiffnessOutcome outcome = solver_.solve(spans_of(closing), pressure, tolerance_);
+      result.iterations += outcome.iterations;
+      if (outcome.stop_reason != StopReason::tolerance_met) {
+        result.stop_reason = outcome.stop_reason;
+      }
+      for (std::size_t k = 0; k < patches_.size(); ++k) {
+        pressures_[k][motion] = std::move(pressure[k]);
       }
     }
   }
 
   std::span<const LoadedPatch> patches_;
-  const SensitivityRequest& request_;
+  double tolerance_;
   ContactStiffness& solver_;
-  const std::vector<Fields>& gap_rates_; ///< by patch and motion
-  std::vector<WeightedRates> rates_;
+  const std::vector<Fields>& gap_rates_; ///< by patch and motion, of elements that stay
+  std::vector<ElementMotions> elements_;
+  std::vector<std::array<std::vector<double>, motion_count>> pressures_;
+  std::vector<ContactStiffness::Displacements> displacements_;
+  bool follows_ = true;
 };
 
 /// What the pressures displace more at each other counts as a change of the gaps.
@@ -199,8 +278,8 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
   }
   add_influence_rates(patches, request, gap_rates);
   WheelSensitivity result;
-  const std::vector<WeightedRates> rates =
-      RateSolver(patches, request, solver, gap_rates).solve(result);
+  RateSolver rates(patches, request, solver, gap_rates);
+  rates.solve(result);
 
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const LoadedPatch& patch = patches[k];
@@ -213,28 +292,22 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
     ContactFrame turned = patch.frame;
     turned.normal = -1.0 * patch.frame.lateral;
     WheelForce turning = about_centre(turned, centre, sums);
+    const auto rated = [&](std::size_t motion) { return rates.of_sums(k, motion, sums); };
     const auto fixed = [&](std::size_t motion) {
-      WheelForce change = about_centre(patch.frame, centre, rates[k][motion]);
+      WheelForce change = about_centre(patch.frame, centre, rated(motion));
       change.moment = change.moment - cross(motions[motion].translation, force.force);
       return change;
     };
-    sensitivity.normal_force_rates = {rates[k][0][0], rates[k][1][0], rates[k][2][0],
-                                      rates[k][3][0]};
+    sensitivity.normal_force_rates = {rated(0)[0], rated(1)[0], rated(2)[0], rated(3)[0]};
     sensitivity.fixed_plane = {fixed(0), fixed(1), fixed(2), fixed(3)};
+    sensitivity.elements = to_rates(rates.elements(k));
+    sensitivity.pressure_rates = to_rates(rates.pressures(k));
     const ByMotion<double>& by = patch.angle_rates;
     sensitivity.turning_plane = {by.lateral * turning, by.vertical * turning, by.roll * turning,
                                  by.yaw * turning};
-    if (!request.moments) {
-      for (ForceRates* of_patch : {&sensitivity.fixed_plane, &sensitivity.turning_plane}) {
-        for (WheelForce* by_motion :
-             {&of_patch->lateral, &of_patch->vertical, &of_patch->roll, &of_patch->yaw}) {
-          by_motion->moment = {};
-        }
-      }
-    }
     result.fixed_planes = result.fixed_planes + sensitivity.fixed_plane;
     result.turning_planes = result.turning_planes + sensitivity.turning_plane;
-    result.patches.push_back(sensitivity);
+    result.patches.push_back(std::move(sensitivity));
   }
   return result;
 }

@@ -1,15 +1,18 @@
 /// How the forces of the rail on a wheel change with lateral position, height, roll and yaw.
 ///
 /// Derivatives of the discrete solution at its fixed set of elements in contact, for integrators
-/// that need a Jacobian. With N_k and n_k force and normal of patch k, F = sum N_k n_k:
+/// that need a Jacobian. Elements follow the contact: they move with its centre of pressure and
+/// grow with its semi-axes, as a first solution with elements that stay tells (of patches that
+/// interact they move along the rail alone). What the fixed set leaves out is then only how the
+/// contact changes its form. With N_k and n_k force and normal of patch k, F = sum N_k n_k:
 ///   dF/dq = sum dN_k/dq n_k  (planes fixed)  +  sum N_k dn_k/dalpha dalpha_k/dq  (planes turning)
-/// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution
-/// (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's knowledge
-/// (remesh/plane_rates.hpp); dn/dalpha is minus the plane's lateral axis. The second part is what a
-/// rigid contact has alone (the gravitational stiffness); it leaves out that gaps are measured
-/// along another direction. The moment is M = sum (r - r_c) x n p a b, r_c the wheelset's centre, r
-/// the element's place in its plane; its derivative includes that r_c moves. A turning plane turns
-/// about its centre of pressure.
+/// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution for each
+/// motion (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's
+/// knowledge (remesh/plane_rates.hpp); dn/dalpha is minus the plane's lateral axis. The second part
+/// is what a rigid contact has alone (the gravitational stiffness); it leaves out that gaps are
+/// measured along another direction. The moment is M = sum (r - r_c) x n p a b, r_c the wheelset's
+/// centre, r the element's place in its plane; its derivative includes that r_c moves. A turning
+/// plane turns about its centre of pressure.
 ///
 /// The position is the one at which the pressures have the approach 0: `vertical` of the pair is
 /// the height of the sampled distance, lowered by what the solution added to it.
@@ -60,11 +63,25 @@ struct LoadedPatch {
   Grid grid;
   std::span<const double> pressure; ///< MPa
   ByMotion<double> angle_rates;     ///< of the plane's angle, rad/mm and rad/rad
+  /// How fast the contact moves along the rail, mm/mm and mm/rad, and the undeformed distance, mm,
+  /// so that elements can follow the contact; without it they stay.
+  ByMotion<double> along_rates = {};
+  std::span<const double> undeformed_distance = {};
+};
+
+/// How a patch's elements move in its plane: by `along` + `longitudinal_growth` x, and likewise.
+struct ElementMotion {
+  double along = 0.0; ///< mm/mm or mm/rad
+  double across = 0.0;
+  double longitudinal_growth = 0.0; ///< 1/mm or 1/rad
+  double lateral_growth = 0.0;
 };
 
 struct PatchSensitivity {
   double normal_force = 0.0;           ///< N
   ByMotion<double> normal_force_rates; ///< planes fixed
+  ByMotion<ElementMotion> elements;
+  ByMotion<std::vector<double>> pressure_rates; ///< of these elements, MPa per mm or rad
   ForceRates fixed_plane;
   ForceRates turning_plane; ///< to be added
 };
@@ -83,8 +100,7 @@ struct WheelSensitivity {
 struct SensitivityRequest {
   double combined_modulus = 0.0; ///< E*, MPa
   Elements elements = Elements::constant;
-  double tolerance = 1e-8; ///< of the linear solutions
-  bool moments = true;     ///< false: their rates are left 0, which saves half of the time
+  double tolerance = 1e-8;             ///< of the linear solutions
   PatchInfluence* influence = nullptr; ///< of the patches on each other
   /// How that influence itself changes with each motion, per mm or rad; null where it does not.
   ByMotion<PatchInfluence*> influence_rates = {};

@@ -76,7 +76,11 @@ struct WheelDetails {
 /// How a patch changes with the wheelset's position, left-hand frame of the side.
 struct PatchRates {
   ByMotion<double> normal_force;
-  PlaneRates plane;
+  ByMotion<ElementMotion> elements;       ///< that follow the contact, the plane fixed
+  ByMotion<std::vector<double>> pressure; ///< of these, MPa
+  ByMotion<double> angle;                 ///< of the plane
+  ByMotion<Vector3> reference;            ///< of the plane's origin, which stays on the rail
+  ByMotion<double> gap; ///< of the undeformed distance where it is least, the plane fixed
 };
 
 /// How the normal forces change with the wheelset's position, track frame

@@ -7,6 +7,7 @@
 
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
+#include "remesh/gap_rates.hpp"
 #include "remesh/plane_rates.hpp"
 #include "wheel/constants.hpp"
 
@@ -66,11 +67,65 @@ void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteracti
   }
 }
 
+ByMotion<Vector3> reference_rates(const ContactFrame& frame, const PlaneRates& plane,
+                                  const HeightFunction& rail) {
+  const double slope = rail.at(frame.origin.y).slope;
+  const auto along_rail = [&](double by_x, double by_y) {
+    return by_x * frame.longitudinal + Vector3{0.0, by_y, slope * by_y};
+  };
+  const ByMotion<double>& x = plane.mean_x;
+  const ByMotion<double>& y = plane.mean_y;
+  return {along_rail(x.lateral, y.lateral), along_rail(x.vertical, y.vertical),
+          along_rail(x.roll, y.roll), along_rail(x.yaw, y.yaw)};
+}
+
+/// At the vertex of the parabolas through the least distance and its neighbours, as Patch::overlap.
+ByMotion<double> least_gap_rates(const PosedPair& pair, const Patch& patch) {
+  const std::vector<double>& distance = patch.undeformed_distance;
+  const std::size_t columns = patch.grid.longitudinal_count;
+  const auto least = static_cast<std::size_t>(std::min_element(distance.begin(), distance.end()) -
+                                              distance.begin());
+  struct Neighbours {
+    std::size_t before, after;
+    double to_vertex; // in elements
+  };
+  std::vector<double> wanted(distance.size(), 0.0);
+  wanted[least] = 1.0;
+  std::vector<Neighbours> neighbours;
+  const auto add = [&](std::size_t place, std::size_t count, std::size_t stride) {
+    if (place == 0 || place + 1 == count) {
+      return;
+    }
+    const std::size_t before = least - stride;
+    const std::size_t after = least + stride;
+    const double curvature = distance[before] - 2.0 * distance[least] + distance[after];
+    if (curvature > 0.0) {
+      wanted[before] = wanted[after] = 1.0;
+      neighbours.push_back({before, after, 0.5 * (distance[before] - distance[after]) / curvature});
+    }
+  };
+  add(least % columns, columns, 1);
+  add(least / columns, patch.grid.lateral_count, columns);
+  const std::array<RigidMotion, 4> motions{lateral_motion(), vertical_motion(),
+                                           roll_motion(pair.pose.yaw), yaw_motion()};
+  std::vector<std::vector<double>> rates;
+  compute_gap_rates(pair, patch.frame, patch.grid, wanted, motions, rates);
+  const auto at_vertex = [&](const std::vector<double>& rate) {
+    double result = rate[least];
+    for (const Neighbours& of : neighbours) {
+      result += 0.5 * of.to_vertex * (rate[of.after] - rate[of.before]);
+    }
+    return result;
+  };
+  return {at_vertex(rates[0]), at_vertex(rates[1]), at_vertex(rates[2]), at_vertex(rates[3])};
+}
+
 WheelRates compute_rates(const WheelResult& side) {
   const WheelDetails& details = side.details;
   const std::vector<const PatchResult*> patches = solved_patches(side);
   const Planes planes = find_planes(side, patches);
   std::vector<LoadedPatch> loaded;
+  std::vector<ByMotion<Vector3>> references;
   std::vector<SolvedPatch> solved;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
@@ -78,7 +133,16 @@ WheelRates compute_rates(const WheelResult& side) {
     const ByMotion<double> angle_rates = details.gap == GapConvention::vertical
                                              ? ByMotion<double>{0.0, 0.0, 1.0, 0.0}
                                              : planes.moving.rates[planes.index[k]].angle;
-    loaded.push_back({patch.frame, patch.grid, patch.pressure, angle_rates});
+    const ByMotion<Vector3>& reference = references.emplace_back(reference_rates(
+        patch.frame, planes.moving.rates[planes.index[k]], details.rail->graph().heights()));
+    const auto along = [&](const Vector3& rate) { return dot(rate, patch.frame.longitudinal); };
+    loaded.push_back({patch.frame,
+                      patch.grid,
+                      patch.pressure,
+                      angle_rates,
+                      {along(reference.lateral), along(reference.vertical), along(reference.roll),
+                       along(reference.yaw)},
+                      patch.undeformed_distance});
     solved.push_back({patch.grid, patch.pressure, details.elements});
   }
   SensitivityRequest request;
@@ -106,16 +170,17 @@ WheelRates compute_rates(const WheelResult& side) {
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
   const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
-  const WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
   const bool is_left = details.mirror > 0.0;
   WheelRates result;
   result.force = is_left ? found.total() : mirrored(found.total());
   result.fixed_planes = is_left ? found.fixed_planes : mirrored(found.fixed_planes);
   result.at_load = condense_at_vertical_load(result.force);
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    PlaneRates plane = planes.moving.rates[planes.index[k]];
-    plane.angle = loaded[k].angle_rates;
-    result.patches.push_back({found.patches[k].normal_force_rates, plane});
+    PatchSensitivity& patch = found.patches[k];
+    result.patches.push_back({patch.normal_force_rates, patch.elements,
+                              std::move(patch.pressure_rates), loaded[k].angle_rates, references[k],
+                              least_gap_rates(pair, *patches[k])});
   }
   return result;
 }

@@ -401,6 +401,56 @@ TEST(RollingContact, DerivativesAreThoseOfDifferences) {
   }
 }
 
+/// By a longitudinal stretch, a lateral one, a shift and pressures that lean to one side; forces of
+/// the moved problem are those of a problem of its own.
+TEST(RollingContact, RatesOfProblemsAreThoseOfDifferences) {
+  Ellipse ellipse;
+  ellipse.a = 4.0;
+  ellipse.b = 6.0;
+  RollingProblem problem = ellipse.problem({-0.0007, 0.0005, 0.0003}, 1e-8);
+  const Grid grid = problem.grid;
+  const std::vector<double> pressure(problem.pressure.begin(), problem.pressure.end());
+  std::vector<double> leaning(pressure);
+  for (std::size_t i = 0; i < leaning.size(); ++i) {
+    leaning[i] *= grid.lateral(i / grid.longitudinal_count) / ellipse.b;
+  }
+  const std::vector<double> same(pressure.size());
+  const std::vector<ProblemRate> rates{
+      {grid.longitudinal_first, grid.longitudinal_step, 0.0, 0.0, same},
+      {0.0, 0.0, grid.lateral_first, grid.lateral_step, pressure},
+      {3.0, 0.0, 2.0, 0.0, same},
+      {0.0, 0.0, 0.0, 0.0, leaning}};
+  problem.rates = rates;
+  RollingSolver solver;
+  const auto found = solver.solve(problem).by_rate;
+  ASSERT_EQ(found.size(), rates.size());
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    constexpr double change = 1e-4;
+    const auto after = [&](double step) {
+      std::vector<double> moved(pressure);
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        moved[i] += step * rates[k].pressure[i];
+      }
+      RollingProblem other = problem;
+      other.rates = {};
+      other.pressure = moved;
+      other.grid.longitudinal_first += step * rates[k].longitudinal_first;
+      other.grid.longitudinal_step += step * rates[k].longitudinal_step;
+      other.grid.lateral_first += step * rates[k].lateral_first;
+      other.grid.lateral_step += step * rates[k].lateral_step;
+      return forces_of(solver.solve(other));
+    };
+    const auto ahead = after(change);
+    const auto behind = after(-change);
+    for (std::size_t force = 0; force < 3; ++force) {
+      const double unit = friction * load * (force == 2 ? 5.0 : 1.0);
+      EXPECT_NEAR(found[k][force] / unit, (ahead[force] - behind[force]) / (2.0 * change) / unit,
+                  1.5e-3)
+          << "rate " << k << " force " << force;
+    }
+  }
+}
+
 // The problem is homogeneous: friction and creepages k times as large give forces k times as large.
 TEST(RollingContact, DerivativesByFrictionFollowFromThoseByCreepages) {
   Ellipse ellipse;

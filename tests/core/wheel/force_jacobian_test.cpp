@@ -1,7 +1,7 @@
 /// Jacobians of contact forces against central differences of whole scenes.
 ///
-/// They are those of similar contacts on fixed elements; tests/core/evidence/compare_jacobian shows
-/// by how much they are off over random scenes.
+/// They are those of fixed sets of elements, which follow the contact; how far they are off over
+/// random scenes shows tests/core/evidence/compare_jacobian.
 #include "wheel/force_jacobian.hpp"
 
 #include <algorithm>
@@ -15,12 +15,16 @@
 namespace wrc::test::force_jacobian_test {
 namespace {
 
-/// Of a column's largest entry. Velocities change creepages only, up to 6e-3 was seen; a position
-/// changes the contact's shape, too, up to 2e-2. On the flange differences by the vertical velocity
-/// over 0.3, 1 and 3 usual steps are 3 % of the column apart: elements change sides.
+/// Of a column's largest entry: what elements that enter the contact or change between adhesion and
+/// slip leave. Velocities: up to 6e-3 was seen; on the flange differences by the vertical velocity
+/// over 0.3, 1 and 3 usual steps are 3 % of the column apart. Positions: up to 1.5e-2, up to 3.1e-2
+/// on the flange and by strips, whose flexibilities are taken to grow with the contact.
 constexpr double velocity_tolerance = 8e-3;
 constexpr double rough_tolerance = 3e-2;
-constexpr double position_tolerance = 4e-2;
+constexpr double position_tolerance = 2e-2;
+constexpr double flange_tolerance = 4e-2;
+/// On an ellipse, which has no elements: up to 3.2e-3 was seen.
+constexpr double ellipse_tolerance = 5e-3;
 
 struct Case {
   const char* name;
@@ -88,18 +92,17 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, Jacobians,
     testing::Values(Case{"centred", 0.0, 0.0}, Case{"outwards", -2.0, 0.004},
                     Case{"flange_root", 5.0, 0.002},
-                    Case{"flange", 6.6, 0.005, CreepModel::full, 2e4, position_tolerance,
+                    Case{"flange", 6.6, 0.005, CreepModel::full, 2e4, flange_tolerance,
                          rough_tolerance},
                     Case{"backwards", -2.0, -0.001, CreepModel::full, -2e4},
-                    /* Forces without a bound depend most on the shape. */
-                    Case{"linear", -2.0, 0.001, CreepModel::linear, 2e4, 8e-2},
-                    Case{"polach", -2.0, 0.003, CreepModel::polach},
-                    Case{"fastsim", -2.0, 0.001, CreepModel::fastsim},
-                    Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips},
-                    Case{"friction_falls", -2.0, 0.004, CreepModel::polach, 2e4, position_tolerance,
+                    Case{"linear", -2.0, 0.001, CreepModel::linear, 2e4, ellipse_tolerance},
+                    Case{"polach", -2.0, 0.003, CreepModel::polach, 2e4, ellipse_tolerance},
+                    Case{"fastsim", -2.0, 0.001, CreepModel::fastsim, 2e4, ellipse_tolerance},
+                    Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips, 2e4, flange_tolerance},
+                    Case{"friction_falls", -2.0, 0.004, CreepModel::polach, 2e4, ellipse_tolerance,
                          velocity_tolerance, falling},
                     Case{"friction_by_place", 3.0, 0.004, CreepModel::polach, 2e4,
-                         position_tolerance, velocity_tolerance, by_place}),
+                         ellipse_tolerance, velocity_tolerance, by_place}),
     [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
 TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {

@@ -285,13 +285,6 @@ TEST(SensitivitiesOfPatches, SeveralInPlanesOfTheirOwn) {
   request.influence = &influence;
   const WheelSensitivity by_motion = side.sensitivities(request);
   expect_same(by_motion.fixed_planes, by_force.fixed_planes, 1e-7);
-
-  request = {};
-  request.moments = false;
-  const WheelSensitivity without_moment = side.sensitivities(request);
-  EXPECT_LT(without_moment.iterations, by_force.iterations);
-  EXPECT_EQ(without_moment.fixed_planes.lateral.moment.x, 0.0);
-  EXPECT_EQ(without_moment.fixed_planes.lateral.force.y, by_force.fixed_planes.lateral.force.y);
 }
 
 TEST(SensitivitiesOfPatches, TurningPlanes) {

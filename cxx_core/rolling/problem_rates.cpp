@@ -1,0 +1,138 @@
+#include "rolling/problem_rates.hpp"
+
+#include <algorithm>
+
+#include "rolling/constants.hpp"
+
+namespace wrc {
+namespace {
+
+/// Of the coefficients by the logarithm of the ratio of lateral to longitudinal steps.
+TractionTable table_by_aspect(double aspect, const TractionShape& shape) {
+  const auto table = [&](double factor) {
+    return traction_table(factor * aspect, shape.table_rows(), shape.table_columns());
+  };
+  TractionTable ahead = table(1.0 + aspect_step);
+  const TractionTable behind = table(1.0 - aspect_step);
+  for (std::size_t i = 0; i < ahead.values.size(); ++i) {
+    ahead.values[i] = (ahead.values[i] - behind.values[i]) / (2.0 * aspect_step);
+  }
+  return ahead;
+}
+
+/// Where an element is, and how it moves.
+struct MovingElement {
+  std::size_t index;
+  double x, y, by_x, by_y;
+};
+
+template <typename Real> class Rates {
+public:
+  Rates(const RollingProblem& problem, const ScaledTractions& scaled, TractionNewton<Real>& solved,
+        LinePlans& plans)
+      : problem_(problem), scaled_(scaled), solved_(solved), kept_share_(2 * solved.size()),
+        slip_(2 * solved.size()), by_aspect_(2 * solved.size()) {
+    const std::size_t size = solved.size();
+    const Real* q = solved.traction();
+    const TractionConvolution<Real> convolution(
+        solved.shape(), solved.pitch(), problem.poisson, difference_of(problem).weights,
+        table_by_aspect(scaled.aspect(), solved.shape()), plans);
+    ConvolutionWorkspace<Real> workspace;
+    for (AlignedArray<Real>* field : {&kept_share_, &slip_, &by_aspect_}) {
+      std::fill_n(field->data(), 2 * size, Real{0}); // also beyond the columns
+    }
+    convolution.apply(q, q + size, by_aspect_.data(), by_aspect_.data() + size, workspace);
+  }
+
+  std::array<double, 3> forces_by(const ProblemRate& rate) {
+    const Grid& grid = problem_.grid;
+    const std::size_t size = solved_.size();
+    const Real* q = solved_.traction();
+    Real* kept_share = kept_share_.data();
+    Real* slip = slip_.data();
+    for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      const double share = rate.pressure[element.index] / problem_.pressure[element.index];
+      kept_share[at] = static_cast<Real>(share * static_cast<double>(q[at]));
+      kept_share[size + at] = static_cast<Real>(share * static_cast<double>(q[size + at]));
+    });
+    solved_.convolve(kept_share, slip);
+    const double longitudinal = rate.longitudinal_step / grid.longitudinal_step;
+    const double lateral = rate.lateral_step / grid.lateral_step;
+    add_scaled(slip, lateral - longitudinal, by_aspect_.data(), 2 * size);
+    const double spin = problem_.creepages.spin / scaled_.slip_scale();
+    const double ahead = difference_of(problem_).place * rate.longitudinal_step;
+    for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      slip[at] += static_cast<Real>(-spin * element.by_y);
+      slip[size + at] += static_cast<Real>(spin * (element.by_x + ahead));
+    });
+    const Real* turning = solved_.solve_rate(slip, rate_tolerance);
+    std::array<double, 3> forces{};
+    for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      const auto sum = [&](std::size_t i) {
+        return static_cast<double>(kept_share[i]) + static_cast<double>(turning[i]) +
+               (longitudinal + lateral) * static_cast<double>(q[i]);
+      };
+      const double x = sum(at);
+      const double y = sum(size + at);
+      forces[0] += x;
+      forces[1] += y;
+      forces[2] += element.x * y - element.y * x +
+                   element.by_x * static_cast<double>(q[size + at]) -
+                   element.by_y * static_cast<double>(q[at]);
+    });
+    for (double& force : forces) {
+      force *= scaled_.bound() * grid.element_area();
+    }
+    return forces;
+  }
+
+private:
+  /// Of those under pressure; first their place in the fields.
+  template <class Visit> void for_each_element(const ProblemRate& rate, const Visit& visit) const {
+    const Grid& grid = problem_.grid;
+    for (std::size_t row = 0; row < solved_.shape().rows; ++row) {
+      for (std::size_t column = 0; column < solved_.shape().columns; ++column) {
+        const std::size_t index = scaled_.element(row, column);
+        if (problem_.pressure[index] > 0.0) {
+          const std::size_t i = index % grid.longitudinal_count;
+          const std::size_t j = index / grid.longitudinal_count;
+          visit(row * solved_.pitch() + column,
+                MovingElement{index, grid.longitudinal(i), grid.lateral(j),
+                              rate.longitudinal_first +
+                                  static_cast<double>(i) * rate.longitudinal_step,
+                              rate.lateral_first + static_cast<double>(j) * rate.lateral_step});
+        }
+      }
+    }
+  }
+
+  const RollingProblem& problem_;
+  const ScaledTractions& scaled_;
+  TractionNewton<Real>& solved_;
+  AlignedArray<Real> kept_share_; ///< q'
+  AlignedArray<Real> slip_;
+  AlignedArray<Real> by_aspect_; ///< what q displaces, by the ratio of the steps
+};
+
+} // namespace
+
+template <typename Real>
+std::vector<std::array<double, 3>> rates_of_forces(const RollingProblem& problem,
+                                                   const ScaledTractions& scaled,
+                                                   TractionNewton<Real>& solved, LinePlans& plans) {
+  std::vector<std::array<double, 3>> forces;
+  if (!problem.rates.empty()) {
+    Rates<Real> rates(problem, scaled, solved, plans);
+    for (const ProblemRate& rate : problem.rates) {
+      forces.push_back(rates.forces_by(rate));
+    }
+  }
+  return forces;
+}
+
+template std::vector<std::array<double, 3>>
+rates_of_forces(const RollingProblem&, const ScaledTractions&, TractionNewton<float>&, LinePlans&);
+template std::vector<std::array<double, 3>>
+rates_of_forces(const RollingProblem&, const ScaledTractions&, TractionNewton<double>&, LinePlans&);
+
+} // namespace wrc

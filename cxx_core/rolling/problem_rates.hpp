@@ -1,0 +1,27 @@
+/// How the forces of a solved tangential problem change with its pressures and its grid.
+///
+/// Elements move with the grid, and tractions keep their share of the bound at first,
+///   q' = q g'/g,  s' = w' + B q' + B' q;
+/// what this does to slips is undone by z with the equations as linearised at the solution
+/// (traction_loops.hpp): dq = q' + z, P (B z + s') + ratio z = 0. In slip q' = g' n, so z has but
+/// the part that turns n. w' by the places that move in the spin; B depends on the grid by the
+/// ratio of its steps alone.
+/// Thread rule: as the solver's. Not known here: what moves pressures and grid.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "rolling/rolling_contact.hpp"
+#include "rolling/scaled_tractions.hpp"
+#include "rolling/traction_newton.hpp"
+
+namespace wrc {
+
+/// Of Fx, Fy (N) and Mz (N mm), for each of the problem's rates.
+template <typename Real>
+std::vector<std::array<double, 3>> rates_of_forces(const RollingProblem& problem,
+                                                   const ScaledTractions& scaled,
+                                                   TractionNewton<Real>& solved, LinePlans& plans);
+
+} // namespace wrc

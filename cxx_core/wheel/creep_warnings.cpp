@@ -1,0 +1,45 @@
+// What to warn of in creep forces that were found.
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "wheel/creep_forces.hpp"
+#include "wheel/wheel_result.hpp"
+
+namespace wrc {
+namespace {
+
+void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
+  if (request.material.difference_parameter == 0.0 || wheel.patches.empty()) {
+    return;
+  }
+  if (request.model != CreepModel::full) {
+    wheel.warnings.emplace_back("creep forces of unlike materials: this model leaves out what "
+                                "pressures and tractions change in each other, the full one knows "
+                                "it");
+    return;
+  }
+  double change = 0.0;
+  for (const PatchResult* patch : solved_patches(wheel)) {
+    change = std::max(change, patch->creep->pressure_change);
+  }
+  if (change > request.accuracy) {
+    wheel.warnings.push_back("creep forces of unlike materials: tractions change pressures by " +
+                             short_text_of(change) +
+                             " in the mean, which results of normal contact leave out");
+  }
+}
+
+} // namespace
+
+void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
+  for (const PatchResult& patch : wheel.patches) {
+    if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
+      wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +
+                               " not reached: estimated error " +
+                               short_text_of(*patch.creep->error_estimate));
+    }
+  }
+  warn_of_unlike_bodies(wheel, request);
+}
+
+} // namespace wrc
