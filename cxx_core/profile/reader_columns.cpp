@@ -265,6 +265,10 @@ void settle_unit(RawProfile& raw, const Table& table, Log& log) {
 RawProfile read_columns(std::string_view text, Log& log) {
   const Table table = read_table(text, log);
   RawProfile raw;
+  if (table.rows() == 0 && table.headings.count > 0)
+    log.refuse("0 points: " + table.headings.text("lines that do not begin with two numbers") +
+               ", and no others; allowed are files of two columns, Simpack .prr/.prw, MiniProf "
+               ".ban/.whl");
   if (table.rows() == 0)
     return raw;
   if (table.columns > 2 && table.only_commas && !table.has_point)

@@ -154,8 +154,10 @@ public:
         unit_(content.unit), log_(log) {}
 
   void apply() {
-    if (const double least = value("point.dist.min"); least > 0.0)
+    if (const double least = value("point.dist.min"); least > 0.0) {
       report(drop_close_points(points_, least), "points closer than point.dist.min dropped");
+      raw_.lines.clear();
+    }
     shift();
     rotate();
     bound();
@@ -163,6 +165,7 @@ public:
     mirror("mirror.z", 1, "height");
     if (flag("inversion")) {
       std::reverse(points_.begin(), points_.end());
+      std::reverse(raw_.lines.begin(), raw_.lines.end());
       log_.note("order reversed as inversion = 1 requests");
     }
     to_millimetres();

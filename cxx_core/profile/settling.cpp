@@ -78,12 +78,27 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
 /// origin: source: outlines of EN 13674-1 are up to 690 mm long.
 constexpr double longest_outline = 1000.0;
 
-void check_length(const std::vector<Position>& points, double most, const Log& log) {
+void check_length(const RawProfile& raw, double most, const Log& log) {
+  const std::vector<Position>& points = raw.points;
   const double length = chord_length(points);
-  if (!(length >= ReadLimits::min_length && length <= most))
-    log.refuse("the points are " + text_of(length) + " mm long in total, allowed are " +
-               text_of(ReadLimits::min_length) + " to " + text_of(most) +
-               " mm; state the scale, or order the points");
+  if (length >= ReadLimits::min_length && length <= most)
+    return;
+  const auto beside = [&points](std::size_t i) {
+    return (i == 0 ? 0.0 : distance_between(points[i], points[i - 1])) +
+           (i + 1 == points.size() ? 0.0 : distance_between(points[i], points[i + 1]));
+  };
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (beside(i) > beside(worst))
+      worst = i;
+  std::string most_of_it; // at a false point
+  if (length > most && !(beside(worst) < length / 2.0))
+    most_of_it = "; " + short_text_of(beside(worst)) + " mm of it beside the point in " +
+                 (raw.lines.size() == points.size() ? "line " + std::to_string(raw.lines[worst])
+                                                    : "place " + std::to_string(worst + 1));
+  log.refuse("the points are " + short_text_of(length) + " mm long in total, allowed are " +
+             text_of(ReadLimits::min_length) + " to " + text_of(most) + " mm" + most_of_it +
+             "; state the scale, or order the points");
 }
 
 /// Factor to mm that the extent shows; 1 if it shows none.
@@ -123,7 +138,7 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
       scale_points(raw, factor, factor);
     }
   }
-  check_length(points, longest_outline, log);
+  check_length(raw, longest_outline, log);
   for (const Position& point : points)
     if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
       log.refuse("point (" + text_of(point[0]) + ", " + text_of(point[1]) + "), at most " +

@@ -147,9 +147,15 @@ TEST(Readers, DuplicatesAreDroppedAndSaid) {
 TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
   expect_refused("", "is empty");
   expect_refused("\n\n# nothing\n", "0 points");
+  expect_refused("# a\nno profile\nat all\n",
+                 "0 points: 2 lines that do not begin with two numbers, first in line 2");
   expect_refused("0 0\n10 1\n20 2\n30 3\n", "4 points");
   expect_refused("0 0\n10 1\n10 1\n20 2\n30 3\n", "4 different points");
   expect_refused("0 0\n1 0\n2 0\n3 0\n4 0\n", "mm long in total");
+  expect_refused(
+      "0 0\n# a\n10 1\n20 2\n30 8275142\n40 4\n50 5\n",
+      "the points are 1.655e+07 mm long in total, allowed are 5 to 1000 mm; 1.655e+07 mm "
+      "of it beside the point in line 5; state");
   expect_refused("1e300 0\n-1e300 1\n1e300 2\n3 3\n4 4\n", "mm long in total");
   expect_refused("1e9 0\n1000000010 1\n1000000020 2\n1000000030 3\n1000000040 4\n",
                  "at most 1e+05 mm");

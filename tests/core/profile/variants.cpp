@@ -187,7 +187,7 @@ void add_columns(std::vector<Variant>& all) {
     Variant one =
         columns(kind, "one_column",
                 table(points, [](std::size_t, Position p) { return std::vector<double>{p[1]}; }));
-    one.refusal = "points, at least 5 are needed";
+    one.refusal = "lines that do not begin with two numbers";
     all.push_back(one);
     Variant count = columns(kind, "number_of_points_first",
                             std::to_string(points.size()) + "\n" + rows(points));
