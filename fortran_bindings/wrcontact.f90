@@ -30,7 +30,6 @@ module wrcontact
   implicit none
   private
 
-  public :: contact_scene, contact_solver, contact_profile, normal_contact, rolling_contact
   public :: solve_batch, step_batch, library_version, status_name, scene_key_count, scene_key
   public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, measure_transform
 
@@ -77,7 +76,7 @@ module wrcontact
   end type shared_handle
 
   !> A wheel or rail profile.
-  type :: contact_profile
+  type, public :: contact_profile
     private
     type(shared_handle), pointer :: shared => null()
   contains
@@ -118,7 +117,7 @@ module wrcontact
   end type contact_profile
 
   !> The input of a scene, and its results.
-  type :: contact_scene
+  type, public :: contact_scene
     private
     type(shared_handle), pointer :: shared => null()
   contains
@@ -178,7 +177,7 @@ module wrcontact
   end type contact_scene
 
   !> What is kept from one scene to the next, for vehicle simulations.
-  type :: contact_solver
+  type, public :: contact_solver
     private
     type(shared_handle), pointer :: shared => null()
   contains
@@ -201,7 +200,7 @@ module wrcontact
 
   !> Normal contact of a gap given by the caller; keys and names of results in
   !> wrcontact_grid.h.
-  type :: normal_contact
+  type, public :: normal_contact
     private
     type(shared_handle), pointer :: shared => null()
   contains
@@ -231,7 +230,7 @@ module wrcontact
 
   !> Tangential contact of pressures given by the caller; keys and names of results in
   !> wrcontact_grid.h.
-  type :: rolling_contact
+  type, public :: rolling_contact
     private
     type(shared_handle), pointer :: shared => null()
   contains

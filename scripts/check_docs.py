@@ -199,7 +199,7 @@ def module_rows():
         used.append((procedure, hidden))
 
     for kind, variable in variables.items():
-        block = re.search(rf"^  type :: {kind}\n(.*?)^  end type", main, re.M | re.S).group(1)
+        block = re.search(rf"^  type, public :: {kind}\n(.*?)^  end type", main, re.M | re.S).group(1)
         own = {}
         for line in statements(block):
             bound = re.match(r"procedure(, private)? :: (\w+) => (\w+)", line)

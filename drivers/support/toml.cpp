@@ -41,6 +41,13 @@ toml::table read_toml(const std::string& what, const std::string& path) {
 }
 
 toml::table parse_toml(const std::string& what, const std::string& path, const std::string& text) {
+  const bool has_mark = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  if (const auto zero = text.find('\0'); has_mark || zero != std::string::npos) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(has_mark ? 0 : zero);
+    throw Failure(what + ' ' + path + ", line " +
+                  std::to_string(1 + std::count(text.begin(), end, '\n')) +
+                  ": not UTF-8; is it UTF-16, or no text at all?");
+  }
   if (has_endless_key(text)) {
     throw Failure(what + ' ' + path + ": a key has more than " + std::to_string(most_parts) +
                   " parts");

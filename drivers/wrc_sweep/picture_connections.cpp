@@ -62,26 +62,27 @@ void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureDat
   std::string lines;
   std::string labels;
   std::string leaders; // from the wheel to its label
-  // Labels in rows above the wheel: each in the lowest one that has room for it.
+  // Labels above the wheel: each as low as it meets no other.
   constexpr double room = 4.5;       // mm along a row
   constexpr double row_height = 2.6; // mm
-  constexpr std::size_t rows = 9;
-  std::array<double, rows> last{};
-  last.fill(1e9);
+  std::vector<std::array<double, 2>> placed;
   for (const Connection& line : all) {
     const std::string at_wheel = general(line.wheel_y, 9) + ' ' + general(line.wheel_z + raised, 9);
     lines += general(line.rail_y, 9) + ' ' + general(line.rail_z, 9) + '\n' + at_wheel + "\n\n";
-    const auto row = std::find_if(last.begin(), last.end(), [&](double place) {
-      return std::abs(line.wheel_y - place) >= room;
-    });
-    if (row != last.end()) {
-      *row = line.wheel_y;
-      const double above = row_height * (0.5 + static_cast<double>(row - last.begin()));
-      const std::string label =
-          general(line.wheel_y, 9) + ' ' + general(line.wheel_z + raised + above, 9);
-      leaders += at_wheel + '\n' + label + "\n\n";
-      labels += label + ' ' + text_of(line.lateral) + '\n';
+    double height = line.wheel_z + raised + 0.5 * row_height;
+    const auto meets = [&](const auto& other) {
+      constexpr double rounding = 1e-6; // mm
+      return std::abs(line.wheel_y - other[0]) < room &&
+             std::abs(height - other[1]) < row_height - rounding;
+    };
+    for (auto other = placed.begin();
+         (other = std::find_if(placed.begin(), placed.end(), meets)) != placed.end();) {
+      height = (*other)[1] + row_height;
     }
+    placed.push_back({line.wheel_y, height});
+    const std::string label = general(line.wheel_y, 9) + ' ' + general(height, 9);
+    leaders += at_wheel + '\n' + label + "\n\n";
+    labels += label + ' ' + text_of(line.lateral) + '\n';
   }
   const double y = side == "left" ? 750.0 : -750.0;
   const auto [low, high] = std::minmax_element(wheel_y.begin(), wheel_y.end());

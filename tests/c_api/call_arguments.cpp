@@ -9,7 +9,7 @@
 
 namespace {
 
-Choices* choices = nullptr;
+thread_local Choices* choices = nullptr;
 
 /// While it lives, choices are pseudo-random numbers from a single one: for arrays.
 class FromOneChoice {
@@ -39,8 +39,8 @@ constexpr const char* words =
     "friction|longitudinal_creepage|spin_creepage|contact|transient|shift|difference|first-order|"
     "lateral_force|traction_x|slip_y|title|name";
 
-std::array<double, array_length> values{};
-std::array<std::int32_t, array_length> ids{};
+thread_local std::array<double, array_length> values{};
+thread_local std::array<std::int32_t, array_length> ids{};
 
 } // namespace
 

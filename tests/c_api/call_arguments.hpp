@@ -1,6 +1,6 @@
 /// Arguments of calls, good and bad: whatever a program may pass.
 ///
-/// Arrays are one set for the whole process. Thread rule: one thread.
+/// Choices and arrays are a thread's own.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 #include "call_sequences.hpp"
 
-/// From here on arguments come from these choices.
+/// From here on the thread's arguments come from these choices.
 void choose_from(Choices& choices);
 
 std::uint64_t below(std::uint64_t end);

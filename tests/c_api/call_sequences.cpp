@@ -1,16 +1,18 @@
 #include "call_sequences.hpp"
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <vector>
 
 #include "call_arguments.hpp"
 
 namespace {
 
-/// Handles of a kind, alive, destroyed and never made.
+/// Handles of a kind, alive, destroyed and never made. All threads use them.
 template <class Handle> class Pool {
 public:
   Pool(wrc_status (*create)(Handle**), void (*destroy)(Handle*))
@@ -32,10 +34,11 @@ public:
     case 2: // of any kind: numbers are small
       return reinterpret_cast<Handle*>(32 * below(4000));
     default:
-      return any_of(handles_);
+      return any_of(handles_).load();
     }
   }
   void destroy_all() {
+    const std::lock_guard<std::mutex> guard(lock_);
     for (Handle* handle : all_) {
       destroy_(handle);
     }
@@ -47,13 +50,15 @@ private:
     Handle* handle = nullptr;
     if (create_(&handle) == WRC_OK) {
       handles_[place] = handle; // what stood there is lost, as in bad programs
+      const std::lock_guard<std::mutex> guard(lock_);
       all_.push_back(handle);
     }
   }
 
   wrc_status (*create_)(Handle**);
   void (*destroy_)(Handle*);
-  std::array<Handle*, 3> handles_{};
+  std::array<std::atomic<Handle*>, 3> handles_{};
+  std::mutex lock_;
   std::vector<Handle*> all_;
 };
 
@@ -178,9 +183,10 @@ void fill_position(double* position) {
 }
 
 wrc_status call_vehicle() {
-  static double positions[64], velocities[12], forces[24], by_positions[144], by_velocities[144];
-  static std::int32_t states[4];
-  static wrc_patch patches[8];
+  thread_local double positions[64], velocities[12], forces[24], by_positions[144],
+      by_velocities[144];
+  thread_local std::int32_t states[4];
+  thread_local wrc_patch patches[8];
   wrc_solver* solver = solvers.any();
   wrc_scene* scene = scenes.any();
   std::int64_t count = 0;
@@ -252,7 +258,7 @@ wrc_status call_profile() {
   case 4:
     return wrc_profile_load_file(profile, any_text(), maybe(&options));
   case 5: {
-    static std::array<double, array_length> lateral{};
+    thread_local std::array<double, array_length> lateral{};
     for (std::size_t i = 0; i < array_length; ++i) {
       lateral[i] = static_cast<double>(i) - 30.0;
     }

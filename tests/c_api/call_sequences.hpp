@@ -2,8 +2,9 @@
 /// hang, print or end the program, and every status must be one that there is.
 ///
 /// Files are written into the working folder. Arrays are as long as the counts given, or the counts
-/// are absurd: a count that is merely wrong is beyond what a C function can know. Handles, and the
-/// arrays given, are one set for the whole process.
+/// are absurd: a count that is merely wrong is beyond what a C function can know. Handles are one
+/// set for the whole process, which any number of threads may use and destroy at the same time;
+/// arrays are a thread's own.
 #pragma once
 
 #include <cstdint>
@@ -36,5 +37,6 @@ std::optional<wrc_status> unheard_of_status(Choices& choices, long calls);
 
 /// Fills the places from which calls take their handles.
 void make_handles();
-/// Destroys all handles, which the next calls may still use, and fills the arrays with zeros.
+/// Destroys all handles, which the next calls may still use, and fills the thread's arrays with
+/// zeros.
 void destroy_handles();

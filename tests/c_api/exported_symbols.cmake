@@ -1,14 +1,18 @@
-# Fails unless the library defines wrc_* symbols and nothing else, and all that the headers declare.
-# Arguments: NM, LIBRARY, HEADERS (their folder).
-execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY}
+# Fails unless the library, shared or an archive, defines wrc_* symbols and nothing else that programs
+# see, and all that the headers declare. Arguments: NM, LIBRARY, HEADERS (their folder).
+set(dynamic -D)
+if(LIBRARY MATCHES "\\.a$")
+  set(dynamic)
+endif()
+execute_process(COMMAND ${NM} ${dynamic} --extern-only --defined-only --no-sort -P ${LIBRARY}
   OUTPUT_VARIABLE listing RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${NM} failed on ${LIBRARY}")
 endif()
-string(REGEX MATCHALL "[^ \n]+\n" names "${listing}")
+string(REGEX MATCHALL "[^ \n]+ [A-Za-z] " names "${listing}")
 set(exported "")
 foreach(name IN LISTS names)
-  string(STRIP "${name}" name)
+  string(REGEX REPLACE " .*" "" name "${name}")
   if(NOT name MATCHES "^wrc_[a-z_]+$")
     message(SEND_ERROR "exported besides the interface: ${name}")
   endif()

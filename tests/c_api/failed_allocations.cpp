@@ -1,14 +1,21 @@
 /// Every allocation of a call fails once, whoever makes it: the library, FFTW, LAPACK or the C
 /// library. Each failure happens in a child process, so that one that ends its process is counted.
 /// The call must return WRC_OK or WRC_OUT_OF_MEMORY; with memory it must then return WRC_OK and the
-/// values of a call that never failed. Usage: failed_allocations [STRIDE]: every STRIDE-th one.
+/// values of a call that never failed. Then a first handle and solution under each limit of memory
+/// from none to plenty. Usage: failed_allocations [STRIDE [FOLDER]]: every STRIDE-th one.
+///
+/// One remainder is counted and printed, but no fault: FFTW ends the process if one of its own
+/// allocations fails while the first handle plans. No limit of memory does that, since as much is
+/// asked for before.
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -94,7 +101,7 @@ struct Case {
   std::function<double()> result; ///< a new one
 };
 
-enum Outcome { good, wrong_status, old_lost, next_wrong };
+enum Outcome { good, wrong_status, old_lost, next_wrong, refused };
 
 int in_child(const Case& one, long count, double expected) {
   const double before = one.kept();
@@ -116,6 +123,8 @@ int forked(const std::function<int()>& body) {
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
+    constexpr unsigned patience = 60; // seconds, on a busy machine
+    alarm(patience);                  // ends one that waits for a lock which it holds itself
     const int code = body();
     std::fflush(nullptr);
     _exit(code);
@@ -146,6 +155,99 @@ std::pair<long, double> measured(const Case& one) {
   return found;
 }
 
+void print_nothing() {
+  require(std::freopen("/dev/null", "w", stderr) != nullptr, "no /dev/null");
+}
+
+/// The number of failures of any kind but those in which FFTW ends the process while it plans.
+long run_first(const Case& one, long stride) {
+  const long allocations = measured(one).first;
+  long ended = 0;
+  long faults = 0;
+  for (long count = 0; count < allocations; count += stride) {
+    const int code = forked([&] {
+      print_nothing(); // FFTW does
+      return in_child(one, count, 0.0);
+    });
+    ended += code == 100 + SIGABRT ? 1 : 0;
+    faults += code == good || code == 100 + SIGABRT ? 0 : 1;
+  }
+  std::printf("%-28s %6ld allocations: FFTW ended the process at %ld, %ld other faults\n", one.name,
+              allocations, ended, faults);
+  return faults;
+}
+
+long address_space() {
+  long pages = -1;
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  require(file != nullptr && std::fscanf(file, "%ld", &pages) == 1, "no address space known");
+  std::fclose(file);
+  return pages * sysconf(_SC_PAGESIZE);
+}
+
+void limit_address_space(rlim_t bytes) {
+  rlimit limit{};
+  require(getrlimit(RLIMIT_AS, &limit) == 0, "no limit known");
+  limit.rlim_cur = bytes;
+  require(setrlimit(RLIMIT_AS, &limit) == 0, "no limit set");
+}
+
+/// Makes room on the stack, which could not grow later.
+__attribute__((noinline)) void touch_stack() {
+  volatile char room[1 << 20];
+  for (std::size_t i = 0; i < sizeof room; i += 1024) {
+    room[i] = 0;
+  }
+}
+
+wrc_status first_solution(double* pmax) {
+  wrc_scene* scene = nullptr;
+  wrc_status status = wrc_scene_create(&scene);
+  if (status == WRC_OK) {
+    status = wrc_scene_solve(scene);
+  }
+  if (status == WRC_OK) {
+    status = wrc_scene_number(scene, "left.pmax", pmax);
+  }
+  wrc_scene_destroy(scene);
+  return status;
+}
+
+/// A first handle and solution in `bytes` more than the process has, and then without limit.
+int within(long bytes) {
+  touch_stack();
+  limit_address_space(static_cast<rlim_t>(address_space() + bytes));
+  double limited = -1.0;
+  const wrc_status status = first_solution(&limited);
+  limit_address_space(RLIM_INFINITY);
+  if (status != WRC_OK && status != WRC_OUT_OF_MEMORY) {
+    std::fprintf(stderr, "%ld bytes: %s\n", bytes, wrc_status_name(status));
+    return wrong_status;
+  }
+  double free = -1.0;
+  if (first_solution(&free) != WRC_OK || (status == WRC_OK && free != limited)) {
+    return next_wrong;
+  }
+  return status == WRC_OK ? good : refused;
+}
+
+/// The number of limits under which something else happens than a status.
+long run_under_limits(long stride) {
+  const long step = 4096 * stride;
+  long refusals = 0;
+  long faults = 0;
+  long bytes = 0;
+  for (int code = -1; code != good; bytes += step) {
+    code = forked([&] { return within(bytes); });
+    refusals += code == refused ? 1 : 0;
+    faults += code == refused || code == good ? 0 : 1;
+    require(bytes < 1L << 30, "a solution takes more than 1 GB");
+  }
+  std::printf("%-28s to %.1f MB more: %ld refused, then solved, %ld faults\n", "limits of memory",
+              static_cast<double>(bytes - step) / 1e6, refusals, faults);
+  return faults;
+}
+
 /// The number of failures of any kind.
 long run(const Case& one, long stride) {
   const auto [allocations, expected] = measured(one);
@@ -172,10 +274,20 @@ int main(int count, char** arguments) {
   const long stride = count > 1 ? std::atol(arguments[1]) : 1;
   const std::string file = std::string(count > 2 ? arguments[2] : ".") + "/failed_allocations.toml";
   const auto nothing = [] { return 0.0; };
+  long faults = run_first({"first handle",
+                           [] {
+                             wrc_scene* scene = nullptr;
+                             const wrc_status status = wrc_scene_create(&scene);
+                             wrc_scene_destroy(scene);
+                             return status;
+                           },
+                           nothing, nothing},
+                          stride);
+  faults += run_under_limits(stride);
   wrc_scene* cold = make_scene(3.0);
-  long faults = run({"cold scene", [&] { return wrc_scene_solve(cold); }, nothing,
-                     [&] { return number(cold, "left.pmax"); }},
-                    stride);
+  faults += run({"cold scene", [&] { return wrc_scene_solve(cold); }, nothing,
+                 [&] { return number(cold, "left.pmax"); }},
+                stride);
   wrc_solver* solver = nullptr;
   require(wrc_solver_create(&solver) == WRC_OK, "no solver");
   faults += run({"cold solver", [&] { return wrc_solver_solve(solver, cold); }, nothing,

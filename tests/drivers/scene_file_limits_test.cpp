@@ -69,4 +69,11 @@ TEST_F(SceneFileLimits, WhatAFailureQuotesStaysOneLine) {
   expect_refused({"s.toml", "line 1"});
 }
 
+TEST_F(SceneFileLimits, AFileInUtf16IsNamedSo) {
+  write("s.toml", std::string("\xFF\xFEp\0=\0", 6));
+  expect_refused({"s.toml", "line 1", "UTF-16"});
+  write("s.toml", std::string("# a\np\0=\0", 8));
+  expect_refused({"s.toml", "line 2", "UTF-16"});
+}
+
 } // namespace

@@ -268,6 +268,23 @@ TEST_F(WrcSweep, PicturesTellManyLinesApartAndNumberConnections) {
   for (const char* label : {">-6.5<", ">-5.5<", ">-4<", ">-3.5<", ">-2.5<", ">2<", ">4.5<"}) {
     EXPECT_NE(connections.find(label), std::string::npos) << label;
   }
+  // No label meets another.
+  std::vector<std::array<double, 2>> places;
+  for (auto at_label = connections.find("font-size=\"8.00\""); at_label != std::string::npos;
+       at_label = connections.find("font-size=\"8.00\"", at_label + 1)) {
+    const auto place = connections.rfind("translate(", at_label) + 10;
+    std::istringstream numbers(connections.substr(place, connections.find(')', place) - place));
+    char comma = 0;
+    std::array<double, 2> read{};
+    ASSERT_TRUE(numbers >> read[0] >> comma >> read[1]);
+    for (const auto& other : places) {
+      constexpr std::array size{25.0, 14.0}; // of a label
+      EXPECT_TRUE(std::abs(read[0] - other[0]) > size[0] || std::abs(read[1] - other[1]) > size[1])
+          << read[0] << ' ' << read[1];
+    }
+    places.push_back(read);
+  }
+  EXPECT_EQ(places.size(), 2U * 29U);
 }
 
 TEST_F(WrcSweep, EveryShippedStudyRunsAndDraws) {
