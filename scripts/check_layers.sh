@@ -29,6 +29,7 @@ room base
 room profile base
 room half_space base
 room pressure base
+room damage base half_space
 room geometry base profile
 room patches base geometry
 room remesh base geometry patches
@@ -36,8 +37,8 @@ room mechanics base half_space pressure
 room rolling base half_space pressure mechanics
 room models base geometry patches
 room accuracy base patches remesh mechanics pressure
-room wheel base half_space pressure geometry patches remesh mechanics rolling models accuracy
-room scene base profile half_space pressure geometry patches mechanics rolling accuracy wheel
+room wheel base half_space pressure damage geometry patches remesh mechanics rolling models accuracy
+room scene base profile half_space pressure damage geometry patches mechanics rolling accuracy wheel
 check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid)?\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'

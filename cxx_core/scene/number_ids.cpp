@@ -28,11 +28,13 @@ constexpr std::array side_prefixes{Prefix{"total.", NumberGroup::total},
                                    Prefix{"sensitivities.at_load.", NumberGroup::at_load},
                                    Prefix{"sensitivities.", NumberGroup::sensitivities},
                                    Prefix{"jacobian.", NumberGroup::jacobian},
-                                   Prefix{"", NumberGroup::side}};
+                                   Prefix{"", NumberGroup::side},
+                                   Prefix{"", NumberGroup::side_damage}};
 constexpr std::array near_contact_prefixes{Prefix{"", NumberGroup::near_contact}};
 constexpr std::array patch_prefixes{Prefix{"centroid.", NumberGroup::patch_centroid},
                                     Prefix{"", NumberGroup::patch}, Prefix{"", NumberGroup::creep},
-                                    Prefix{"", NumberGroup::reference}};
+                                    Prefix{"", NumberGroup::reference},
+                                    Prefix{"", NumberGroup::damage}};
 
 /// Sets group and entry; false if there is no such name.
 template <class Prefixes>
@@ -79,14 +81,14 @@ constexpr std::size_t size_of(NumberGroup group) {
 
 /// Whether nothing is said that the group has no place for.
 bool is_consistent(const NumberId& id) {
-  return id.group <= NumberGroup::creep && id.entry < size_of(id.group) &&
+  return id.group <= NumberGroup::damage && id.entry < size_of(id.group) &&
          (!id.right || id.group >= NumberGroup::side) &&
          (id.index == 0 || id.group >= NumberGroup::near_contact) &&
          (id.part == 0 || id.group >= NumberGroup::patch);
 }
 
 constexpr bool every_table_fits() {
-  for (auto group = std::uint8_t{0}; group <= static_cast<std::uint8_t>(NumberGroup::creep);
+  for (auto group = std::uint8_t{0}; group <= static_cast<std::uint8_t>(NumberGroup::damage);
        ++group) {
     if (!entry_bits.hold(size_of(static_cast<NumberGroup>(group))) || !group_bits.hold(group)) {
       return false;

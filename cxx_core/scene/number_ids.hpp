@@ -28,11 +28,13 @@ enum class NumberGroup : std::uint8_t {
   sensitivities,
   at_load,
   jacobian,
+  side_damage,
   near_contact,
   patch,
   reference, ///< place of a patch
   patch_centroid,
-  creep
+  creep,
+  damage
 };
 
 struct NumberId {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "pressure/contact_area.hpp"
+#include "scene/damage_tables.hpp"
 #include "scene/number_ids.hpp"
 #include "scene/number_table.hpp"
 #include "scene/rate_tables.hpp"
@@ -278,6 +279,7 @@ inline constexpr std::array time_numbers{
                               [](const StageMilliseconds& t) { return t.mechanics; }},
     Number<StageMilliseconds>{"rolling", pure,
                               [](const StageMilliseconds& t) { return t.rolling; }},
+    Number<StageMilliseconds>{"damage", pure, [](const StageMilliseconds& t) { return t.damage; }},
     Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
 };
 
@@ -312,6 +314,9 @@ constexpr decltype(auto) with_table(NumberGroup group, Function&& function) {
     return function(place_numbers);
   case NumberGroup::creep:
     return function(creep_numbers);
+  case NumberGroup::side_damage:
+  case NumberGroup::damage:
+    return function(damage_numbers);
   case NumberGroup::scene:
     break;
   }

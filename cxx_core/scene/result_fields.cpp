@@ -3,8 +3,8 @@
 #include <array>
 
 #include "half_space/displacement_operator.hpp"
+#include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
-#include "scene/solve_scene.hpp"
 #include "wheel/combined_contact.hpp"
 
 namespace wrc {
@@ -98,12 +98,6 @@ template <class Coordinate> Values creep_places(const PatchResult& patch, Coordi
   }
   return values;
 }
-
-struct PatchField {
-  std::string_view name;
-  Dimension dimension;
-  Values (*compute)(const WheelDetails&, const PatchResult&);
-};
 
 constexpr std::array patch_fields{
     PatchField{"x", length,
@@ -229,13 +223,14 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
       patch = &patch->parts[index];
     }
   }
-  for (const PatchField& field : patch_fields) {
-    if (field.name == name) {
-      return patch == nullptr ? Values{}
-                              : all_told(field.compute(side->details, *patch), field.dimension);
-    }
+  const auto named = [name](const PatchField& field) { return field.name == name; };
+  const auto found = std::find_if(patch_fields.begin(), patch_fields.end(), named);
+  const PatchField* field = found != patch_fields.end() ? &*found : damage_field(name);
+  if (field == nullptr) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  return patch == nullptr ? Values{}
+                          : all_told(field->compute(side->details, *patch), field->dimension);
 }
 
 } // namespace wrc

@@ -51,6 +51,8 @@ double patch_value(const WheelResult& side, const Reading& reading) {
     return reading.value(centroid_numbers, &patch->centroid);
   case NumberGroup::creep:
     return reading.value(creep_numbers, address_of(patch->creep));
+  case NumberGroup::damage:
+    return reading.value(damage_numbers, address_of(patch->damage));
   default:
     return reading.value(patch_numbers, patch);
   }
@@ -77,6 +79,8 @@ double side_value(WheelResult& side, const Reading& reading) {
   }
   case NumberGroup::jacobian:
     return reading.value(jacobian_numbers, jacobian_of(side));
+  case NumberGroup::side_damage:
+    return reading.value(damage_numbers, address_of(side.damage));
   case NumberGroup::near_contact:
     return reading.value(touch_numbers, at(side.near_contacts, reading.id.index));
   default:
@@ -112,6 +116,7 @@ void add_patch_names(std::vector<std::string>& names, const std::string& prefix,
   if (patch.creep) {
     add_names(names, prefix, creep_numbers, &*patch.creep);
   }
+  add_names(names, prefix, damage_numbers, address_of(patch.damage));
   for (std::size_t i = 0; i < patch.parts.size(); ++i) {
     add_patch_names(names, prefix + "parts." + std::to_string(i) + '.', patch.parts[i]);
   }
@@ -131,6 +136,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     add_names(names, prefix + "near_contacts." + std::to_string(i) + '.', touch_numbers);
   }
   add_names(names, prefix, side_numbers, &side);
+  add_names(names, prefix, damage_numbers, address_of(side.damage));
   if (side.total) {
     add_names(names, prefix + "total.", total_numbers);
   }

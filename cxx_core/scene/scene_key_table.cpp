@@ -443,8 +443,9 @@ std::vector<Key> solution_keys() {
 
 std::vector<Key> make_scene_keys() {
   std::vector<Key> collected;
-  for (auto* part : {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys,
-                     load_keys, make_rolling_keys, method_keys, accuracy_keys, solution_keys}) {
+  for (auto* part :
+       {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys, load_keys,
+        make_rolling_keys, method_keys, accuracy_keys, solution_keys, make_damage_keys}) {
     for (Key& key : part()) {
       collected.push_back(std::move(key));
     }

@@ -32,5 +32,7 @@ struct Key {
 std::vector<Key> make_scene_keys();
 /// Of them, those of friction, creepages and speed.
 std::vector<Key> make_rolling_keys();
+/// Those of stresses, wear and fatigue.
+std::vector<Key> make_damage_keys();
 
 } // namespace wrc

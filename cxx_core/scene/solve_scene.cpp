@@ -225,12 +225,19 @@ void SceneSolver::State::solve_wheels(const Scene& scene, const SceneSurfaces& s
     result.right = right_task.complete(other.get(), *equilibrium.right, result.time);
   }
   solve_creep_forces_of(scene, *rolling, result);
+  const Stopwatch damage;
   for (std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
     if (*wheel && (*wheel)->solved) {
       (*wheel)->total = total_force(**wheel);
       (*wheel)->state = wheel_state(**wheel, scene.yield_pressure);
+      if (scene.damage.any()) {
+        DamageRequest request = scene.damage;
+        request.poisson = (request.of_wheel ? scene.wheel_material : scene.rail_material).poisson;
+        find_damage(**wheel, request);
+      }
     }
   }
+  result.time.damage = scene.damage.any() ? damage.milliseconds() : 0.0;
   if (result.left && result.right) {
     result.rolling_radius_difference =
         result.left->rigid_contact.rolling_radius - result.right->rigid_contact.rolling_radius;

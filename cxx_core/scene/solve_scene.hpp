@@ -29,6 +29,7 @@ struct StageMilliseconds {
   double remesh = 0.0;
   double mechanics = 0.0;
   double rolling = 0.0; ///< creep forces
+  double damage = 0.0;  ///< stresses, wear and fatigue, if requested
   double total = 0.0;
 };
 

@@ -226,4 +226,18 @@ inline constexpr double creep_iteration_share = 0.2;
 /// origin: measured: as creep_iteration_share.
 inline constexpr double creep_error_by_residual = 0.3;
 
+/// Places and depths of a section of stresses, ...
+/// origin: reasoned: a picture; CONTACT's own examples have about as many.
+inline constexpr std::size_t section_places = 100;
+inline constexpr std::size_t section_depths = 60;
+/// ... its half length over the contact's semi-axis, and its depth over the smaller one.
+/// origin: derived: stresses have their maximum above 0.8 of it (Johnson 1985, 4.2), and fall below
+/// a third of it at 2.
+inline constexpr double section_half_length = 1.5;
+inline constexpr double section_depth = 2.0;
+
+/// Utilised friction up to which the shakedown map goes.
+/// origin: derived: the range of shakedown_limits.
+inline constexpr double max_map_friction = 2.0;
+
 } // namespace wrc

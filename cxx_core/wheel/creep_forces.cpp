@@ -235,12 +235,29 @@ std::vector<ProblemRate> problem_rates(const PatchResult& patch, const PatchRate
   return result;
 }
 
+/// Of a solution that was turned by half a turn if `sign` is -1.
+void take_derivatives(const RollingSolution& solution, double sign, CreepDerivatives& derivatives) {
+  derivatives.by_creepage = solution.by_creepage;
+  for (const std::size_t turning : {2U, 5U, 6U, 7U}) { // forces by spin, moments by creepages
+    derivatives.by_creepage[turning] *= sign;
+  }
+  if (!solution.by_rate.empty()) {
+    auto& by = derivatives.by_position.emplace();
+    for (std::size_t i = 0; i < position_count; ++i) {
+      by[i] = sign * solution.by_rate[i][0];
+      by[position_count + i] = sign * solution.by_rate[i][1];
+      by[2 * position_count + i] = solution.by_rate[i][2];
+    }
+  }
+}
+
 /// On the patch's own pressures.
 CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             const CreepRequest& request, const PatchRates* rates,
                             RollingSolver& solver, CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
   creep.grid = grid_around_contact(patch.grid, pressure, request.accuracy, patch.lobes);
+  const double columns = equivalent_columns(creep.grid, patch.lobes);
   const bool unlike =
       request.model == CreepModel::full && request.material.difference_parameter != 0.0;
   if (unlike) {
@@ -279,19 +296,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
     solution = solve_by_strips(patch, motion, request, problem, solver);
   }
   if (request.derivatives) {
-    auto& by_creepage = creep.derivatives.emplace().by_creepage;
-    by_creepage = solution.by_creepage;
-    for (const std::size_t turning : {2U, 5U, 6U, 7U}) { // forces by spin, moments by creepages
-      by_creepage[turning] *= sign;
-    }
-    if (!solution.by_rate.empty()) {
-      auto& by = creep.derivatives->by_position.emplace();
-      for (std::size_t i = 0; i < position_count; ++i) {
-        by[i] = sign * solution.by_rate[i][0];
-        by[position_count + i] = sign * solution.by_rate[i][1];
-        by[2 * position_count + i] = solution.by_rate[i][2];
-      }
-    }
+    take_derivatives(solution, sign, creep.derivatives.emplace());
   }
   creep.slip_area = solution.slip_area;
   creep.adhesion_area = solution.adhesion_area;
@@ -303,10 +308,9 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   creep.residual = solution.residual;
   creep.convolutions = solution.convolutions;
   if (request.model == CreepModel::full) {
-    creep.error_estimate =
-        creep_error_of_one_column *
-            std::pow(static_cast<double>(creep.grid.longitudinal_count), -creep_error_order) +
-        share_of_creep_pressures * request.accuracy + creep_error_by_residual * solution.residual;
+    creep.error_estimate = creep_error_of_one_column * std::pow(columns, -creep_error_order) +
+                           share_of_creep_pressures * request.accuracy +
+                           creep_error_by_residual * solution.residual;
   }
   if (motion.backwards) {
     creep.pressure = turned(std::move(creep.pressure), 1.0);

@@ -37,6 +37,11 @@ Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, doubl
   return result;
 }
 
+double equivalent_columns(const Grid& grid, int lobes) {
+  return std::sqrt(static_cast<double>(grid.element_count()) /
+                   (creep_rows_by_columns * static_cast<double>(lobes)));
+}
+
 Grid extended_to(const Grid& inner, const Grid& outer) {
   Grid result = inner;
   const auto extend = [](double& first, std::size_t& count, double step, double outer_first,

@@ -13,6 +13,9 @@ namespace wrc {
 Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
                          int lobes);
 
+/// Elements along a contact as long as wide with as many elements for each lobe: n of the law.
+double equivalent_columns(const Grid& grid, int lobes);
+
 /// A grid with as many elements more on each side as reach the outer grid's edges, half its own at
 /// most: where contact of unlike bodies may move to.
 Grid extended_to(const Grid& inner, const Grid& outer);

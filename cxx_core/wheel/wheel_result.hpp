@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "remesh/plane_rates.hpp"
+#include "wheel/contact_damage.hpp"
 #include "wheel/creep_forces.hpp"
 #include "wheel/force_jacobian.hpp"
 #include "wheel/sensitivities.hpp"
@@ -48,7 +49,8 @@ struct PatchResult : Patch {
   double radius_lateral = 0.0;
   double fill = 0.0; ///< share of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
-  std::optional<CreepResult> creep; ///< if creep forces were requested
+  std::optional<CreepResult> creep;    ///< if creep forces were requested
+  std::optional<ContactDamage> damage; ///< if any of it was requested
   /// Of several patches that share a plane, each as it was solved; else empty. All else is then
   /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are
   /// computed on request.
@@ -71,6 +73,7 @@ struct WheelDetails {
   FrictionLaw friction;                 ///< of creep forces
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail;
+  DamageRequest damage{}; ///< what of it was requested
 };
 
 /// How a patch changes with the wheelset's position, left-hand frame of the side.
@@ -109,10 +112,11 @@ struct WheelResult {
   Vector3 moment; ///< about the reference of the first patch
   /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
   ContactPoint centroid;
-  std::optional<TotalForce> total; ///< if the mechanics have run
-  double approach = 0.0;           ///< of the first patch
-  double depth = 0.0;              ///< vertical approach, from the first touch
-  double angle = 0.0;              ///< of the first patch
+  std::optional<TotalForce> total;     ///< if the mechanics have run
+  std::optional<ContactDamage> damage; ///< worst of the patches, if any of it was requested
+  double approach = 0.0;               ///< of the first patch
+  double depth = 0.0;                  ///< vertical approach, from the first touch
+  double angle = 0.0;                  ///< of the first patch
   std::optional<double> error_estimate;
   std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
   std::string model;              ///< used for this side, and ...

@@ -93,12 +93,20 @@ Value value_of(const std::string& key, const toml::node& node) {
   }
   if (const toml::array* array = node.as_array()) {
     std::vector<double> numbers;
+    std::string texts; // a list of words is their text
     for (const toml::node& entry : *array) {
+      if (entry.is_string() && numbers.empty()) {
+        texts += (texts.empty() ? "" : " ") + *entry.value<std::string>();
+        continue;
+      }
       const auto number = number_of(entry);
-      if (!number) {
+      if (!number || !texts.empty()) {
         throw Failure(key + " = " + text_of(node) + ": allowed in a list are numbers");
       }
       numbers.push_back(*number);
+    }
+    if (!texts.empty()) {
+      return texts;
     }
     return numbers;
   }

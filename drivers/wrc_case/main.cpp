@@ -8,6 +8,19 @@
 
 namespace {
 
+constexpr const char* purpose =
+    "Solves a wheel/rail contact scene: where and how hard both wheels press on the "
+    "rails.\nWithout a scene file: the paper's Table 1 scene (S1002 on 60E1, 80 kN per "
+    "wheel, centred).";
+
+constexpr const char* examples =
+    "\nExamples:\n"
+    "  wrc_case --set pose.lateral=5 --plot picture.png\n"
+    "  wrc_case --set track.rail=CHN60 wheelset.wheel=LMA track.gauge_height=16 --json\n"
+    "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n"
+    "  wrc_case --set creepage.left=[0.001,0.0005,0.0002] --plot tractions.png\n"
+    "  wrc_case --set solve.results=stress --plot stress.png --stress stress.vtk\n";
+
 std::string keys_text() {
   std::ostringstream text;
   text << "Keys of a scene (mm, N, MPa, rad, y left, z up unless convention says otherwise):\n";
@@ -32,15 +45,12 @@ std::vector<std::filesystem::path> inputs_of(const driver::Scene& scene,
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Solves a wheel/rail contact scene: where and how hard both wheels press on the "
-               "rails.\nWithout a scene file: the paper's Table 1 scene (S1002 on 60E1, 80 kN per "
-               "wheel, centred).",
-               "wrc_case");
+  CLI::App app(purpose, "wrc_case");
   std::string scene_file;
   std::vector<std::string> assignments;
   bool json = false;
   bool csv = false;
-  std::string vtk, plot, field, creep_field, save;
+  std::string vtk, plot, field, creep_field, stress, save;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
   app.add_option("--set", assignments,
                  "set one or more keys of the scene; may be repeated. Numbers and words need no "
@@ -57,14 +67,12 @@ int main(int argc, char** argv) {
   app.add_option("--creep-field", creep_field,
                  "write tractions and slips as CSV, one line per element")
       ->type_name("FILE.csv");
+  app.add_option("--stress", stress,
+                 "write sections of the stresses below the surface as legacy VTK")
+      ->type_name("FILE.vtk");
   app.add_option("--save", save, "write the scene with all its keys, to be solved again")
       ->type_name("FILE.toml");
-  app.footer("\n" + keys_text() + driver::standard_names_text() +
-             "\nExamples:\n"
-             "  wrc_case --set pose.lateral=5 --plot picture.png\n"
-             "  wrc_case --set track.rail=CHN60 wheelset.wheel=LMA track.gauge_height=16 --json\n"
-             "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n"
-             "  wrc_case --set creepage.left=[0.001,0.0005,0.0002] --plot tractions.png\n");
+  app.footer("\n" + keys_text() + driver::standard_names_text() + examples);
   return driver::run_program(app, argc, argv, [&] {
     if (json && csv) {
       throw driver::Failure("--json --csv: allowed is one of them");
@@ -74,7 +82,8 @@ int main(int argc, char** argv) {
       driver::apply_scene_file(scene, scene_file);
     }
     driver::apply_assignments(scene, assignments);
-    driver::refuse_overwriting({save, field, creep_field, vtk, plot}, inputs_of(scene, scene_file));
+    driver::refuse_overwriting({save, field, creep_field, vtk, stress, plot},
+                               inputs_of(scene, scene_file));
     const bool converged = scene.solve();
     if (!save.empty()) {
       scene.write(save);
@@ -99,6 +108,9 @@ int main(int argc, char** argv) {
     }
     if (!vtk.empty()) {
       driver::write_vtk(scene, vtk);
+    }
+    if (!stress.empty()) {
+      driver::write_stress_vtk(scene, stress);
     }
     if (!plot.empty()) {
       driver::draw_scene(scene, plot);

@@ -389,7 +389,11 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
     return std::any_of(side.patches.begin(), side.patches.end(),
                        [](const DrawnPatch& patch) { return !patch.areas.empty(); });
   });
-  const std::size_t rows = 1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U);
+  const bool has_stresses = std::any_of(sides.begin(), sides.end(), [&](const DrawnSide& side) {
+    return !stress_patches_of(scene, side.name).empty();
+  });
+  const std::size_t rows =
+      1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U) + (has_stresses ? 1U : 0U);
   gnuplot.begin_multiplot(rows, sides.size());
   for (const DrawnSide& side : sides) {
     plot_outlines(gnuplot, scene, side);
@@ -402,6 +406,11 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   if (has_tractions) {
     for (const DrawnSide& side : sides) {
       plot_tractions(gnuplot, scene, side, axes);
+    }
+  }
+  if (has_stresses) {
+    for (const DrawnSide& side : sides) {
+      plot_stress(gnuplot, scene, side.name);
     }
   }
   const int columns = std::max(static_cast<int>(sides.size()), 1);

@@ -45,6 +45,15 @@ void write_creep_field(const Scene& scene, const std::filesystem::path& path);
 /// `patch` (N of patches.N) and `side` (1 left, -1 right) tell them apart.
 void write_vtk(const Scene& scene, const std::filesystem::path& path);
 
+/// The patches, or their parts, of a side that have stresses below the surface.
+std::vector<PatchName> stress_patches_of(const Scene& scene, const std::string& side);
+/// Their sections as a legacy VTK unstructured grid in the track frame, stresses at its points.
+/// Throws Failure if there are none.
+void write_stress_vtk(const Scene& scene, const std::filesystem::path& path);
+/// Draws the section with the greatest stress of a side.
+class Gnuplot;
+void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side);
+
 /// Draws a .png or .svg file. Seen in driving direction: the left wheel is on the left.
 void draw_scene(const Scene& scene, const std::filesystem::path& path);
 

@@ -48,6 +48,20 @@ constexpr std::array units{
     Unit{"force.vertical", "N/mm"},
     Unit{"force.roll", "N/rad"},
     Unit{"time_ms", "ms"},
+    Unit{"stress.depth", "mm"},
+    Unit{"stress.along", "mm"},
+    Unit{"stress.across", "mm"},
+    Unit{"stress.body", "1"},
+    Unit{"stress.section", "1"},
+    Unit{"stress.", "MPa"},
+    Unit{"wear.tgamma", "N"},
+    Unit{"wear.volume", "mm2"},
+    Unit{"wear.depth_max", "mm"},
+    Unit{"wear.energy_coefficient", "mm2/N"},
+    Unit{"wear.hardness", "MPa"},
+    Unit{"wear.", "1"},
+    Unit{"fatigue.shear_yield", "MPa"},
+    Unit{"fatigue.", "1"},
     Unit{"friction_power", "N mm/s"},
     Unit{"friction.decay", "s/mm"},
     Unit{"friction", "1"},
@@ -119,14 +133,15 @@ std::vector<std::string> default_results() {
 }
 
 std::vector<std::string> all_results() {
-  // Scenes that have whatever there is: both sides, creep forces, contacts that almost touch, and a
-  // contact of several parts on the one or the other side.
+  // Scenes that have whatever there is: both sides, creep forces, damage, contacts that almost
+  // touch, and a contact of several parts on the one or the other side.
   Scene scene;
   scene.set("solve.accuracy", 0.1);
   scene.set("solve.near_tolerance", 10.0);
   scene.set("track.rail", "UIC60-Manchester");
   scene.set("load.vertical", 1e4);
   scene.set("creepage.longitudinal", 1e-3);
+  scene.set("solve.results", "stress wear fatigue");
   std::vector<std::string> names;
   for (const double lateral : {-5.0, 5.0}) {
     scene.set("pose.lateral", lateral);

@@ -387,4 +387,22 @@ TEST_F(WrcCase, HelpListsEveryKeyWithItsMeaning) {
   EXPECT_EQ(run("--version").out, std::string("wrcontact ") + WRCONTACT_EXPECTED_VERSION + "\n");
 }
 
+TEST_F(WrcCase, WritesAndDrawsStressesBelowTheSurface) {
+  NEEDS_GNUPLOT();
+  const Outcome outcome = run("--set solve.results=stress,fatigue solve.accuracy=1e-2 "
+                              "creepage.left=[0.001,0,0] --stress s.vtk --plot s.png --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const json whole = json::parse(outcome.out);
+  EXPECT_GT(whole.at("left").at("stress").at("von_mises_max"), 100.0);
+  EXPECT_GT(whole.at("left").at("fatigue").at("shakedown_limit"), 1.0);
+  EXPECT_TRUE(is_png("s.png"));
+  EXPECT_NE(read("s.vtk").find("SCALARS von_mises double 1"), std::string::npos);
+  EXPECT_NE(read("s.vtk").find("POINTS 12000 double"), std::string::npos);
+  write("list.toml", "[solve]\nresults = [\"stress\", \"wear\"]\n");
+  EXPECT_EQ(run("list.toml --csv").exit_code, 0);
+  const Outcome none = run("--stress s.vtk");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.error.find("solve.results=stress"), std::string::npos) << none.error;
+}
+
 } // namespace

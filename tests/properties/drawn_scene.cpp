@@ -172,6 +172,7 @@ void DrawnScene::draw_solution() {
     set("solve.joining_distance", chance(0.5) ? 0.0 : between(0.0, 20.0));
   }
   choose("solve.solver", 0.02, "paper");
+  choose("solve.results", 0.2, "stress wear fatigue");
 }
 
 std::string DrawnScene::text_or(const std::string& key, const std::string& otherwise) const {

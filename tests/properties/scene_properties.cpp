@@ -67,6 +67,13 @@ bool is_moment(const std::string& name) {
   return name.find("moment.") != std::string::npos;
 }
 
+bool is_stress(const std::string& name) {
+  constexpr std::array ends{"pmax", "pmax_element", "stress.von_mises_max", "stress.shear",
+                            "stress.tension"};
+  return std::any_of(ends.begin(), ends.end(),
+                     [&name](const char* end) { return name.ends_with(end); });
+}
+
 /// m, N, N m, Pa of what is told in mm, N, N mm, MPa.
 double unit_of(const std::string& name) {
   if (is_force(name) || is_moment(name)) {
@@ -76,16 +83,34 @@ double unit_of(const std::string& name) {
     return std::any_of(list.begin(), list.end(),
                        [&name](const char* end) { return name.ends_with(end); });
   };
-  if (ends({"pmax", "pmax_element"})) {
+  if (is_stress(name)) {
     return 1e6;
   }
-  if (ends({".area"})) {
+  if (ends({".area", "wear.volume"})) {
     return 1e-6;
   }
-  const bool length = ends({".x", ".y", ".z", ".s_wheel", ".w_wheel", ".t_rail", ".v_rail",
-                            "rolling_radius", "vertical", "approach", "depth", "distance",
-                            "rolling_radius_difference", "element_size.0", "element_size.1",
-                            "semi_axes.0", "semi_axes.1", "radii.0", "radii.1"});
+  const bool length = ends({".x",
+                            ".y",
+                            ".z",
+                            ".s_wheel",
+                            ".w_wheel",
+                            ".t_rail",
+                            ".v_rail",
+                            "rolling_radius",
+                            "vertical",
+                            "approach",
+                            "depth",
+                            "distance",
+                            "rolling_radius_difference",
+                            "element_size.0",
+                            "element_size.1",
+                            "semi_axes.0",
+                            "semi_axes.1",
+                            "radii.0",
+                            "radii.1",
+                            "stress.along",
+                            "stress.across",
+                            "wear.depth_max"});
   return length ? 1e-3 : 1.0;
 }
 
@@ -267,8 +292,7 @@ std::string check_stiffness(const DrawnScene& scene, const Outcome& outcome) {
     return differ("status with other moduli", stiff.status, outcome.status);
   }
   for (const auto& [name, value] : outcome.numbers) {
-    const bool force = is_force(name) || is_moment(name) || name.ends_with("pmax") ||
-                       name.ends_with("pmax_element");
+    const bool force = is_force(name) || is_moment(name) || is_stress(name);
     if (!stiff.has(name) || !near(stiff.at(name), (force ? factor : 1.0) * value, conversion)) {
       return differ(name + " with other moduli", stiff.has(name) ? stiff.at(name) : std::nan(""),
                     (force ? factor : 1.0) * value);

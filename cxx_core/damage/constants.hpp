@@ -1,0 +1,111 @@
+/// Constants of behaviour of this room: stresses below the surface, wear and fatigue.
+///
+/// Each with its origin: derived, source (with author), measured (with what measures it) or
+/// reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+#include <cstddef>
+
+namespace wrc {
+
+/// Distance, in sizes of an element, from which elements of that size will do for a section: depth,
+/// and distance of a row of elements from the section.
+/// origin: measured (SubsurfaceStress.CoarserElementsWillDoBelow): stresses are off by 1e-3 of the
+/// greatest pressure at most.
+inline constexpr double depth_of_element = 3.0;
+
+/// Rows of elements from which those far from a section are worth larger elements.
+/// origin: measured (100 x 60 places under 64 x 32 elements): a sixth of the time; 20 rows lose.
+inline constexpr std::size_t rows_worth_splitting = 24;
+
+/// Places that are computed together.
+/// origin: derived: single-precision values in a vector register of 64 bytes.
+inline constexpr std::size_t vector_places = 16;
+
+/// Elements across the contact that stay at least.
+/// origin: reasoned: as many as moments up to the third need in a row.
+inline constexpr std::size_t coarsest_elements = 4;
+
+/// Likewise for the search of the greatest stress, which is computed anew where it is found.
+/// origin: reasoned: half of the above; it chooses between places only.
+inline constexpr double depth_of_search_element = 1.5;
+
+/// Least depth, in element sizes.
+/// origin: reasoned: the logarithms at the edges of elements are infinite on the surface itself.
+inline constexpr double least_depth = 1e-6;
+
+/// Elements across the contact in the search of the greatest stress.
+/// origin: measured (SubsurfaceStress.FindsTheGreatestVonMisesStress): 8 find the lobe as well.
+inline constexpr std::size_t search_elements = 12;
+
+/// Ratio of the depths at which the greatest stress is searched, ...
+/// origin: reasoned: the field varies over its depth; three points of a parabola lie in a hump.
+inline constexpr double search_depth_ratio = 1.7;
+/// ... and the deepest of them over half the smaller width of the contact.
+/// origin: derived: 0.70 b below line contact, 0.48 a below a circle (Johnson 1985, 4.2, 3.4).
+inline constexpr double deepest_search = 1.1;
+
+/// Depth, in elements of the search, below which the surface itself is searched.
+/// origin: reasoned: values between are those of the elements.
+inline constexpr double shallowest_search = 0.5;
+
+/// Share of the greatest value from which a depth's top is climbed as well.
+/// origin: measured (DamageResults.StressesOfTheSectionReachTheGreatestOne): with friction the
+/// field has tops of nearly the same height near the surface and below; without, one is climbed.
+inline constexpr double worth_climbing = 0.97;
+
+/// Parabolas through the greatest value in each direction.
+/// origin: reasoned: the error of a value falls with the square of that of its place.
+inline constexpr int search_parabolas = 2;
+
+/// First step of the climb over the surface, in elements, halved where none leads up.
+/// origin: reasoned: from elements twice as large to their neighbours on the finest grid.
+inline constexpr double surface_stride = 2.0;
+
+/// Share of the power that slip times traction must show on the grid to say where energy goes.
+/// origin: reasoned: less is what the iteration left, not slip.
+inline constexpr double least_dissipated_share = 1e-3;
+
+/// Density of steel, g/mm^3.
+/// origin: source (Braghin et al., Wear 261, 2006, 4): turns mass into volume.
+inline constexpr double steel_density = 7.85e-3;
+
+/// USFD law, R8T wheel on 900A rail: T-gamma over the area in N/mm^2, rates in ug/(m mm^2).
+/// origin: source (Lewis & Dwyer-Joyce 2004; Braghin et al., Wear 261, 2006, table 1): 5.3 e
+/// to 10.4, 55.0 to 77.2, then 55.0 + 61.9 (e - 77.2), as it must be to be continuous: 61.9 e -
+/// 4778.7, which is also printed, leaves the 55.0 out.
+inline constexpr double usfd_mild_slope = 5.3;
+inline constexpr double usfd_severe_energy = 10.4;
+inline constexpr double usfd_severe_rate = 55.0;
+inline constexpr double usfd_catastrophic_energy = 77.2;
+inline constexpr double usfd_catastrophic_slope = 61.9;
+
+/// Archard's k by sliding speed in mm/s and p/H.
+/// origin: source (Jendel, Wear 253, 2002, fig. 3, from tests at KTH): 1 to 10, 30 to 40 and 300 to
+/// 400 times 1e-4; their middles.
+inline constexpr double archard_mild = 5e-4;
+inline constexpr double archard_severe = 35e-4;
+inline constexpr double archard_seizure = 350e-4;
+inline constexpr double severe_speed_first = 200.0;
+inline constexpr double severe_speed_last = 700.0;
+inline constexpr double seizure_pressure = 0.8;
+
+/// Damage function of the whole life rail model: T-gamma in N, damage per wheel.
+/// origin: source (Burstow, RSSB T355, 2004): 0 up to 15 N, 1e-5 at 65 N, 0 at 175 N, wear beyond.
+inline constexpr double rail_damage_first = 15.0;
+inline constexpr double rail_damage_peak = 65.0;
+inline constexpr double rail_damage_last = 175.0;
+inline constexpr double rail_damage_greatest = 1e-5;
+
+/// Steps of the scan of a line contact's stresses over x/a and z/a, and greatest friction.
+/// origin: reasoned: a smooth field; limits are right to 2e-3, as FatigueTest finds.
+inline constexpr double map_step = 0.025;
+inline constexpr double map_half_width = 1.5;
+inline constexpr double map_depth = 1.5;
+inline constexpr double map_friction = 2.0;
+
+/// Poisson's ratio of the map's elastic limit.
+/// origin: source (Johnson 1985, 4.2): 0.3, for steel.
+inline constexpr double map_poisson = 0.3;
+
+} // namespace wrc

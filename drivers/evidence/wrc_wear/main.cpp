@@ -1,0 +1,219 @@
+// wrc_wear: wears a wheel profile over a mission of curves, as a demonstration of what results
+// "wear" are good for. The vehicle is reduced to where its wheelsets run; see docs/damage.md.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <numbers>
+
+#include "support/gnuplot.hpp"
+#include "support/numbers.hpp"
+#include "support/parallel.hpp"
+#include "support/program.hpp"
+#include "support/scene_file.hpp"
+#include "wrc_wear/worn_profile.hpp"
+
+namespace driver {
+namespace {
+
+constexpr double radius = 460.0;
+constexpr double half_track = 750.0;      // half the distance of the contacts, mm
+constexpr double half_wheelbase = 1250.0; // of a bogie whose wheelsets stay parallel, mm
+constexpr double flange_clearance = 6.5;  // greatest displacement that is searched, mm
+constexpr double largest_step = 0.05;     // of wear, from one update of the profile to the next, mm
+
+/// A position of a wheelset that is run for a share of the way.
+struct Passage {
+  double curvature; // 1/mm, left-hand curves
+  double speed;     // mm/s
+  double lateral;   // mm to the left
+  double yaw;       // rad
+  double share;     // of the distance
+};
+
+struct Curve {
+  double radius; // m, 0: straight
+  double speed;  // m/s
+  double share;
+};
+
+constexpr std::array mission{Curve{0.0, 40.0, 0.60}, Curve{1500.0, 35.0, 0.20},
+                             Curve{600.0, 25.0, 0.14}, Curve{300.0, 18.0, 0.06}};
+
+/// Displacement to the right (outwards in a left-hand curve) at which radii differ by `wanted`; the
+/// greatest one searched, if they never do.
+double lateral_for(Scene& scene, double wanted) {
+  scene.set("solve.until", "geometry");
+  double before = 0.0;
+  for (double lateral = 0.0; lateral <= flange_clearance; lateral += 0.25) {
+    scene.set("pose.lateral", -lateral);
+    scene.solve();
+    const double difference = -scene.number("rolling_radius_difference");
+    if (difference >= wanted) {
+      return lateral == 0.0 ? 0.0 : lateral - 0.25 * (difference - wanted) / (difference - before);
+    }
+    before = difference;
+  }
+  return flange_clearance;
+}
+
+Scene scene_on(const WornProfile& wheel, const std::vector<std::string>& assignments) {
+  Scene scene;
+  scene.set("solve.accuracy", 1e-2);
+  scene.set("solve.accuracy_of", "forces");
+  scene.set("solve.results", "wear");
+  scene.set("motion.pitch", "free");
+  apply_assignments(scene, assignments);
+  scene.set("wheelset.wheel", wheel.profile());
+  return scene;
+}
+
+/// Wheelsets in straight track wander by some millimetres. In curves the leading one runs outwards
+/// with an angle of attack of half the wheelbase over the radius, as far as radii demand or the
+/// flange permits; the trailing one stands radially at half of that.
+std::vector<Passage> passages_of(Scene scene) {
+  std::vector<Passage> passages;
+  for (const Curve& curve : mission) {
+    if (curve.radius == 0.0) {
+      constexpr std::array weights{1.0, 2.0, 3.0, 2.0, 1.0};
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        passages.push_back({0.0, 1e3 * curve.speed, 1.5 * (static_cast<double>(i) - 2.0), 0.0,
+                            curve.share * weights[i] / 9.0});
+      }
+      continue;
+    }
+    const double curvature = 1e-3 / curve.radius;
+    const double outwards = lateral_for(scene, 2.0 * half_track * radius * curvature);
+    const double yaw = -half_wheelbase * curvature;
+    passages.push_back({curvature, 1e3 * curve.speed, -outwards, yaw, 0.5 * curve.share});
+    passages.push_back({curvature, 1e3 * curve.speed, -0.5 * outwards, 0.0, 0.5 * curve.share});
+  }
+  return passages;
+}
+
+/// What a passage takes off per distance rolled.
+struct Worn {
+  double volume = 0.0;       ///< of the mean wheel, mm^2
+  std::vector<double> s;     ///< places on the wheel ...
+  std::vector<double> areas; ///< ... and what goes there, mm^2
+};
+
+/// Each wheel is as often the left as the right one.
+Worn worn_by(Scene scene, const Passage& passage) {
+  scene.set("motion.speed", passage.speed);
+  scene.set("motion.curvature", passage.curvature);
+  scene.set("pose.lateral", passage.lateral);
+  scene.set("pose.yaw", passage.yaw);
+  scene.solve();
+  Worn worn;
+  for (const std::string side : side_names) {
+    worn.volume += 0.5 * passage.share * scene.number_or(side + ".wear.volume", 0.0);
+    const int patches = scene.count_of(side + ".patches");
+    for (int i = 0; i < patches; ++i) {
+      const std::string whole = side + ".patches." + std::to_string(i) + '.';
+      const int parts = scene.count_of(whole + "parts");
+      for (int k = 0; k < std::max(parts, 1); ++k) {
+        const std::string name = parts > 0 ? whole + "parts." + std::to_string(k) + '.' : whole;
+        const double width = scene.number_or(name + "creep_element_size.0", 0.0);
+        const std::vector<double> places = scene.field(name + "wear_s_wheel");
+        worn.s.insert(worn.s.end(), places.begin(), places.end());
+        for (const double depth : scene.field(name + "wear_depth")) {
+          worn.areas.push_back(0.5 * passage.share * depth * width);
+        }
+      }
+    }
+  }
+  return worn;
+}
+
+void draw(const WornProfile& profile, const std::string& path, const std::string& title) {
+  Gnuplot gnuplot;
+  gnuplot.script() << "set grid lc rgb '#dddddd'\nset tics out nomirror\n";
+  gnuplot.begin_multiplot(2, 1, title);
+  gnuplot.script() << "set xrange [-45:45]\nset yrange [*:*] reverse\nset size ratio -1\n"
+                      "set ylabel 'larger radius downwards, mm'\nset key top right\n"
+                      "set xlabel 's from the taping line, mm (to the field side)'\n";
+  const auto heights = [&](const wrcontact::Profile::Points& points) {
+    return gnuplot.block(points.lateral, points.height);
+  };
+  gnuplot.plot({heights(profile.fresh()) + " with lines lw 1.5 lc rgb '#909090' title 'new'",
+                heights(profile.points()) + " with lines lw 2 lc rgb '#d00000' title 'worn'"});
+  gnuplot.script() << "set size noratio\nset yrange [0:*] noreverse\n"
+                      "set ylabel 'worn off along the normal, mm'\n";
+  gnuplot.plot({gnuplot.block(profile.fresh().lateral, profile.depths()) +
+                " with lines lw 2 lc rgb '#d00000' notitle"});
+  gnuplot.draw(path, 900, 900);
+}
+
+} // namespace
+} // namespace driver
+
+int main(int argc, char** argv) {
+  using namespace driver;
+  CLI::App app("Wears a wheel profile over a mission of straight track and curves: wear along the "
+               "profile by element, profile update with smoothing, area kept.",
+               "wrc_wear");
+  std::string wheel = "S1002";
+  std::string plot;
+  std::string save;
+  double distance = 20000.0;
+  int threads = 2;
+  std::vector<std::string> assignments;
+  app.add_option("--wheel", wheel, "built-in wheel to begin with");
+  app.add_option("--distance", distance, "to run, km")->check(CLI::Range(1.0, 1e7));
+  app.add_option("--threads", threads, "passages solved at once")->check(CLI::Range(1, 256));
+  app.add_option("--plot", plot, "draw the profile new and worn")->type_name("FILE.png|svg");
+  app.add_option("--save", save, "write the worn profile")->type_name("FILE");
+  app.add_option("--set", assignments, "set a key of all scenes, such as wear.law=archard")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  return run_program(app, argc, argv, [&] {
+    WornProfile profile(wheel, 0.25);
+    double done = 0.0; // km
+    double volume = 0.0;
+    std::cout << "      km   depth mm   missing mm2      worn mm2   difference\n";
+    int updates = 0;
+    while (done < distance) {
+      const std::vector<Passage> passages = passages_of(scene_on(profile, assignments));
+      std::vector<Worn> worn(passages.size());
+      for_each_index(passages.size(), threads, [&](std::size_t i) {
+        worn[i] = worn_by(scene_on(profile, assignments), passages[i]);
+      });
+      profile.clear();
+      double rate = 0.0; // mm^2 per distance rolled, no unit
+      for (const Worn& each : worn) {
+        rate += each.volume;
+        for (std::size_t i = 0; i < each.s.size(); ++i) {
+          profile.add(each.s[i], each.areas[i]);
+        }
+      }
+      // Per turn the profile loses the volume per distance rolled.
+      const double turns_per_km = 1e6 / (2.0 * std::numbers::pi * radius);
+      const double step =
+          std::min(distance - done, largest_step / (profile.noted_depth() * turns_per_km));
+      profile.wear(step * turns_per_km);
+      volume += step * turns_per_km * rate;
+      done += step;
+      ++updates;
+      if (updates % 10 == 0 || done >= distance) {
+        const std::vector<double> depths = profile.depths();
+        const double missing = profile.missing_area();
+        std::cout << std::fixed << std::setw(8) << std::setprecision(0) << done << std::setw(11)
+                  << std::setprecision(3) << *std::max_element(depths.begin(), depths.end())
+                  << std::setw(14) << std::setprecision(6) << missing << std::setw(14) << volume
+                  << std::scientific << std::setw(13) << std::setprecision(1)
+                  << missing / volume - 1.0 << std::endl;
+      }
+    }
+    if (!save.empty()) {
+      profile.profile().write(save, 0.25);
+    }
+    if (!plot.empty()) {
+      draw(profile, plot,
+           wheel + " after " + general(distance, 6) + " km, worn area " + fixed(volume, 1) +
+               " mm^2");
+    }
+    return 0;
+  });
+}

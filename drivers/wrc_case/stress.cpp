@@ -1,0 +1,133 @@
+// Sections of stresses below the surface: as VTK, and in the picture.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "support/gnuplot.hpp"
+#include "support/numbers.hpp"
+#include "support/output_file.hpp"
+#include "wrc_case/reports.hpp"
+
+namespace driver {
+
+std::vector<PatchName> stress_patches_of(const Scene& scene, const std::string& side) {
+  std::vector<PatchName> all;
+  for (const PatchName& patch : patches_of(scene, side)) {
+    const int parts = scene.count_of(patch.prefix + "parts");
+    for (int i = 0; i < std::max(parts, 1); ++i) {
+      PatchName one = patch;
+      if (parts > 0) {
+        one.prefix += "parts." + std::to_string(i) + '.';
+      }
+      if (scene.has_number(one.prefix + "stress.von_mises_max")) {
+        all.push_back(one);
+      }
+    }
+  }
+  return all;
+}
+
+void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
+  constexpr std::array names{"von_mises", "shear", "xx", "yy", "zz", "xy", "xz", "yz"};
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 4>> quads;
+  std::array<std::vector<double>, names.size()> values;
+  const bool across = scene.get_text("stress.section") == "across";
+  const double down = scene.get_text("stress.body") == "rail" ? -1.0 : 1.0;
+  for (const std::string& side : sides_of(scene)) {
+    for (const PatchName& patch : stress_patches_of(scene, side)) {
+      const auto number = [&](const char* name) { return scene.number(patch.prefix + name); };
+      const std::vector<double> places = scene.field(patch.prefix + "stress_place");
+      const std::vector<double> depths = scene.field(patch.prefix + "stress_depth");
+      const auto columns = static_cast<std::size_t>(
+          std::count(depths.begin(), depths.end(), depths.empty() ? 0.0 : depths.front()));
+      const double mirror = side == "left" ? 1.0 : -1.0;
+      const double angle = number("angle");
+      const std::size_t offset = points.size();
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const double x = across ? number("stress.along") : places[i];
+        const double y = mirror * (across ? places[i] : number("stress.across"));
+        const double z = down * depths[i];
+        points.push_back({number("x") + x, number("y") + y * std::cos(angle) - z * std::sin(angle),
+                          number("z") + y * std::sin(angle) + z * std::cos(angle)});
+        if (i % columns + 1 < columns && i + columns < places.size()) {
+          const std::size_t corner = offset + i;
+          quads.push_back({corner, corner + 1, corner + columns + 1, corner + columns});
+        }
+      }
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const std::vector<double> field = scene.field(patch.prefix + "stress_" + names[k]);
+        values[k].insert(values[k].end(), field.begin(), field.end());
+      }
+    }
+  }
+  if (points.empty()) {
+    throw Failure("--stress: there are no stresses; set solve.results=stress");
+  }
+  OutputFile file(path);
+  std::ofstream& out = file.stream();
+  out << "# vtk DataFile Version 3.0\nwrcontact: x y z in mm (track frame), stresses in MPa in the "
+         "patch's plane, z into the body\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
+      << points.size() << " double\n";
+  for (const auto& point : points) {
+    out << point[0] << ' ' << point[1] << ' ' << point[2] << '\n';
+  }
+  out << "CELLS " << quads.size() << ' ' << 5 * quads.size() << '\n';
+  for (const auto& quad : quads) {
+    out << "4 " << quad[0] << ' ' << quad[1] << ' ' << quad[2] << ' ' << quad[3] << '\n';
+  }
+  out << "CELL_TYPES " << quads.size() << '\n';
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    out << "9\n";
+  }
+  out << "POINT_DATA " << points.size() << '\n';
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    out << "SCALARS " << names[k] << " double 1\nLOOKUP_TABLE default\n";
+    for (const double value : values[k]) {
+      out << value << '\n';
+    }
+  }
+  file.commit();
+}
+
+void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) {
+  std::ostream& out = gnuplot.script();
+  const std::vector<PatchName> patches = stress_patches_of(scene, side);
+  out << "unset label\nset size noratio\n";
+  if (patches.empty()) {
+    out << "set title '" << side << " wheel: no stresses'\nplot NaN notitle\n";
+    return;
+  }
+  // That of the greatest stress.
+  const PatchName& patch =
+      *std::max_element(patches.begin(), patches.end(), [&](const auto& one, const auto& other) {
+        return scene.number(one.prefix + "stress.von_mises_max") <
+               scene.number(other.prefix + "stress.von_mises_max");
+      });
+  const std::vector<double> places = scene.field(patch.prefix + "stress_place");
+  const std::vector<double> depths = scene.field(patch.prefix + "stress_depth");
+  const std::vector<double> stress = scene.field(patch.prefix + "stress_von_mises");
+  std::ostringstream data;
+  data.precision(9);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i > 0 && depths[i] != depths[i - 1]) {
+      data << '\n';
+    }
+    data << places[i] << ' ' << depths[i] << ' ' << stress[i] << '\n';
+  }
+  const bool across = scene.get_text("stress.section") == "across";
+  const double greatest = scene.number(patch.prefix + "stress.von_mises_max");
+  const double depth = scene.number(patch.prefix + "stress.depth");
+  const double place = scene.number(patch.prefix + (across ? "stress.across" : "stress.along"));
+  const std::string block = gnuplot.block(data.str());
+  out << "set title 'in the " << scene.get_text("stress.body") << ": von Mises "
+      << fixed(greatest, 0) << " MPa, " << fixed(depth, 2) << " mm below the surface'\nset xlabel '"
+      << (across ? "across the patch, mm (to the field side)" : "along the patch, mm (forward)")
+      << "'\nset ylabel 'depth, mm'\nset cblabel 'von Mises stress, MPa' offset 1\n"
+      << "set xrange [" << places.front() << ':' << places.back() << "]\nset yrange ["
+      << depths.back() << ":0]\nset cbrange [0:" << greatest << "]\nset key off\n";
+  gnuplot.plot({block + " using 1:2:3 with image",
+                gnuplot.block({place}, {depth}) + " with points pt 2 ps 1.5 lw 2 lc rgb 'black'"});
+}
+
+} // namespace driver

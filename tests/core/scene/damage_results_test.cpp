@@ -1,0 +1,198 @@
+// What contact does to the steel, by name: asked for, units, mirror, balance.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "damage/subsurface_stress.hpp"
+#include "scene/scene_keys.hpp"
+#include "scene/solve_scene.hpp"
+
+namespace damage_results_test {
+namespace {
+
+using namespace wrc;
+
+constexpr double rounding = 1e-12;
+
+Scene braked(const char* results) {
+  Scene scene;
+  scene.accuracy = 1e-2;
+  set_text(scene, "solve.results", results);
+  const std::array both{0.001, 0.0005, 0.0002};
+  const std::array mirrored{0.001, -0.0005, -0.0002};
+  set_numbers(scene, "creepage.left", both);
+  set_numbers(scene, "creepage.right", mirrored);
+  set_number(scene, "motion.speed", 30000.0);
+  return scene;
+}
+
+double number(SceneResult& result, const std::string& name, const Convention& convention = {}) {
+  const auto value = number_value(result, name, convention);
+  EXPECT_TRUE(value) << name;
+  return value.value_or(0.0);
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+TEST(DamageResults, WhatIsNotAskedForIsNotThere) {
+  SceneResult result = solve_scene(braked("none"));
+  for (const std::string& name : number_names(result)) {
+    EXPECT_EQ(name.find("stress."), std::string::npos) << name;
+    EXPECT_EQ(name.find("wear."), std::string::npos) << name;
+    EXPECT_EQ(name.find("fatigue."), std::string::npos) << name;
+  }
+  EXPECT_EQ(result.time.damage, 0.0);
+  EXPECT_FALSE(result.left->damage);
+  EXPECT_TRUE(field_values(result, "left.patches.0.stress_von_mises")->empty());
+  EXPECT_TRUE(field_values(result, "left.patches.0.wear_depth")->empty());
+  // What is asked for changes nothing else.
+  SceneResult more = solve_scene(braked("stress, wear fatigue"));
+  for (const std::string& name : number_names(result)) {
+    if (!name.starts_with("time_ms") && name.find("sensitivities") == std::string::npos) {
+      EXPECT_EQ(number(more, name), number(result, name)) << name;
+    }
+  }
+  EXPECT_GT(more.time.damage, 0.0);
+}
+
+TEST(DamageResults, WordsOfTheKey) {
+  Scene scene;
+  EXPECT_EQ(std::get<std::string>(key_value(scene, "solve.results")), "none");
+  set_text(scene, "solve.results", "wear,stress");
+  EXPECT_EQ(std::get<std::string>(key_value(scene, "solve.results")), "stress wear");
+  for (const char* wrong : {"", "strain", "none wear", "stress;wear", " "}) {
+    EXPECT_THROW(set_text(scene, "solve.results", wrong), Error) << wrong;
+  }
+  EXPECT_EQ(std::get<std::string>(key_value(scene, "solve.results")), "stress wear");
+  set_text(scene, "solve.results", "none");
+  EXPECT_FALSE(scene.damage.any());
+}
+
+TEST(DamageResults, EnergyOfElementsIsTheWearNumberAndVolumeThatOfTheLaw) {
+  Scene scene = braked("wear");
+  set_text(scene, "wear.law", "energy");
+  set_number(scene, "wear.energy_coefficient", 2e-7);
+  set_number(scene, "wear.scale", 3.0);
+  SceneResult result = solve_scene(scene);
+  const std::string patch = "left.patches.0.";
+  const double power = number(result, patch + "wear_number");
+  const double area = number(result, patch + "creep_element_size.0") *
+                      number(result, patch + "creep_element_size.1");
+  EXPECT_NEAR(sum_of(*field_values(result, patch + "frictional_energy")) * area, power,
+              rounding * power);
+  EXPECT_NEAR(number(result, patch + "wear.volume"), 3.0 * 2e-7 * power, rounding * 6e-7 * power);
+  const auto depth = *field_values(result, patch + "wear_depth");
+  EXPECT_NEAR(sum_of(depth) * number(result, patch + "creep_element_size.0"),
+              number(result, patch + "wear.volume"), rounding * power);
+  EXPECT_EQ(*std::max_element(depth.begin(), depth.end()),
+            number(result, patch + "wear.depth_max"));
+  EXPECT_EQ(number(result, patch + "wear.tgamma_with_spin"), power);
+  EXPECT_DOUBLE_EQ(number(result, patch + "wear.tgamma"),
+                   -number(result, patch + "creep_force.longitudinal") * 0.001 -
+                       number(result, patch + "creep_force.lateral") * 0.0005);
+  // Rows lie around the point of contact on both profiles.
+  const auto s_wheel = *field_values(result, patch + "wear_s_wheel");
+  const auto t_rail = *field_values(result, patch + "wear_t_rail");
+  ASSERT_EQ(s_wheel.size(), depth.size());
+  const auto spans = [](const std::vector<double>& places, double place) {
+    const auto [least, greatest] = std::minmax_element(places.begin(), places.end());
+    return *least < place && place < *greatest;
+  };
+  EXPECT_TRUE(spans(s_wheel, number(result, patch + "s_wheel")));
+  EXPECT_TRUE(spans(t_rail, number(result, patch + "t_rail")));
+}
+
+TEST(DamageResults, AmountsOfAWheelAreThoseOfItsPatches) {
+  Scene scene = braked("stress wear");
+  set_text(scene, "track.rail", "56E1");
+  scene.lateral = 6.0; // two patches on the left
+  SceneResult result = solve_scene(scene);
+  ASSERT_GT(result.left->patches.size(), 1U);
+  double volume = 0.0;
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < result.left->patches.size(); ++i) {
+    const std::string patch = "left.patches." + std::to_string(i) + '.';
+    volume += number(result, patch + "wear.volume");
+    greatest = std::max(greatest, number(result, patch + "stress.von_mises_max"));
+  }
+  EXPECT_DOUBLE_EQ(number(result, "left.wear.volume"), volume);
+  EXPECT_EQ(number(result, "left.stress.von_mises_max"), greatest);
+}
+
+TEST(DamageResults, StressesOfTheSectionReachTheGreatestOne) {
+  for (const char* plane : {"along", "across"}) {
+    for (const char* body : {"rail", "wheel"}) {
+      Scene scene = braked("stress");
+      set_text(scene, "stress.section", plane);
+      set_text(scene, "stress.body", body);
+      SceneResult result = solve_scene(scene);
+      const auto field = *field_values(result, "left.stress_von_mises");
+      ASSERT_EQ(field.size(), 6000U);
+      // Near the surface both are as coarse as the elements, which are few at this accuracy.
+      const double greatest = number(result, "left.stress.von_mises_max");
+      EXPECT_NEAR(*std::max_element(field.begin(), field.end()), greatest, 0.02 * greatest)
+          << plane << ' ' << body;
+    }
+  }
+  // Both bodies alike without tractions.
+  Scene scene;
+  scene.accuracy = 1e-2;
+  set_text(scene, "solve.results", "stress");
+  SceneResult rail = solve_scene(scene);
+  set_text(scene, "stress.body", "wheel");
+  SceneResult wheel = solve_scene(scene);
+  EXPECT_EQ(number(rail, "left.stress.von_mises_max"), number(wheel, "left.stress.von_mises_max"));
+  EXPECT_EQ(field_values(rail, "left.stress_zz"), field_values(wheel, "left.stress_zz"));
+}
+
+TEST(DamageResults, TheRightWheelIsTheMirrorOfTheLeft) {
+  SceneResult result = solve_scene(braked("stress wear fatigue"));
+  for (const char* name : {"stress.von_mises_max", "stress.depth", "stress.across", "wear.volume",
+                           "fatigue.surface_index", "fatigue.rail_damage"}) {
+    EXPECT_EQ(number(result, std::string("left.") + name),
+              number(result, std::string("right.") + name))
+        << name;
+  }
+  const auto left = *field_values(result, "left.stress_yz");
+  const auto right = *field_values(result, "right.stress_yz");
+  for (std::size_t i = 0; i < left.size(); i += 97) {
+    EXPECT_EQ(left[i], -right[i]);
+  }
+}
+
+TEST(DamageResults, UnitsAreThoseOfTheConvention) {
+  SceneResult result = solve_scene(braked("stress wear"));
+  const Convention si{Units::si, TrackFrame::left_up};
+  EXPECT_DOUBLE_EQ(number(result, "left.stress.von_mises_max", si),
+                   1e6 * number(result, "left.stress.von_mises_max"));
+  EXPECT_DOUBLE_EQ(number(result, "left.stress.depth", si),
+                   1e-3 * number(result, "left.stress.depth"));
+  EXPECT_DOUBLE_EQ(number(result, "left.wear.volume", si),
+                   1e-6 * number(result, "left.wear.volume"));
+}
+
+TEST(DamageResults, FatigueByHand) {
+  Scene scene = braked("fatigue");
+  set_number(scene, "fatigue.shear_yield", 250.0);
+  SceneResult result = solve_scene(scene);
+  const std::string patch = "left.patches.0.";
+  const double force = std::hypot(number(result, patch + "creep_force.longitudinal"),
+                                  number(result, patch + "creep_force.lateral"));
+  const double friction = force / number(result, patch + "normal_force");
+  const double pmax = number(result, patch + "pmax");
+  EXPECT_DOUBLE_EQ(number(result, patch + "fatigue.friction"), friction);
+  EXPECT_DOUBLE_EQ(number(result, patch + "fatigue.pressure_ratio"), pmax / 250.0);
+  EXPECT_DOUBLE_EQ(number(result, patch + "fatigue.surface_index"), friction - 250.0 / pmax);
+  EXPECT_EQ(number(result, patch + "fatigue.shakedown_limit"),
+            shakedown_limits(friction).shakedown);
+  EXPECT_EQ(number(result, patch + "fatigue.rail_damage"),
+            rail_damage(number(result, patch + "wear_number")));
+}
+
+} // namespace
+} // namespace damage_results_test

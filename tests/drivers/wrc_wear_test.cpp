@@ -1,0 +1,43 @@
+/// wrc_wear as a process: what the profile loses is what was worn.
+#include <cmath>
+#include <sstream>
+
+#include "run_driver.hpp"
+
+namespace {
+
+class WrcWear : public Driver {
+protected:
+  WrcWear() : Driver(WRC_WEAR_PROGRAM) {}
+};
+
+TEST_F(WrcWear, TheProfileLosesTheAreaThatWasWorn) {
+  NEEDS_GNUPLOT();
+  const Outcome outcome = run("--distance 2500 --threads 2 --plot wear.png --save worn.prw");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line); // heading
+  double last_distance = 0.0;
+  while (std::getline(lines, line)) {
+    std::istringstream numbers(line);
+    double distance = 0.0, depth = 0.0, missing = 0.0, worn = 0.0, difference = 1.0;
+    ASSERT_TRUE(numbers >> distance >> depth >> missing >> worn >> difference) << line;
+    EXPECT_GT(distance, last_distance);
+    EXPECT_GT(worn, 1.0);
+    EXPECT_GT(depth, 0.05);
+    EXPECT_LT(std::abs(difference), 1e-12) << line;
+    last_distance = distance;
+  }
+  EXPECT_EQ(last_distance, 2500.0);
+  EXPECT_TRUE(is_png("wear.png"));
+  EXPECT_FALSE(read("worn.prw").empty());
+}
+
+TEST_F(WrcWear, RefusesAKeyThatIsNone) {
+  const Outcome outcome = run("--distance 1 --set wear.lore=usfd");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.error.find("wear.lore"), std::string::npos) << outcome.error;
+}
+
+} // namespace
