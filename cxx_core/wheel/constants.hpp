@@ -174,8 +174,8 @@ inline constexpr double share_of_creep_columns = 0.6;
 
 /// ... and what pressures may.
 /// origin: reasoned: what elements and the iteration leave of the accuracy. With
-/// creep_accuracy_factor (accuracy/constants.hpp) estimates then bound 97 of 100 errors at 1e-2,
-/// and 80 at 1e-3 (wrc_tradeoff --creep 500).
+/// creep_accuracy_factor (accuracy/constants.hpp) estimates then bound 96 of 100 errors at 1e-2,
+/// and 87 at 1e-3 (wrc_tradeoff --creep 500).
 inline constexpr double share_of_creep_pressures = 0.34;
 
 /// The fewest elements along a contact.
