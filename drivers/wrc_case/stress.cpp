@@ -5,8 +5,8 @@
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
-#include "support/output_file.hpp"
 #include "wrc_case/reports.hpp"
+#include "wrc_case/vtk_file.hpp"
 
 namespace driver {
 
@@ -29,8 +29,7 @@ std::vector<PatchName> stress_patches_of(const Scene& scene, const std::string& 
 
 void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
   constexpr std::array names{"von_mises", "shear", "xx", "yy", "zz", "xy", "xz", "yz"};
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 4>> quads;
+  VtkGrid grid;
   std::array<std::vector<double>, names.size()> values;
   const bool across = scene.get_text("stress.section") == "across";
   const double down = scene.get_text("stress.body") == "rail" ? -1.0 : 1.0;
@@ -43,16 +42,17 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
           std::count(depths.begin(), depths.end(), depths.empty() ? 0.0 : depths.front()));
       const double mirror = side == "left" ? 1.0 : -1.0;
       const double angle = number("angle");
-      const std::size_t offset = points.size();
+      const std::size_t offset = grid.points.size();
       for (std::size_t i = 0; i < places.size(); ++i) {
         const double x = across ? number("stress.along") : places[i];
         const double y = mirror * (across ? places[i] : number("stress.across"));
         const double z = down * depths[i];
-        points.push_back({number("x") + x, number("y") + y * std::cos(angle) - z * std::sin(angle),
-                          number("z") + y * std::sin(angle) + z * std::cos(angle)});
+        grid.points.push_back({number("x") + x,
+                               number("y") + y * std::cos(angle) - z * std::sin(angle),
+                               number("z") + y * std::sin(angle) + z * std::cos(angle)});
         if (i % columns + 1 < columns && i + columns < places.size()) {
           const std::size_t corner = offset + i;
-          quads.push_back({corner, corner + 1, corner + columns + 1, corner + columns});
+          grid.quads.push_back({corner, corner + 1, corner + columns + 1, corner + columns});
         }
       }
       for (std::size_t k = 0; k < names.size(); ++k) {
@@ -61,31 +61,15 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
       }
     }
   }
-  if (points.empty()) {
+  if (grid.points.empty()) {
     throw Failure("--stress: there are no stresses; set solve.results=stress");
   }
-  OutputFile file(path);
-  std::ofstream& out = file.stream();
-  out << "# vtk DataFile Version 3.0\nwrcontact: x y z in mm (track frame), stresses in MPa in the "
-         "patch's plane, z into the body\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
-      << points.size() << " double\n";
-  for (const auto& point : points) {
-    out << point[0] << ' ' << point[1] << ' ' << point[2] << '\n';
-  }
-  out << "CELLS " << quads.size() << ' ' << 5 * quads.size() << '\n';
-  for (const auto& quad : quads) {
-    out << "4 " << quad[0] << ' ' << quad[1] << ' ' << quad[2] << ' ' << quad[3] << '\n';
-  }
-  out << "CELL_TYPES " << quads.size() << '\n';
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    out << "9\n";
-  }
-  out << "POINT_DATA " << points.size() << '\n';
+  VtkFile file(path,
+               "wrcontact: x y z in mm (track frame), stresses in MPa in the patch's plane, z into "
+               "the body",
+               grid, "POINT_DATA");
   for (std::size_t k = 0; k < names.size(); ++k) {
-    out << "SCALARS " << names[k] << " double 1\nLOOKUP_TABLE default\n";
-    for (const double value : values[k]) {
-      out << value << '\n';
-    }
+    file.add(names[k], values[k]);
   }
   file.commit();
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "support/output_file.hpp"
+#include "wrc_case/vtk_file.hpp"
 
 namespace driver {
 namespace {
@@ -57,14 +57,6 @@ PatchMesh mesh_of(const Scene& scene, const PatchName& patch) {
   return mesh;
 }
 
-void write_scalars(std::ostream& out, const char* name, const char* type,
-                   const std::vector<double>& values) {
-  out << "SCALARS " << name << ' ' << type << " 1\nLOOKUP_TABLE default\n";
-  for (const double value : values) {
-    out << value << '\n';
-  }
-}
-
 void append(std::vector<double>& values, const std::vector<double>& more) {
   values.insert(values.end(), more.begin(), more.end());
 }
@@ -73,52 +65,35 @@ void append(std::vector<double>& values, const std::vector<double>& more) {
 
 void write_vtk(const Scene& scene, const std::filesystem::path& path) {
   constexpr std::array names{"undeformed_distance", "pressure", "displacement"};
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 4>> quads;
+  VtkGrid grid;
   std::array<std::vector<double>, names.size()> fields;
   std::vector<double> indices;
   std::vector<double> sides;
   for (const PatchName& patch : all_patches(scene)) {
     const PatchMesh mesh = mesh_of(scene, patch);
-    const std::size_t offset = points.size();
+    const std::size_t offset = grid.points.size();
     const std::size_t length = mesh.columns + 1;
     for (std::size_t row = 0; row <= mesh.rows; ++row) {
       for (std::size_t column = 0; column <= mesh.columns; ++column) {
-        points.push_back(mesh.corner(row, column));
+        grid.points.push_back(mesh.corner(row, column));
         if (row < mesh.rows && column < mesh.columns) {
           const std::size_t corner = offset + row * length + column;
-          quads.push_back({corner, corner + 1, corner + length + 1, corner + length});
+          grid.quads.push_back({corner, corner + 1, corner + length + 1, corner + length});
         }
       }
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
       append(fields[i], scene.field(patch.prefix + names[i]));
     }
-    indices.resize(quads.size(), patch.index);
-    sides.resize(quads.size(), patch.side == "left" ? 1.0 : -1.0);
+    indices.resize(grid.quads.size(), patch.index);
+    sides.resize(grid.quads.size(), patch.side == "left" ? 1.0 : -1.0);
   }
-  OutputFile file(path);
-  std::ofstream& out = file.stream();
-  out << "# vtk DataFile Version 3.0\nwrcontact: x y z in mm (track frame), pressure in MPa\n"
-         "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
-      << points.size() << " double\n";
-  for (const Point& point : points) {
-    out << point[0] << ' ' << point[1] << ' ' << point[2] << '\n';
-  }
-  out << "CELLS " << quads.size() << ' ' << 5 * quads.size() << '\n';
-  for (const auto& quad : quads) {
-    out << "4 " << quad[0] << ' ' << quad[1] << ' ' << quad[2] << ' ' << quad[3] << '\n';
-  }
-  out << "CELL_TYPES " << quads.size() << '\n';
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    out << "9\n";
-  }
-  out << "CELL_DATA " << quads.size() << '\n';
+  VtkFile file(path, "wrcontact: x y z in mm (track frame), pressure in MPa", grid, "CELL_DATA");
   for (std::size_t i = 0; i < names.size(); ++i) {
-    write_scalars(out, names[i], "double", fields[i]);
+    file.add(names[i], fields[i]);
   }
-  write_scalars(out, "patch", "int", indices);
-  write_scalars(out, "side", "int", sides);
+  file.add("patch", indices, "int");
+  file.add("side", sides, "int");
   file.commit();
 }
 
