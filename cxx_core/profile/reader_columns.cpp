@@ -176,7 +176,7 @@ Table read_table(std::string_view text, Log& log) {
     if (line.empty())
       continue;
     if (table.rows() == 0 && is_heading(line)) {
-      table.last_heading = quoted(line);
+      table.last_heading = quoted(line) + " in line " + std::to_string(lines.number());
       table.headings.add(lines.number());
       take_heading(table, line, lines.number());
       continue;

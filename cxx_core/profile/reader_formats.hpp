@@ -24,6 +24,7 @@ enum class Signs {
 
 struct RawProfile {
   std::vector<Position> points;
+  std::vector<std::size_t> lines{};   ///< in which the points stand; other length: not known
   std::vector<Position> dropped{};    ///< points that were removed, in the same frame
   std::optional<ProfileKind> kind;    ///< as the content says
   std::string title;                  ///< as the content says, may be empty

@@ -204,13 +204,18 @@ RawProfile read_miniprof(std::string_view text, Log& log) {
   RawProfile raw;
   Header header;
   Counts counts;
+  std::size_t last = 0;
   for (Lines lines(text, log); lines.next();) {
     const std::string_view line = lines.text();
+    last = lines.number();
     if (first == 0 || lines.number() < first)
       read_header_line(header, line, lines.number(), log);
     else if (!line.empty())
       read_row(raw, header, counts, line, lines.number(), log);
   }
+  if (raw.points.empty())
+    log.refuse(last,
+               "the file ends without a row of " + std::to_string(header.columns) + " numbers");
   report(raw, header, counts, log);
   const bool by_instrument = header.program.starts_with("MiniProf");
   raw.signs = Signs::usual;

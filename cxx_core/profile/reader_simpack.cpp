@@ -87,6 +87,8 @@ private:
                         (sections_.empty() ? "no section is" : "'" + sections_.back() + "' is") +
                         " open");
       sections_.pop_back();
+      if (section == "spline" && content_.raw.points.empty())
+        log_.refuse(lines_.number(), "'spline' ends without a point");
       if (section == "spline" && sections_.empty())
         content_.has_spline = done_ = true;
     } else {
@@ -163,6 +165,7 @@ public:
     mirror("mirror.z", 1, "height");
     if (flag("inversion")) {
       std::reverse(points_.begin(), points_.end());
+      std::reverse(raw_.lines.begin(), raw_.lines.end());
       log_.note("order reversed as inversion = 1 requests");
     }
     to_millimetres();

@@ -21,6 +21,7 @@ void add_point(RawProfile& raw, const Position& point, std::size_t line, const L
   if (raw.points.size() >= ReadLimits::max_points)
     log.refuse(line, "more than " + std::to_string(ReadLimits::max_points) + " points");
   raw.points.push_back(point);
+  raw.lines.push_back(line);
 }
 
 std::size_t drop_close_points(std::vector<Position>& points, double least) {
@@ -204,6 +205,7 @@ ReadResult profile_through(std::span<const Position> points, std::string_view na
           log.refuse("point " + std::to_string(i) + " is not finite");
       reading::add_point(raw, points[i], i, log);
     }
+    raw.lines.clear();
     ReadResult result = complete(raw, name, options, log);
     result.profile.source = "points given by the program";
     result.profile.confidence = "as the points";

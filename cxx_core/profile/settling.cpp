@@ -60,7 +60,8 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
 /// origin: source: outlines of EN 13674-1 are up to 690 mm long.
 constexpr double longest_outline = 1000.0;
 
-void check_length(const std::vector<Position>& points, double most, const Log& log) {
+void check_length(const RawProfile& raw, double most, const Log& log) {
+  const std::vector<Position>& points = raw.points;
   const double length = chord_length(points);
   if (length >= ReadLimits::min_length && length <= most)
     return;
@@ -68,11 +69,16 @@ void check_length(const std::vector<Position>& points, double most, const Log& l
   for (std::size_t i = 2; i < points.size(); ++i)
     if (distance_between(points[i - 1], points[i]) > distance_between(points[end - 1], points[end]))
       end = i;
+  const auto point_text = [&raw](std::size_t i) {
+    return place_text(raw.points[i]) + (raw.lines.size() == raw.points.size()
+                                            ? " in line " + std::to_string(raw.lines[i])
+                                            : std::string());
+  };
   log.refuse("the points are " + short_text_of(length) + " mm long in total, allowed are " +
              text_of(ReadLimits::min_length) + " to " + text_of(most) +
              " mm; the longest chord is " +
              short_text_of(distance_between(points[end - 1], points[end])) + " mm, from " +
-             place_text(points[end - 1]) + " to " + place_text(points[end]) +
+             point_text(end - 1) + " to " + point_text(end) +
              "; state the scale, order the points, or remove what is no point");
 }
 
@@ -113,7 +119,7 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
       scale_points(raw, factor, factor);
     }
   }
-  check_length(points, longest_outline, log);
+  check_length(raw, longest_outline, log);
   for (const Position& point : points)
     if (!(std::max(std::abs(point[0]), std::abs(point[1])) <= ReadLimits::max_coordinate))
       log.refuse("point (" + text_of(point[0]) + ", " + text_of(point[1]) + "), at most " +
@@ -266,8 +272,9 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log) {
   const std::optional<ProfileKind> stated = stated_kind(raw, options, log);
   std::vector<Position>& points = raw.points;
   if (points.size() < ReadLimits::min_points)
-    log.refuse(std::to_string(points.size()) + " points, at least " +
-               std::to_string(ReadLimits::min_points) +
+    log.refuse(std::to_string(points.size()) + " points" +
+               (raw.lines.empty() ? "" : ", the last in line " + std::to_string(raw.lines.back())) +
+               ", at least " + std::to_string(ReadLimits::min_points) +
                " are needed; allowed are files of two columns, Simpack .prr/.prw, MiniProf "
                ".ban/.whl");
   settle_units(raw, stated, options, log);

@@ -207,6 +207,8 @@ TEST(SimpackReader, RefusesBrokenFiles) {
       contains(refusal(simpack(rows, "mirror.y = 2\n", 1)), "mirror.y = 2, allowed: 0 or 1"));
   EXPECT_TRUE(contains(refusal(simpack(rows, "units.len.f = 0\n", 1)), "must be positive"));
   EXPECT_TRUE(contains(refusal(simpack(rows, "shift.y = x\n", 1)), "'x' is not a number"));
+  EXPECT_TRUE(
+      contains(refusal(simpack("", millimetres, 1)), "sample:13: 'spline' ends without a point"));
   std::string deep;
   for (int i = 0; i < 9; ++i)
     deep += "a.begin\n";
@@ -373,7 +375,9 @@ TEST(MiniprofReader, RefusesBrokenFiles) {
   const auto refusal = [](const std::string& text) {
     return refusal_of(text, ProfileFormat::miniprof);
   };
-  EXPECT_TRUE(contains(refusal("ColumnDef=X,Y\n1 2\n"), "1 points, at least 5"));
+  EXPECT_TRUE(
+      contains(refusal("ColumnDef=X,Y\n1 2\n"), "1 points, the last in line 2, at least 5"));
+  EXPECT_TRUE(contains(refusal("ColumnDef=X,Y\n\n\n"), "sample:3: the file ends without a row"));
   EXPECT_TRUE(
       contains(refusal("ColumnDef=X\n\n1 2\n"), "sample:1: ColumnDef=X, it must name X and Y"));
   EXPECT_TRUE(

@@ -148,9 +148,12 @@ TEST(Readers, DuplicatesAreDroppedAndSaid) {
 TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
   expect_refused("", "is empty");
   expect_refused("\n\n# nothing\n", "no row of two numbers");
-  expect_refused("0 0\n10 1\n20 2\n30 3\n", "4 points");
+  expect_refused("a profile\n\nnothing\nat all\n", "the last line is 'at all' in line 4");
+  expect_refused("0 0\n10 1\n20 2\n30 3\n", "4 points, the last in line 4");
   expect_refused("0 0\n10 1\n10 1\n20 2\n30 3\n", "4 different points");
   expect_refused("0 0\n1 0\n2 0\n3 0\n4 0\n", "mm long in total");
+  expect_refused("# heights\n0 1\n10 1.5\n\n20 2\n30 8275142\n40 3\n",
+                 "from (20.000, 2.000) in line 5 to (30.000, 8275142.000) in line 6");
   expect_refused("1e300 0\n-1e300 1\n1e300 2\n3 3\n4 4\n", "mm long in total");
   expect_refused("1e9 0\n1000000010 1\n1000000020 2\n1000000030 3\n1000000040 4\n",
                  "at most 1e+05 mm");

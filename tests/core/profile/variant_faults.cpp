@@ -124,7 +124,7 @@ void add_wrong_points(std::vector<Variant>& all, ProfileKind kind) {
   };
   std::vector<Position> marked = points;
   marked[200][1] = -9999.0; // no value
-  add("no_value_as_9999", marked).refusal = "; the longest chord is 999";
+  add("no_value_as_9999", marked).refusal = " in line 200 to (";
   std::vector<Position> shuffled = points;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(7));
   Variant& mixed = add("shuffled", shuffled);
@@ -141,7 +141,7 @@ void add_wrong_points(std::vector<Variant>& all, ProfileKind kind) {
   small.tolerance = 0.0;
   small.warnings = {"expected are 50 to 200"};
   std::vector<Position> thin = {{0, 0}, {1, 0}, {2, 0}};
-  add("three_points", thin).refusal = "3 points, at least 5 are needed";
+  add("three_points", thin).refusal = "3 points, the last in line 3, at least 5 are needed";
 }
 
 } // namespace
