@@ -4,17 +4,22 @@
 /// element of which only the share c behind the edge is in contact stands for less of them than
 /// a whole one; taken as whole, it puts the edge elsewhere, an error of first order in the
 /// element's length. A compliance added to the influence of the element on itself,
-///   (2/pi) beta (c_0 - c)/(c + 1 - c_0) in y, 1 - nu times that in x   (G = 1, element length 1),
+///   (2/pi) beta (1 - c)/c in y, 1 - nu times that in x   (G = 1, element length 1),
 /// puts it where it is. Derived for the half-plane, steady rolling without slip, on equal elements
-/// with the differences of difference_of: changing one diagonal coefficient changes the solution by
-/// a multiple of one field (Sherman & Morrison), so that the edge found from tractions far behind
-/// is c_0 - kappa/(kappa + beta) for a compliance kappa; c_0 and beta are read off two solutions
-/// (tests/core/rolling/leading_edge_test.cpp). The plane problem is then of second order wherever
-/// its edge falls.
+/// with the differences of difference_of, which put the edge at the end of a whole first element:
+/// changing one diagonal coefficient changes the solution by a multiple of one field (Sherman &
+/// Morrison), so that a compliance kappa moves the edge found from tractions far behind by
+/// kappa/(kappa + beta), and the value of the first element falls by that share. That value is then
+///   f = F c^(-1/2)
+/// times the mean of the tractions over the element. Its bound is raised alike, or strips that are
+/// just below it would slip from their edge on; tractions are given as means. F and beta are read
+/// off solutions (tests/core/rolling/leading_edge_test.cpp). The plane problem is then of second
+/// order wherever its edge falls.
 ///
-/// Not known here: edges that run obliquely through elements (in strips more than twice as narrow
-/// as their shift from one to the next the edge found is off by a tenth of an element, which is
-/// still of first order).
+/// An edge that runs obliquely through the strips is found behind its place, by a share of its
+/// slope
+/// (`edge_advance`); its elements are taken as covered by as much more, up to whole ones. Along a
+/// single oblique edge that holds on average only: what is left is of first order still.
 /// Thread rule: pure functions.
 #pragma once
 
@@ -25,9 +30,14 @@ namespace wrc {
 /// In y, for a share c that is in contact, 0 to 1.
 double edge_compliance(double covered);
 
-/// From the share of each element in contact to its compliance: of the first elements under a bound
-/// of strips, counted from the leading edge; 0 elsewhere. Fields as TractionConvolution has them.
+/// f for such a share: the value of a first element over the mean of its tractions.
+double edge_traction_ratio(double covered);
+
+/// From the share of each element in contact to its compliance, and its bound times f: of the first
+/// elements under a bound of strips, counted from the leading edge; elsewhere the compliance is 0.
+/// Fields as TractionConvolution has them; `aspect`: an element's width over its length.
 template <typename Real>
-void make_edges(const Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch);
+void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
+                double aspect);
 
 } // namespace wrc

@@ -48,6 +48,7 @@ public:
     const Grid& grid = problem_.grid;
     const std::size_t size = solved_.size();
     const Real* q = solved_.traction();
+    const Real* bound = solved_.bound();
     Real* kept_share = kept_share_.data();
     Real* slip = slip_.data();
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
@@ -68,17 +69,18 @@ public:
     const Real* turning = solved_.solve_rate(slip, rate_tolerance);
     std::array<double, 3> forces{};
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      const double mean = scaled_.mean_share(element.index, static_cast<double>(bound[at]));
       const auto sum = [&](std::size_t i) {
-        return static_cast<double>(kept_share[i]) + static_cast<double>(turning[i]) +
-               (longitudinal + lateral) * static_cast<double>(q[i]);
+        return mean * (static_cast<double>(kept_share[i]) + static_cast<double>(turning[i]) +
+                       (longitudinal + lateral) * static_cast<double>(q[i]));
       };
       const double x = sum(at);
       const double y = sum(size + at);
       forces[0] += x;
       forces[1] += y;
       forces[2] += element.x * y - element.y * x +
-                   element.by_x * static_cast<double>(q[size + at]) -
-                   element.by_y * static_cast<double>(q[at]);
+                   mean * (element.by_x * static_cast<double>(q[size + at]) -
+                           element.by_y * static_cast<double>(q[at]));
     });
     for (double& force : forces) {
       force *= scaled_.bound() * grid.element_area();

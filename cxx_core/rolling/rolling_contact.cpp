@@ -110,7 +110,7 @@ public:
     }
     for (auto& level : levels_) {
       if (scaled.has_edges()) {
-        make_edges(level->bound(), level->edge(), level->shape(), level->pitch());
+        make_edges(level->bound(), level->edge(), level->shape(), level->pitch(), scaled.aspect());
       }
     }
     NewtonOutcome all;
@@ -162,11 +162,12 @@ struct RollingSolver::State {
     }
     const NewtonOutcome outcome = cascade->solve(scaled, problem);
     TractionNewton<Real>& level = cascade->finest();
-    scaled.read_back(level.traction(), level.slip(), level.pitch(), solution);
+    scaled.read_back(level.traction(), level.slip(), level.bound(), level.pitch(), solution);
     for (std::size_t creepage = 0; problem.derivatives && creepage < 3; ++creepage) {
       scaled.fill_slip_rate(creepage, level.rigid_slip(), level.pitch());
-      const std::array<double, 3> rates = scaled.force_rates(
-          creepage, level.solve_rate(level.rigid_slip(), rate_tolerance), level.pitch());
+      const std::array<double, 3> rates =
+          scaled.force_rates(creepage, level.solve_rate(level.rigid_slip(), rate_tolerance),
+                             level.bound(), level.pitch());
       for (std::size_t force = 0; force < 3; ++force) {
         solution.by_creepage[3 * force + creepage] = rates[force];
       }

@@ -12,19 +12,17 @@
 namespace wrc {
 
 SlipDifferenceWeights difference_of(const RollingProblem& problem, double times) {
-  // origin: measured (docs/creep.md): 0.1 of the first-order difference, 0.45 of the backward
-  // difference of second order and 0.45 of the upstream-biased one of third order; a whole first
-  // element puts the leading edge where it is, to a hundredth of it.
-  constexpr DifferenceWeights biased{0.15, 1.0, -1.45, 0.3};
-  // origin: derived: -1/2 of the second moment of the weights above.
-  constexpr double biased_place = 0.05;
+  // origin: derived: 5/16 of the backward difference of second order and 11/16 of the
+  // upstream-biased one of third order; the leading edge is then at the end of a whole first
+  // element (LeadingEdge.ComesFromTheHalfPlane).
+  constexpr DifferenceWeights biased{11.0 / 48.0, 39.0 / 48.0, -63.0 / 48.0, 13.0 / 48.0};
   // origin: source: CONTACT (Vollebregt), which takes spin a sixth of an element ahead.
   constexpr double first_order_place = 1.0 / 6.0;
   if (problem.motion != TangentialMotion::rolling) {
     return {{0.0, times, 0.0, 0.0}, 0.0};
   }
   return problem.difference == SlipDifference::biased
-             ? SlipDifferenceWeights{biased, biased_place}
+             ? SlipDifferenceWeights{biased, 0.0}
              : SlipDifferenceWeights{{0.0, 1.0, -1.0, 0.0}, first_order_place};
 }
 
@@ -116,6 +114,10 @@ std::size_t ScaledTractions::element(std::size_t row, std::size_t column) const 
   return (box_.first_lateral + column) * problem_.grid.longitudinal_count + longitudinal;
 }
 
+double ScaledTractions::mean_share(std::size_t element, double bound) const {
+  return bound > 0.0 ? problem_.friction * problem_.pressure[element] / (bound_ * bound) : 0.0;
+}
+
 template <typename Real> void ScaledTractions::fill_bound(Real* bound, std::size_t pitch) const {
   const double scale = problem_.friction / bound_;
   for (std::size_t row = 0; row < box_.shape.rows; ++row) {
@@ -179,7 +181,7 @@ void ScaledTractions::fill_slip_rate(std::size_t creepage, Real* slip, std::size
 
 template <typename Real>
 std::array<double, 3> ScaledTractions::force_rates(std::size_t creepage, const Real* rate,
-                                                   std::size_t pitch) const {
+                                                   const Real* bound, std::size_t pitch) const {
   const Grid& grid = problem_.grid;
   const Real* rate_y = rate + box_.shape.rows * pitch;
   std::array<double, 3> sums{};
@@ -189,8 +191,9 @@ std::array<double, 3> ScaledTractions::force_rates(std::size_t creepage, const R
       if (!(problem_.pressure[at] > 0.0)) {
         continue;
       }
-      const double x = rate[row * pitch + column];
-      const double y = rate_y[row * pitch + column];
+      const double share = mean_share(at, static_cast<double>(bound[row * pitch + column]));
+      const double x = share * static_cast<double>(rate[row * pitch + column]);
+      const double y = share * static_cast<double>(rate_y[row * pitch + column]);
       sums[0] += x;
       sums[1] += y;
       sums[2] += grid.longitudinal(at % grid.longitudinal_count) * y -
@@ -237,16 +240,17 @@ void ScaledTractions::read_tractions(std::span<const double> x, std::span<const 
 }
 
 template <typename Real>
-void ScaledTractions::read_back(const Real* traction, const Real* slip, std::size_t pitch,
-                                RollingSolution& solution) const {
+void ScaledTractions::read_back(const Real* traction, const Real* slip, const Real* bound,
+                                std::size_t pitch, RollingSolution& solution) const {
   const std::size_t size = box_.shape.rows * pitch;
   for (std::size_t row = 0; row < box_.shape.rows; ++row) {
     for (std::size_t column = 0; column < box_.shape.columns; ++column) {
       const std::size_t at = element(row, column);
       if (problem_.pressure[at] > 0.0) {
         const std::size_t from = row * pitch + column;
-        solution.traction_x[at] = bound_ * traction[from];
-        solution.traction_y[at] = bound_ * traction[size + from];
+        const double scale = bound_ * mean_share(at, static_cast<double>(bound[from]));
+        solution.traction_x[at] = scale * traction[from];
+        solution.traction_y[at] = scale * traction[size + from];
         solution.slip_x[at] = slip_scale_ * slip[from];
         solution.slip_y[at] = slip_scale_ * slip[size + from];
       }
@@ -316,12 +320,12 @@ template void ScaledTractions::fill_rigid_slip<double>(double*, const TractionSh
 template void ScaledTractions::fill_slip_rate<float>(std::size_t, float*, std::size_t) const;
 template void ScaledTractions::fill_slip_rate<double>(std::size_t, double*, std::size_t) const;
 template std::array<double, 3> ScaledTractions::force_rates<float>(std::size_t, const float*,
-                                                                   std::size_t) const;
-template std::array<double, 3> ScaledTractions::force_rates<double>(std::size_t, const double*,
-                                                                    std::size_t) const;
-template void ScaledTractions::read_back<float>(const float*, const float*, std::size_t,
-                                                RollingSolution&) const;
-template void ScaledTractions::read_back<double>(const double*, const double*, std::size_t,
-                                                 RollingSolution&) const;
+                                                                   const float*, std::size_t) const;
+template std::array<double, 3>
+ScaledTractions::force_rates<double>(std::size_t, const double*, const double*, std::size_t) const;
+template void ScaledTractions::read_back<float>(const float*, const float*, const float*,
+                                                std::size_t, RollingSolution&) const;
+template void ScaledTractions::read_back<double>(const double*, const double*, const double*,
+                                                 std::size_t, RollingSolution&) const;
 
 } // namespace wrc

@@ -61,8 +61,11 @@ public:
     return traction_table(aspect_, box_.shape.table_rows(), box_.shape.table_columns());
   }
 
+  /// Mean traction of an element in contact over the value that stands for it, from its bound
+  /// without units after make_edges: 1 but where a strip begins.
+  [[nodiscard]] double mean_share(std::size_t element, double bound) const;
+
   template <typename Real> void fill_bound(Real* bound, std::size_t pitch) const;
-  /// Shares of elements in contact; nothing is written if the problem has none.
   /// The problem's shares in contact; only if there are any.
   template <typename Real> void fill_covered(Real* covered, std::size_t pitch) const;
   /// Rigid slip at the centres of elements 2^level times as large, x components first.
@@ -72,15 +75,17 @@ public:
   /// The rigid slip for a creepage of 1: longitudinal, lateral or, per step, spin.
   template <typename Real>
   void fill_slip_rate(std::size_t creepage, Real* slip, std::size_t pitch) const;
-  /// Derivatives of the forces and the moment from rates of the tractions for such a slip.
+  /// Derivatives of the forces and the moment from rates of the tractions for such a slip; bounds
+  /// as for mean_share.
   template <typename Real>
   [[nodiscard]] std::array<double, 3> force_rates(std::size_t creepage, const Real* rate,
-                                                  std::size_t pitch) const;
+                                                  const Real* bound, std::size_t pitch) const;
   /// The problem's tractions without units, x components first.
   void read_tractions(std::span<const double> x, std::span<const double> y, double* traction,
                       std::size_t pitch) const;
+  /// Mean tractions and slips; bounds as for mean_share.
   template <typename Real>
-  void read_back(const Real* traction, const Real* slip, std::size_t pitch,
+  void read_back(const Real* traction, const Real* slip, const Real* bound, std::size_t pitch,
                  RollingSolution& solution) const;
   /// Power over the speed of what pressures add to the slip, N.
   [[nodiscard]] double power_of_given_slip(const RollingSolution& solution) const;

@@ -112,15 +112,24 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   scaled.fill_bound(bound.data(), pitch);
   scaled.fill_rigid_slip(rigid.data(), shape, pitch, 0);
   scaled.read_tractions(traction_x, traction_y, q.data(), pitch);
+  std::vector<double> edge(count);
+  if (scaled.has_edges()) {
+    scaled.fill_covered(edge.data(), pitch);
+    make_edges(bound.data(), edge.data(), shape, pitch, scaled.aspect());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (bound[i] > 0.0) {
+        const double share = scaled.mean_share(scaled.element(i / pitch, i % pitch), bound[i]);
+        q[i] /= share;
+        q[count + i] /= share;
+      }
+    }
+  }
   ConvolutionWorkspace<double> workspace;
   convolution.apply(q.data(), q.data() + count, s.data(), s.data() + count, workspace);
   for (std::size_t i = 0; i < 2 * count; ++i) {
     s[i] += rigid[i];
   }
-  std::vector<double> edge(count);
   if (scaled.has_edges()) {
-    scaled.fill_covered(edge.data(), pitch);
-    make_edges(bound.data(), edge.data(), shape, pitch);
     add_edges(edge.data(), 1.0 - problem.poisson, q.data(), s.data(), count);
   }
   const double step = natural_step_of(shape, convolution.self_influence(), problem.motion);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rolling/constants.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "rolling/scaled_tractions.hpp"
 
@@ -41,10 +42,15 @@ double displacement(double distance) {
   return integral(distance - 0.5) - integral(distance + 0.5);
 }
 
-/// The share of the first element, from behind, at which tractions far behind see the edge. A strip
-/// of the half-plane without slip, whose tractions are w/pi ((x_1 - x)/(x - x_0))^(1/2): a line
-/// through (pi q/w)^2 (x - x_0) = x_1 - x in the middle gives both ends.
-double edge_seen(double compliance) {
+/// What a strip of the half-plane without slip shows of its leading edge.
+struct SeenEdge {
+  double share; ///< of the first element, from behind, at which tractions far behind see the edge
+  double ratio; ///< of the first element's traction to its mean with the edge there
+};
+
+/// The tractions are w/pi ((x_1 - x)/(x - x_0))^(1/2): a line through (pi q/w)^2 (x - x_0) = x_1 -
+/// x in the middle gives both ends.
+SeenEdge edge_seen(double compliance) {
   constexpr std::size_t count = 160;
   const DifferenceWeights weights = difference_of(RollingProblem{}).weights;
   std::vector<std::vector<double>> matrix(count, std::vector<double>(count));
@@ -73,17 +79,24 @@ double edge_seen(double compliance) {
     y += value;
     qy += square * value;
   }
-  return 0.5 + (y * qq - q * qy) / (n * qq - q * q);
+  const double leading = (y * qq - q * qy) / (n * qq - q * q);
+  const double trailing = (n * qy - q * y) / (n * qq - q * q);
+  const double share = 0.5 + leading;
+  // Over the small length behind the edge x - x_0 is that of its middle.
+  const double length = 0.5 * (leading - 0.5) - trailing;
+  const double mean = 2.0 / 3.0 * std::pow(share, 1.5) / (std::numbers::pi * std::sqrt(length));
+  return {share, traction[0] / mean};
 }
 
 TEST(LeadingEdge, ComesFromTheHalfPlane) {
   // The plane problem of lateral tractions has 2/(pi G) before the logarithm.
   const double unit = 0.5 * std::numbers::pi;
-  EXPECT_NEAR(edge_seen(0.0), 0.988, 2e-3);
-  for (const double covered : {0.1, 0.4, 0.7}) {
-    EXPECT_NEAR(edge_seen(unit * edge_compliance(covered)), covered, 3e-3);
+  EXPECT_EQ(edge_compliance(1.0), 0.0);
+  for (const double covered : {0.1, 0.4, 0.7, 1.0}) {
+    const SeenEdge seen = edge_seen(unit * edge_compliance(covered));
+    EXPECT_NEAR(seen.share, covered, 3e-3);
+    EXPECT_NEAR(seen.ratio / edge_traction_ratio(covered), 1.0, 1e-2);
   }
-  EXPECT_NEAR(edge_compliance(0.988), 0.0, 1e-9);
 }
 
 /// Error of Carter's force, over mu Q, for a line contact whose edges lie within elements: means of
@@ -130,11 +143,57 @@ TEST(LeadingEdge, CartersForceIsOfSecondOrder) {
 
 TEST(LeadingEdge, OfEachStripItsFirstElementUnderABound) {
   // From the leading edge: nothing, a whole element and a part of one behind a gap.
-  const std::vector<double> bound{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0};
+  std::vector<double> bound{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0};
   std::vector<double> edge{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.25};
-  make_edges(bound.data(), edge.data(), {4, 2}, 2);
+  make_edges(bound.data(), edge.data(), {4, 2}, 2, 1.0);
   EXPECT_EQ(edge, (std::vector<double>{0.0, edge_compliance(1.0), 0.0, 0.0, edge_compliance(1.0),
                                        0.0, 0.0, edge_compliance(0.25)}));
+  EXPECT_EQ(bound,
+            (std::vector<double>{0.0, edge_traction_ratio(1.0), 0.0, 1.0, edge_traction_ratio(1.0),
+                                 0.0, 1.0, edge_traction_ratio(0.25)}));
+}
+
+/// Lateral force over mu N of a narrow ellipse that spins, from means of its pressure along x.
+double spin_force(std::size_t columns, std::size_t rows) {
+  constexpr double a = 13.4;
+  constexpr double b = 2.68;
+  constexpr double load = 80000.0;
+  RollingProblem problem;
+  problem.grid = {rows,
+                  columns,
+                  2.0 * b / static_cast<double>(rows),
+                  2.0 * a / static_cast<double>(columns),
+                  -b + b / static_cast<double>(rows),
+                  -a + a / static_cast<double>(columns)};
+  std::vector<double> pressure;
+  std::vector<double> covered;
+  for (std::size_t j = 0; j < rows; ++j) {
+    const double y = problem.grid.lateral(j) / b;
+    const double half = a * std::sqrt(1.0 - y * y);
+    const auto integral = [&](double x) {
+      const double at = std::clamp(x / half, -1.0, 1.0);
+      return 0.5 * half * half / a * (at * std::sqrt(1.0 - at * at) + std::asin(at));
+    };
+    for (std::size_t i = 0; i < columns; ++i) {
+      const double step = problem.grid.longitudinal_step;
+      const double first = problem.grid.longitudinal(i) - 0.5 * step;
+      pressure.push_back(1.5 * load / (std::numbers::pi * a * b) *
+                         std::max(integral(first + step) - integral(first), 0.0) / step);
+      covered.push_back(
+          std::clamp((std::min(first + step, half) - std::max(first, -half)) / step, 0.0, 1.0));
+    }
+  }
+  problem.pressure = pressure;
+  problem.covered = covered;
+  problem.shear_modulus = 82000.0;
+  problem.poisson = 0.28;
+  problem.creepages.spin = 6e-5;
+  return RollingSolver().solve(problem).lateral_force / (problem.friction * load);
+}
+
+// Without edge_advance the force is 1.0 % too small on 48 elements, with it 0.5 %.
+TEST(LeadingEdge, ObliqueEdgesAreWhereTheyAre) {
+  EXPECT_NEAR(spin_force(48, 20) / spin_force(240, 100), 1.0, 7e-3);
 }
 
 } // namespace
