@@ -31,9 +31,16 @@ void SubsurfaceStress::scan(const Level& level, const Places& places, double dep
                0.0,
                places.x_first + column * level.grid.longitudinal_step,
                places.y_first + row * level.grid.lateral_step,
-               depth};
+               depth,
+               0.0};
     }
   }
+}
+
+double SubsurfaceStress::half_width() const {
+  const Grid& grid = levels_.front().grid;
+  return 0.5 * std::min(grid.lateral_step * static_cast<double>(grid.lateral_count),
+                        grid.longitudinal_step * static_cast<double>(grid.longitudinal_count));
 }
 
 std::size_t SubsurfaceStress::level_shown() const {
@@ -57,14 +64,10 @@ SubsurfaceStress::Places SubsurfaceStress::below_contact(const Level& level) con
 }
 
 std::vector<GreatestStress> SubsurfaceStress::search() const {
-  const Grid& whole = levels_.front().grid;
-  const double half_width =
-      0.5 * std::min(whole.lateral_step * static_cast<double>(whole.lateral_count),
-                     whole.longitudinal_step * static_cast<double>(whole.longitudinal_count));
   // Coarser elements where the depth allows them.
   const Level& shown = levels_[level_shown()];
   std::vector<GreatestStress> found;
-  for (double depth = deepest_search * half_width;; depth /= search_depth_ratio) {
+  for (double depth = deepest_search * half_width();; depth /= search_depth_ratio) {
     const bool surface = depth < shallowest_search * shown.size();
     const Level& level =
         std::max(shown, level_for(depth, depth_of_search_element),
@@ -107,7 +110,7 @@ GreatestStress SubsurfaceStress::below_pressure(double deepest) const {
   while (depth > shallowest) {
     const double value = von_mises(point(level_for(depth, depth_of_search_element), x, y, depth));
     if (value > found.von_mises) {
-      found = {value, 0.0, 0.0, x, y, depth};
+      found = {value, 0.0, 0.0, x, y, depth, 0.0};
     }
     depth /= search_depth_ratio;
   }
@@ -122,8 +125,9 @@ void SubsurfaceStress::climb_below(GreatestStress& found) const {
   const auto value_at = [this](const std::array<double, 3>& at) {
     return von_mises(point(level_for(at[2], depth_of_search_element), at[0], at[1], at[2]));
   };
-  double best = value_at(place);
-  for (int round = 0; round < search_parabolas; ++round) {
+  for (int round = 0; round < search_rounds; ++round) {
+    const double start = value_at(place);
+    double best = start;
     for (const std::size_t direction : {2U, 0U, 1U}) {
       const auto moved = [&](double offset) {
         std::array<double, 3> there = place;
@@ -137,6 +141,9 @@ void SubsurfaceStress::climb_below(GreatestStress& found) const {
       const double top = top_of_parabola(behind, best, ahead);
       place = moved(top * step[direction]);
       best += top * (slope + 0.5 * top * curvature);
+    }
+    if (best < (1.0 + least_gain) * start) {
+      break;
     }
   }
   found.x = place[0];
@@ -188,10 +195,19 @@ GreatestStress SubsurfaceStress::greatest() const {
     }
     const Stress stress = point(level_for(top.depth, depth_of_element), top.x, top.y, top.depth);
     if (von_mises(stress) > found.von_mises) {
-      found = {
-          von_mises(stress), greatest_shear(stress), principal_stresses(stress)[0], top.x, top.y,
-          top.depth};
+      found = {von_mises(stress),
+               greatest_shear(stress),
+               principal_stresses(stress)[0],
+               top.x,
+               top.y,
+               top.depth,
+               0.0};
     }
+  }
+  if (tractions_) {
+    const double size = levels_.front().size();
+    const double near = size / (size + found.depth);
+    found.error_estimate = near_surface_error * near * near * size / half_width();
   }
   return found;
 }

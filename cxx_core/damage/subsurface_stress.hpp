@@ -44,6 +44,7 @@ struct GreatestStress {
   double shear = 0.0;   ///< greatest shear at that place
   double tension = 0.0; ///< first principal stress at that place
   double x = 0.0, y = 0.0, depth = 0.0;
+  double error_estimate = 0.0; ///< relative: what elements leave near the surface, under tractions
 };
 
 class SubsurfaceStress {
@@ -92,6 +93,7 @@ private:
   [[nodiscard]] Stress point(const Level& level, double x, double y, double depth) const;
   /// Raises `found` to the greatest of them.
   void scan(const Level& level, const Places& places, double depth, GreatestStress& found) const;
+  [[nodiscard]] double half_width() const; ///< of the contact, the smaller one
   /// The coarsest that shows the contact.
   [[nodiscard]] std::size_t level_shown() const;
   /// The centres of a level's elements without the margin that coarsening adds.
