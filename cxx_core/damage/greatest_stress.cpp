@@ -24,13 +24,13 @@ void SubsurfaceStress::scan(const Level& level, const Places& places, double dep
   for (std::size_t i = 0; i < plane.size(); ++i) {
     const double value = von_mises(plane[i]);
     if (value > found.von_mises) {
-      const auto column = static_cast<double>(i % places.x_count);
-      const auto row = static_cast<double>(i / places.x_count);
+      const std::size_t column = i % places.x_count;
+      const std::size_t row = i / places.x_count;
       found = {value,
                0.0,
                0.0,
-               places.x_first + column * level.grid.longitudinal_step,
-               places.y_first + row * level.grid.lateral_step,
+               places.x_first + static_cast<double>(column) * level.grid.longitudinal_step,
+               places.y_first + static_cast<double>(row) * level.grid.lateral_step,
                depth,
                0.0};
     }
