@@ -82,9 +82,10 @@ double greatest_below(const PatchResult& patch) {
   const double width =
       2.0 * std::max(std::min(patch.semi_axis_longitudinal, patch.semi_axis_lateral), step);
   std::vector<double> depths{0.0};
-  for (double depth = 0.5 * std::max(grid.longitudinal_step, grid.lateral_step); depth < width;
-       depth *= 1.08) {
+  double depth = 0.5 * std::max(grid.longitudinal_step, grid.lateral_step);
+  while (depth < width) {
     depths.push_back(depth);
+    depth *= 1.08;
   }
   double greatest = 0.0;
   std::array<double, 3> at{};
