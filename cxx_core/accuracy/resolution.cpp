@@ -15,7 +15,7 @@ std::size_t whole(double count) {
 
 double error_factor(const AccuracyGoal& goal) {
   return (goal.position_is_prescribed ? force_by_depth : 1.0) *
-         (goal.creep_forces ? creep_accuracy_factor : 1.0) *
+         (goal.creep_forces || goal.stresses ? creep_accuracy_factor : 1.0) *
          (goal.elements == Elements::constant ? constant_elements_error : 1.0);
 }
 

@@ -34,6 +34,7 @@ struct AccuracyGoal {
   bool position_is_prescribed = false;
   Elements elements = Elements::smooth;
   bool creep_forces = false; ///< whether pressures are to serve these, too
+  bool stresses = false;     ///< likewise
 };
 
 ElementCounts counts_for(const AccuracyGoal& goal);

@@ -7,52 +7,92 @@
 #include "damage/subsurface_stress.hpp"
 
 namespace wrc {
+namespace {
 
-void SubsurfaceStress::scan(const Level& level, double depth, GreatestStress& found) const {
-  const Grid& grid = level.grid;
-  // Below the contact, without the margin that coarser elements need.
-  const std::size_t margin = &level == levels_.data() ? 0 : 2;
-  const Places places{grid.longitudinal(margin), grid.longitudinal_count - 2 * margin,
-                      grid.lateral(margin), grid.lateral_count - 2 * margin};
+/// Of the parabola through values at -1, 0 and 1; without a top there the side that rises.
+double top_of_parabola(double behind, double middle, double ahead) {
+  const double slope = 0.5 * (ahead - behind);
+  const double curvature = behind + ahead - 2.0 * middle;
+  return curvature < 0.0 ? std::clamp(-slope / curvature, -1.0, 1.0) : std::copysign(1.0, slope);
+}
+
+} // namespace
+
+void SubsurfaceStress::scan(const Level& level, const Places& places, double depth,
+                            GreatestStress& found) const {
   const std::vector<Stress> plane = sums<float>(level, places, depth);
   for (std::size_t i = 0; i < plane.size(); ++i) {
     const double value = von_mises(plane[i]);
     if (value > found.von_mises) {
+      const std::size_t column = i % places.x_count;
+      const std::size_t row = i / places.x_count;
       found = {value,
                0.0,
                0.0,
-               grid.longitudinal(margin + i % places.x_count),
-               grid.lateral(margin + i / places.x_count),
-               depth};
+               places.x_first + static_cast<double>(column) * level.grid.longitudinal_step,
+               places.y_first + static_cast<double>(row) * level.grid.lateral_step,
+               depth,
+               0.0};
     }
   }
 }
 
-std::vector<GreatestStress> SubsurfaceStress::search() const {
-  // The coarsest elements that show the contact, unless the depth demands finer ones.
-  std::size_t shown = levels_.size() - 1;
-  while (shown > 0 && std::min(levels_[shown].grid.lateral_count,
-                               levels_[shown].grid.longitudinal_count) < search_elements) {
-    --shown;
+double SubsurfaceStress::half_width() const {
+  const Grid& grid = levels_.front().grid;
+  return 0.5 * std::min(grid.lateral_step * static_cast<double>(grid.lateral_count),
+                        grid.longitudinal_step * static_cast<double>(grid.longitudinal_count));
+}
+
+std::size_t SubsurfaceStress::level_shown() const {
+  const Grid& grid = levels_.front().grid;
+  std::size_t shown = 0;
+  while (shown + 1 < levels_.size() &&
+         std::min(grid.lateral_count, grid.longitudinal_count) >> (shown + 1) >= search_elements) {
+    ++shown;
   }
+  return shown;
+}
+
+SubsurfaceStress::Places SubsurfaceStress::below_contact(const Level& level) const {
   const Grid& whole = levels_.front().grid;
-  const double half_width =
-      0.5 * std::min(whole.lateral_step * static_cast<double>(whole.lateral_count),
-                     whole.longitudinal_step * static_cast<double>(whole.longitudinal_count));
+  const Grid& grid = level.grid;
+  const auto halvings = static_cast<std::size_t>(&level - levels_.data());
+  const std::size_t along = (grid.longitudinal_count - (whole.longitudinal_count >> halvings)) / 2;
+  const std::size_t across = (grid.lateral_count - (whole.lateral_count >> halvings)) / 2;
+  return {grid.longitudinal(along), grid.longitudinal_count - 2 * along, grid.lateral(across),
+          grid.lateral_count - 2 * across};
+}
+
+std::vector<GreatestStress> SubsurfaceStress::search() const {
+  // Coarser elements where the depth allows them.
+  const Level& shown = levels_[level_shown()];
   std::vector<GreatestStress> found;
-  for (double depth = deepest_search * half_width;; depth /= search_depth_ratio) {
-    const bool surface = depth < shallowest_search * levels_[shown].size();
-    const double at_depth = surface ? 0.0 : depth;
-    const Level& deep = level_for(depth, depth_of_search_element);
+  for (double depth = deepest_search * half_width();; depth /= search_depth_ratio) {
+    const bool surface = depth < shallowest_search * shown.size();
     const Level& level =
-        deep.grid.lateral_step < levels_[shown].grid.lateral_step ? levels_[shown] : deep;
-    scan(level, at_depth, found.emplace_back());
+        std::max(shown, level_for(depth, depth_of_search_element),
+                 [](const Level& a, const Level& b) { return a.size() < b.size(); });
+    scan(level, below_contact(level), surface ? 0.0 : depth, found.emplace_back());
     if (surface) {
       break;
     }
   }
-  found.push_back(below_pressure(deepest_search * half_width));
+  // Between the depths.
+  for (std::size_t i = 1; i + 2 < found.size(); ++i) {
+    const double shift =
+        top_of_parabola(found[i - 1].von_mises, found[i].von_mises, found[i + 1].von_mises);
+    if (std::abs(shift) < 1.0) {
+      found[i].depth *= std::pow(search_depth_ratio, -shift);
+    }
+  }
   return found;
+}
+
+bool SubsurfaceStress::has_narrow_top() const {
+  const auto greatest = [](const Level& level) {
+    return *std::max_element(level.loads[0].begin(), level.loads[0].end());
+  };
+  return greatest(levels_[level_shown()]) < share_shown * greatest(levels_.front());
 }
 
 GreatestStress SubsurfaceStress::below_pressure(double deepest) const {
@@ -70,7 +110,7 @@ GreatestStress SubsurfaceStress::below_pressure(double deepest) const {
   while (depth > shallowest) {
     const double value = von_mises(point(level_for(depth, depth_of_search_element), x, y, depth));
     if (value > found.von_mises) {
-      found = {value, 0.0, 0.0, x, y, depth};
+      found = {value, 0.0, 0.0, x, y, depth, 0.0};
     }
     depth /= search_depth_ratio;
   }
@@ -85,8 +125,9 @@ void SubsurfaceStress::climb_below(GreatestStress& found) const {
   const auto value_at = [this](const std::array<double, 3>& at) {
     return von_mises(point(level_for(at[2], depth_of_search_element), at[0], at[1], at[2]));
   };
-  double best = value_at(place);
-  for (int round = 0; round < search_parabolas; ++round) {
+  for (int round = 0; round < search_rounds; ++round) {
+    const double start = value_at(place);
+    double best = start;
     for (const std::size_t direction : {2U, 0U, 1U}) {
       const auto moved = [&](double offset) {
         std::array<double, 3> there = place;
@@ -97,10 +138,12 @@ void SubsurfaceStress::climb_below(GreatestStress& found) const {
       const double ahead = value_at(moved(step[direction]));
       const double slope = 0.5 * (ahead - behind);
       const double curvature = behind + ahead - 2.0 * best;
-      const double top =
-          curvature < 0.0 ? std::clamp(-slope / curvature, -1.0, 1.0) : std::copysign(1.0, slope);
+      const double top = top_of_parabola(behind, best, ahead);
       place = moved(top * step[direction]);
       best += top * (slope + 0.5 * top * curvature);
+    }
+    if (best < (1.0 + least_gain) * start) {
+      break;
     }
   }
   found.x = place[0];
@@ -109,51 +152,42 @@ void SubsurfaceStress::climb_below(GreatestStress& found) const {
 }
 
 void SubsurfaceStress::climb_on_surface(GreatestStress& found) const {
-  const Level& level = levels_.front();
-  if (levels_.size() > 1) {
-    scan(levels_[1], 0.0, found);
+  for (std::size_t i = std::max<std::size_t>(level_shown(), 1); i-- > 0;) {
+    const Grid& grid = levels_[i].grid;
+    const auto around = [](double place, double first, double step, std::size_t reach) {
+      return first + (std::round((place - first) / step) - static_cast<double>(reach)) * step;
+    };
+    const double x =
+        around(found.x, grid.longitudinal_first, grid.longitudinal_step, surface_reach_along);
+    const double y = around(found.y, grid.lateral_first, grid.lateral_step, surface_reach_across);
+    found.von_mises = 0.0;
+    scan(levels_[i], {x, 2 * surface_reach_along + 1, y, 2 * surface_reach_across + 1}, 0.0, found);
   }
-  const Grid& grid = level.grid;
-  const auto nearest = [](double place, double first, double step, std::size_t count) {
-    return std::clamp(std::round((place - first) / step), 0.0, static_cast<double>(count - 1));
-  };
-  double x =
-      nearest(found.x, grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count);
-  double y = nearest(found.y, grid.lateral_first, grid.lateral_step, grid.lateral_count);
-  const auto value_at = [&](double column, double row) {
-    return von_mises(point(level, grid.longitudinal_first + column * grid.longitudinal_step,
-                           grid.lateral_first + row * grid.lateral_step, 0.0));
-  };
-  double best = value_at(x, y);
-  for (double stride = surface_stride; stride >= 1.0;) {
-    bool moved = false;
-    for (const auto& [dx, dy] :
-         {std::pair(-stride, 0.0), {stride, 0.0}, {0.0, -stride}, {0.0, stride}}) {
-      const double value = value_at(x + dx, y + dy);
-      if (value > best) {
-        best = value;
-        x += dx;
-        y += dy;
-        moved = true;
-      }
-    }
-    stride *= moved ? 1.0 : 0.5;
-  }
-  found.x = grid.longitudinal_first + x * grid.longitudinal_step;
-  found.y = grid.lateral_first + y * grid.lateral_step;
 }
 
 GreatestStress SubsurfaceStress::greatest() const {
   std::vector<GreatestStress> tops = search();
-  double highest = 0.0;
-  for (const GreatestStress& top : tops) {
-    highest = std::max(highest, top.von_mises);
+  const auto lower = [](const GreatestStress& a, const GreatestStress& b) {
+    return a.von_mises < b.von_mises;
+  };
+  const double highest = std::max_element(tops.begin(), tops.end(), lower)->von_mises;
+  // Over the depth, too.
+  const auto stands_out = [&](std::size_t i) {
+    return tops[i].von_mises >= worth_climbing * highest && tops[i].von_mises > 0.0 &&
+           (i == 0 || tops[i - 1].von_mises <= tops[i].von_mises) &&
+           (i + 1 == tops.size() || tops[i + 1].von_mises <= tops[i].von_mises);
+  };
+  std::vector<GreatestStress> climbed;
+  if (has_narrow_top()) {
+    climbed.push_back(below_pressure(tops.front().depth));
+  }
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    if (stands_out(i)) {
+      climbed.push_back(tops[i]);
+    }
   }
   GreatestStress found;
-  for (GreatestStress& top : tops) {
-    if (!(top.von_mises > 0.0) || top.von_mises < worth_climbing * highest) {
-      continue;
-    }
+  for (GreatestStress& top : climbed) {
     if (top.depth > 0.0) {
       climb_below(top);
     } else {
@@ -161,10 +195,19 @@ GreatestStress SubsurfaceStress::greatest() const {
     }
     const Stress stress = point(level_for(top.depth, depth_of_element), top.x, top.y, top.depth);
     if (von_mises(stress) > found.von_mises) {
-      found = {
-          von_mises(stress), greatest_shear(stress), principal_stresses(stress)[0], top.x, top.y,
-          top.depth};
+      found = {von_mises(stress),
+               greatest_shear(stress),
+               principal_stresses(stress)[0],
+               top.x,
+               top.y,
+               top.depth,
+               0.0};
     }
+  }
+  if (tractions_) {
+    const double size = levels_.front().size();
+    const double near = size / (size + found.depth);
+    found.error_estimate = near_surface_error * near * near * size / half_width();
   }
   return found;
 }

@@ -34,35 +34,63 @@ std::size_t halved(std::size_t count) {
   return (count + 1) / 2 + 4;
 }
 
-/// out[t] += sum over c of loads[c] kernel[t + c].
-template <class Real>
-WRC_VECTOR_BODY void correlate_body(const Real* loads, std::size_t load_count, const Real* kernel,
-                                    Real* out, std::size_t count) {
-  if (count < load_count / 4) {
-    for (std::size_t t = 0; t < count; ++t) {
-      Real sum = 0;
-#pragma omp simd reduction(+ : sum)
-      for (std::size_t c = 0; c < load_count; ++c) {
-        sum += loads[c] * kernel[t + c];
+/// What a row of elements gives to a row of places.
+template <class Real> struct RowSums {
+  const Real* loads; ///< p, q_x, q_y, so many each
+  std::size_t load_count;
+  std::size_t kinds;   ///< of loads: 1 or 3
+  const Real* kernels; ///< of stress_kernels, pitch apart
+  Real* sums;          ///< of six components, pitch apart
+  std::size_t pitch;
+  std::size_t places; ///< one or whole vectors of them
+};
+
+/// For so many places, whose sums stay in registers: sums[t] += loads[c] kernel[t + c].
+template <std::size_t block, class Real>
+WRC_VECTOR_BODY void add_block(const RowSums<Real>& row, std::size_t component, std::size_t place) {
+  std::array<Real, block> sums{};
+  for (std::size_t kind = 0; kind < row.kinds; ++kind) {
+    const Real* kernel = row.kernels + kernel_of[kind][component] * row.pitch + place;
+    const Real* loads = row.loads + kind * row.load_count;
+    for (std::size_t c = 0; c < row.load_count; ++c) {
+#pragma omp simd
+      for (std::size_t t = 0; t < block; ++t) {
+        sums[t] += loads[c] * kernel[c + t];
       }
-      out[t] += sum;
-    }
-    return;
-  }
-  std::size_t c = 0;
-  for (; c + 8 <= load_count; c += 8) {
-    const Real* k = kernel + c;
-    const Real* l = loads + c;
-#pragma omp simd
-    for (std::size_t t = 0; t < count; ++t) {
-      out[t] += ((l[0] * k[t] + l[1] * k[t + 1]) + (l[2] * k[t + 2] + l[3] * k[t + 3])) +
-                ((l[4] * k[t + 4] + l[5] * k[t + 5]) + (l[6] * k[t + 6] + l[7] * k[t + 7]));
     }
   }
-  for (; c < load_count; ++c) {
-#pragma omp simd
-    for (std::size_t t = 0; t < count; ++t) {
-      out[t] += loads[c] * kernel[t + c];
+  Real* to = row.sums + component * row.pitch + place;
+  for (std::size_t t = 0; t < block; ++t) {
+    to[t] += sums[t];
+  }
+}
+
+template <class Real>
+WRC_VECTOR_BODY void add_below_one_place(const RowSums<Real>& row, std::size_t component) {
+  Real sum = 0;
+  for (std::size_t kind = 0; kind < row.kinds; ++kind) {
+    const Real* kernel = row.kernels + kernel_of[kind][component] * row.pitch;
+    const Real* loads = row.loads + kind * row.load_count;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t c = 0; c < row.load_count; ++c) {
+      sum += loads[c] * kernel[c];
+    }
+  }
+  row.sums[component * row.pitch] += sum;
+}
+
+template <class Real> WRC_VECTOR_BODY void add_row_body(const RowSums<Real>& row) {
+  for (std::size_t component = 0; component < 6; ++component) {
+    if (row.places == 1) {
+      add_below_one_place(row, component);
+      continue;
+    }
+    std::size_t t = 0;
+    for (; t + 2 * vector_places <= row.places; t += 2 * vector_places) {
+      add_block<2 * vector_places>(row, component, t);
+    }
+    for (; t < row.places; t += vector_places) {
+      add_block<vector_places>(row, component, t);
     }
   }
 }
@@ -77,13 +105,11 @@ WRC_VECTOR_BODY void difference_body(const Real* far, const Real* near, std::siz
   }
 }
 
-WRC_VECTOR_CLONES void correlate(const double* loads, std::size_t load_count, const double* kernel,
-                                 double* out, std::size_t count) {
-  correlate_body(loads, load_count, kernel, out, count);
+WRC_VECTOR_CLONES void add_row(const RowSums<double>& row) {
+  add_row_body(row);
 }
-WRC_VECTOR_CLONES void correlate(const float* loads, std::size_t load_count, const float* kernel,
-                                 float* out, std::size_t count) {
-  correlate_body(loads, load_count, kernel, out, count);
+WRC_VECTOR_CLONES void add_row(const RowSums<float>& row) {
+  add_row_body(row);
 }
 WRC_VECTOR_CLONES void difference(const double* far, const double* near, std::size_t count,
                                   double* kernel) {
@@ -94,21 +120,63 @@ WRC_VECTOR_CLONES void difference(const float* far, const float* near, std::size
   difference_body(far, near, count, kernel);
 }
 
-/// Cubic through four places of a row.
-Stress interpolated(const std::vector<Stress>& row, double place) {
-  const double whole = std::clamp(std::floor(place), 1.0, static_cast<double>(row.size()) - 3.0);
-  const double t = place - whole;
-  const auto i = static_cast<std::size_t>(whole);
-  const std::array weights{-t * (t - 1.0) * (t - 2.0) / 6.0,
-                           (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-                           -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
-  Stress stress{};
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    for (std::size_t c = 0; c < stress.size(); ++c) {
-      stress[c] += weights[k] * row[i - 1 + k][c];
+/// Weights of the cubic through values at four places.
+std::array<double, 4> cubic(const std::array<double, 4>& places, double place) {
+  std::array<double, 4> weights{1.0, 1.0, 1.0, 1.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      weights[i] *= j == i ? 1.0 : (place - places[j]) / (places[i] - places[j]);
     }
   }
-  return stress;
+  return weights;
+}
+
+/// Adds the cubic through four places of a row, which are 1 apart.
+void add_interpolated(const std::vector<Stress>& row, double place, Stress& stress) {
+  const double whole = std::clamp(std::floor(place), 1.0, static_cast<double>(row.size()) - 3.0);
+  const std::array weights = cubic({-1.0, 0.0, 1.0, 2.0}, place - whole);
+  const Stress* from = row.data() + static_cast<std::size_t>(whole) - 1;
+  for (std::size_t c = 0; c < stress.size(); ++c) {
+    stress[c] += weights[0] * from[0][c] + weights[1] * from[1][c] + weights[2] * from[2][c] +
+                 weights[3] * from[3][c];
+  }
+}
+
+/// Which of some rising depths are a share of themselves apart, with the first and the last.
+std::vector<std::size_t> depths_to_compute(std::span<const double> depths) {
+  std::vector<std::size_t> computed;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (computed.empty() || i + 1 == depths.size() ||
+        depths[i + 1] - depths[computed.back()] > depth_spacing * depths[i]) {
+      computed.push_back(i);
+    }
+  }
+  return computed;
+}
+
+/// Stresses at the other depths: cubics through the four that are next.
+void fill_between(const std::vector<std::size_t>& computed, StressSection& section) {
+  const std::size_t count = section.places.size();
+  for (std::size_t k = 0; k + 1 < computed.size(); ++k) {
+    const std::size_t start =
+        std::min(k == 0 ? 0 : k - 1, computed.size() - std::min<std::size_t>(computed.size(), 4));
+    for (std::size_t i = computed[k] + 1; i < computed[k + 1]; ++i) {
+      std::array<double, 4> places{};
+      std::array<const Stress*, 4> from{};
+      for (std::size_t m = 0; m < 4; ++m) {
+        places[m] = section.depths[computed[start + m]];
+        from[m] = section.stresses.data() + computed[start + m] * count;
+      }
+      const std::array weights = cubic(places, section.depths[i]);
+      for (std::size_t j = 0; j < count; ++j) {
+        for (std::size_t c = 0; c < 6; ++c) {
+          section.stresses[i * count + j][c] =
+              weights[0] * from[0][j][c] + weights[1] * from[1][j][c] + weights[2] * from[2][j][c] +
+              weights[3] * from[3][j][c];
+        }
+      }
+    }
+  }
 }
 
 /// With x and y exchanged.
@@ -119,23 +187,44 @@ Stress exchanged(const Stress& s) {
 } // namespace
 
 SubsurfaceStress::SubsurfaceStress(const SurfaceLoads& loads, double poisson) : poisson_(poisson) {
-  const std::size_t count = loads.grid.element_count();
+  const Grid& grid = loads.grid;
   const std::array given{loads.pressure, loads.traction_x, loads.traction_y};
-  Level& level = levels_.emplace_back();
-  level.grid = loads.grid;
   for (std::size_t k = 0; k < given.size(); ++k) {
-    if (given[k].size() != count && (k == 0 || !given[k].empty())) {
+    if (given[k].size() != grid.element_count() && (k == 0 || !given[k].empty())) {
       throw_invalid_argument(k == 0 ? "pressure" : "traction", static_cast<double>(given[k].size()),
                              "must have one value per element of the grid");
     }
-    level.loads[k].assign(given[k].begin(), given[k].end());
-    for (std::size_t i = 0; !given[k].empty() && i < loads.grid.lateral_count; ++i) {
-      const auto row =
-          level.loads[k].begin() + static_cast<std::ptrdiff_t>(i * loads.grid.longitudinal_count);
-      std::reverse(row, row + static_cast<std::ptrdiff_t>(loads.grid.longitudinal_count));
-    }
-    level.loads[k].resize(count);
     tractions_ = tractions_ || (k > 0 && !given[k].empty());
+  }
+  // The part that holds loads.
+  std::array<std::size_t, 2> rows{grid.lateral_count, 0};
+  std::array<std::size_t, 2> columns{grid.longitudinal_count, 0};
+  for (const auto& load : given) {
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      if (load[i] != 0.0) {
+        const std::size_t row = i / grid.longitudinal_count;
+        const std::size_t column = i % grid.longitudinal_count;
+        rows = {std::min(rows[0], row), std::max(rows[1], row + 1)};
+        columns = {std::min(columns[0], column), std::max(columns[1], column + 1)};
+      }
+    }
+  }
+  if (rows[1] == 0) { // nothing anywhere: one element of it
+    rows = columns = {0, 1};
+  }
+  Level& level = levels_.emplace_back();
+  level.grid = {rows[1] - rows[0],      columns[1] - columns[0], grid.lateral_step,
+                grid.longitudinal_step, grid.lateral(rows[0]),   grid.longitudinal(columns[0])};
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    level.loads[k].resize(level.grid.element_count());
+    for (std::size_t i = rows[0]; !given[k].empty() && i < rows[1]; ++i) {
+      const auto row = given[k].begin() + static_cast<std::ptrdiff_t>(i * grid.longitudinal_count);
+      std::reverse_copy(
+          row + static_cast<std::ptrdiff_t>(columns[0]),
+          row + static_cast<std::ptrdiff_t>(columns[1]),
+          level.loads[k].begin() +
+              static_cast<std::ptrdiff_t>((i - rows[0]) * level.grid.longitudinal_count));
+    }
   }
   make_levels();
 }
@@ -258,8 +347,8 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
                           : (places.x_count + vector_places - 1) / vector_places * vector_places;
   const std::size_t offsets = x_count + columns - 1;
   const std::size_t pitch = offsets + 1;
-  const std::size_t load_count = tractions_ ? 3 : 1;
-  std::vector<Real> memory((3 * stress_kernels + 6 * places.y_count) * pitch + columns);
+  const std::size_t kinds = tractions_ ? 3 : 1;
+  std::vector<Real> memory((3 * stress_kernels + 6 * places.y_count) * pitch + 3 * columns);
   Real* near = memory.data(); // corners on the side of small y of elements
   Real* far = near + stress_kernels * pitch;
   Real* kernels = far + stress_kernels * pitch;
@@ -297,17 +386,18 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
     for (std::size_t t = 0; t < places.y_count; ++t) {
       const std::size_t i = rows_at(t, offset);
       const std::size_t loaded = loaded_at(i);
-      for (std::size_t load = 0; loaded > 0 && load < load_count; ++load) {
-        const std::size_t first = level.first[i];
-        const auto from =
-            level.loads[load].begin() + static_cast<std::ptrdiff_t>(i * columns + first);
-        std::transform(from, from + static_cast<std::ptrdiff_t>(loaded), loads,
-                       [](double value) { return static_cast<Real>(value); });
-        for (std::size_t c = 0; c < 6; ++c) {
-          correlate(loads, loaded, kernels + kernel_of[load][c] * pitch + first,
-                    sum + (6 * t + c) * pitch, x_count);
-        }
+      if (loaded == 0) {
+        continue;
       }
+      const std::size_t first = level.first[i];
+      for (std::size_t kind = 0; kind < kinds; ++kind) {
+        const auto from =
+            level.loads[kind].begin() + static_cast<std::ptrdiff_t>(i * columns + first);
+        std::transform(from, from + static_cast<std::ptrdiff_t>(loaded), loads + kind * loaded,
+                       [](double value) { return static_cast<Real>(value); });
+      }
+      add_row(RowSums<Real>{loads, loaded, kinds, kernels + first, sum + 6 * t * pitch, pitch,
+                            x_count});
     }
   }
   std::vector<Stress> stresses(places.x_count * places.y_count);
@@ -365,7 +455,8 @@ StressSection SubsurfaceStress::along(std::span<const double> x, double y,
   StressSection section{{x.begin(), x.end()}, {depths.begin(), depths.end()}, {}};
   section.stresses.resize(x.size() * depths.size());
   std::vector<std::vector<Level>> parts(levels_.size());
-  for (std::size_t i = 0; i < depths.size(); ++i) {
+  const std::vector<std::size_t> computed = depths_to_compute(depths);
+  for (const std::size_t i : computed) {
     const Level& level = level_for(depths[i], depth_of_element);
     auto& seen = parts[static_cast<std::size_t>(&level - levels_.data())];
     if (seen.empty()) {
@@ -380,13 +471,11 @@ StressSection SubsurfaceStress::along(std::span<const double> x, double y,
       const auto count = static_cast<std::size_t>(std::ceil((x.back() - first) / step)) + 3;
       const std::vector<Stress> line = sums<float>(part, {first, count, y, 1}, depths[i]);
       for (std::size_t j = 0; j < x.size(); ++j) {
-        const Stress stress = interpolated(line, (x[j] - first) / step);
-        for (std::size_t c = 0; c < stress.size(); ++c) {
-          section.stresses[i * x.size() + j][c] += stress[c];
-        }
+        add_interpolated(line, (x[j] - first) / step, section.stresses[i * x.size() + j]);
       }
     }
   }
+  fill_between(computed, section);
   return section;
 }
 

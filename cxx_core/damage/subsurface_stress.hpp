@@ -44,6 +44,7 @@ struct GreatestStress {
   double shear = 0.0;   ///< greatest shear at that place
   double tension = 0.0; ///< first principal stress at that place
   double x = 0.0, y = 0.0, depth = 0.0;
+  double error_estimate = 0.0; ///< relative: what elements leave near the surface, under tractions
 };
 
 class SubsurfaceStress {
@@ -90,13 +91,20 @@ private:
   [[nodiscard]] std::vector<Stress> sums(const Level& level, const Places& places,
                                          double depth) const;
   [[nodiscard]] Stress point(const Level& level, double x, double y, double depth) const;
-  /// Raises `found` to the greatest below the elements' centres.
-  void scan(const Level& level, double depth, GreatestStress& found) const;
-  /// On coarse elements, the greatest at each of some depths.
+  /// Raises `found` to the greatest of them.
+  void scan(const Level& level, const Places& places, double depth, GreatestStress& found) const;
+  [[nodiscard]] double half_width() const; ///< of the contact, the smaller one
+  /// The coarsest that shows the contact.
+  [[nodiscard]] std::size_t level_shown() const;
+  /// The centres of a level's elements without the margin that coarsening adds.
+  [[nodiscard]] Places below_contact(const Level& level) const;
+  /// On it, the greatest at each of some depths, deepest first.
   [[nodiscard]] std::vector<GreatestStress> search() const;
+  /// Whether there is pressure on a strip so narrow that it does not show it.
+  [[nodiscard]] bool has_narrow_top() const;
   /// Below the greatest pressure, which may stand on a strip that coarse elements do not show.
   [[nodiscard]] GreatestStress below_pressure(double deepest) const;
-  /// To the top nearby: by parabolas, or over the centres of elements.
+  /// To the top nearby: by parabolas, or below the centres of smaller and smaller elements.
   void climb_below(GreatestStress& found) const;
   void climb_on_surface(GreatestStress& found) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "scene/number_table.hpp"
@@ -40,6 +41,12 @@ inline constexpr std::array damage_numbers{
     Number<ContactDamage>{"stress.across", length,
                           [](const ContactDamage& d) {
                             return of_part(d.stress, [](const auto& s) { return s.y; });
+                          }},
+    Number<ContactDamage>{"stress.error_estimate", pure,
+                          [](const ContactDamage& d) {
+                            const auto error =
+                                of_part(d.stress, [](const auto& s) { return s.error_estimate; });
+                            return error && std::isfinite(*error) ? error : std::nullopt;
                           }},
     Number<ContactDamage>{"wear.tgamma", pure,
                           [](const ContactDamage& d) {

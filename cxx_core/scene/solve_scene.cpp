@@ -28,6 +28,7 @@ WheelRequest request_of(const Scene& scene, double load) {
   const CreepModel creep = scene.creep.value_or(CreepModel::full);
   request.creep_forces = (scene.has_creepages() || scene.motion) &&
                          (creep == CreepModel::full || creep == CreepModel::fastsim_strips);
+  request.stresses = scene.damage.stress;
   request.elements = scene.elements.value_or(
       scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);
   return request;

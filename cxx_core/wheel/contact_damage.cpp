@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
@@ -40,10 +41,13 @@ Wear wear_of_patch(const PatchResult& patch, const DamageRequest& request) {
                  request.law);
 }
 
-ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request) {
+/// `pressure_error`: relative.
+ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
+                        double pressure_error) {
   ContactDamage damage;
   if (request.stress && !patch.pressure.empty()) {
     damage.stress = stresses_of(patch, request).greatest();
+    damage.stress->error_estimate += pressure_error;
   }
   if (request.wear && patch.creep) {
     const CreepResult& creep = *patch.creep;
@@ -96,14 +100,16 @@ void add(ContactDamage& whole, const ContactDamage& part) {
 void find_damage(WheelResult& wheel, const DamageRequest& request) {
   wheel.details.damage = request;
   wheel.damage.emplace();
+  const double pressure_error =
+      wheel.error_estimate.value_or(std::numeric_limits<double>::quiet_NaN());
   for (PatchResult& patch : wheel.patches) {
     if (patch.parts.empty()) {
-      patch.damage = damage_of(patch, request);
+      patch.damage = damage_of(patch, request, pressure_error);
     } else {
       patch.damage.emplace();
     }
     for (PatchResult& part : patch.parts) {
-      part.damage = damage_of(part, request);
+      part.damage = damage_of(part, request, pressure_error);
       add(*patch.damage, *part.damage);
     }
     add(*wheel.damage, *patch.damage);

@@ -53,7 +53,8 @@ struct Fatigue {
 
 /// Of a patch, or the worst of several; amounts of wear are added.
 struct ContactDamage {
-  std::optional<GreatestStress> stress; ///< place in the patch's plane, left-hand frame
+  /// Place in the patch's plane, left-hand frame; the estimate with that of the pressures.
+  std::optional<GreatestStress> stress;
   std::optional<WearTotals> wear;
   std::optional<Fatigue> fatigue;
 };

@@ -39,6 +39,7 @@ struct WheelRequest : WheelOptions {
   Elements elements = Elements::smooth;
   int maximum_iterations = 5000;
   bool creep_forces = false; ///< whether the pressures are to serve creep forces, too
+  bool stresses = false;     ///< likewise the largest stress below them
 
   [[nodiscard]] bool position_is_prescribed() const { return vertical.has_value(); }
   /// The load of the two that is set, N; 0 if the position is prescribed.

@@ -44,7 +44,7 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   results = ["left.pmax", "right.pmax", "roll"]  # --list-results prints all names
   fields = ["x", "y", "z", "pressure"]           # of every patch, into the NetCDF file
   [[picture]]
-  kind = "lines"                                 # or patches, connections, conicity
+  kind = "lines"                                 # or map, patches, connections, conicity
   x = "pose.lateral"
   series = "wheelset.wheel"
   panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]

@@ -17,6 +17,7 @@ struct KindName {
   PictureRequest::Kind kind;
 };
 constexpr std::array kinds{KindName{"lines", PictureRequest::Kind::lines},
+                           KindName{"map", PictureRequest::Kind::map},
                            KindName{"patches", PictureRequest::Kind::patches},
                            KindName{"connections", PictureRequest::Kind::connections},
                            KindName{"conicity", PictureRequest::Kind::conicity}};
@@ -73,24 +74,26 @@ void check_value(const TableReader& reader, const char* name, const std::string&
   reader.refuse(name, text_of(value), "a value of " + key + ": " + allowed);
 }
 
-/// Values of the axis along x are places.
-void check_numbers(const TableReader& reader, const std::string& key, const Study& study) {
+/// Values of an axis in the picture are places.
+void check_numbers(const TableReader& reader, const char* name, const std::string& key,
+                   const Study& study) {
   for (const Value& value : study.axes[static_cast<std::size_t>(study.axis_of(key))].values) {
     if (!std::holds_alternative<double>(value)) {
-      reader.refuse("x", in_quotes(key),
+      reader.refuse(name, in_quotes(key),
                     "a key whose values are numbers, not " + in_quotes(text_of(value)));
     }
   }
 }
 
 void check_panels(const TableReader& reader, const PictureRequest& picture) {
-  const bool lines = picture.kind == PictureRequest::Kind::lines;
-  if (lines && picture.panels.empty()) {
+  const bool map = picture.kind == PictureRequest::Kind::map;
+  if ((map || picture.kind == PictureRequest::Kind::lines) && picture.panels.empty()) {
     reader.refuse("panels", "[]", "one panel or more, each with lines");
   }
   for (const PanelRequest& panel : picture.panels) {
-    if (panel.lines.empty()) {
-      reader.refuse("panels.lines", "[]", "one line or more");
+    if (panel.lines.empty() || (map && panel.lines.size() > 1)) {
+      reader.refuse("panels.lines", std::to_string(panel.lines.size()) + " lines",
+                    map ? "one" : "one line or more");
     }
   }
 }
@@ -123,6 +126,7 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   picture.x_label = reader.text("x_label", picture.x);
   picture.x_factor = reader.number("x_factor", 1.0);
   picture.series = reader.text("series", "");
+  picture.series_factor = reader.number("series_factor", 1.0);
   picture.series_label = reader.text("series_label", picture.series);
   picture.sides = reader.texts("sides");
   picture.x_values = reader.numbers("x_values");
@@ -139,13 +143,17 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
                   "a name without folder that ends in .png or .svg");
   }
   check_axis(reader, "x", picture.x, study);
-  check_numbers(reader, picture.x, study);
+  check_numbers(reader, "x", picture.x, study);
   for (const double value : picture.x_values) {
     check_value(reader, "x_values", picture.x, value, study);
   }
   check_panels(reader, picture);
-  if (!picture.series.empty()) {
+  const bool map = picture.kind == PictureRequest::Kind::map;
+  if (map || !picture.series.empty()) {
     check_axis(reader, "series", picture.series, study);
+  }
+  if (map) {
+    check_numbers(reader, "series", picture.series, study);
   }
   for (const auto& [key, value] : picture.where) {
     check_axis(reader, "where", key, study);

@@ -112,6 +112,9 @@ void draw_picture(const PictureRequest& picture, const PictureData& data,
   case PictureRequest::Kind::lines:
     draw_lines(picture, data, files[0]);
     break;
+  case PictureRequest::Kind::map:
+    draw_map(picture, data, files[0]);
+    break;
   case PictureRequest::Kind::patches:
     draw_patches(picture, data, files[0]);
     break;

@@ -56,6 +56,8 @@ void draw_picture(const PictureRequest& picture, const PictureData& data,
 
 void draw_lines(const PictureRequest& picture, const PictureData& data,
                 const std::filesystem::path& path);
+void draw_map(const PictureRequest& picture, const PictureData& data,
+              const std::filesystem::path& path);
 void draw_patches(const PictureRequest& picture, const PictureData& data,
                   const std::filesystem::path& path);
 void draw_connections(const PictureRequest& picture, const PictureData& data,

@@ -51,6 +51,7 @@ constexpr std::array units{
     Unit{"stress.depth", "mm"},
     Unit{"stress.along", "mm"},
     Unit{"stress.across", "mm"},
+    Unit{"stress.error_estimate", "1"},
     Unit{"stress.body", "1"},
     Unit{"stress.section", "1"},
     Unit{"stress.", "MPa"},

@@ -42,6 +42,7 @@ struct PanelRequest {
 struct PictureRequest {
   enum class Kind {
     lines,       ///< results over the values of a key
+    map,         ///< results over the values of two keys, as colours
     patches,     ///< maps of pressures, one per scene and side
     connections, ///< points of both profiles that touch, joined
     conicity     ///< rolling radius difference, contact angles and equivalent conicity
@@ -53,8 +54,9 @@ struct PictureRequest {
   std::string x; ///< key of the axis to the right; patches: of the columns
   std::string x_label;
   double x_factor = 1.0;
-  std::string series;       ///< key with a line, or a row of maps, for each value; empty: none
-  std::string series_label; ///< {} stands for the value
+  std::string series;         ///< key with a line, or a row of maps, for each value; map: upwards
+  std::string series_label;   ///< {} stands for the value
+  double series_factor = 1.0; ///< map
   std::vector<std::string> sides; ///< patches, connections: "left", "right"
   std::vector<double> x_values;   ///< those drawn; empty: all
   double pressure_max = 0.0;      ///< patches: of the darkest colour, MPa; 0: the largest there is

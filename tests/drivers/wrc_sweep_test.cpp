@@ -247,6 +247,25 @@ TEST_F(WrcSweep, ConicityOfAConeIsItsSlope) {
   }
 }
 
+TEST_F(WrcSweep, MapsHaveColoursAndContours) {
+  NEEDS_GNUPLOT();
+  write("s.toml", "[pose]\nyaw = [0.0, 0.01, 0.02]\nlateral = {from = -6, to = 6, step = 1}\n"
+                  "[load]\nvertical = 0\n[[picture]]\nkind = \"map\"\nfile = \"map.svg\"\nx = "
+                  "\"pose.lateral\"\nseries = \"pose.yaw\"\nseries_label = \"yaw, mrad\"\n"
+                  "series_factor = 1000.0\npanels = [{y_label = \"place\", lines = [{result = "
+                  "\"left.rigid_contact.y\"}]}]\n");
+  (void)files("s.toml", "o");
+  const std::string map = read("o/map.svg");
+  EXPECT_NE(map.find("yaw, mrad"), std::string::npos);
+  EXPECT_NE(map.find("<path"), std::string::npos); // contours
+  std::set<std::string> colours;
+  for (auto at = map.find("rgb("); at != std::string::npos; at = map.find("rgb(", at + 1)) {
+    colours.insert(map.substr(at, map.find(')', at) - at));
+  }
+  constexpr std::size_t many = 20; // of a palette over a field that varies
+  EXPECT_GT(colours.size(), many);
+}
+
 TEST_F(WrcSweep, PicturesTellManyLinesApartAndNumberConnections) {
   NEEDS_GNUPLOT();
   write("s.toml", "[pose]\nyaw = [0.0, 0.01]\nlateral = {from = -6, to = 6, step = 1}\n[load]\n"
@@ -370,6 +389,10 @@ TEST_F(WrcSweep, RefusesBadStudies) {
   refuse(axis + "[[picture]]\n", {"picture.panels", "one panel or more"});
   refuse(axis + "[[picture]]\npanels = [{y_label = \"y\"}]\n", {"picture.panels.lines"});
   const std::string lines = "panels = [{lines = [{result = \"left.pmax\"}]}]\n";
+  refuse(axis + "[[picture]]\nkind = \"map\"\n" + lines, {"picture.series", "varies"});
+  refuse(axis + "[track]\nrail = [\"60E1\", \"54E1\"]\n[[picture]]\nkind = \"map\"\n" + lines +
+             "x = \"pose.lateral\"\nseries = \"track.rail\"\n",
+         {"picture.series", "track.rail", "numbers"});
   refuse(axis + "[[picture]]\nx_values = [0, 2]\n" + lines,
          {"picture.x_values = 2", "a value of pose.lateral: 0, 1"});
   refuse("[track]\nrail = [\"60E1\", \"54E3\"]\n" + axis +

@@ -1,0 +1,56 @@
+// Results over two keys as colours, each in a panel with its own scale and with contour lines.
+#include "support/gnuplot.hpp"
+#include "wrc_sweep/pictures.hpp"
+
+namespace driver {
+namespace {
+
+/// Rows of values, places along x in front: gnuplot's nonuniform matrix.
+std::string matrix_of(const PictureRequest& picture, const PictureData& data,
+                      const PanelRequest& panel) {
+  const std::vector<double> x = places_of(picture, data);
+  const std::vector<double> y = data.numbers_of(picture.series);
+  std::string text = text_of(static_cast<double>(x.size()));
+  for (const double place : x) {
+    text += ' ' + text_of(picture.x_factor * place);
+  }
+  for (const double place : y) {
+    text += '\n' + text_of(picture.series_factor * place);
+    Values where = picture.where;
+    where.insert_or_assign(picture.series, place);
+    for (const double value : line_of(picture, data, where, panel.lines.front().result)) {
+      const std::string shown = text_of(panel.y_factor * value);
+      text += ' ' + (shown.empty() ? "NaN" : shown);
+    }
+  }
+  return text + '\n';
+}
+
+} // namespace
+
+void draw_map(const PictureRequest& picture, const PictureData& data,
+              const std::filesystem::path& path) {
+  constexpr int width = 620;
+  constexpr int height = 440;
+  constexpr int title_height = 50;
+  const std::size_t columns = std::min<std::size_t>(picture.panels.size(), 2);
+  const std::size_t rows = (picture.panels.size() + columns - 1) / columns;
+  Gnuplot gnuplot;
+  gnuplot.begin_multiplot(rows, columns, picture.title);
+  gnuplot.script() << pressure_palette
+                   << "set view map\nset pm3d interpolate 8,8\nset contour base\n"
+                      "set cntrparam cubicspline points 8 levels auto 8\nset tics out nomirror\n"
+                      "set cntrlabel onecolor\nunset key\nset xlabel '"
+                   << within_quotes(picture.x_label) << "'\nset ylabel '"
+                   << within_quotes(picture.series_label) << "'\n";
+  for (const PanelRequest& panel : picture.panels) {
+    const std::string block = gnuplot.block(matrix_of(picture, data, panel));
+    gnuplot.script() << "set title '" << within_quotes(panel.y_label) << "'\nsplot " << block
+                     << " nonuniform matrix with pm3d nocontour, " << block
+                     << " nonuniform matrix with lines lw 1 lc rgb '#404040' nosurface\n";
+  }
+  gnuplot.draw(path, width * static_cast<int>(columns),
+               title_height + height * static_cast<int>(rows));
+}
+
+} // namespace driver

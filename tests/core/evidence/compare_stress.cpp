@@ -1,0 +1,206 @@
+/// The largest von Mises stress of random wheels against fine solutions.
+///
+///   compare_stress [SCENES]     default 100
+///
+/// Prints the table of docs/damage.md: how many wheels meet an accuracy, quantiles of errors, how
+/// many estimates are no less, how many ms stresses take. Truth: the accuracy `truth_accuracy`. The
+/// last column is what the search leaves: against the greatest of sections below all rows of
+/// elements, climbed from. Scenes are drawn at random: S1002 and LMA on four rails, up to flange
+/// contact, 20 to 130 kN, half of them with creepages of 1e-4 to 1e-2.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+#include "base/error.hpp"
+#include "damage/subsurface_stress.hpp"
+#include "scene/solve_scene.hpp"
+
+namespace {
+
+using namespace wrc;
+
+constexpr double truth_accuracy = 2e-4;
+constexpr std::array accuracies{1e-1, 1e-2, 1e-3};
+
+class Draw {
+public:
+  explicit Draw(unsigned seed) : random_(seed) {}
+  Scene scene(int index) {
+    constexpr std::array<const char*, 4> rails{"60E1", "CHN60", "54E1", "60E2"};
+    Scene scene;
+    const bool lma = index % 2 != 0;
+    scene.left.wheel.name = scene.right.wheel.name = lma ? "LMA" : "S1002";
+    scene.left.rail.name = scene.right.rail.name = rails[static_cast<std::size_t>(index / 2) % 4];
+    scene.back_to_back = lma ? 1353.0 : 1360.0;
+    scene.lateral = between(-7.0, 7.0);
+    scene.yaw = between(-0.01, 0.01);
+    scene.left.load = scene.right.load = std::pow(10.0, between(4.3, 5.1));
+    scene.side = SideChoice::left;
+    scene.damage.stress = true;
+    if (index / 8 % 2 != 0) {
+      const double size = std::pow(10.0, between(-4.0, -2.0));
+      const double angle = between(0.0, 6.28);
+      scene.left.creepages =
+          Creepages{size * std::cos(angle), size * std::sin(angle), between(-1e-4, 1e-3)};
+    }
+    return scene;
+  }
+
+private:
+  double between(double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(random_);
+  }
+  std::mt19937_64 random_;
+};
+
+/// The greatest below one patch, from sections below every row.
+double greatest_below(const PatchResult& patch) {
+  std::vector<double> x;
+  std::vector<double> y;
+  const bool tractions = patch.creep && !patch.creep->traction_x.empty();
+  const Grid& grid = tractions ? patch.creep->grid : patch.grid;
+  if (tractions) {
+    x = patch.creep->traction_x;
+    y = patch.creep->traction_y;
+    for (auto* traction : {&x, &y}) {
+      for (double& value : *traction) {
+        value = -value;
+      }
+    }
+  }
+  const SubsurfaceStress stress({grid, tractions ? patch.creep->pressure : patch.pressure, x, y},
+                                0.3);
+  std::vector<double> places;
+  for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
+    places.push_back(grid.longitudinal(j));
+  }
+  const double step = std::min(grid.longitudinal_step, grid.lateral_step);
+  const double width =
+      2.0 * std::max(std::min(patch.semi_axis_longitudinal, patch.semi_axis_lateral), step);
+  std::vector<double> depths{0.0};
+  double depth = 0.5 * std::max(grid.longitudinal_step, grid.lateral_step);
+  while (depth < width) {
+    depths.push_back(depth);
+    depth *= 1.08;
+  }
+  double greatest = 0.0;
+  std::array<double, 3> at{};
+  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+    const StressSection section = stress.along(places, grid.lateral(i), depths);
+    for (std::size_t k = 0; k < section.stresses.size(); ++k) {
+      if (von_mises(section.stresses[k]) > greatest) {
+        greatest = von_mises(section.stresses[k]);
+        at = {places[k % places.size()], grid.lateral(i), depths[k / places.size()]};
+      }
+    }
+  }
+  greatest = von_mises(stress.at(at[0], at[1], at[2]));
+  std::array<double, 3> stride{0.5 * grid.longitudinal_step, 0.5 * grid.lateral_step, 0.04 * at[2]};
+  for (int round = 0; round < 30 && at[2] > 0.0; ++round) {
+    bool moved = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const double sign : {-1.0, 1.0}) {
+        auto there = at;
+        there[k] += sign * stride[k];
+        const double value = von_mises(stress.at(there[0], there[1], there[2]));
+        if (value > greatest) {
+          greatest = value;
+          at = there;
+          moved = true;
+        }
+      }
+    }
+    if (!moved) {
+      for (double& each : stride) {
+        each *= 0.5;
+      }
+      if (stride[2] < 2e-3 * at[2]) {
+        break;
+      }
+    }
+  }
+  return greatest;
+}
+
+double greatest_below(const WheelResult& wheel) {
+  double greatest = 0.0;
+  for (const PatchResult& patch : wheel.patches) {
+    if (patch.parts.empty()) {
+      greatest = std::max(greatest, greatest_below(patch));
+    }
+    for (const PatchResult& part : patch.parts) {
+      greatest = std::max(greatest, greatest_below(part));
+    }
+  }
+  return greatest;
+}
+
+/// Of one accuracy.
+struct Found {
+  std::vector<double> errors, searches, times;
+  double met = 0.0;
+  double bounded = 0.0;
+};
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+}
+
+void measure(Scene scene, std::array<std::array<Found, accuracies.size()>, 2>& all, int index) {
+  scene.accuracy = truth_accuracy;
+  const SceneResult fine = solve_scene(scene);
+  const double truth = fine.left->damage->stress->von_mises;
+  for (std::size_t i = 0; i < accuracies.size(); ++i) {
+    scene.accuracy = accuracies[i];
+    const SceneResult result = solve_scene(scene);
+    const GreatestStress& stress = *result.left->damage->stress;
+    Found& found = all[scene.has_creepages() ? 1 : 0][i];
+    const double error = std::abs(stress.von_mises / truth - 1.0);
+    found.errors.push_back(error);
+    found.searches.push_back(std::abs(stress.von_mises / greatest_below(*result.left) - 1.0));
+    found.times.push_back(result.time.damage);
+    found.met += error <= accuracies[i] ? 1.0 : 0.0;
+    found.bounded += error <= stress.error_estimate ? 1.0 : 0.0;
+    if (error > accuracies[i]) {
+      std::printf("scene %d at %g: error %.2g, estimate %.2g, y %.3f mm, %.0f N, depth %.3f mm\n",
+                  index, accuracies[i], error, stress.error_estimate, scene.lateral,
+                  scene.left.load, stress.depth);
+    }
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 100;
+  Draw draw(1);
+  std::array<std::array<Found, accuracies.size()>, 2> all;
+  for (int i = 0; i < count; ++i) {
+    const Scene scene = draw.scene(i);
+    try {
+      measure(scene, all, i);
+    } catch (const Error& error) {
+      std::printf("scene %d: %s\n", i, error.what());
+    }
+  }
+  std::printf("creepages accuracy wheels met bounded  median     90 %%     worst  search  ms\n");
+  for (std::size_t creep = 0; creep < all.size(); ++creep) {
+    for (std::size_t i = 0; i < accuracies.size(); ++i) {
+      const Found& found = all[creep][i];
+      const auto wheels = static_cast<double>(found.errors.size());
+      if (wheels > 0.0) {
+        std::printf("%9s %8g %6.0f %3.0f %7.0f  %.1e  %.1e  %.1e  %.1e  %.2f\n",
+                    creep > 0 ? "yes" : "no", accuracies[i], wheels, 100.0 * found.met / wheels,
+                    100.0 * found.bounded / wheels, quantile(found.errors, 0.5),
+                    quantile(found.errors, 0.9), quantile(found.errors, 1.0),
+                    quantile(found.searches, 1.0), quantile(found.times, 0.5));
+      }
+    }
+  }
+  return 0;
+}
