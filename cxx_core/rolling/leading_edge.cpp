@@ -13,6 +13,11 @@ double edge_compliance(double covered) {
          (within + 1.0 - edge_of_whole_element);
 }
 
+double edge_compliance_rate(double covered) {
+  const double within = std::clamp(covered, 0.0, 1.0) + 1.0 - edge_of_whole_element;
+  return -2.0 / std::numbers::pi * edge_stiffening / (within * within);
+}
+
 template <typename Real>
 void make_edges(const Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch) {
   for (std::size_t row = shape.rows; row-- > 0;) {

@@ -24,6 +24,7 @@ namespace wrc {
 
 /// In y, for a share c that is in contact, 0 to 1.
 double edge_compliance(double covered);
+double edge_compliance_rate(double covered); ///< by the share
 
 /// From the share of each element in contact to its compliance: of the first elements under a bound
 /// of strips, counted from the leading edge; 0 elsewhere. Fields as TractionConvolution has them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rolling/constants.hpp"
+#include "rolling/leading_edge.hpp"
 
 namespace wrc {
 namespace {
@@ -65,6 +66,7 @@ public:
       slip[at] += static_cast<Real>(-spin * element.by_y);
       slip[size + at] += static_cast<Real>(spin * (element.by_x + ahead));
     });
+    add_moving_edges(rate, slip);
     const Real* turning = solved_.solve_rate(slip, rate_tolerance);
     std::array<double, 3> forces{};
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
@@ -87,6 +89,25 @@ public:
   }
 
 private:
+  /// What leading edges that move within their elements add to slips.
+  void add_moving_edges(const ProblemRate& rate, Real* slip) {
+    if (rate.covered.empty() || !scaled_.has_edges()) {
+      return;
+    }
+    const std::size_t size = solved_.size();
+    const std::size_t pitch = solved_.pitch();
+    const Real* q = solved_.traction();
+    const Real* bound = solved_.bound();
+    for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      if (at < pitch || !(bound[at - pitch] > Real{0})) {
+        const double by =
+            edge_compliance_rate(problem_.covered[element.index]) * rate.covered[element.index];
+        slip[at] += static_cast<Real>((1.0 - problem_.poisson) * by) * q[at];
+        slip[size + at] += static_cast<Real>(by) * q[size + at];
+      }
+    });
+  }
+
   /// Of those under pressure; first their place in the fields.
   template <class Visit> void for_each_element(const ProblemRate& rate, const Visit& visit) const {
     const Grid& grid = problem_.grid;
