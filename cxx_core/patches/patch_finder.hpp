@@ -89,6 +89,7 @@ public:
   [[nodiscard]] const Moments<Real>& moments(std::size_t patch) const {
     return lobes_[patch].moments;
   }
+  [[nodiscard]] const Lobe<Real>& lobes(std::size_t patch) const { return lobes_[patch]; }
 
 private:
   Real affinity_with_next(std::size_t lobe) const {

@@ -34,11 +34,12 @@ Place place_of(double steps, std::size_t count, std::size_t room) {
   return {before, steps - static_cast<double>(before), true};
 }
 
+/// Contact may reach the grid's edge: room for the two elements outside.
+constexpr std::size_t room = 2; // not a tuning constant
+
 } // namespace
 
 SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressure) : grid_(grid) {
-  // Contact may reach the grid's edge: room for the two elements outside.
-  constexpr std::size_t room = 2;
   grid_.lateral_count += 2 * room;
   grid_.longitudinal_count += 2 * room;
   grid_.lateral_first -= static_cast<double>(room) * grid.lateral_step;
@@ -140,21 +141,23 @@ std::optional<SmoothPressure::Extent> SmoothPressure::extent(std::size_t lines,
                                                              std::size_t count,
                                                              std::size_t stride) const {
   std::optional<Extent> all;
+  constexpr double edge = static_cast<double>(room) - 0.5; // of the grid of the pressures
   for (std::size_t line = 0; line < lines; ++line) {
     const auto at = [&](std::size_t index) {
       return squares_[line * line_stride + index * stride];
     };
     // Of the edge between two places, from the one inside.
-    const auto beyond = [](double inside, double outside) {
-      return outside < 0.0 ? inside / (inside - outside) : 0.5;
+    const auto beyond = [&](std::size_t inside, std::size_t outside) {
+      const bool known = known_[line * line_stride + outside * stride];
+      return known ? at(inside) / (at(inside) - std::min(at(outside), 0.0)) : 0.5;
     };
     for (std::size_t i = 0; i < count; ++i) {
       if (!(at(i) > 0.0)) {
         continue;
       }
       const auto place = static_cast<double>(i);
-      const double first = place - beyond(at(i), at(i - 1));
-      const double last = place + beyond(at(i), at(i + 1));
+      const double first = std::max(place - beyond(i, i - 1), edge);
+      const double last = std::min(place + beyond(i, i + 1), static_cast<double>(count - 1) - edge);
       all = all ? Extent{std::min(all->first, first), std::max(all->last, last)}
                 : Extent{first, last};
     }

@@ -168,8 +168,11 @@ MovingPatches find_moving_patches(const WheelSurface& wheel, const RailSurface& 
       result.link_rates.push_back(by_motion(finder.link(k - 1)));
     }
     const patch_finding::Moments<Rated>& moments = finder.moments(k);
+    const patch_finding::Lobe<Rated>& lobes = finder.lobes(k);
     result.rates.push_back({by_motion(finder.angle(k)), by_motion(moments.x / moments.weight),
-                            by_motion(moments.y / moments.weight)});
+                            by_motion(moments.y / moments.weight), by_motion(lobes.x_first),
+                            by_motion(lobes.x_last), by_motion(lobes.y_first),
+                            by_motion(lobes.y_last)});
   }
   return result;
 }

@@ -25,11 +25,15 @@
 
 namespace wrc {
 
-/// Of a patch's plane.
+/// Of a patch's plane, and of where it penetrates.
 struct PlaneRates {
   ByMotion<double> angle;
   ByMotion<double> mean_x; ///< of the weighted mean place
   ByMotion<double> mean_y;
+  ByMotion<double> x_first; ///< of the ends of penetration
+  ByMotion<double> x_last;
+  ByMotion<double> y_first;
+  ByMotion<double> y_last;
 };
 
 struct MovingPatches {

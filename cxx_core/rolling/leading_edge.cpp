@@ -53,6 +53,12 @@ double edge_traction_ratio(double covered) {
   return edge_traction / std::sqrt(std::clamp(covered, min_edge_share, 1.0));
 }
 
+double edge_compliance_rate(double compliance) {
+  const double unit = 2.0 / std::numbers::pi * edge_stiffening;
+  const double inverse = 1.0 + compliance / unit; // of the share
+  return compliance > 0.0 ? -unit * inverse * inverse : 0.0;
+}
+
 template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
                 double aspect) {

@@ -29,6 +29,8 @@ namespace wrc {
 
 /// In y, for a share c that is in contact, 0 to 1.
 double edge_compliance(double covered);
+/// Its derivative by the share, from the compliance; 0 for a whole element.
+double edge_compliance_rate(double compliance);
 
 /// f for such a share: the value of a first element over the mean of its tractions.
 double edge_traction_ratio(double covered);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rolling/constants.hpp"
+#include "rolling/leading_edge.hpp"
 
 namespace wrc {
 namespace {
@@ -52,7 +53,8 @@ public:
     Real* kept_share = kept_share_.data();
     Real* slip = slip_.data();
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
-      const double share = rate.pressure[element.index] / problem_.pressure[element.index];
+      const double share = rate.pressure[element.index] / problem_.pressure[element.index] +
+                           ratio_growth(rate, at, element.index);
       kept_share[at] = static_cast<Real>(share * static_cast<double>(q[at]));
       kept_share[size + at] = static_cast<Real>(share * static_cast<double>(q[size + at]));
     });
@@ -66,13 +68,15 @@ public:
       slip[at] += static_cast<Real>(-spin * element.by_y);
       slip[size + at] += static_cast<Real>(spin * (element.by_x + ahead));
     });
+    add_moving_edges(rate, slip);
     const Real* turning = solved_.solve_rate(slip, rate_tolerance);
     std::array<double, 3> forces{};
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      const double growth = longitudinal + lateral - ratio_growth(rate, at, element.index);
       const double mean = scaled_.mean_share(element.index, static_cast<double>(bound[at]));
       const auto sum = [&](std::size_t i) {
         return mean * (static_cast<double>(kept_share[i]) + static_cast<double>(turning[i]) +
-                       (longitudinal + lateral) * static_cast<double>(q[i]));
+                       growth * static_cast<double>(q[i]));
       };
       const double x = sum(at);
       const double y = sum(size + at);
@@ -89,6 +93,33 @@ public:
   }
 
 private:
+  /// Whether a strip begins with an element and its edge moves.
+  [[nodiscard]] bool has_moving_edge(const ProblemRate& rate, std::size_t at) const {
+    return !rate.covered.empty() && scaled_.has_edges() &&
+           (at < solved_.pitch() || !(solved_.bound()[at - solved_.pitch()] > Real{0}));
+  }
+
+  /// Growth of edge_traction_ratio, which is c^(-1/2) but for a factor.
+  [[nodiscard]] double ratio_growth(const ProblemRate& rate, std::size_t at,
+                                    std::size_t index) const {
+    const bool moves = has_moving_edge(rate, at) && problem_.covered[index] > min_edge_share;
+    return moves ? -0.5 * rate.covered[index] / problem_.covered[index] : 0.0;
+  }
+
+  /// What leading edges that move within their elements add to slips.
+  void add_moving_edges(const ProblemRate& rate, Real* slip) const {
+    const std::size_t size = solved_.size();
+    const Real* q = solved_.traction();
+    for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
+      if (has_moving_edge(rate, at)) {
+        const double by = edge_compliance_rate(static_cast<double>(solved_.edge()[at])) *
+                          rate.covered[element.index];
+        slip[at] += static_cast<Real>((1.0 - problem_.poisson) * by) * q[at];
+        slip[size + at] += static_cast<Real>(by) * q[size + at];
+      }
+    });
+  }
+
   /// Of those under pressure; first their place in the fields.
   template <class Visit> void for_each_element(const ProblemRate& rate, const Visit& visit) const {
     const Grid& grid = problem_.grid;

@@ -5,7 +5,7 @@
 /// what this does to slips is undone by z with the equations as linearised at the solution
 /// (traction_loops.hpp): dq = q' + z, P (B z + s') + ratio z = 0. In slip q' = g' n, so z has but
 /// the part that turns n. w' by the places that move in the spin; B depends on the grid by the
-/// ratio of its steps alone.
+/// ratio of its steps, and on where leading edges are in their elements (leading_edge.hpp).
 /// Thread rule: as the solver's. Not known here: what moves pressures and grid.
 #pragma once
 

@@ -53,7 +53,8 @@ struct ProblemRate {
   double longitudinal_step = 0.0;
   double lateral_first = 0.0;
   double lateral_step = 0.0;
-  std::vector<double> pressure; ///< MPa per element; without effect where there is none
+  std::vector<double> pressure{}; ///< MPa per element; without effect where there is none
+  std::vector<double> covered{};  ///< share per element; empty: the edge stays in its element
 };
 
 struct RollingProblem {

@@ -221,16 +221,17 @@ std::vector<ProblemRate> problem_rates(const PatchResult& patch, const PatchRate
   std::vector<ProblemRate> result;
   for (const PatchMove& move : moves_of(patch, rates, creep_pressure_step)) {
     const MovedPatch& moved = move.ahead;
-    Grid ahead = moved_grid(grid, moved.elements);
-    std::vector<double> covered; // the edge stays where it is in its element
+    const SmoothPressure smooth(moved_grid(patch.grid, moved.elements), moved.pressure);
+    Grid ahead = moved_around_contact(grid, smooth);
+    std::vector<double> covered;
     std::vector<double> pressure =
-        pressures_on(ahead, SmoothPressure(moved_grid(patch.grid, moved.elements), moved.pressure),
-                     moved.normal_force, now.covered.empty() ? nullptr : &covered);
+        pressures_on(ahead, smooth, moved.normal_force, now.covered.empty() ? nullptr : &covered);
     if (backwards) {
       ahead = turned(ahead);
       pressure = turned(std::move(pressure), 1.0);
+      std::reverse(covered.begin(), covered.end());
     }
-    result.push_back(rate_between(now, ahead, pressure, 0.5 * move.apart));
+    result.push_back(rate_between(now, ahead, pressure, covered, 0.5 * move.apart));
   }
   return result;
 }

@@ -28,12 +28,20 @@ Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, doubl
   Grid result;
   result.longitudinal_count = even(columns);
   result.lateral_count = even(std::min(rows, 2.0 * max_creep_columns));
+  return moved_around_contact(result, pressure);
+}
+
+Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure) {
+  Grid result = grid;
   const auto divide = [](const auto& extent, std::size_t count, double& first, double& step) {
-    step = (extent.last - extent.first) / static_cast<double>(count);
-    first = extent.first + 0.5 * step;
+    if (extent) {
+      step = (extent->last - extent->first) / static_cast<double>(count);
+      first = extent->first + 0.5 * step;
+    }
   };
-  divide(*along, result.longitudinal_count, result.longitudinal_first, result.longitudinal_step);
-  divide(*across, result.lateral_count, result.lateral_first, result.lateral_step);
+  divide(pressure.longitudinal_extent(), grid.longitudinal_count, result.longitudinal_first,
+         result.longitudinal_step);
+  divide(pressure.lateral_extent(), grid.lateral_count, result.lateral_first, result.lateral_step);
   return result;
 }
 

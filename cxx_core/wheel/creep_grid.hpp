@@ -13,6 +13,9 @@ namespace wrc {
 Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
                          int lobes);
 
+/// A grid with as many elements over the rectangle around another contact of the same plane.
+Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure);
+
 /// Elements along a contact as long as wide with as many elements for each lobe: n of the law.
 double equivalent_columns(const Grid& grid, int lobes);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "wheel/constants.hpp"
 #include "wheel/wheel_result.hpp"
@@ -155,15 +156,19 @@ void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, doub
 }
 
 ProblemRate rate_between(const RollingProblem& now, const Grid& grid,
-                         std::span<const double> pressure, double step) {
+                         std::span<const double> pressure, std::span<const double> covered,
+                         double step) {
   ProblemRate rate{(grid.longitudinal_first - now.grid.longitudinal_first) / step,
                    (grid.longitudinal_step - now.grid.longitudinal_step) / step,
                    (grid.lateral_first - now.grid.lateral_first) / step,
                    (grid.lateral_step - now.grid.lateral_step) / step,
-                   std::vector<double>(pressure.size())};
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
-    rate.pressure[i] = (pressure[i] - now.pressure[i]) / step;
-  }
+                   {},
+                   {}};
+  const auto by_step = [step](double later, double before) { return (later - before) / step; };
+  std::transform(pressure.begin(), pressure.end(), now.pressure.begin(),
+                 std::back_inserter(rate.pressure), by_step);
+  std::transform(covered.begin(), covered.end(), now.covered.begin(),
+                 std::back_inserter(rate.covered), by_step);
   return rate;
 }
 

@@ -4,7 +4,8 @@
 /// (sensitivities.hpp), the plane fixed; the reference moves along it. A patch a little ahead and
 /// one a little behind, p + h dp and p - h dp, are brought onto the grid of creep forces, or to an
 /// ellipse, as the patch is itself: their differences are the rates of what creep forces are
-/// computed from. No contact is solved for them.
+/// computed from. The grid of creep forces goes with the contact's ends, edges move within its
+/// elements. No contact is solved for them.
 /// Left-hand frame of the side; mm, rad, N, MPa. Thread rule: pure functions.
 #pragma once
 
@@ -43,9 +44,10 @@ std::array<PatchMove, position_count> moves_of(const PatchResult& patch, const P
 /// A grid of the patch's plane after its elements have moved.
 Grid moved_grid(Grid grid, const ElementMotion& motion);
 
-/// From a problem to a grid and pressures on it, a step later.
+/// From a problem to a grid, pressures on it and shares in contact, a step later.
 ProblemRate rate_between(const RollingProblem& now, const Grid& grid,
-                         std::span<const double> pressure, double step);
+                         std::span<const double> pressure, std::span<const double> covered,
+                         double step);
 
 /// Of the forces of FASTSIM by strips, by a difference; its flexibilities are taken to grow with
 /// the contact's length.

@@ -162,7 +162,10 @@ public:
         elements_[k][motion].along = along[motion];
       }
       displacements_.push_back(solver.displacements_of(k, patches[k].pressure));
-      follows_ = follows_ && !patches[k].undeformed_distance.empty();
+      follows_ = follows_ && !patches[k].undeformed_distance.empty() && !patches[k].grid_motion;
+      if (patches[k].grid_motion) {
+        elements_[k] = by_motion(*patches[k].grid_motion);
+      }
     }
   }
 

@@ -1,10 +1,12 @@
 /// How the forces of the rail on a wheel change with lateral position, height, roll and yaw.
 ///
 /// Derivatives of the discrete solution at its fixed set of elements in contact, for integrators
-/// that need a Jacobian. Elements follow the contact: they move with its centre of pressure and
-/// grow with its semi-axes, as a first solution with elements that stay tells (of patches that
-/// interact they move along the rail alone). What the fixed set leaves out is then only how the
-/// contact changes its form. With N_k and n_k force and normal of patch k, F = sum N_k n_k:
+/// that need a Jacobian. Elements follow the contact: of a single patch as its grid does, so that
+/// the derivatives are those of the discrete forces; of several they move with its centre of
+/// pressure and grow with its semi-axes, as a first solution with elements that stay tells (of
+/// patches that interact they move along the rail alone). What the fixed set leaves out is then
+/// only how the contact changes its form. With N_k and n_k force and normal of patch k, F = sum N_k
+/// n_k:
 ///   dF/dq = sum dN_k/dq n_k  (planes fixed)  +  sum N_k dn_k/dalpha dalpha_k/dq  (planes turning)
 /// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution for each
 /// motion (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's
@@ -57,6 +59,14 @@ ForceRates operator+(const ForceRates& a, const ForceRates& b);
 /// Rates of a right side, computed in the mirror, in the track frame; and the other way.
 ForceRates mirrored(const ForceRates& rates);
 
+/// How a patch's elements move in its plane: by `along` + `longitudinal_growth` x, and likewise.
+struct ElementMotion {
+  double along = 0.0; ///< mm/mm or mm/rad
+  double across = 0.0;
+  double longitudinal_growth = 0.0; ///< 1/mm or 1/rad
+  double lateral_growth = 0.0;
+};
+
 /// A patch of a solution.
 struct LoadedPatch {
   ContactFrame frame;
@@ -67,14 +77,8 @@ struct LoadedPatch {
   /// so that elements can follow the contact; without it they stay.
   ByMotion<double> along_rates = {};
   std::span<const double> undeformed_distance = {};
-};
-
-/// How a patch's elements move in its plane: by `along` + `longitudinal_growth` x, and likewise.
-struct ElementMotion {
-  double along = 0.0; ///< mm/mm or mm/rad
-  double across = 0.0;
-  double longitudinal_growth = 0.0; ///< 1/mm or 1/rad
-  double lateral_growth = 0.0;
+  /// How its grid moves, where that is known: elements then go with it.
+  std::optional<ByMotion<ElementMotion>> grid_motion = {};
 };
 
 struct PatchSensitivity {

@@ -79,6 +79,44 @@ ByMotion<Vector3> reference_rates(const ContactFrame& frame, const PlaneRates& p
           along_rail(x.roll, y.roll), along_rail(x.yaw, y.yaw)};
 }
 
+/// Of a grid over the rectangle around a penetration: edges go with its ends.
+ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penetration,
+                             const PlaneRates& rates, const HeightFunction& rail,
+                             double ByMotion<double>::*motion) {
+  const Grid& grid = patch.grid;
+  const auto follow = [](double first, double step, std::size_t count, double first_rate,
+                         double last_rate, double& translation, double& growth) {
+    const double length = step * static_cast<double>(count);
+    const double middle = first + 0.5 * (length - step);
+    growth = (last_rate - first_rate) / length * (1.0 + 2.0 * penetration_margin);
+    translation = 0.5 * (first_rate + last_rate) - growth * middle;
+  };
+  const auto across = [&](double y, const ByMotion<double>& rate) {
+    return rate.*motion * (patch.frame.lateral.y + patch.frame.lateral.z * rail.at(y).slope);
+  };
+  ElementMotion result;
+  follow(grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count,
+         rates.x_first.*motion, rates.x_last.*motion, result.along, result.longitudinal_growth);
+  follow(grid.lateral_first, grid.lateral_step, grid.lateral_count,
+         across(penetration.y_first, rates.y_first), across(penetration.y_last, rates.y_last),
+         result.across, result.lateral_growth);
+  return result;
+}
+
+/// Known where the grid has the contact for itself.
+std::optional<ByMotion<ElementMotion>>
+motion_of_grid(const PatchResult& patch, const MovingPatches& moving, const WheelDetails& details) {
+  if (moving.found.patches.size() > 1 || details.gap != GapConvention::tangent) {
+    return std::nullopt;
+  }
+  const auto of = [&](double ByMotion<double>::*motion) {
+    return motion_of_grid(patch, moving.found.patches[0], moving.rates[0],
+                          details.rail->graph().heights(), motion);
+  };
+  return ByMotion<ElementMotion>{of(&ByMotion<double>::lateral), of(&ByMotion<double>::vertical),
+                                 of(&ByMotion<double>::roll), of(&ByMotion<double>::yaw)};
+}
+
 /// At the vertex of the parabolas through the least distance and its neighbours, as Patch::overlap.
 ByMotion<double> least_gap_rates(const PosedPair& pair, const Patch& patch) {
   const std::vector<double>& distance = patch.undeformed_distance;
@@ -142,7 +180,8 @@ WheelRates compute_rates(const WheelResult& side) {
                       angle_rates,
                       {along(reference.lateral), along(reference.vertical), along(reference.roll),
                        along(reference.yaw)},
-                      patch.undeformed_distance});
+                      patch.undeformed_distance,
+                      motion_of_grid(patch, planes.moving, details)});
     solved.push_back({patch.grid, patch.pressure, details.elements});
   }
   SensitivityRequest request;

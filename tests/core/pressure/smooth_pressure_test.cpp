@@ -62,6 +62,21 @@ TEST(SmoothPressure, ExtentsAreThoseOfTheEllipse) {
   EXPECT_NEAR(smooth.lateral_extent()->last, 2.3, 0.03);
 }
 
+// The row outside is continued to 3 (p1^2 - p2^2) + p3^2: a little below 0, and above, where it
+// counts as 0.
+TEST(SmoothPressure, ExtentsHaveNoStepWhereContactReachesTheNextRow) {
+  constexpr Grid grid{6, 5, 1.0, 1.0, 0.0, 0.0};
+  const auto last = [&](double change) {
+    std::vector<double> pressure;
+    for (const double square : {0.8, 1.5, 1.8 + change, 1.6, 1.0, 0.0}) {
+      pressure.insert(pressure.end(), grid.longitudinal_count, std::sqrt(square));
+    }
+    return SmoothPressure(grid, pressure).lateral_extent()->last;
+  };
+  EXPECT_NEAR(last(-1e-9), 5.0, 1e-6);
+  EXPECT_NEAR(last(1e-9), 5.0, 1e-6);
+}
+
 // Against sums over a hundred places: p^2 is linear in halves of elements, 0.1 semi-axes long, and
 // so up to 0.0025 off, where p is 0.2 and more.
 TEST(SmoothPressure, MeansOverElementsCountWhatIsInContact) {

@@ -401,8 +401,9 @@ TEST(RollingContact, DerivativesAreThoseOfDifferences) {
   }
 }
 
-/// By a longitudinal stretch, a lateral one, a shift and pressures that lean to one side; forces of
-/// the moved problem are those of a problem of its own.
+/// By a longitudinal stretch, a lateral one, a shift, pressures that lean to one side and leading
+/// edges that move within their elements; forces of the moved problem are those of a problem of its
+/// own.
 TEST(RollingContact, RatesOfProblemsAreThoseOfDifferences) {
   Ellipse ellipse;
   ellipse.a = 4.0;
@@ -415,11 +416,15 @@ TEST(RollingContact, RatesOfProblemsAreThoseOfDifferences) {
     leaning[i] *= grid.lateral(i / grid.longitudinal_count) / ellipse.b;
   }
   const std::vector<double> same(pressure.size());
+  const std::vector<double> ones(pressure.size(), 1.0);
+  const std::vector<double> covered(pressure.size(), 0.6);
+  problem.covered = covered;
   const std::vector<ProblemRate> rates{
       {grid.longitudinal_first, grid.longitudinal_step, 0.0, 0.0, same},
       {0.0, 0.0, grid.lateral_first, grid.lateral_step, pressure},
       {3.0, 0.0, 2.0, 0.0, same},
-      {0.0, 0.0, 0.0, 0.0, leaning}};
+      {0.0, 0.0, 0.0, 0.0, leaning},
+      {0.0, 0.0, 0.0, 0.0, same, ones}};
   problem.rates = rates;
   RollingSolver solver;
   const auto found = solver.solve(problem).by_rate;
@@ -434,6 +439,9 @@ TEST(RollingContact, RatesOfProblemsAreThoseOfDifferences) {
       RollingProblem other = problem;
       other.rates = {};
       other.pressure = moved;
+      const std::vector<double> edges(covered.size(),
+                                      covered[0] + (rates[k].covered.empty() ? 0.0 : step));
+      other.covered = edges;
       other.grid.longitudinal_first += step * rates[k].longitudinal_first;
       other.grid.longitudinal_step += step * rates[k].longitudinal_step;
       other.grid.lateral_first += step * rates[k].lateral_first;

@@ -105,6 +105,55 @@ INSTANTIATE_TEST_SUITE_P(
                          ellipse_tolerance, velocity_tolerance, by_place}),
     [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
+/// What is linear in a centred wheelset: two lobes, 23 mm together, whose edges move along the
+/// rail while the load stays.
+TEST(JacobiansAtConstantLoad, KnowHowEdgesMove) {
+  Scene scene;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.accuracy = 3e-3;
+  scene.roll = 0.0;
+  scene.left.load = scene.right.load = 5.5e4;
+  scene.motion = Motion{.speed = 4e4, .pitch = 4e4 / 460.0};
+  const auto forwards = [&scene](double lateral) {
+    Scene moved = scene;
+    moved.lateral = lateral;
+    return force_column(*solve_scene(moved).left)[0];
+  };
+  constexpr double step = 0.2; // forces leave their line by up to 4 N
+  const double difference = (forwards(step) - forwards(-step)) / (2.0 * step);
+  const SceneResult under_load = solve_scene(scene);
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  scene.derivatives = true;
+  SceneResult here = solve_scene(scene);
+  const ForceJacobian& jacobian = *jacobian_of(*here.left);
+  const double height = -jacobian[2][0] / jacobian[2][1];
+  EXPECT_NEAR((jacobian[0][0] + height * jacobian[0][1]) / difference, 1.0, 0.1);
+}
+
+/// The wheel's flange root has just come down on the rail, 7 mm from the main lobe: it takes load
+/// much faster, which must not stretch the main lobe's elements.
+TEST(JacobiansOfLobes, StretchNoElements) {
+  Scene scene;
+  scene.left.rail.name = scene.right.rail.name = "54E1";
+  scene.lateral = 4.027;
+  scene.yaw = 0.00122;
+  scene.left.load = scene.right.load = 4.9e4;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.accuracy = 1e-2;
+  const SceneResult under_load = solve_scene(scene);
+  scene.roll = under_load.roll;
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  scene.motion = Motion{.speed = 2e4, .pitch = 2e4 / 460.0};
+  scene.derivatives = true;
+  SceneResult here = solve_scene(scene);
+  EXPECT_EQ(here.left->patches[0].lobes, 2);
+  scene.derivatives = false;
+  constexpr std::size_t vertical = 1;
+  EXPECT_LE(column_error(*jacobian_of(*here.left), vertical,
+                         difference_by(scene, vertical, &SceneResult::left)),
+            3e-2);
+}
+
 TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
   Scene scene = scene_of({"", 2.0, 0.003});
   scene.derivatives = true;
