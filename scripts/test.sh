@@ -17,6 +17,7 @@ case "$#:${1:-}" in
     ;;
 esac
 
+octave=OFF
 # build_and_test PRESET [PROGRAM]: one program of tests, whose label is its name, or everything.
 build_and_test() {
   local preset=$1 target=${2:-all} start=$SECONDS built
@@ -24,7 +25,7 @@ build_and_test() {
   [ "$target" = all ] || select=(-L "^$target\$")
   echo "== $preset: build"
   mkdir -p "$folder"
-  cmake --preset "$preset" >"$folder/configure.log" 2>&1 || {
+  cmake --preset "$preset" "-DWRCONTACT_BUILD_OCTAVE=$octave" >"$folder/configure.log" 2>&1 || {
     tail -n 40 "$folder/configure.log"
     exit 1
   }
@@ -56,6 +57,7 @@ if [ "$all" = yes ]; then
   scripts/check_static.sh
   build_and_test asan
   build_and_test tsan threads_test
+  octave=ON
 fi
 build_and_test release
 if [ "$all" = yes ]; then
