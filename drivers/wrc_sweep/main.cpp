@@ -61,7 +61,7 @@ Examples:
   wrc_sweep study.toml --set 'pose.lateral=[0, 3, 6]' --set track.rail=54E3
   wrc_sweep study.toml --out results --resume
   wrc_sweep study.toml --page study.html --threads 4
-  mpirun -n 16 wrc_sweep study.toml --out results
+  mpirun -n 16 wrc_sweep_mpi study.toml --out results
 More: docs/studies.md
 )";
 

@@ -6,7 +6,7 @@ set -euo pipefail
 sweep=$1 case=$2 chromium=$3 picture=${4:-}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-options=(--headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1150,1100
+options=(--headless --no-sandbox --disable-gpu --hide-scrollbars "--window-size=1150,1100"
   "--user-data-dir=$folder/browser")
 
 cat >"$folder/s.toml" <<'END'

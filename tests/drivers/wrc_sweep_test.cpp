@@ -105,16 +105,16 @@ TEST_F(WrcSweep, RanksDoNotChangeABit) {
   for (const char* ranks : {"1", "2", "3"}) {
     for (const char* threads : {"1", "2"}) {
       const std::string folder = std::string("ranks") + ranks + threads;
-      const Outcome outcome =
-          run("env", in_mpi + " -n " + ranks + " --allow-run-as-root --oversubscribe '" +
-                         WRC_SWEEP_PROGRAM + "' s.toml --threads " + threads + " --out " + folder);
+      const Outcome outcome = run(
+          "env", in_mpi + " -n " + ranks + " --allow-run-as-root --oversubscribe '" +
+                     WRC_SWEEP_MPI_PROGRAM + "' s.toml --threads " + threads + " --out " + folder);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
       EXPECT_EQ(read(folder + "/s.csv"), alone[0]) << ranks << threads;
       EXPECT_EQ(read(folder + "/s.nc"), alone[1]) << ranks << threads;
     }
   }
   const Outcome refused = run("env", in_mpi + " -n 2 --allow-run-as-root --oversubscribe '" +
-                                         WRC_SWEEP_PROGRAM + "' missing.toml");
+                                         WRC_SWEEP_MPI_PROGRAM + "' missing.toml");
   EXPECT_NE(refused.exit_code, 0);
   EXPECT_NE(refused.error.find("missing.toml"), std::string::npos) << refused.error;
 }
