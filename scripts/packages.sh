@@ -12,3 +12,6 @@ check_packages=(
   shellcheck codespell doxygen python3
   octave octave-dev fonts-freefont-otf
 )
+packaging_packages=(
+  debhelper dh-python chrpath lintian git octave-dev
+)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text,
-# constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release, the
-# reference by Doxygen, the outputs that pages show, instruction sets.
+# constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release with
+# Octave, the reference by Doxygen, Debian packages, the outputs that pages show, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -71,6 +71,9 @@ if [ "$all" = yes ]; then
     fortran/html/structwrcontact_1_1contact__scene fortran/html/wrcontact__f77_8f; do
     [ -f "build/release/reference/$page.html" ]
   done
+  echo "== Debian packages"
+  scripts/debian_packages.sh
+  scripts/release.sh
   echo "== outputs shown in the docs"
   scripts/check_outputs.py
   echo "== instruction sets"
