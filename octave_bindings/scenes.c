@@ -19,11 +19,10 @@ static void check(wrc_status status, wrc_scene* scene) {
 
 /* Points of a profile, lateral and height in two columns, for a key such as "track.left.rail". */
 static void set_profile(wrc_scene* scene, const char* key, const double* points, mwSize count) {
+  const size_t length = strlen(key);
+  const int is_wheel = length >= 6 && strcmp(key + length - 6, ".wheel") == 0;
   const wrc_read_options options = {
-      .struct_size = sizeof options,
-      .kind = strstr(key, "wheel") != NULL && strcmp(strrchr(key, '.'), ".wheel") == 0 ? WRC_WHEEL
-                                                                                       : WRC_RAIL,
-      .kind_given = 1};
+      .struct_size = sizeof options, .kind = is_wheel ? WRC_WHEEL : WRC_RAIL, .kind_given = 1};
   check(wrc_profile_create(&open_handles.profile), NULL);
   const wrc_status status = wrc_profile_set_points(open_handles.profile, key, points,
                                                    points + count, (int64_t)count, &options);
@@ -94,7 +93,11 @@ void make_scenes(int count, const mxArray* const* values, struct options* option
     if (strcmp(key, "fields") == 0) {
       options->fields = text_of(values[k + 1], key);
     } else if (strcmp(key, "threads") == 0) {
-      options->threads = (int32_t)*numbers_of(values[k + 1], key, 1);
+      const double threads = *numbers_of(values[k + 1], key, 1);
+      if (!(threads >= 1.0 && threads <= 1024.0)) {
+        refuse(WRC_INVALID_ARGUMENT, "threads: allowed is 1 to 1024");
+      }
+      options->threads = (int32_t)threads;
     } else {
       for (mwIndex i = 0; i < scene_count; ++i) {
         set_key(open_handles.scenes[i], key, values[k + 1]);
@@ -279,9 +282,6 @@ void solve(int result_count, mxArray** result, int count, const mxArray* const* 
   make_scenes(count, values, &options);
   const mwSize scene_count = open_handles.scene_count;
   wrc_status* statuses = mxCalloc(scene_count + 1, sizeof *statuses);
-  if (options.threads < 1 || options.threads > 1024) {
-    refuse(WRC_INVALID_ARGUMENT, "threads: allowed is 1 to 1024");
-  }
   if (scene_count > 0) {
     wrc_solve_batch(open_handles.scenes, (int64_t)scene_count, options.threads, statuses);
   }

@@ -111,6 +111,8 @@
 %! closing = onCleanup (@() delete (file));
 %! fputs (stream = fopen (file, 'w'), 'no profile');
 %! fclose (stream);
+%! rail = wrc_profile ('60E1');
+%! points = [rail.lateral, rail.height];
 %! cases = {{'pose.latera', 5}, 'unknown_name', 'known keys: ';
 %!          {'pose.lateral', 500}, 'invalid_argument', 'pose.lateral = 500: allowed is -100 to 100 mm';
 %!          {'pose.lateral', 100}, 'no_contact', 'wheel off the rail';
@@ -120,7 +122,11 @@
 %!          {'pose.lateral', {5}}, 'invalid_argument', 'allowed are real numbers';
 %!          {'pose.lateral', 5i}, 'invalid_argument', 'allowed are real numbers';
 %!          {5}, 'invalid_argument', 'allowed is a text';
-%!          {'threads', 0}, 'invalid_argument', 'threads'};
+%!          {'threads', 0}, 'invalid_argument', 'threads';
+%!          {'threads', NaN}, 'invalid_argument', 'threads';
+%!          {'track.rail', [1 2; 3 4; 5 6]}, 'invalid_argument', '3 points';
+%!          {'wheel', points}, 'unknown_name', 'unknown key wheel';
+%!          {'pose.lateral', points}, 'invalid_argument', 'a rail for track.rail'};
 %! for k = 1:rows (cases)
 %!   caught = [];
 %!   try
