@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Dependencies point one way: fortran_bindings -> c_api -> cxx_core; drivers see only the public
-# interface; in the core the folders follow the way of the data. Read from the include lines.
+# Dependencies point one way: fortran_bindings, octave_bindings -> c_api -> cxx_core; drivers see only
+# the public interface; in the core the folders follow the way of the data. Read from the include lines.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -40,6 +40,7 @@ room accuracy base patches remesh mechanics pressure
 room wheel base half_space pressure damage geometry patches remesh mechanics rolling models accuracy
 room scene base profile half_space pressure damage geometry patches mechanics rolling accuracy wheel
 check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid)?\.h'
+check octave_bindings 'wrc_mex\.h'
 check drivers 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'base/error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'

@@ -14,5 +14,9 @@ grep -qx "version: $version" CITATION.cff || {
   echo "CITATION.cff: version must be that of CMakeLists.txt, $version"
   failures=1
 }
+grep -qx "version = \"$version\"" fpm.toml || {
+  echo "fpm.toml: version must be that of CMakeLists.txt, $version"
+  failures=1
+}
 scripts/check_docs.py || failures=1
 exit "$failures"

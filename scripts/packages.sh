@@ -10,4 +10,8 @@ build_packages=(
 check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
   shellcheck codespell doxygen python3
+  octave octave-dev fonts-freefont-otf
+)
+packaging_packages=(
+  debhelper dh-python chrpath lintian git octave-dev
 )

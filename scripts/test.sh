@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text,
-# constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release, the
-# reference by Doxygen, the outputs that pages show, instruction sets.
+# constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release with
+# Octave, the reference by Doxygen, Debian packages, the outputs that pages show, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -17,6 +17,7 @@ case "$#:${1:-}" in
     ;;
 esac
 
+octave=OFF
 # build_and_test PRESET [PROGRAM]: one program of tests, whose label is its name, or everything.
 build_and_test() {
   local preset=$1 target=${2:-all} start=$SECONDS built
@@ -24,7 +25,7 @@ build_and_test() {
   [ "$target" = all ] || select=(-L "^$target\$")
   echo "== $preset: build"
   mkdir -p "$folder"
-  cmake --preset "$preset" >"$folder/configure.log" 2>&1 || {
+  cmake --preset "$preset" "-DWRCONTACT_BUILD_OCTAVE=$octave" >"$folder/configure.log" 2>&1 || {
     tail -n 40 "$folder/configure.log"
     exit 1
   }
@@ -56,6 +57,7 @@ if [ "$all" = yes ]; then
   scripts/check_static.sh
   build_and_test asan
   build_and_test tsan threads_test
+  octave=ON
 fi
 build_and_test release
 if [ "$all" = yes ]; then
@@ -69,6 +71,9 @@ if [ "$all" = yes ]; then
     fortran/html/structwrcontact_1_1contact__scene fortran/html/wrcontact__f77_8f; do
     [ -f "build/release/reference/$page.html" ]
   done
+  echo "== Debian packages"
+  scripts/debian_packages.sh
+  scripts/release.sh
   echo "== outputs shown in the docs"
   scripts/check_outputs.py
   echo "== instruction sets"

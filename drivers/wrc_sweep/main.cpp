@@ -6,6 +6,7 @@
 #include "support/gnuplot.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
+#include "wrc_sweep/page.hpp"
 #include "wrc_sweep/pictures.hpp"
 #include "wrc_sweep/ranks.hpp"
 #include "wrc_sweep/result_names.hpp"
@@ -20,6 +21,7 @@ struct Options {
   std::string study_file;
   std::vector<std::string> assignments;
   std::string folder = ".";
+  std::string page;
   int threads = 1;
   bool resume = false;
   bool restart = false;
@@ -58,7 +60,8 @@ Examples:
   wrc_sweep study.toml --out results --threads 4
   wrc_sweep study.toml --set 'pose.lateral=[0, 3, 6]' --set track.rail=54E3
   wrc_sweep study.toml --out results --resume
-  mpirun -n 16 wrc_sweep study.toml --out results
+  wrc_sweep study.toml --page study.html --threads 4
+  mpirun -n 16 wrc_sweep_mpi study.toml --out results
 More: docs/studies.md
 )";
 
@@ -135,6 +138,19 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   return 0;
 }
 
+void make_page(const Options& options) {
+  const driver::Study study = driver::read_study(options.study_file, options.assignments);
+  std::vector<fs::path> inputs;
+  for (const driver::InputFile& input : study.inputs) {
+    inputs.emplace_back(input.path);
+  }
+  driver::refuse_overwriting({options.page}, inputs);
+  driver::write_page(study, options.threads, options.page);
+  if (!options.quiet) {
+    std::cout << options.page << '\n';
+  }
+}
+
 /// `started`: all ranks have begun, so that a failure is of this one.
 int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   if (options.list_results) {
@@ -148,6 +164,12 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
   }
   if (options.resume && options.restart) {
     throw driver::Failure("--resume --restart: allowed is one of them");
+  }
+  if (!options.page.empty()) {
+    if (ranks.rank() == 0) {
+      make_page(options);
+    }
+    return 0;
   }
   driver::catch_interrupts();
   if (ranks.rank() > 0) {
@@ -190,6 +212,9 @@ int main(int argc, char** argv) {
          "set one or more keys, which count more than the study file; lists and ranges as there")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--page", options.page,
+                 "write a page for a browser, with a slider for each key, in place of tables")
+      ->type_name("FILE");
   app.add_flag("--resume", options.resume, "go on with an interrupted run, if there is one");
   app.add_flag("--restart", options.restart, "drop the rows of an interrupted run");
   app.add_flag("--progress", options.progress, "show progress even if stderr is no terminal");

@@ -105,16 +105,16 @@ TEST_F(WrcSweep, RanksDoNotChangeABit) {
   for (const char* ranks : {"1", "2", "3"}) {
     for (const char* threads : {"1", "2"}) {
       const std::string folder = std::string("ranks") + ranks + threads;
-      const Outcome outcome =
-          run("env", in_mpi + " -n " + ranks + " --allow-run-as-root --oversubscribe '" +
-                         WRC_SWEEP_PROGRAM + "' s.toml --threads " + threads + " --out " + folder);
+      const Outcome outcome = run(
+          "env", in_mpi + " -n " + ranks + " --allow-run-as-root --oversubscribe '" +
+                     WRC_SWEEP_MPI_PROGRAM + "' s.toml --threads " + threads + " --out " + folder);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
       EXPECT_EQ(read(folder + "/s.csv"), alone[0]) << ranks << threads;
       EXPECT_EQ(read(folder + "/s.nc"), alone[1]) << ranks << threads;
     }
   }
   const Outcome refused = run("env", in_mpi + " -n 2 --allow-run-as-root --oversubscribe '" +
-                                         WRC_SWEEP_PROGRAM + "' missing.toml");
+                                         WRC_SWEEP_MPI_PROGRAM + "' missing.toml");
   EXPECT_NE(refused.exit_code, 0);
   EXPECT_NE(refused.error.find("missing.toml"), std::string::npos) << refused.error;
 }
@@ -410,6 +410,43 @@ TEST_F(WrcSweep, RefusesBadStudies) {
          {"picture.panels.lines.result", "left.area2"});
   refuse(axis + "[[picture]]\ncolour = 3\n", {"picture.colour", "allowed"});
   refuse("[pose]\nlateral = = 1\n", {"s.toml", "line 2"});
+}
+
+TEST_F(WrcSweep, APageHoldsTheScenes) {
+  write("s.toml", "[pose]\nlateral = [3, 100]\n[track]\nrail = [\"60E1\", \"54E1\"]\n[creepage]\n"
+                  "longitudinal = 0.001\n[solve]\ncreep = \"full\"\naccuracy = 1e-2\n[study]\n"
+                  "title = \"</script><b>\"\n");
+  EXPECT_EQ(run("s.toml --page p.html").out, "p.html\n");
+  const std::string page = read("p.html");
+  for (const char* loaded : {"src=", "href=", "http", "import", "url(", "fetch", "</script><b>"}) {
+    EXPECT_EQ(page.find(loaded), std::string::npos) << loaded;
+  }
+  ASSERT_EQ(run("s.toml --page q.html --threads 3").exit_code, 0);
+  EXPECT_EQ(read("q.html"), page);
+  const std::string begin = "const data = ";
+  const std::size_t start = page.find(begin) + begin.size();
+  const auto data = nlohmann::json::parse(page.substr(start, page.find(";\n", start) - start));
+  EXPECT_EQ(data["title"], "</script><b>");
+  EXPECT_EQ(data["axes"][0]["values"], nlohmann::json({3.0, 100.0}));
+  ASSERT_EQ(data["scenes"].size(), 4U);
+  const std::string scene = "--set pose.lateral=3 --set track.rail=54E1 --set "
+                            "creepage.longitudinal=0.001 --set solve.creep=full --set "
+                            "solve.accuracy=1e-2";
+  const auto left = data["scenes"][1]["left"];
+  const auto expected = run_json(WRC_CASE_PROGRAM, scene)["left"];
+  EXPECT_EQ(left["pmax"], expected["pmax"]);
+  EXPECT_EQ(left["total.force.x"], expected["total"]["force"]["x"]);
+  const auto normal = left["patches"][0]["normal"];
+  EXPECT_EQ(normal["pressure"].size(), normal["x"].size() * normal["y"].size());
+  EXPECT_NEAR(*std::max_element(normal["pressure"].begin(), normal["pressure"].end()),
+              expected["patches"][0]["pmax_element"].get<double>(), 0.5); // whole MPa
+  EXPECT_EQ(left["patches"][0]["creep"]["traction_x"].size(),
+            left["patches"][0]["creep"]["x"].size() * left["patches"][0]["creep"]["y"].size());
+  EXPECT_NE(data["scenes"][2]["message"].get<std::string>().find("wheel off the rail"),
+            std::string::npos);
+  run("s.toml --page s.toml").expect_refusal({"s.toml"});
+  run("s.toml --set 'pose.yaw={from = 0, to = 0.01, count = 501}' --page p.html")
+      .expect_refusal({"--page", "2004", "2000"});
 }
 
 TEST_F(WrcSweep, RefusesBadArguments) {

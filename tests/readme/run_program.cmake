@@ -19,8 +19,13 @@ endif()
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 file(WRITE ${FOLDER}/${CMAKE_MATCH_1} "${program}")
-execute_process(COMMAND sh -c "${command} ${OPTIONS}" WORKING_DIRECTORY ${FOLDER}
-  COMMAND_ERROR_IS_FATAL ANY)
+set(run ./a.out)
+if(LANGUAGE STREQUAL matlab) # nothing to compile
+  set(run sh -c "${command}")
+else()
+  execute_process(COMMAND sh -c "${command} ${OPTIONS}" WORKING_DIRECTORY ${FOLDER}
+    COMMAND_ERROR_IS_FATAL ANY)
+endif()
 if(REFUSED)
   execute_process(COMMAND ./a.out WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
     RESULT_VARIABLE status)
@@ -30,7 +35,7 @@ if(REFUSED)
   endif()
   return()
 endif()
-execute_process(COMMAND ./a.out WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
+execute_process(COMMAND ${run} WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE printed
   COMMAND_ERROR_IS_FATAL ANY)
 
 if(MARK)

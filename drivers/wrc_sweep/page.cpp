@@ -1,0 +1,159 @@
+// The scenes of a study as JSON in the page of page.html.
+#include "wrc_sweep/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/json.hpp"
+#include "support/output_file.hpp"
+#include "support/parallel.hpp"
+#include "wrc_sweep/page_html.hpp"
+
+namespace driver {
+namespace {
+
+/// A page holds some 20 kB for each.
+constexpr std::int64_t most_scenes = 2000;
+
+/// Digits that can be seen: 0.001 mm, 0.1 MPa.
+json rounded(const std::vector<double>& values, double unit) {
+  json numbers = json::array();
+  for (const double value : values) {
+    const double units = std::round(value / unit);
+    numbers.push_back(unit >= 1.0 ? json(static_cast<std::int64_t>(units * unit))
+                                  : json(units / std::round(1.0 / unit)));
+  }
+  return numbers;
+}
+
+/// Some 200 points of an outline, its ends included.
+json outline(const Scene& scene, const std::string& name) {
+  const std::vector<double> y = scene.field(name + "_y");
+  const std::vector<double> z = scene.field(name + "_z");
+  const std::size_t step = std::max<std::size_t>(1, y.size() / 200);
+  std::vector<double> points;
+  for (std::size_t i = 0; i < y.size();
+       i = i + 1 < y.size() ? std::min(i + step, y.size() - 1) : y.size()) {
+    points.insert(points.end(), {y[i], z[i]});
+  }
+  return rounded(points, 0.01);
+}
+
+/// Elements of a grid: the place of each row along the patch's plane and of each column along x,
+/// then fields. Rows that a patch's plane unrolls begin at the y of the first one.
+json grid(const Scene& scene, const std::string& patch, const std::string& place, bool left,
+          std::size_t columns, const std::vector<std::string>& fields) {
+  const std::vector<double> x = scene.field(patch + place + 'x');
+  const std::vector<double> y = scene.field(patch + place + 'y');
+  const std::vector<double> z = scene.field(patch + place + 'z');
+  const std::size_t rows = x.size() / columns;
+  // The plane is turned down about the middle of the patch, where y stays.
+  const std::size_t middle = rows / 2 * columns;
+  std::vector<double> across;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double dy = y[row * columns] - y[middle];
+    const double distance = std::hypot(dy, z[row * columns] - z[middle]);
+    const bool to_field_side = row * columns > middle; // rows go there
+    across.push_back(y[middle] + (to_field_side == left ? distance : -distance));
+  }
+  json made{{"y", rounded(across, 0.001)},
+            {"x", rounded({x.begin(), x.begin() + static_cast<std::ptrdiff_t>(columns)}, 0.001)}};
+  for (const std::string& field : fields) {
+    made[field] = rounded(scene.field(patch + field), 1.0);
+  }
+  return made;
+}
+
+json patch(const Scene& scene, const std::string& prefix, bool left) {
+  json made{
+      {"normal", grid(scene, prefix, "", left,
+                      static_cast<std::size_t>(scene.number(prefix + "grid.1")), {"pressure"})}};
+  if (scene.has_number(prefix + "creep_grid.1") && scene.number(prefix + "creep_grid.1") > 0.0) {
+    made["creep"] = grid(scene, prefix, "creep_", left,
+                         static_cast<std::size_t>(scene.number(prefix + "creep_grid.1")),
+                         {"traction_x", "traction_y"});
+  }
+  return made;
+}
+
+json side(const Scene& scene, const std::string& name) {
+  json made{{"rail", outline(scene, name + ".rail")}, {"wheel", outline(scene, name + ".wheel")}};
+  for (const char* number : {"pmax", "area", "normal_force", "total.force.x", "total.force.y",
+                             "total.force.z", "total.moment.z", "angle", "rigid_contact.y",
+                             "rigid_contact.z", "rigid_contact.rolling_radius"}) {
+    if (scene.has_number(name + '.' + number)) {
+      made[number] = scene.number(name + '.' + number);
+    }
+  }
+  json& patches = made["patches"] = json::array();
+  for (int i = 0;; ++i) {
+    const std::string prefix = name + ".patches." + std::to_string(i) + '.';
+    if (!scene.has_number(prefix + "pmax")) {
+      return made;
+    }
+    const int parts = scene.count_of(prefix + "parts");
+    for (int part = 0; part < parts; ++part) {
+      patches.push_back(
+          patch(scene, prefix + "parts." + std::to_string(part) + '.', name == "left"));
+    }
+    if (parts == 0) {
+      patches.push_back(patch(scene, prefix, name == "left"));
+    }
+  }
+}
+
+json solved(const Study& study, std::int64_t index) {
+  json made;
+  try {
+    Scene scene;
+    study.apply(index, scene);
+    if (!scene.solve()) {
+      made["message"] = wrc_scene_error(scene.handle());
+    }
+    for (const std::string& name : sides_of(scene)) {
+      made[name] = side(scene, name);
+    }
+  } catch (const std::exception& error) {
+    made["message"] = error.what();
+  }
+  return made;
+}
+
+json value_of(const Value& value) {
+  const double* number = std::get_if<double>(&value);
+  return number != nullptr ? json(*number) : json(text_of(value));
+}
+
+} // namespace
+
+void write_page(const Study& study, int threads, const std::filesystem::path& path) {
+  const std::int64_t count = study.scene_count();
+  if (count > most_scenes) {
+    throw Failure("--page: the study has " + std::to_string(count) +
+                  " scenes, allowed for a page are " + std::to_string(most_scenes));
+  }
+  std::vector<json> scenes(static_cast<std::size_t>(count));
+  for_each_index(scenes.size(), threads,
+                 [&](std::size_t i) { scenes[i] = solved(study, static_cast<std::int64_t>(i)); });
+  json data{{"title", study.title.empty() ? study.name : study.title},
+            {"version", wrc_version()},
+            {"axes", json::array()},
+            {"scenes", std::move(scenes)}};
+  for (const Axis& axis : study.axes) {
+    json values = json::array();
+    for (const Value& value : axis.values) {
+      values.push_back(value_of(value));
+    }
+    data["axes"].push_back({{"key", axis.key}, {"values", std::move(values)}});
+  }
+  std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace);
+  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) {
+    text.insert(at + 1, "\\"); // would end the script
+  }
+  std::string page = page_html;
+  const std::string mark = "/* scenes */ null";
+  page.replace(page.find(mark), mark.size(), text);
+  write_whole(path, [&](std::ostream& out) { out << page; });
+}
+
+} // namespace driver

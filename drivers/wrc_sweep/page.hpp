@@ -1,0 +1,15 @@
+/// A page for a browser that shows the scenes of a study, one at a time, by a slider for each key
+/// that varies: profiles, pressures and tractions, forces. One file, which loads nothing.
+#pragma once
+
+#include <filesystem>
+
+#include "wrc_sweep/study.hpp"
+
+namespace driver {
+
+/// Solves the scenes on so many threads and writes the page. A scene that cannot be solved shows
+/// why. Throws Failure for more scenes than a browser holds, or if the file cannot be written.
+void write_page(const Study& study, int threads, const std::filesystem::path& path);
+
+} // namespace driver

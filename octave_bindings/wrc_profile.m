@@ -1,0 +1,24 @@
+function profile = wrc_profile (name, points)
+% WRC_PROFILE  A wheel or rail profile.
+%
+%   p = wrc_profile (name)
+%   p = wrc_profile (name, points)
+%
+%   name    of a standard profile ('S1002', '60E1'), or a file
+%   points  how many of the curve, equally spaced along its arc; 1000 by default
+%
+%   p.kind ('wheel' or 'rail'), p.name, p.title, p.source, p.confidence; columns p.arc, p.lateral
+%   and p.height (mm; lateral > 0 to the field side, height of a wheel > 0 towards larger radius),
+%   p.angle (rad), p.curvature (1/mm); p.corrections and p.warnings: what was corrected in a file,
+%   and what no wheel or rail has. Errors: as of wrc_solve.
+%
+%   Example:
+%     p = wrc_profile ('S1002');
+%     plot (p.lateral, -p.height), axis equal
+%
+%   See also wrc_solve.
+  if nargin < 2
+    points = 1000;
+  end
+  profile = wrc_mex ('profile', name, points);
+end

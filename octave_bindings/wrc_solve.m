@@ -1,0 +1,41 @@
+function result = wrc_solve (varargin)
+% WRC_SOLVE  Where and how hard wheels press on rails.
+%
+%   r = wrc_solve (key, value, ...)
+%   r = wrc_solve (scene, key, value, ...)
+%
+%   Solves a scene: contact points, patches, pressures and forces of both wheels. What is not
+%   said is that of the default scene (S1002 on 60E1 inclined 1:40, 80 kN a wheel). wrc_keys
+%   lists the keys with their ranges. A scene is a struct in which scene.pose.lateral stands for
+%   the key 'pose.lateral'; pairs behind it count more.
+%
+%   Values are numbers, lists of numbers or texts, as in scene files. A profile ('track.rail',
+%   'wheelset.left.wheel', ...) is a name, a file, or points: a matrix of two columns, lateral and
+%   height in mm.
+%
+%   An array of scenes is solved on 'threads' threads (1 by default); r is an array too, the same
+%   for any number of threads. r(k).status is 'ok' or says why r(k) has no results, and
+%   r(k).message gives the reason. If there is one scene, that is an error.
+%
+%   Results are those of docs/results.md: r.left.pmax, r.left.patches(1).grid(2) for
+%   left.patches.0.grid.1. Fields of patches are matrices whose columns go along x, the direction of
+%   driving: r.left.patches(1).fields.pressure. 'fields' names those to return, separated by blanks,
+%   by default 'x y z pressure' and those of tractions. Derivatives of a number stand beside it:
+%   spin_moment_by.friction. Not returned are sensitivities.
+%
+%   Units: mm, N, MPa, rad. Frame: x forward, y to the left, z up; forces act on the wheel.
+%
+%   Errors have identifiers by their kind: wrcontact:unknown_name, :invalid_argument, :no_contact,
+%   :file_unreadable, :file_malformed, :out_of_memory. Results that miss the accuracy come with the
+%   warning wrcontact:not_converged.
+%
+%   Example:
+%     r = wrc_solve ('pose.lateral', 5);
+%     wrc_plot (r)
+%     scenes = struct ('pose', num2cell (struct ('lateral', num2cell (-6:0.5:6))));
+%     r = wrc_solve (scenes, 'track.rail', '56E1', 'threads', 2);
+%     plot (-6:0.5:6, arrayfun (@(one) one.left.pmax, r))
+%
+%   See also wrc_keys, wrc_plot, wrc_step, wrc_normal, wrc_rolling, wrc_profile.
+  result = wrc_mex ('solve', varargin{:});
+end

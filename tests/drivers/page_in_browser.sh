@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# The page of a study in headless Chromium: its slider is moved to the end, and the table must show
+# the last scene as wrc_case solves it. Usage: page_in_browser.sh WRC_SWEEP WRC_CASE CHROMIUM [PNG]
+# With PNG also takes a picture of the page.
+set -euo pipefail
+sweep=$1 case=$2 chromium=$3 picture=${4:-}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+options=(--headless --no-sandbox --disable-gpu --hide-scrollbars "--window-size=1150,1100"
+  "--user-data-dir=$folder/browser")
+
+cat >"$folder/s.toml" <<'END'
+[pose]
+lateral = [-2, 0, 4]
+[creepage]
+longitudinal = 0.001
+[solve]
+creep = "full"
+END
+"$sweep" "$folder/s.toml" --page "$folder/page.html" --quiet
+# What a hand does.
+{
+  cat "$folder/page.html"
+  echo '<script>
+    const slider = document.querySelector("input");
+    slider.value = slider.max;
+    slider.dispatchEvent(new Event("input"));
+    const dot = document.querySelector("#left canvas + canvas").getContext("2d");
+    const {data: painted} = dot.getImageData(0, 0, dot.canvas.width, dot.canvas.height);
+    document.title = "painted " + painted.filter(value => value > 0).length;
+  </script>'
+} >"$folder/moved.html"
+
+# shown PAGE: its text of left.pmax, its position, what stands in the title.
+shown() {
+  "$chromium" "${options[@]}" --dump-dom "file://$folder/$1" 2>"$folder/log" >"$folder/dom"
+  grep -oE 'id="left.pmax">[0-9]+|<output>[^<]*|<title>painted [0-9]{4,}' "$folder/dom" | paste -sd ' '
+}
+# pmax LATERAL
+pmax() {
+  "$case" --set "pose.lateral=$1" --set creepage.longitudinal=0.001 --set solve.creep=full --json |
+    python3 -c 'import json, sys; print(round(json.load(sys.stdin)["left"]["pmax"]))'
+}
+first=$(shown page.html)
+moved=$(shown moved.html)
+if [[ $first != "<output>0 id=\"left.pmax\">$(pmax 0)" ]] ||
+  [[ $moved != "<title>painted "*" <output>4 id=\"left.pmax\">$(pmax 4)" ]]; then
+  echo "the page shows: $first"
+  echo "with its slider moved: $moved"
+  exit 1
+fi
+if [ -n "$picture" ]; then
+  "$chromium" "${options[@]}" "--screenshot=$picture" "file://$folder/moved.html" 2>"$folder/log"
+fi
