@@ -51,7 +51,7 @@ def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
     """Profiles, pressures and, where there are creep forces, tractions of each wheel."""
     sides = [side for side in ("left", "right") if side in result._groups]
     names = result._names
-    pressures = any(f"{side}.pmax" in names for side in sides)
+    pressures = any(result[side].pmax > 0.0 for side in sides)
     tractions = any(name.endswith(".traction_max") for name in names)
     figure, axes = _figure(1 + pressures + tractions, len(sides), (6.2, 4.6))
     units = str(result["units"]).split(", ")

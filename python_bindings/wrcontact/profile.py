@@ -150,7 +150,7 @@ class Profile(Handle):
         places = [ffi.cast("double *", ffi.from_buffer(row)) for row in values]
         for index, one in enumerate(arcs.ravel()):
             self._check(lib.wrc_profile_at(self._handle, one, *(place + index for place in places)))
-        return ProfilePoint(*values.reshape(4, *arcs.shape))
+        return ProfilePoint(*values.reshape(4, *np.shape(arc)))
 
     def write(self, path: str | os.PathLike[str], spacing: float = 0.1) -> None:
         """Writes two columns, or .prr/.prw, of points `spacing` mm apart. FileUnreadable."""

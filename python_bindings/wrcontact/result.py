@@ -27,7 +27,8 @@ class Group:
     what there is but fields, which docs/results.md lists. Fields of a patch are two-dimensional,
     rows across the rail from the track centre to the field side, columns along it; those of stresses
     have a row for each depth. Each access copies a field out of the library once. Of a patch, x, y
-    and z are its reference; those of the elements are `field("x")` and so on.
+    and z are its reference; those of the elements are `field("x")` and so on. A number that has
+    derivatives is the number; they are `patch["creep_force.longitudinal.by.friction"]` and so on.
     """
 
     __slots__ = ("_result", "_prefix")
@@ -152,7 +153,7 @@ class Result(Group):
     def _groups(self) -> set[str]:
         if self._of_groups is None:
             self._of_groups = {name[:end] for name in self._names
-                               for end in range(len(name)) if name[end] == "."}
+                               for end in range(len(name)) if name[end] == "."} - self._names.keys()
         return self._of_groups
 
     def to_dict(self) -> dict[str, float | str]:
