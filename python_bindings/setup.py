@@ -29,8 +29,7 @@ class BuildByCMake(build_py):
         if not (folder / "CMakeCache.txt").exists():
             options = [f"-DWRCONTACT_BUILD_{part}=OFF" for part in ("DRIVERS", "FORTRAN", "TESTS")]
             subprocess.run(["cmake", "-S", project, "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
-                            f"-DWRCONTACT_PYTHON={sys.executable}",
-                            "-DWRCONTACT_WARNINGS_AS_ERRORS=OFF", *options], check=True)
+                            f"-DWRCONTACT_PYTHON={sys.executable}", *options], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "wrcontact_python", "--parallel",
                         str(os.cpu_count())], check=True)
         package = Path(self.build_lib) / "wrcontact"

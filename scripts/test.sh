@@ -24,7 +24,7 @@ build_and_test() {
   [ "$target" = all ] || select=(-L "^$target\$")
   echo "== $preset: build"
   mkdir -p "$folder"
-  cmake --preset "$preset" >"$folder/configure.log" 2>&1 || {
+  cmake --preset "$preset" -DWRCONTACT_WARNINGS_AS_ERRORS=ON >"$folder/configure.log" 2>&1 || {
     tail -n 40 "$folder/configure.log"
     exit 1
   }
