@@ -11,5 +11,5 @@ build_packages=(
 )
 check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
-  shellcheck codespell doxygen python3
+  shellcheck codespell doxygen python3 mypy
 )

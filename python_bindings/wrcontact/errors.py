@@ -11,9 +11,13 @@ from ._library import lib, string
 
 
 class Error(Exception):
-    """A call that the library refused; `status` is its number in wrcontact.h."""
+    """A call that the library refused; `status` is its number in wrcontact.h.
+
+    `result`: what was reached nevertheless, of a solution that has not converged; otherwise None.
+    """
 
     status: int = -1
+    result: Any = None
 
 
 class InvalidArgument(Error, ValueError):
@@ -62,7 +66,6 @@ class NotConverged(Error):
     """The iteration missed its tolerance. What it has reached can be read: `result`."""
 
     status = lib.WRC_NOT_CONVERGED
-    result: Any = None
 
 
 class TooSmall(Error, ValueError):

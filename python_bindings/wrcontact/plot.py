@@ -109,7 +109,7 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
 
 def _developed(patches: list[Group]) -> dict[str, float]:
     """Where the references of the patches are drawn: their distances one after the other."""
-    ordered = sorted(patches, key=lambda patch: patch.y)
+    ordered = sorted(patches, key=lambda patch: float(patch.y))
     places, place = {}, 0.0
     for before, patch in zip([*ordered[:1], *ordered], ordered):
         place += np.hypot(patch.y - before.y, patch.z - before.z)
@@ -120,7 +120,8 @@ def _developed(patches: list[Group]) -> dict[str, float]:
 
 def _in_plane(patch: Group, y: Array, z: Array) -> Array:
     """Along the plane of a patch, from its reference."""
-    return (y - patch.y) * np.cos(patch.angle) + (z - patch.z) * np.sin(patch.angle)
+    along: Array = (y - patch.y) * np.cos(patch.angle) + (z - patch.z) * np.sin(patch.angle)
+    return along
 
 
 def _frame(axes: Any, units: list[str], title: str) -> None:
@@ -138,7 +139,7 @@ def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: li
     places = _developed(patches)
     for patch in patches:
         lateral = places[patch._prefix] + _in_plane(patch, patch.field("y"), patch.field("z"))
-        pressure = np.ma.masked_equal(patch.pressure, 0.0)
+        pressure = np.where(patch.pressure > 0.0, patch.pressure, np.nan)
         mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=wheel.pmax,
                                cmap="turbo", shading="nearest")
         title = f"pmax {wheel.pmax:.5g} {units[2]}, area {wheel.area:.4g} {units[0]}$^2$"
@@ -160,7 +161,7 @@ def _draw_tractions(axes: Any, result: Result, side: str, units: list[str]) -> N
             loaded = part.creep_pressure > 0.0
             traction = np.hypot(part.traction_x, part.traction_y)
             slips = traction >= _ON_BOUND * part.friction * part.creep_pressure
-            axes.pcolormesh(lateral, part.creep_x, np.ma.array(slips, mask=~loaded), vmin=0, vmax=1,
+            axes.pcolormesh(lateral, part.creep_x, np.where(loaded, slips, np.nan), vmin=0, vmax=1,
                             cmap=_two_colours(), shading="nearest")
             steps = [slice(size // _MOST_ARROWS // 2, None, size // _MOST_ARROWS + 1)
                      for size in loaded.shape]

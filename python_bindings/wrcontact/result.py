@@ -96,7 +96,7 @@ class Result(Group):
     __slots__ = ("scene", "_number", "_of_names", "_of_groups")
 
     def __init__(self, scene: Scene) -> None:
-        super().__init__(self, "")
+        self._result, self._prefix = self, ""
         self.scene = scene
         self._number = scene._solutions
         self._of_names: dict[str, None] | None = None

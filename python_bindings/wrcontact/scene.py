@@ -13,9 +13,12 @@ from numpy.typing import ArrayLike
 from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
-from .errors import InvalidArgument, NoResult, NotConverged, UnknownName
+from .errors import InvalidArgument, NoResult, UnknownName, error_of
 from .profile import Profile
 from .result import Result
+
+
+_WITH_RESULT = (0, lib.WRC_NOT_CONVERGED)
 
 
 class Key(NamedTuple):
@@ -137,15 +140,14 @@ class Scene(Handle):
         return self._solved(lib.wrc_scene_solve(self._handle))
 
     def _solved(self, status: int) -> Result:
-        if status not in (0, lib.WRC_NOT_CONVERGED):
+        if status not in _WITH_RESULT:
             self._check(status)
         self._solutions += 1
         result = Result(self)
-        try:
-            self._check(status)
-        except NotConverged as error:
+        if status != 0:
+            error = error_of(status, string(self._error(self._handle)))
             error.result = result
-            raise
+            raise error
         return result
 
     @property

@@ -63,7 +63,8 @@ class Solver(Handle):
         q, v = _six(position, "position"), _six(velocity, "velocity")
         r = ffi.NULL if rails is None else pointer(_six(rails, "rails"))
         force, states = np.empty((2, 6)), np.empty(2, dtype=np.int32)
-        by_position, by_velocity = np.empty((2, 2, 6, 6)) if derivatives else (None, None)
+        by_position = np.empty((2, 6, 6)) if derivatives else None
+        by_velocity = np.empty((2, 6, 6)) if derivatives else None
         scene._solved(lib.wrc_solver_step(
             self._handle, scene._handle, pointer(q), pointer(v), r, pointer(force),
             ffi.NULL if by_position is None else pointer(by_position),

@@ -77,14 +77,15 @@ def _told(value: Any) -> Any:
 
 def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """All keys that no varied one changes, with their values: "track.rail" changes those of the sides."""
-    found = values_of(Scene(**values))
+    found: dict[str, Any] = dict(values_of(Scene(**values)))
     for key, array in arrays.items():
         for value in array.values[[0, -1]] if array.size else ():
             probe = Scene(**values)
             probe[key] = value
-            others = values_of(probe)
+            others: dict[str, Any] = dict(values_of(probe))
             found = {name: one for name, one in found.items()
-                     if name != key and np.array_equal(one, others.get(name))}
+                     if name != key and name in others
+                     and np.array_equal(one, others[name])}
     return found
 
 
@@ -104,7 +105,7 @@ def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], t
                                                            threads=threads)):
             if isinstance(outcome, Error):
                 statuses[row], messages[row] = outcome.status, str(outcome)
-                if getattr(outcome, "result", None) is None:
+                if outcome.result is None:
                     continue
             scene._check(lib.wrc_scene_numbers_by_id(
                 scene._handle, pointer(result_ids, "int32_t"), pointer(table[row]), len(results)))
