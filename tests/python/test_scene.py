@@ -45,7 +45,7 @@ def test_fields_have_rows_across_and_columns_along():
 
 
 def test_a_number_with_derivatives_is_the_number():
-    patch = wrcontact.solve(**SCENES["creep forces"], derivatives=True).left.patches[0]
+    patch = wrcontact.solve(**{**SCENES["creep forces"], "derivatives": True}).left.patches[0]
     assert isinstance(patch.creep_force.longitudinal, float)
     assert patch["creep_force.longitudinal.by.friction"] != 0.0
     assert "and creepage" not in repr(patch.creep_force) and "longitudinal: " in repr(patch.creep_force)
