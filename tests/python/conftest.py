@@ -53,6 +53,6 @@ def python():
     """Runs a program in an interpreter of its own."""
     def run(program, **options):
         return subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True,
-                              timeout=120, **options)
+                              timeout=600, **options)
 
     return run

@@ -87,9 +87,11 @@ def test_a_scene_serves_one_thread_at_a_time():
 def test_memory_that_is_not_there(python):
     program = """
 import resource, wrcontact
-scene = wrcontact.Scene(grid=[8192, 8192])
+scene = wrcontact.Scene(grid=[2048, 2048])
 wrcontact.solve()
-resource.setrlimit(resource.RLIMIT_AS, (2**30, 2**30))
+pages = int(open("/proc/self/statm").read().split()[0])
+limit = pages * resource.getpagesize() + 2**26  # two fields of the grid
+resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
 try:
     scene.solve()
 except wrcontact.OutOfMemory as error:

@@ -24,7 +24,7 @@ def run(tmp_path_factory):
 
     def start(command, folder):
         done = subprocess.run([sys.executable, "-B", *command], cwd=folder, capture_output=True,
-                              text=True, env={**os.environ, **fonts}, timeout=120)
+                              text=True, env={**os.environ, **fonts}, timeout=600)
         assert done.returncode == 0 and not done.stderr, done.stderr
         return done.stdout
 

@@ -10,7 +10,7 @@ from conftest import BUILD, PROJECT
 
 
 def run(*command, **environment):
-    done = subprocess.run(command, capture_output=True, text=True, timeout=300,
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600,
                           env={**os.environ, "PYTHONPATH": "", **environment})
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
