@@ -122,8 +122,11 @@ class Scene(Handle):
         """The value of a key: a text if it is a word, otherwise a number or an array."""
         code = encoded(key_of(key))
         text, number = ffi.new("const char **"), ffi.new("double *")
-        if lib.wrc_scene_get_text(self._handle, code, text) == 0:
+        status = lib.wrc_scene_get_text(self._handle, code, text)
+        if status == 0:
             return string(text[0])
+        if status != lib.WRC_INVALID_ARGUMENT:  # which says that the value is no text
+            self._check(status)
         if lib.wrc_scene_get_number(self._handle, code, number) == 0:
             return float(number[0])
         return self._copied(lib.wrc_scene_get_numbers, code)
