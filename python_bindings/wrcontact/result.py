@@ -96,11 +96,16 @@ class Result(Group):
     __slots__ = ("scene", "_number", "_of_names", "_of_groups")
 
     def __init__(self, scene: Scene) -> None:
-        self._result, self._prefix = self, ""
+        self._prefix = ""
         self.scene = scene
         self._number = scene._solutions
         self._of_names: dict[str, None] | None = None
         self._of_groups: set[str] | None = None
+
+    @property
+    def _result(self) -> Result:  # type: ignore[override]
+        """Not kept: a result that held itself would wait for the collector of cycles."""
+        return self
 
     def _live(self) -> Any:
         if self._number != self.scene._solutions:
