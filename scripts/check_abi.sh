@@ -14,7 +14,8 @@ rm -rf "$folder"
 mkdir -p "$folder"
 git archive "$tag" | tar -x -C "$folder"
 cmake -S "$folder" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRCONTACT_BUILD_TESTS=OFF \
-  -DWRCONTACT_BUILD_DRIVERS=OFF -DWRCONTACT_BUILD_FORTRAN=OFF -DWRCONTACT_WARNINGS_AS_ERRORS=OFF \
+  -DWRCONTACT_BUILD_DRIVERS=OFF -DWRCONTACT_BUILD_FORTRAN=OFF -DWRCONTACT_BUILD_PYTHON=OFF \
+  -DWRCONTACT_WARNINGS_AS_ERRORS=OFF \
   >"$folder/log"
 cmake --build "$folder/build" --target wrcontact >>"$folder/log"
 # Its status is a sum: 4 for changes, such as members at the end of a structure that says its size,

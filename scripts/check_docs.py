@@ -18,7 +18,8 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parent.parent
 PAGES = ["README.md", "CONTRIBUTING.md",
          *sorted(str(page.relative_to(PROJECT)) for page in (PROJECT / "docs").glob("*.md"))]
-FOLDERS = "c_api|cxx_core|docs|drivers|fortran_bindings|octave_bindings|packaging|profiles|scripts|tests"
+FOLDERS = ("c_api|cxx_core|docs|drivers|fortran_bindings|octave_bindings|packaging|profiles|"
+           "python_bindings|scripts|tests")
 failures = []
 
 

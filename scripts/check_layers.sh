@@ -81,4 +81,13 @@ if [ -n "$bindings" ]; then
   echo "$bindings"
   failures=1
 fi
+
+# Python reaches the library through the declarations of the headers only, which one module opens.
+python=$(git ls-files 'python_bindings/wrcontact/*.py' | grep -v '/_library\.py$' |
+  xargs -r grep -nE 'dlopen|ctypes|subprocess|cdef\(' || true)
+if [ -n "$python" ]; then
+  echo "only python_bindings/wrcontact/_library.py may open a library:"
+  echo "$python"
+  failures=1
+fi
 exit "$failures"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What can be said of the files without compiling them: format of the code, faults of the scripts,
-# spelling (words that are right here and rare elsewhere: .codespellrc), one version in all files,
-# pages that agree with the sources.
+# spelling (words that are right here and rare elsewhere: .codespellrc), types of the Python package,
+# one version in all files, pages that agree with the sources.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,6 +9,8 @@ failures=0
 git ls-files '*.cpp' '*.hpp' '*.h' '*.c' | xargs clang-format --dry-run --Werror || failures=1
 git ls-files '*.sh' .ci/run | xargs shellcheck || failures=1
 git ls-files -- ':!profiles/*.toml' ':!tests/fuzz/corpus' ':!docs/images' | xargs codespell || failures=1
+mypy --cache-dir build/mypy --config-file python_bindings/pyproject.toml \
+  python_bindings/wrcontact || failures=1
 version=$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 grep -qx "version: $version" CITATION.cff || {
   echo "CITATION.cff: version must be that of CMakeLists.txt, $version"

@@ -6,10 +6,12 @@ build_packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
   gnuplot-nox fonts-dejavu-core
   libnetcdf-dev libssl-dev libopenmpi-dev openmpi-bin
+  python3-numpy python3-cffi
+  python3-xarray python3-matplotlib python3-pytest python3-pip python3-setuptools python3-wheel python3-venv
 )
 check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
-  shellcheck codespell doxygen python3
+  shellcheck codespell doxygen python3 mypy
   octave octave-dev fonts-freefont-otf
 )
 packaging_packages=(

@@ -25,7 +25,8 @@ build_and_test() {
   [ "$target" = all ] || select=(-L "^$target\$")
   echo "== $preset: build"
   mkdir -p "$folder"
-  cmake --preset "$preset" "-DWRCONTACT_BUILD_OCTAVE=$octave" >"$folder/configure.log" 2>&1 || {
+  cmake --preset "$preset" -DWRCONTACT_WARNINGS_AS_ERRORS=ON "-DWRCONTACT_BUILD_OCTAVE=$octave" \
+    >"$folder/configure.log" 2>&1 || {
     tail -n 40 "$folder/configure.log"
     exit 1
   }

@@ -311,10 +311,14 @@ void print_table(const Scene& scene, std::ostream& out) {
 }
 
 json json_of(const Scene& scene) {
-  // Names such as left.patches.0.pmax become objects and lists.
+  // Names such as left.patches.0.pmax become objects and lists. Derivatives, as in force.y.by.yaw,
+  // stand beside what they are of, which is a number: in the object "y.by".
   json flat = json::object();
   const auto pointer_of = [](std::string name) {
     std::replace(name.begin(), name.end(), '.', '/');
+    if (const std::size_t by = name.find("/by/"); by != std::string::npos) {
+      name[by] = '.';
+    }
     return '/' + name;
   };
   for (const std::string& name : scene.number_names()) {

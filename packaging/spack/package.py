@@ -34,6 +34,6 @@ class Wrcontact(CMakePackage):
             self.define_from_variant("WRCONTACT_BUILD_DRIVERS", "drivers"),
             self.define_from_variant("WRCONTACT_BUILD_FORTRAN", "fortran"),
             self.define("WRCONTACT_BUILD_TESTS", False),
-            self.define("WRCONTACT_WARNINGS_AS_ERRORS", False),
+            self.define("WRCONTACT_BUILD_PYTHON", False),
             self.define("CMAKE_DISABLE_FIND_PACKAGE_MPI", self.spec.satisfies("~mpi")),
         ]

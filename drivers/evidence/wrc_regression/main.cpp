@@ -16,9 +16,10 @@ int main(int argc, char** argv) {
   std::string contact;
   std::string junit;
   bool update = false;
-  app.add_option("--cases", folder, "folder with cases.toml and baselines.toml")
-      ->type_name("DIR")
-      ->capture_default_str();
+  app.add_option("--cases", folder,
+                 "folder with cases.toml and baselines.toml; default: drivers/evidence/"
+                 "wrc_regression of the sources it was built from")
+      ->type_name("DIR");
   app.add_option("--contact", contact,
                  "JSON file with values of CONTACT; without it these are left out")
       ->type_name("FILE");

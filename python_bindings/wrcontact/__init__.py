@@ -1,0 +1,29 @@
+"""wrcontact: where and how hard wheels press on rails.
+
+>>> import wrcontact
+>>> result = wrcontact.solve(lateral=3, rail="60E1")
+>>> result.left.pmax                        # MPa
+>>> result.left.patches[0].pressure         # an array, rows across the rail
+>>> result.plot("contact.png")
+
+mm, N, MPa, rad; track frame: x forward, y to the left, z up. `wrcontact.keys()` lists the inputs,
+docs/results.md the results, docs/python.md shows the rest. Importing prints nothing, and nothing
+here ends the program: failures raise a wrcontact.Error.
+"""
+from ._library import lib as _lib, string as _string
+from .errors import (Busy, Error, FileMalformed, FileUnreadable, InternalError, InvalidArgument,
+                     NoContact, NoResult, NotConverged, OutOfMemory, TooSmall, UnknownName)
+from .grid import NormalContact, RollingContact
+from .profile import Profile, ProfilePoint, standard_profiles
+from .result import Group, Result
+from .scene import Key, Scene, key_of, keys, solve
+from .solver import Solver, Step, solve_batch
+from .study import study
+
+__version__: str = _string(_lib.wrc_version())
+__all__ = [
+    "Busy", "Error", "FileMalformed", "FileUnreadable", "Group", "InternalError", "InvalidArgument",
+    "Key", "NoContact", "NoResult", "NormalContact", "NotConverged", "OutOfMemory", "Profile",
+    "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step", "TooSmall", "UnknownName",
+    "key_of", "keys", "solve", "solve_batch", "standard_profiles", "study",
+]

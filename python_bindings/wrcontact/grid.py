@@ -1,0 +1,155 @@
+"""Contact on a grid of the caller's: pressures of a gap, tractions of pressures (wrcontact_grid.h)."""
+from __future__ import annotations
+
+import os
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._handle import Handle, encoded
+from ._interface import ffi
+from ._library import Array, doubles, lib, pointer, string
+from .errors import InvalidArgument, NotConverged, UnknownName
+
+Self = TypeVar("Self", bound="GridContact")
+
+
+class GridContact(Handle):
+    """What the two have in common: settings by key, results by name.
+
+    Results are attributes or `contact["residuals.least_gap"]`; fields are arrays of the grid's shape.
+    They are those of the last solve.
+    """
+
+    _shown: tuple[str, ...] = ()
+    _shape: tuple[int, ...] = ()
+
+    def _set_grid(self, values: Array, lateral_step: float, longitudinal_step: float) -> None:
+        if values.ndim != 2:
+            raise InvalidArgument(f"the values have {values.ndim} dimensions; allowed are 2, rows "
+                                  "across and columns along")
+        self._check(self._function("set_grid")(self._handle, *values.shape, lateral_step,
+                                               longitudinal_step))
+        self._shape = values.shape
+
+    def _function(self, name: str) -> Any:
+        return getattr(lib, f"wrc_{self._kind}_{name}")
+
+    def set(self: Self, **settings: Any) -> Self:
+        """Sets numbers and texts by key (wrcontact_grid.h); returns the contact.
+
+        UnknownName, InvalidArgument.
+        """
+        for key, value in settings.items():
+            if isinstance(value, (str, os.PathLike)):
+                status = self._function("set_text")(self._handle, encoded(key), encoded(value))
+            else:
+                status = self._function("set_number")(self._handle, encoded(key), value)
+            self._check(status)
+        return self
+
+    def solve(self: Self) -> Self:
+        """Solves the problem and returns the contact. NotConverged holds it as `result`."""
+        try:
+            self._check(self._function("solve")(self._handle))
+        except NotConverged as error:
+            error.result = self
+            raise
+        return self
+
+    def __getitem__(self, name: str) -> Any:
+        code, number = encoded(name), ffi.new("double *")
+        status = self._function("number")(self._handle, code, number)
+        if status == 0:
+            return number[0]
+        if status == lib.WRC_UNKNOWN_NAME:
+            text = ffi.new("const char **")
+            if self._kind == "normal" and lib.wrc_normal_text(self._handle, code, text) == 0:
+                return string(text[0])
+            values = self._copied(self._function("field"), code)
+            return values.reshape(self._shape if values.size == np.prod(self._shape) else (3, 3))
+        return self._check(status)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except UnknownName as error:
+            raise AttributeError(str(error)) from None
+
+    def __repr__(self) -> str:
+        size = " x ".join(map(str, self._shape))
+        try:
+            values = ", ".join(f"{name} {self[name]:.6g}" for name in self._shown)
+        except Exception as error:  # noqa: BLE001, a repr tells instead
+            values = str(error)
+        return f"<wrcontact.{type(self).__name__} on {size}: {values}>"
+
+
+class NormalContact(GridContact):
+    """Pressures of bodies that are `distance` apart before they press on each other.
+
+    >>> contact = NormalContact(distance, 0.1, 0.2, normal_load=80e3, tolerance=1e-6).solve()
+    >>> contact.pmax, contact.approach, contact.pressure
+
+    distance: mm at the centres of the elements, two-dimensional, rows across and columns along;
+    copied once, by the library. Steps: sides of an element, mm. Settings: combined_modulus (MPa),
+    normal_load (N) or approach (mm), tolerance, maximum_iterations, solver, elements, precision,
+    planner. Results: approach, normal_force, area (mm^2), pmax, pmax_element (MPa), fill, iterations,
+    residuals..., stop_reason; fields pressure (MPa), displacement (mm).
+    """
+
+    _kind = "normal"
+    _shown = ("approach", "normal_force", "pmax", "area")
+
+    def __init__(self, distance: ArrayLike, lateral_step: float, longitudinal_step: float,
+                 **settings: Any) -> None:
+        super().__init__()
+        values = doubles(distance)
+        self._set_grid(values, lateral_step, longitudinal_step)
+        self._check(lib.wrc_normal_set_distance(self._handle, pointer(values), values.size))
+        self.set(**settings)
+
+
+class RollingContact(GridContact):
+    """Tractions and creep forces of given pressures, with Coulomb friction (Kalker's problem).
+
+    >>> contact = RollingContact(pressure, 0.1, 0.2, longitudinal_creepage=-1e-3).solve()
+    >>> contact.longitudinal_force, contact.slip_area, contact.traction_x
+
+    pressure: MPa, two-dimensional, rows with growing y (to the left), columns with growing x
+    (forward); copied once, by the library. Creepages are wheel minus rail, forces those on the
+    wheel. Settings: shear_modulus (MPa), poisson, friction, longitudinal_creepage, lateral_creepage,
+    spin_creepage (1/mm), tolerance, difference_parameter, derivatives, maximum_iterations, model,
+    contact, difference. Results: longitudinal_force, lateral_force (N), spin_moment (N mm),
+    slip_area, adhesion_area (mm^2), friction_power, numerical_loss, iterations, convolutions,
+    residual, converged; fields traction_x, traction_y (MPa), slip_x, slip_y, normal_displacement
+    (mm), and creepage_derivatives, [3, 3] with a row for each of Fx, Fy, Mz.
+    """
+
+    _kind = "rolling"
+    _shown = ("longitudinal_force", "lateral_force", "spin_moment", "slip_area")
+
+    def __init__(self, pressure: ArrayLike, lateral_step: float, longitudinal_step: float,
+                 **settings: Any) -> None:
+        super().__init__()
+        values = doubles(pressure)
+        self._set_grid(values, lateral_step, longitudinal_step)
+        self._check(lib.wrc_rolling_set_pressure(self._handle, pointer(values), values.size))
+        self.set(**settings)
+
+    def set_previous(self, traction_x: ArrayLike, traction_y: ArrayLike) -> RollingContact:
+        """The tractions (MPa, on the wheel) before a step or shift; two empty lists: none."""
+        x, y = doubles(traction_x), doubles(traction_y)
+        if x.shape != y.shape:
+            raise InvalidArgument(f"traction_x has shape {x.shape}, traction_y {y.shape}; allowed "
+                                  "are equal ones")
+        self._check(lib.wrc_rolling_set_previous(self._handle, pointer(x), pointer(y), x.size))
+        return self
+
+    def advance(self) -> RollingContact:
+        """Makes the tractions of the result the previous ones, for the next step or shift."""
+        self._check(lib.wrc_rolling_advance(self._handle))
+        return self

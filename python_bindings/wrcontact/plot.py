@@ -1,0 +1,187 @@
+"""Pictures, by matplotlib, which is loaded when the first one is drawn."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._library import Array
+
+if TYPE_CHECKING:
+    from .profile import Profile
+    from .result import Group, Result
+
+_RAIL, _WHEEL, _PLANE = "#8b5a2b", "#1f4e9e", "#c00000"
+_ADHESION, _SLIP = "#cfe2f3", "#f6c7b6"
+_HALF_PLANE = 9.0  # mm, drawn of the plane of a patch
+_AROUND = (45.0, 26.0, 34.0)  # mm beside, below and above the first touch
+_MOST_ARROWS = 14  # along and across a patch
+_ON_BOUND = 1.0 - 1e-6  # share of friction times pressure from which an element slips
+
+
+def _figure(rows: int, columns: int, size: tuple[float, float]) -> tuple[Any, Any]:
+    """A figure that no window and no global state of matplotlib knows."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(size[0] * columns, size[1] * rows), layout="constrained")
+    return figure, figure.subplots(rows, columns, squeeze=False)
+
+
+def _save(figure: Any, path: str | os.PathLike[str] | None) -> Any:
+    if path is not None:
+        figure.savefig(path, dpi=110, bbox_inches="tight")
+    return figure
+
+
+def draw_profile(profile: Profile, path: str | os.PathLike[str] | None) -> Any:
+    figure, ((axes,),) = _figure(1, 1, (8.0, 4.5))
+    curve = profile.at(np.arange(0.0, profile.length, 0.1))
+    axes.plot(curve.lateral, curve.height, color=_RAIL if profile.kind == "rail" else _WHEEL)
+    if profile.kind == "wheel":
+        axes.invert_yaxis()  # the flange points down
+    axes.set(title=profile.title, aspect="equal", xlabel="lateral, mm (to the field side)",
+             ylabel="height, mm" if profile.kind == "rail" else "larger radius, mm (downwards)")
+    axes.grid(color="#dddddd")
+    return _save(figure, path)
+
+
+def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
+    """Profiles, pressures and, where there are creep forces, tractions of each wheel."""
+    sides = [side for side in ("left", "right") if side in result._groups]
+    names = result._names
+    pressures = any(result[side].pmax > 0.0 for side in sides)
+    tractions = any(name.endswith(".traction_max") for name in names)
+    figure, axes = _figure(1 + pressures + tractions, len(sides), (6.2, 4.6))
+    units = str(result["units"]).split(", ")
+    for column, side in enumerate(sides):
+        _draw_outlines(axes[0, column], result, side, units)
+        if pressures:
+            _draw_pressures(figure, axes[1, column], result, side, units)
+        if tractions:
+            _draw_tractions(axes[2, column], result, side, units)
+    _same_scale(axes[1:].flat, turned=_direction(result) > 0.0)
+    return _save(figure, path)
+
+
+def _same_scale(all_axes: Iterable[Any], turned: bool) -> None:
+    """As many mm across and along in each, with a margin; y to the left is drawn on the left."""
+    drawn = [axes for axes in all_axes if axes.has_data()]
+    half = np.max([axes.dataLim.size for axes in drawn], axis=0, initial=0.0) * 0.5 * 1.15
+    for axes in drawn:
+        x, y = (axes.dataLim.min + axes.dataLim.max) / 2
+        axes.set(xlim=(x - half[0], x + half[0]), ylim=(y - half[1], y + half[1]))
+        if turned:
+            axes.invert_xaxis()
+
+
+def _patches(result: Result, side: str) -> list[Group]:
+    return list(result[side].patches) if f"{side}.patches" in result._groups else []
+
+
+def _direction(result: Result) -> float:
+    """+1 where y is positive to the left, which is drawn on the left, -1 otherwise."""
+    return 1.0 if "y left" in str(result["frame"]) else -1.0
+
+
+def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> None:
+    wheel, touch, up = result[side], result[side].rigid_contact, _direction(result)
+    mm = 1.0 if units[0] == "mm" else 1e-3
+    axes.plot(wheel.rail_y, wheel.rail_z, color=_RAIL, label="rail")
+    axes.plot(wheel.wheel_y, wheel.wheel_z, color=_WHEEL, label="wheel")
+    for index, patch in enumerate(_patches(result, side)):
+        along = _HALF_PLANE * mm * np.array([np.cos(patch.angle), np.sin(patch.angle)])
+        y, z = patch.y + along[0] * np.array([-1, 1]), patch.z + along[1] * np.array([-1, 1])
+        label = f"patch {index}: {1e3 * patch.angle:.1f} mrad"
+        if f"{patch._prefix}normal_force" in result._names:
+            label += f", {patch.normal_force:.5g} {units[1]}"
+        axes.plot(y, z, color=_PLANE, linewidth=2.5, label=label)
+    axes.plot(touch.y, touch.z, "o", color="black", fillstyle="none", label="first touch")
+    beside, below, above = (mm * length for length in _AROUND)
+    axes.set(title=f"{side} wheel, seen in driving direction", aspect="equal",
+             xlim=(touch.y + up * beside, touch.y - up * beside),
+             ylim=(touch.z - up * below, touch.z + up * above),
+             xlabel=f"track y, {units[0]}", ylabel=f"track z, {units[0]}")
+    axes.grid(color="#dddddd")
+    axes.legend(loc="upper left", fontsize="small")
+
+
+def _developed(patches: list[Group]) -> dict[str, float]:
+    """Where the references of the patches are drawn: their distances one after the other."""
+    ordered = sorted(patches, key=lambda patch: float(patch.y))
+    places, place = {}, 0.0
+    for before, patch in zip([*ordered[:1], *ordered], ordered):
+        place += np.hypot(patch.y - before.y, patch.z - before.z)
+        places[patch._prefix] = place
+    main = places[patches[0]._prefix] if patches else 0.0
+    return {prefix: place - main for prefix, place in places.items()}
+
+
+def _in_plane(patch: Group, y: Array, z: Array) -> Array:
+    """Along the plane of a patch, from its reference."""
+    along: Array = (y - patch.y) * np.cos(patch.angle) + (z - patch.z) * np.sin(patch.angle)
+    return along
+
+
+def _frame(axes: Any, units: list[str], title: str) -> None:
+    axes.set(title=title, aspect="equal", xlabel=f"along the planes of the patches, {units[0]}",
+             ylabel=f"track x, {units[0]} (forward)")
+    axes.grid(color="#dddddd")
+    axes.set_axisbelow(True)
+    if not axes.has_data():
+        axes.axis("off")
+
+
+def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: list[str]) -> None:
+    wheel, patches = result[side], _patches(result, side)
+    title = f"{side} wheel: no contact"
+    places = _developed(patches)
+    for patch in patches:
+        lateral = places[patch._prefix] + _in_plane(patch, patch.field("y"), patch.field("z"))
+        pressure = np.where(patch.pressure > 0.0, patch.pressure, np.nan)
+        mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=wheel.pmax,
+                               cmap="turbo", shading="nearest")
+        title = f"pmax {wheel.pmax:.5g} {units[2]}, area {wheel.area:.4g} {units[0]}$^2$"
+    if patches:
+        figure.colorbar(mesh, ax=axes, label=f"pressure, {units[2]}")
+    _frame(axes, units, title)
+
+
+def _draw_tractions(axes: Any, result: Result, side: str, units: list[str]) -> None:
+    title, arrows = f"{side} wheel: no tractions", []
+    patches = _patches(result, side)
+    places = _developed(patches)
+    for patch in patches:
+        parts = list(patch.parts) if f"{patch._prefix}parts" in result._groups else [patch]
+        for part in parts:
+            if f"{part._prefix}traction_max" not in result._names:
+                continue
+            lateral = places[patch._prefix] + _in_plane(patch, part.creep_y, part.creep_z)
+            loaded = part.creep_pressure > 0.0
+            traction = np.hypot(part.traction_x, part.traction_y)
+            slips = traction >= _ON_BOUND * part.friction * part.creep_pressure
+            axes.pcolormesh(lateral, part.creep_x, np.where(loaded, slips, np.nan), vmin=0, vmax=1,
+                            cmap=_two_colours(), shading="nearest")
+            steps = [slice(size // _MOST_ARROWS // 2, None, size // _MOST_ARROWS + 1)
+                     for size in loaded.shape]
+            shown = np.zeros_like(loaded)
+            shown[steps[0], steps[1]] = True
+            shown &= loaded
+            arrows.append(np.array([lateral[shown], part.creep_x[shown], part.traction_y[shown],
+                                    part.traction_x[shown]]))
+    if arrows:
+        lateral, x, to_left, forward = np.concatenate(arrows, axis=1)
+        largest = np.hypot(to_left, forward).max(initial=0.0)
+        spacing = (np.ptp(lateral) + np.ptp(x)) / _MOST_ARROWS
+        axes.quiver(lateral, x, to_left, forward, angles="xy", scale_units="xy", width=0.003,
+                    scale=(largest or 1.0) / spacing, color="#303030")
+        title = (f"tractions on the wheel, arrows up to {largest:.4g} {units[2]}\n"
+                 "blue: adhesion, red: slip")
+    _frame(axes, units, title)
+
+
+def _two_colours() -> Any:
+    from matplotlib.colors import ListedColormap
+
+    return ListedColormap([_ADHESION, _SLIP])

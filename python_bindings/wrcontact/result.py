@@ -1,0 +1,216 @@
+"""Results of a scene, by name."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._handle import encoded
+from ._interface import ffi
+from ._library import Array, lib, pointer, string
+from .errors import NoResult, UnknownName
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+# Which fields are on which grid (docs/results.md, "Fields"); all others on that of pressures.
+_ON_CREEP_GRID = ("creep_", "traction_", "slip_", "frictional_")
+
+
+class Group:
+    """Results whose names begin alike: `result.left`, `result.left.patches[0]`.
+
+    Attributes and `group["patches.0.pmax"]` give numbers (float), texts (str), fields (arrays), or
+    further groups; a list such as `left.patches` has a length and can be gone through. dir() names
+    what there is but fields, which docs/results.md lists. Fields of a patch are two-dimensional,
+    rows across the rail from the track centre to the field side, columns along it; those of stresses
+    have a row for each depth. Each access copies a field out of the library once. Of a patch, x, y
+    and z are its reference; those of the elements are `field("x")` and so on. A number that has
+    derivatives is the number; they are `patch["creep_force.longitudinal.by.friction"]` and so on.
+    """
+
+    __slots__ = ("_result", "_prefix")
+    _result: Result
+    _prefix: str
+
+    def __init__(self, result: Result, prefix: str) -> None:
+        self._result = result
+        self._prefix = prefix
+
+    def __getitem__(self, name: str | int) -> Any:
+        full = self._prefix + str(name)
+        if full in self._result._groups:
+            return Group(self._result, full + ".")
+        if isinstance(name, int) and not 0 <= name < len(self):
+            raise IndexError(f"{self._prefix[:-1]} has {len(self)} entries, there is no {name}")
+        return self._result._value(full)
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_"):
+            try:
+                return self[name]
+            except UnknownName as error:
+                raise AttributeError(str(error)) from None
+        raise AttributeError(name)
+
+    def field(self, name: str) -> Array:
+        """A field by name, also where a number has the same one. UnknownName, NoResult."""
+        full = self._prefix + name
+        self._result._live()
+        return self._result._field(full, encoded(full))
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._children()]
+
+    def _children(self) -> list[str]:
+        start = len(self._prefix)
+        return list(dict.fromkeys(name[start:].partition(".")[0] for name in self._result._names
+                                  if name.startswith(self._prefix)))
+
+    def __len__(self) -> int:
+        return sum(child.isdigit() for child in self._children())
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __iter__(self) -> Iterator[Any]:
+        return (self[index] for index in range(len(self)))
+
+    def __repr__(self) -> str:
+        values = [f"{child}: {self[child]!r}" for child in self._children()
+                  if self._prefix + child not in self._result._groups]
+        groups = [child for child in self._children() if self._prefix + child in self._result._groups]
+        lines = values + ([f"and {', '.join(groups)}"] if groups else [])
+        return f"<{self._prefix[:-1]}\n  " + "\n  ".join(lines) + ">"
+
+
+class Result(Group):
+    """What a scene has been solved to; `result["left.pmax"]` or `result.left.pmax`.
+
+    Names, units and signs: docs/results.md. A result is read from its scene, which it keeps alive;
+    once the scene is solved again, it is refused (NoResult): copy what is to be kept.
+    """
+
+    __slots__ = ("scene", "_number", "_of_names", "_of_groups")
+
+    def __init__(self, scene: Scene) -> None:
+        self._prefix = ""
+        self.scene = scene
+        self._number = scene._solutions
+        self._of_names: dict[str, None] | None = None
+        self._of_groups: set[str] | None = None
+
+    @property
+    def _result(self) -> Result:  # type: ignore[override]
+        """Not kept: a result that held itself would wait for the collector of cycles."""
+        return self
+
+    def _live(self) -> Any:
+        if self._number != self.scene._solutions:
+            raise NoResult("the scene was solved again since; this result is gone")
+        return self.scene._handle
+
+    def _value(self, name: str) -> Any:
+        handle, code = self._live(), encoded(name)
+        number = ffi.new("double *")
+        status = lib.wrc_scene_number(handle, code, number)
+        if status == 0:
+            return number[0]
+        if status == lib.WRC_UNKNOWN_NAME:
+            text = ffi.new("const char **")
+            if lib.wrc_scene_text(handle, code, text) == 0:
+                return string(text[0])
+            if lib.wrc_scene_field(handle, code, ffi.NULL, 0, ffi.new("int64_t *")) == 0:
+                return self._field(name, code)
+            status = lib.wrc_scene_number(handle, code, number)  # for its text
+        self.scene._check(status)
+
+    def _field(self, name: str, code: bytes) -> Array:
+        values = self.scene._copied(lib.wrc_scene_field, code)
+        prefix, _, last = name.rpartition(".")
+        if last.startswith("stress_"):
+            depth = self.scene._copied(lib.wrc_scene_field, encoded(f"{prefix}.stress_depth"))
+            return values.reshape(-1, max(1, np.count_nonzero(depth == depth[:1])))
+        grid = "creep_grid" if last.startswith(_ON_CREEP_GRID) else "grid"
+        shape = [self._numbers_or_0(f"{prefix}.{grid}.{index}") for index in (0, 1)]
+        return values.reshape(shape) if shape[0] * shape[1] == values.size else values
+
+    def _numbers_or_0(self, name: str) -> int:
+        number = ffi.new("double *")
+        lib.wrc_scene_number(self._live(), encoded(name), number)
+        return int(number[0])
+
+    @property
+    def _names(self) -> dict[str, None]:
+        """All numbers and texts."""
+        if self._of_names is None:
+            handle = self._live()
+            self._of_names = {}
+            for kind in ("number", "text"):
+                name_at = getattr(lib, f"wrc_scene_{kind}_name")
+                for index in range(getattr(lib, f"wrc_scene_{kind}_count")(handle)):
+                    self._of_names[string(name_at(handle, index))] = None
+        return self._of_names
+
+    @property
+    def _groups(self) -> set[str]:
+        if self._of_groups is None:
+            self._of_groups = {name[:end] for name in self._names
+                               for end in range(len(name)) if name[end] == "."} - self._names.keys()
+        return self._of_groups
+
+    def to_dict(self) -> dict[str, float | str]:
+        """All numbers and texts by name: a copy, which stays when the scene is solved again."""
+        return {name: self._value(name) for name in self._names}
+
+    def patch_table(self) -> Any:
+        """All patches as a structured array with the members of wrc_patch (wrcontact.h).
+
+        Those of the left wheel, then of the right one, each wheel's from the flange on, an order
+        that stays from step to step.
+        """
+        count = ffi.new("int64_t *")
+        members = [(name, "f8") for name, _ in ffi.typeof("wrc_patch").fields]
+        size, handle = ffi.sizeof("wrc_patch"), self._live()
+        self.scene._check(lib.wrc_scene_patches(handle, ffi.NULL, size, 0, count))
+        table = np.zeros(count[0], dtype=members)
+        if table.size:
+            self.scene._check(lib.wrc_scene_patches(handle, pointer(table, "wrc_patch"), size,
+                                                    table.size, count))
+        return table
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
+        """Draws profiles, pressures and tractions; returns a matplotlib Figure, saved to `path`."""
+        from . import plot
+
+        return plot.draw_result(self, path)
+
+    def __repr__(self) -> str:
+        return summary_of(self)
+
+
+def summary_of(result: Result) -> str:
+    """The result in a few lines: wheelset, wheels and patches, in the scene's units."""
+    units = str(result["units"]).split(", ")  # "mm, N, MPa, rad"
+    length, force, pressure = units[:3]
+    lines = [f"<wrcontact.Result, {result['model']}: roll {result['roll']:.6g} rad, centre "
+             f"{result['vertical']:.8g} {length} above the rail tops",
+             f"  wheel  patch   pmax, {pressure:<4} area, {length}2  normal force, {force:<3} "
+             "angle, rad"]
+    for side in ("left", "right"):
+        if side not in result._groups:
+            continue
+        wheel = result[side]
+        patches = list(wheel.patches) if f"{side}.patches" in result._groups else []
+        for index, patch in enumerate(patches):
+            values = [f"{patch[name]:{form}}" if f"{patch._prefix}{name}" in result._names else "-"
+                      for name, form in (("pmax", ".6g"), ("area", ".6g"), ("normal_force", ".8g"),
+                                         ("angle", ".5f"))]
+            lines.append("  {:<6} {:>5} {:>12} {:>10} {:>16} {:>11}".format(side, index, *values))
+        if not patches:
+            lines.append(f"  {side:<6} no patches")
+        lines += [f"  warning, {side}: {text}" for text in
+                  (wheel.warnings if f"{side}.warnings" in result._groups else [])]
+    return "\n".join(lines) + ">"

@@ -1,0 +1,212 @@
+"""Scenes: what is asked, by keys."""
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._handle import Handle, encoded
+from ._interface import ffi
+from ._library import Array, doubles, lib, pointer, string
+from .errors import InvalidArgument, NoResult, UnknownName, error_of
+from .profile import Profile
+from .result import Result
+
+
+_WITH_RESULT = (0, lib.WRC_NOT_CONVERGED)
+
+
+class Key(NamedTuple):
+    """A key of a scene: its name, default, permitted values with their unit, and meaning."""
+
+    name: str
+    default: str
+    allowed: str
+    meaning: str
+
+
+@lru_cache(maxsize=None)
+def keys() -> Mapping[str, Key]:
+    """All keys of a scene by name, in the order of a scene file; the list is the library's."""
+    found = {}
+    texts = ffi.new("const char *[4]")
+    for index in range(lib.wrc_scene_key_count()):
+        lib.wrc_scene_key(index, texts, texts + 1, texts + 2, texts + 3)
+        key = Key(*(string(text) for text in texts))
+        found[key.name] = key
+    return found
+
+
+@lru_cache(maxsize=1024)
+def key_of(word: str) -> str:
+    """The key that a keyword argument stands for.
+
+    It is the key with `_` for each point, `track_rail` for "track.rail". Groups may be left out from
+    the left: `rail`. Of several keys that end so, it is the one with fewest groups left out, and of
+    those the one of the pose (`lateral` is "pose.lateral"); otherwise the keyword is refused. What
+    is no keyword of a key goes to the library as it is. UnknownName.
+    """
+    if word in keys():
+        return word
+    endings: dict[int, list[str]] = {}
+    for name in keys():
+        parts = name.split(".")
+        for left_out in range(len(parts)):
+            if "_".join(parts[left_out:]) == word:
+                endings.setdefault(left_out, []).append(name)
+    if not endings:
+        return word
+    candidates = endings[min(endings)]
+    posed = [name for name in candidates if name.startswith("pose.")]
+    if len(candidates) > 1 and not posed:
+        choices = " or ".join(name.replace(".", "_") for name in candidates)
+        raise UnknownName(f"{word} may be {choices}; write one of these")
+    return (posed or candidates)[0]
+
+
+class Scene(Handle):
+    """Both wheels of a wheelset on their rails: inputs by key, solved by `solve`.
+
+    >>> scene = Scene(lateral=3, rail="60E1")     # the rest as in the paper's Table 1
+    >>> scene["pose.yaw"] = 0.01
+    >>> scene.solve().left.pmax                   # MPa
+
+    Keyword arguments are keys (see `key_of`; `wrcontact.keys()` lists them with defaults, ranges and
+    units). Values are numbers, texts, lists, `True` and `False` for "yes" and "no", `None` for
+    "none", and a Profile for a wheel or rail. mm, N, MPa, rad; x forward, y to the left, z up; the
+    keys of `convention` change that, and are set first wherever they stand.
+
+    A scene serves one thread at a time (Busy); different scenes are independent.
+    """
+
+    _kind = "scene"
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__()
+        self._solutions = 0
+        self.set(**values)
+
+    def set(self, **values: Any) -> Scene:
+        """Sets keys in the order given, those of `convention` first; returns the scene.
+
+        If one is refused, those before it stay set. UnknownName, InvalidArgument.
+        """
+        named = [(key_of(word), value) for word, value in values.items()]
+        for key, value in sorted(named, key=lambda pair: not pair[0].startswith("convention.")):
+            self[key] = value
+        return self
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        code = encoded(key_of(key))
+        if value is None or isinstance(value, (bool, np.bool_)):
+            value = "none" if value is None else "yes" if value else "no"
+        if isinstance(value, (int, float, np.number)):
+            status = lib.wrc_scene_set_number(self._handle, code, value)
+        elif isinstance(value, (str, os.PathLike)):
+            status = lib.wrc_scene_set_text(self._handle, code, encoded(value))
+        elif isinstance(value, Profile):
+            status = lib.wrc_scene_set_profile(self._handle, code, value._handle)
+        elif isinstance(value, Sequence) and value and all(isinstance(word, str) for word in value):
+            status = lib.wrc_scene_set_text(self._handle, code, encoded(" ".join(value)))
+        else:
+            numbers = doubles(value)
+            status = lib.wrc_scene_set_numbers(self._handle, code, pointer(numbers), numbers.size)
+        self._check(status)
+
+    def __getitem__(self, key: str) -> str | float | Array:
+        """The value of a key: a text if it is a word, otherwise a number or an array."""
+        code = encoded(key_of(key))
+        text, number = ffi.new("const char **"), ffi.new("double *")
+        status = lib.wrc_scene_get_text(self._handle, code, text)
+        if status == 0:
+            return string(text[0])
+        if status != lib.WRC_INVALID_ARGUMENT:  # which says that the value is no text
+            self._check(status)
+        if lib.wrc_scene_get_number(self._handle, code, number) == 0:
+            return float(number[0])
+        return self._copied(lib.wrc_scene_get_numbers, code)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(keys())
+
+    def solve(self) -> Result:
+        """Solves geometry, remesh and mechanics, and returns the result.
+
+        NotConverged holds the result that was reached. After any other failure the last result
+        stays. The key solve.until stops after one of the three.
+        """
+        return self._solved(lib.wrc_scene_solve(self._handle))
+
+    def _solved(self, status: int) -> Result:
+        if status not in _WITH_RESULT:
+            self._check(status)
+        self._solutions += 1
+        result = Result(self)
+        if status != 0:
+            error = error_of(status, string(self._error(self._handle)))
+            error.result = result
+            raise error
+        return result
+
+    @property
+    def result(self) -> Result:
+        """Of the last solution. NoResult."""
+        if not self._solutions:
+            raise NoResult("the scene has not been solved yet")
+        return Result(self)
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes the scene as a TOML file, which `wrc_case` replays. FileUnreadable."""
+        self._check(lib.wrc_scene_write(self._handle, encoded(path)))
+
+    def tabulate(self, values: Mapping[str, ArrayLike], results: Sequence[str], *, threads: int = 1,
+                 path: str | os.PathLike[str] = "") -> Array:
+        """Results over all combinations of values of keys, for programs that interpolate.
+
+        Returns an array with an axis for each key, in their order, and a last one for the results;
+        not-a-number without contact. `path`: a text file of columns as well. The scene and its
+        result stay. UnknownName, InvalidArgument, FileUnreadable.
+        """
+        columns = [doubles(column).ravel() for column in values.values()]
+        counts = np.array([column.size for column in columns], dtype=np.int64)
+        table = np.empty((*counts[::-1], len(results)))
+        names = [encoded(" ".join(words)) for words in (map(key_of, values), results)]
+        everything = np.concatenate(columns) if columns else np.empty(0)
+        self._check(lib.wrc_scene_tabulate(
+            self._handle, names[0], pointer(everything), pointer(counts, "int64_t"), names[1],
+            threads, encoded(path), pointer(table)))
+        return table.transpose(*range(len(columns))[::-1], len(columns))
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
+        """Draws the last result, solved if there is none; as Result.plot."""
+        return (Result(self) if self._solutions else self.solve()).plot(path)
+
+    def __repr__(self) -> str:
+        own, plain = ({key: repr(value) for key, value in values_of(scene).items()}
+                      for scene in (self, Scene()))
+        differing = own.items() - plain.items()
+        # What both sides have in common is not said for each.
+        shown = [f"{key}={value}" for key, value in own.items() if (key, value) in differing
+                 and (re.sub(r"\.(left|right)\b", "", key), value) not in differing - {(key, value)}]
+        return f"wrcontact.Scene({', '.join(shown)})"
+
+
+def values_of(scene: Scene) -> dict[str, str | float | Array]:
+    """All keys with their values, but for those whose sides have different ones."""
+    values = {}
+    for key in keys():
+        try:
+            values[key] = scene[key]
+        except InvalidArgument:  # the keys of the sides tell
+            pass
+    return values
+
+
+def solve(**values: Any) -> Result:
+    """Solves a scene with these keys: `wrcontact.solve(lateral=3, rail="60E1").left.pmax`."""
+    return Scene(**values).solve()

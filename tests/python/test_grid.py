@@ -1,0 +1,71 @@
+"""Contact on grids of the caller's."""
+import numpy as np
+import pytest
+
+import wrcontact
+
+
+def sphere(count=64, half=8.0, radius=500.0):
+    """The gap of a sphere on a plane, and the side of an element, mm."""
+    step = 2.0 * half / count
+    place = step * (np.arange(count) + 0.5) - half
+    return np.add.outer(place**2, place**2) / (2.0 * radius), step
+
+
+def test_a_sphere_presses_as_hertz_says():
+    gap, step = sphere()
+    load, modulus, radius = 8e4, 210e3 / (2 * (1 - 0.3**2)), 500.0
+    contact = wrcontact.NormalContact(gap, step, step, normal_load=load, tolerance=1e-8).solve()
+    half_axis = (0.75 * load * radius / modulus) ** (1 / 3)
+    assert np.isclose(contact.pmax, 1.5 * load / (np.pi * half_axis**2), rtol=1e-3)
+    assert np.isclose(contact.approach, half_axis**2 / radius, rtol=1e-3)
+    assert np.isclose(contact.pressure.sum() * step**2, load, rtol=1e-12)
+    assert contact.pressure.shape == contact.displacement.shape == gap.shape
+    assert contact["residuals.load_balance"] < 1e-12 and contact.stop_reason == "tolerance_met"
+    assert f"pmax {contact.pmax:.6g}" in repr(contact) and not hasattr(contact, "none")
+    again = contact.set(approach=contact.approach).solve()
+    assert again is contact and np.isclose(contact.normal_force, load, rtol=1e-6)
+
+
+def test_an_array_is_read_where_it_lies():
+    from wrcontact._interface import ffi
+    from wrcontact._library import doubles, pointer
+
+    gap, step = sphere()
+    assert doubles(gap) is gap and int(ffi.cast("intptr_t", pointer(gap))) == gap.ctypes.data
+    turned = wrcontact.NormalContact(gap.T[:, ::-1], step, step, normal_load=1e4)  # copied into order
+    straight = wrcontact.NormalContact(gap, step, step, normal_load=1e4)
+    assert np.array_equal(turned.solve().pressure, straight.solve().pressure)
+    for wrong in (np.zeros(4), np.zeros((0, 3))):
+        with pytest.raises(wrcontact.InvalidArgument):
+            wrcontact.NormalContact(wrong, 1, 1)
+
+
+def test_creep_forces_rise_as_kalker_says():
+    """Linear theory at small creepages: F = -G c^2 C11 xi, C11 = 4.12 for a circle, nu = 0.25."""
+    gap, step = sphere(128, 9.0)
+    load = 8e4
+    normal = wrcontact.NormalContact(gap, step, step, normal_load=load).solve()
+    radius = np.sqrt(normal.area / np.pi)
+    rolling = wrcontact.RollingContact(normal.pressure, step, step, poisson=0.25, friction=0.3,
+                                       longitudinal_creepage=-1e-5, derivatives=1).solve()
+    shear_modulus = 210000 / (2 * 1.28)
+    assert np.isclose(rolling.longitudinal_force, shear_modulus * radius**2 * 4.12 * 1e-5, rtol=0.02)
+    assert np.isclose(rolling.creepage_derivatives[0, 0], rolling.longitudinal_force / -1e-5, rtol=0.05)
+    assert np.isclose(rolling.traction_x.sum() * step**2, rolling.longitudinal_force, rtol=1e-9)
+    slipping = rolling.set(longitudinal_creepage=-0.1).solve()
+    assert np.isclose(slipping.longitudinal_force, 0.3 * load, rtol=1e-3)
+
+
+def test_a_shift_starts_from_previous_tractions():
+    gap, step = sphere(32)
+    pressure = wrcontact.NormalContact(gap, step, step, normal_load=8e4).solve().pressure
+    shift = wrcontact.RollingContact(pressure, step, step, contact="shift", longitudinal_creepage=-1e-3)
+    first = shift.solve().longitudinal_force
+    tractions = shift.traction_x, shift.traction_y
+    second = shift.advance().solve().longitudinal_force
+    assert first < second
+    assert shift.set_previous(*tractions).solve().longitudinal_force == second
+    assert shift.set_previous([], []).solve().longitudinal_force == first
+    with pytest.raises(wrcontact.InvalidArgument):
+        shift.set_previous(tractions[0], [])

@@ -1,0 +1,37 @@
+"""Profiles: built in, from files and from points."""
+import numpy as np
+import pytest
+
+import wrcontact
+
+
+def test_built_in_profiles_are_those_of_the_library():
+    assert "S1002" in wrcontact.standard_profiles("wheel")
+    rail = wrcontact.Profile("60E1")
+    assert (rail.kind, rail.name, rail.corrections, rail.warnings) == ("rail", "60E1", [], [])
+    assert "60E1" in repr(rail) and rail.title and rail.source and rail.confidence
+    curve = rail.at(rail.nodes)
+    assert np.all(np.diff(rail.nodes) > 0.0) and np.isclose(rail.nodes[-1], rail.length)
+    length = np.hypot(np.diff(curve.lateral), np.diff(curve.height)).sum()
+    assert length <= rail.length and np.isclose(length, rail.length, rtol=1e-2)
+    assert rail.at(10.0).lateral.shape == () and rail.at([[1.0, 2.0]]).height.shape == (1, 2)
+    with pytest.raises(wrcontact.InvalidArgument, match="wheel, rail"):
+        wrcontact.standard_profiles("axle")
+
+
+def test_a_file_and_its_points_give_one_scene(tmp_path):
+    wrcontact.Profile("60E1").write(tmp_path / "rail.prr", spacing=0.2)
+    file = wrcontact.Profile(tmp_path / "rail.prr", kind="rail", strict=True)
+    points = wrcontact.Profile.from_points("rail", *file.points(), name="mine")
+    assert points.name == "mine" and points.points("dropped")[0].size == 0
+    found = [wrcontact.solve(rail=rail).left.pmax for rail in (file, tmp_path / "rail.prr", points)]
+    assert found[0] == found[1] and np.isclose(found[2], found[0], rtol=1e-6)
+
+
+def test_what_is_wrong_is_told(tmp_path):
+    with pytest.raises(TypeError, match="smoothing_wavelength"):
+        wrcontact.Profile("rail.prr", smoothing=3)
+    with pytest.raises(wrcontact.InvalidArgument, match="shape"):
+        wrcontact.Profile.from_points("rail", [0, 1], [0])
+    with pytest.raises(wrcontact.InvalidArgument):
+        wrcontact.Scene(rail=wrcontact.Profile("S1002"))

@@ -1,0 +1,178 @@
+"""Scenes and their results: the bits of the C interface."""
+import subprocess
+
+import numpy as np
+import pytest
+
+import wrcontact
+from conftest import BUILD, PROJECT, SCENES
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_all_numbers_and_texts_are_those_of_the_c_interface(name, wrc_case):
+    values = SCENES[name]
+    expected = wrc_case({wrcontact.key_of(word): value for word, value in values.items()})
+    found = wrcontact.solve(**values).to_dict()
+    names = {one for one in found.keys() & expected.keys() if not one.startswith("time_ms")}
+    assert len(names) > 50
+    assert [one for one in names if found[one] != expected[one]] == []
+
+
+def test_fields_are_those_of_the_c_interface(tmp_path):
+    subprocess.run([BUILD / "bin/wrc_case", "--set", "pose.lateral=5", "--field",
+                    tmp_path / "field.csv"], check=True, capture_output=True)
+    table = np.genfromtxt(tmp_path / "field.csv", delimiter=",", names=True,
+                          dtype=None, encoding="utf-8")
+    for side, wheel in (("left", (result := wrcontact.solve(lateral=5)).left), ("right", result.right)):
+        rows = table[table["side"] == side]
+        patch = wheel.patches[0]
+        for name in ("x", "y", "z", "undeformed_distance", "pressure", "displacement"):
+            assert np.array_equal(patch.field(name).ravel(), rows[name])
+        assert patch.pressure.shape == tuple(patch.grid)
+        assert np.array_equal(wheel.field("pressure"), patch.pressure)
+
+
+def test_fields_have_rows_across_and_columns_along():
+    result = wrcontact.solve(**SCENES["motion"])
+    patch = result.left.patches[0]
+    assert np.ptp(patch.field("x"), axis=0).max() == 0.0
+    assert np.all(np.diff(patch.field("y")[:, 0]) > 0.0)  # the left wheel's field side
+    assert patch.traction_x.shape == tuple(patch.creep_grid) == patch.frictional_energy.shape
+    depth = patch.stress_depth
+    assert depth.shape[0] > 1 and np.ptp(depth, axis=1).max() == 0.0 and np.all(np.diff(depth[:, 0]) > 0)
+    assert np.isclose(patch.stress_von_mises.max(), patch.stress.von_mises_max, rtol=0.1)
+    assert patch.wear_depth.ndim == 1
+
+
+def test_a_number_with_derivatives_is_the_number():
+    patch = wrcontact.solve(**{**SCENES["creep forces"], "derivatives": True}).left.patches[0]
+    assert isinstance(patch.creep_force.longitudinal, float)
+    assert patch["creep_force.longitudinal.by.friction"] != 0.0
+    assert "and creepage" not in repr(patch.creep_force) and "longitudinal: " in repr(patch.creep_force)
+
+
+def test_keywords_stand_for_the_keys_of_the_library():
+    keys = wrcontact.keys()
+    assert list(keys)[0] == "convention.units" and keys["pose.lateral"].default == "0.0"
+    forms = [name.replace(".", "_") for name in keys]
+    assert len(set(forms)) == len(forms)
+    for name, form in zip(keys, forms):
+        assert wrcontact.key_of(form) == wrcontact.key_of(name) == name
+    for word, name in {"lateral": "pose.lateral", "rail": "track.rail", "poisson": "material.poisson",
+                       "wheel_poisson": "material.wheel.poisson", "accuracy": "solve.accuracy",
+                       "radius": "wheelset.radius", "speed": "motion.speed"}.items():
+        assert wrcontact.key_of(word) == name
+    with pytest.raises(wrcontact.UnknownName, match="load_left or friction_left"):
+        wrcontact.key_of("left")
+    with pytest.raises(wrcontact.UnknownName, match="latral"):
+        wrcontact.Scene(latral=3)
+
+
+def test_every_key_takes_the_value_it_gives():
+    scene, other = wrcontact.Scene(), wrcontact.Scene()
+    for key in scene:
+        other[key] = scene[key]
+    assert repr(other) == repr(scene) == "wrcontact.Scene()"
+
+
+def test_values_of_all_kinds(tmp_path):
+    scene = wrcontact.Scene(lateral=np.float32(2), derivatives=True, grid=(64, 32), yield_pressure=None,
+                            track_left_displacement=np.array([1, 0, 0.01]), threads=np.int64(2))
+    assert scene["lateral"] == 2.0 and scene["solve.derivatives"] == "yes"
+    assert list(scene["grid"]) == [64, 32] and list(scene["track.left.displacement"]) == [1, 0, 0.01]
+    assert scene["yield_pressure"] == "none" and scene["solve.threads"] == 2
+    assert repr(wrcontact.Scene(lateral=3, rail="CHN60")) == (
+        "wrcontact.Scene(track.rail='CHN60', pose.lateral=3.0)")
+    scene.write(tmp_path / "scene.toml")
+    assert 'derivatives = "yes"' in (tmp_path / "scene.toml").read_text()
+    wrcontact.Profile("60E1").write(tmp_path / "rail.prr")
+    assert wrcontact.solve(rail=tmp_path / "rail.prr").left.pmax > 0.0
+    for wrong in ("60E1\0", [1.0, np.nan, 2.0], object()):
+        with pytest.raises((wrcontact.InvalidArgument, TypeError)):
+            wrcontact.Scene(rail=wrong)
+
+
+def test_the_convention_comes_first_and_holds_for_numbers():
+    mm, metres = wrcontact.solve(lateral=3), wrcontact.solve(lateral=0.003, units="SI")
+    assert np.isclose(metres.left.pmax, 1e6 * mm.left.pmax, rtol=1e-12)
+    assert "centre 0.4599" in repr(metres) and "pmax, Pa" in repr(metres)
+
+
+def test_a_result_shows_itself_and_its_names():
+    result = wrcontact.solve(lateral=6.15, rail="56E1")
+    text = repr(result)
+    assert f"{result.left.patches[1].pmax:.6g}" in text and "half-space" in text
+    assert len(result.left.patches) == result.left.patch_count == 2 == len(list(result.left.patches))
+    assert {"left", "right", "roll"} <= set(dir(result)) and "pmax" in dir(result.left)
+    assert "centroid" in repr(result.left.patches[0])
+    table = result.patch_table()
+    assert sorted(table["largest_pressure"][:2]) == sorted(one.pmax for one in result.left.patches)
+    assert not hasattr(result.left, "no_such_result")
+    with pytest.raises(IndexError):
+        result.left.patches[2]
+    assert "no patches" in repr(wrcontact.solve(vertical=461))
+    assert "geometry" not in repr(wrcontact.solve(until="geometry"))
+
+
+def test_a_result_ends_with_the_next_solution_of_its_scene():
+    scene = wrcontact.Scene()
+    with pytest.raises(wrcontact.NoResult):
+        scene.result
+    first = scene.solve()
+    kept = first.to_dict()
+    second = scene.set(lateral=4).solve()
+    with pytest.raises(wrcontact.NoResult, match="solved again"):
+        first.left.pmax
+    assert second.left.pmax != kept["left.pmax"] and scene.result.left.pmax == second.left.pmax
+
+
+def test_a_failed_solution_leaves_the_result():
+    scene = wrcontact.Scene()
+    result = scene.solve()
+    scene.set(lateral=100, roll="en15302")
+    with pytest.raises(wrcontact.NoContact):
+        scene.solve()
+    assert result.left.pmax == scene.result.left.pmax > 0.0
+
+
+def test_a_solver_gives_the_bits_of_single_scenes():
+    solver, scene = wrcontact.Solver(), wrcontact.Scene(accuracy=1e-2)
+    for lateral in (0, 3, 6.5, -2):
+        found = solver.solve(scene.set(lateral=lateral)).to_dict()
+        alone = wrcontact.solve(lateral=lateral, accuracy=1e-2).to_dict()
+        assert {name for name in alone if found[name] != alone[name]} <= {
+            name for name in alone if name.startswith("time_ms")}
+    solver.forget()
+    assert solver.solve(scene).left.pmax == alone["left.pmax"]
+
+
+def test_a_step_gives_forces_and_derivatives_of_both_wheels():
+    solver, scene = wrcontact.Solver(), wrcontact.Scene(accuracy_of="forces")
+    position, velocity = [0, 3.0, 459.88, 1e-4, 0, 1e-3], [2e4, 15.0, 0, 0, 43.5, 0]
+    step = solver.step(scene, position, velocity, derivatives=True)
+    total = scene.result.left.total
+    assert list(step.force[0]) == [*(total.force[one] for one in "xyz"),
+                                   *(total.moment[one] for one in "xyz")]
+    assert step.states[1] & 1 and not step.force[1].any()
+    lowered = solver.step(scene, [0, 3.0, 459.88 - 1e-4, 1e-4, 0, 1e-3], velocity)
+    difference = (lowered.force[0, 2] - step.force[0, 2]) / -1e-4
+    assert np.isclose(step.by_position[0, 2, 2], difference, rtol=0.02)  # row: coordinate z
+    assert lowered.by_position is None
+    forces, by_creepage = solver.creep(scene, 0, [1e-4, 0, 0])
+    more, _ = solver.creep(scene, 0, [1.001e-4, 0, 0])
+    assert np.isclose(by_creepage[0, 0], (more[0] - forces[0]) / 1e-7, rtol=0.02)
+    with pytest.raises(wrcontact.InvalidArgument, match="position has 5"):
+        solver.step(scene, position[:5], velocity)
+
+
+def test_a_table_has_an_axis_for_each_key():
+    scene = wrcontact.Scene(accuracy=1e-2)
+    table = scene.tabulate({"lateral": [0, 2, 4], "yaw": [0, 0.01]}, ["left.pmax", "roll"], threads=2)
+    assert table.shape == (3, 2, 2)
+    expected = wrcontact.solve(accuracy=1e-2, lateral=4, yaw=0.01)
+    assert list(table[2, 1]) == [expected.left.pmax, expected.roll]
+
+
+def test_the_version_is_that_of_the_project():
+    version = (PROJECT / "CMakeLists.txt").read_text().split("project(wrcontact VERSION ")[1]
+    assert version.startswith(wrcontact.__version__ + " ")

@@ -1,0 +1,53 @@
+"""Studies as xarray Datasets."""
+import numpy as np
+import pytest
+
+import wrcontact
+
+
+def test_a_study_has_the_numbers_of_single_scenes():
+    data = wrcontact.study({"lateral": [-3, 0, 6.15], "rail": ["60E1", "56E1"]},
+                           ["left.pmax", "left.patches.1.pmax"], threads=2, accuracy=1e-2)
+    assert data["left.pmax"].dims == ("pose.lateral", "track.rail")
+    for lateral in (-3, 0, 6.15):
+        for rail in ("60E1", "56E1"):
+            one = data.sel({"pose.lateral": lateral, "track.rail": rail})
+            result = wrcontact.solve(lateral=lateral, rail=rail, accuracy=1e-2)
+            assert float(one["left.pmax"]) == result.left.pmax
+            second = result.left.patches[1].pmax if len(result.left.patches) > 1 else np.nan
+            assert np.array_equal(float(one["left.patches.1.pmax"]), second, equal_nan=True)
+    assert not data["status"].any() and data.attrs["solve.accuracy"] == 1e-2
+    assert {"track.rail", "track.left.rail", "pose.lateral"}.isdisjoint(data.attrs)
+
+
+def test_more_scenes_than_are_solved_at_once_do_not_depend_on_threads():
+    random = np.random.default_rng(1)
+    cases = {"lateral": ("case", random.uniform(-5, 5, 1100)),
+             "yaw": ("case", random.uniform(-0.01, 0.01, 1100))}
+    one, two = (wrcontact.study(cases, ["left.rigid_contact.angle", "roll"], threads=threads,
+                                until="geometry") for threads in (1, 2))
+    assert one.identical(two) and one["roll"].shape == (1100,)
+    row = 1050
+    expected = wrcontact.solve(lateral=cases["lateral"][1][row], yaw=cases["yaw"][1][row])
+    assert float(one["roll"][row]) == expected.roll
+
+
+def test_a_scene_that_fails_is_a_row_with_its_status():
+    data = wrcontact.study({"lateral": [0, 100]}, ["left.pmax"], roll="en15302")
+    assert list(data["status"]) == [0, wrcontact.NoContact.status]
+    assert np.isnan(data["left.pmax"][1]) and "off the rail" in str(data["message"].values[1])
+    with pytest.raises(wrcontact.UnknownName):
+        wrcontact.study({"lateral": [0]}, ["left.none"])
+    with pytest.raises(wrcontact.InvalidArgument):
+        wrcontact.study({"lateral": [1000]})
+
+
+def test_values_of_all_kinds_vary(tmp_path):
+    rails = [wrcontact.Profile("60E1"), wrcontact.Profile("54E1")]
+    data = wrcontact.study({"rail": rails, "roll": ["en15302", 1e-4]}, ["left.depth"], accuracy=1e-2)
+    assert list(data["track.rail"].values) == ["60E1", "54E1"]
+    assert float(data["left.depth"][1, 1]) == wrcontact.solve(rail="54E1", roll=1e-4,
+                                                              accuracy=1e-2).left.depth
+    moved = wrcontact.study({"track.left.displacement": [[0, 0, 0], [1, 0, 0]]}, ["roll"])
+    assert moved["roll"][0] != moved["roll"][1]
+    assert wrcontact.study({}, ["roll"])["roll"].shape == ()
