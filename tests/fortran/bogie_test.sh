@@ -44,9 +44,10 @@ runs() {
   expect "$power > 100 && $drag/$power - 1 < 1e-3 && 1 - $drag/$power < 1e-3" "power balance"
 }
 
-# By eigenvalues of the library's Jacobian and in time within 2 %.
+# By eigenvalues of the library's Jacobian and in time within 2 %. At 1e-2 the speed in time is 2.7 % off
+# that of the finer accuracies itself, as forces are.
 critical() {
-  "$bogie" --critical yes --seconds 0.2 --step 2e-3 >found.txt
+  "$bogie" --critical yes --accuracy 3e-3 --seconds 0.2 --step 2e-3 >found.txt
   local by_eigenvalues in_time
   by_eigenvalues=$(value found.txt 'critical speed by') in_time=$(value found.txt 'critical speed in')
   expect "$by_eigenvalues > 60 && $by_eigenvalues < 90" "of a coach"
