@@ -91,6 +91,33 @@ void check_problem(const RollingProblem& problem) {
   }
 }
 
+namespace {
+
+/// Compliances of the elements that strips begin with; `bound` and tractions become those that
+/// stand for them (leading_edge.hpp).
+std::vector<double> take_in_edges(const ScaledTractions& scaled, std::vector<double>& bound,
+                                  std::vector<double>& traction) {
+  const TractionShape& shape = scaled.box().shape;
+  const std::size_t count = bound.size();
+  std::vector<double> edge(count);
+  if (!scaled.has_edges()) {
+    return edge;
+  }
+  scaled.fill_covered(edge.data(), shape.columns);
+  make_edges(bound.data(), edge.data(), shape, shape.columns, scaled.aspect());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (bound[i] > 0.0) {
+      const double share =
+          scaled.mean_share(scaled.element(i / shape.columns, i % shape.columns), bound[i]);
+      traction[i] /= share;
+      traction[count + i] /= share;
+    }
+  }
+  return edge;
+}
+
+} // namespace
+
 TangentialResiduals compute_residuals(const RollingProblem& problem,
                                       std::span<const double> traction_x,
                                       std::span<const double> traction_y, LinePlans& plans) {
@@ -112,18 +139,7 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   scaled.fill_bound(bound.data(), pitch);
   scaled.fill_rigid_slip(rigid.data(), shape, pitch, 0);
   scaled.read_tractions(traction_x, traction_y, q.data(), pitch);
-  std::vector<double> edge(count);
-  if (scaled.has_edges()) {
-    scaled.fill_covered(edge.data(), pitch);
-    make_edges(bound.data(), edge.data(), shape, pitch, scaled.aspect());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (bound[i] > 0.0) {
-        const double share = scaled.mean_share(scaled.element(i / pitch, i % pitch), bound[i]);
-        q[i] /= share;
-        q[count + i] /= share;
-      }
-    }
-  }
+  const std::vector<double> edge = take_in_edges(scaled, bound, q);
   ConvolutionWorkspace<double> workspace;
   convolution.apply(q.data(), q.data() + count, s.data(), s.data() + count, workspace);
   for (std::size_t i = 0; i < 2 * count; ++i) {
