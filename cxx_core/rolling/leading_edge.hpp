@@ -17,9 +17,8 @@
 /// order wherever its edge falls.
 ///
 /// An edge that runs obliquely through the strips is found behind its place, by a share of its
-/// slope
-/// (`edge_advance`); its elements are taken as covered by as much more, up to whole ones. Along a
-/// single oblique edge that holds on average only: what is left is of first order still.
+/// slope (`edge_advance`); its elements are taken as covered by as much more, up to whole ones.
+/// Along a single oblique edge that holds on average only: what is left is of first order still.
 /// Thread rule: pure functions.
 #pragma once
 
