@@ -44,7 +44,11 @@ ElementCounts counts_with(double rows) {
 } // namespace
 
 ElementCounts counts_for(const AccuracyGoal& goal) {
-  return counts_with(rows_for(goal.accuracy / error_factor(goal)));
+  ElementCounts counts = counts_with(rows_for(goal.accuracy / error_factor(goal)));
+  if (goal.creep_forces) {
+    counts.longitudinal = whole(creep_columns_factor * static_cast<double>(counts.longitudinal));
+  }
+  return counts;
 }
 
 ElementCounts coarse_counts(double accuracy) {

@@ -66,9 +66,10 @@ SubsurfaceStress::Places SubsurfaceStress::below_contact(const Level& level) con
 std::vector<GreatestStress> SubsurfaceStress::search() const {
   // Coarser elements where the depth allows them.
   const Level& shown = levels_[level_shown()];
+  const double shorter = std::min(shown.grid.longitudinal_step, shown.grid.lateral_step);
   std::vector<GreatestStress> found;
   for (double depth = deepest_search * half_width();; depth /= search_depth_ratio) {
-    const bool surface = depth < shallowest_search * shown.size();
+    const bool surface = depth < shallowest_search * shorter;
     const Level& level =
         std::max(shown, level_for(depth, depth_of_search_element),
                  [](const Level& a, const Level& b) { return a.size() < b.size(); });

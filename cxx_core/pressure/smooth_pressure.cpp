@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace wrc {
@@ -51,7 +52,7 @@ SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressur
     for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
       const double p = pressure[i * grid.longitudinal_count + j];
       const std::size_t at = (i + room) * grid_.longitudinal_count + j + room;
-      loaded_[at] = p > 0.0;
+      loaded_[at] = p > 0.0 ? 1 : 0;
       squares_[at] = p > 0.0 ? p * p : 0.0;
     }
   }
@@ -71,7 +72,7 @@ SmoothPressure::Continuation SmoothPressure::continuation(std::size_t at,
   Continuation result;
   std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at) + step;
   while (result.found < 3 && place >= 0 && place < static_cast<std::ptrdiff_t>(known_.size()) &&
-         known_[static_cast<std::size_t>(place)]) {
+         known_[static_cast<std::size_t>(place)] != 0) {
     result.values[result.found++] = squares_[static_cast<std::size_t>(place)];
     place += step;
   }
@@ -81,11 +82,11 @@ SmoothPressure::Continuation SmoothPressure::continuation(std::size_t at,
 void SmoothPressure::replace_ends_of_rows() {
   const std::size_t columns = grid_.longitudinal_count;
   for (std::size_t at = columns; at + columns < squares_.size(); ++at) {
-    known_[at] = loaded_[at] && loaded_[at - 1] && loaded_[at + 1] && loaded_[at - columns] &&
-                 loaded_[at + columns];
+    known_[at] = std::min({loaded_[at], loaded_[at - 1], loaded_[at + 1], loaded_[at - columns],
+                           loaded_[at + columns]});
   }
   for (std::size_t at = 0; at < squares_.size(); ++at) {
-    if (!loaded_[at] || known_[at]) {
+    if (loaded_[at] == 0 || known_[at] != 0) {
       continue;
     }
     for (const std::ptrdiff_t step : {-1, 1}) {
@@ -99,17 +100,24 @@ void SmoothPressure::replace_ends_of_rows() {
 
 /// Directions weigh with the slope of p^2 along them, that is, those across the edge most.
 void SmoothPressure::fill_in_ring() {
-  const auto columns = static_cast<std::ptrdiff_t>(grid_.longitudinal_count);
+  const std::size_t columns = grid_.longitudinal_count;
+  std::vector<std::uint8_t> near_row(squares_.size()); // something known here or beside it
+  for (std::size_t at = 1; at + 1 < squares_.size(); ++at) {
+    near_row[at] = std::max({known_[at - 1], known_[at], known_[at + 1]});
+  }
   std::vector<std::pair<std::size_t, double>> ring;
   for (std::size_t at = 0; at < squares_.size(); ++at) {
-    if (known_[at]) {
+    const bool beside = near_row[at] != 0 || (at >= columns && near_row[at - columns] != 0) ||
+                        (at + columns < squares_.size() && near_row[at + columns] != 0);
+    if (known_[at] != 0 || !beside) {
       continue;
     }
     std::array<double, 3> sums{};
     std::array<double, 3> weights{};
     for (const std::ptrdiff_t down : {-1, 0, 1}) {
       for (const std::ptrdiff_t right : {-1, 0, 1}) {
-        const Continuation one = continuation(at, down * columns + right);
+        const Continuation one =
+            continuation(at, down * static_cast<std::ptrdiff_t>(columns) + right);
         if (one.found == 0) { // nor is the element itself known
           continue;
         }
@@ -132,7 +140,7 @@ void SmoothPressure::fill_in_ring() {
   }
   for (const auto& [at, value] : ring) {
     squares_[at] = value;
-    known_[at] = true;
+    known_[at] = 1;
   }
 }
 
@@ -143,12 +151,13 @@ std::optional<SmoothPressure::Extent> SmoothPressure::extent(std::size_t lines,
   std::optional<Extent> all;
   constexpr double edge = static_cast<double>(room) - 0.5; // of the grid of the pressures
   for (std::size_t line = 0; line < lines; ++line) {
+    std::optional<Extent> one;
     const auto at = [&](std::size_t index) {
       return squares_[line * line_stride + index * stride];
     };
     // Of the edge between two places, from the one inside.
     const auto beyond = [&](std::size_t inside, std::size_t outside) {
-      const bool known = known_[line * line_stride + outside * stride];
+      const bool known = known_[line * line_stride + outside * stride] != 0;
       return known ? at(inside) / (at(inside) - std::min(at(outside), 0.0)) : 0.5;
     };
     for (std::size_t i = 0; i < count; ++i) {
@@ -158,8 +167,14 @@ std::optional<SmoothPressure::Extent> SmoothPressure::extent(std::size_t lines,
       const auto place = static_cast<double>(i);
       const double first = std::max(place - beyond(i, i - 1), edge);
       const double last = std::min(place + beyond(i, i + 1), static_cast<double>(count - 1) - edge);
-      all = all ? Extent{std::min(all->first, first), std::max(all->last, last)}
-                : Extent{first, last};
+      one = one ? Extent{std::min(one->first, first), std::max(one->last, last), 0.0}
+                : Extent{first, last, 0.0};
+    }
+    if (one) {
+      one->longest = one->last - one->first;
+      all = all ? Extent{std::min(all->first, one->first), std::max(all->last, one->last),
+                         std::max(all->longest, one->longest)}
+                : one;
     }
   }
   return all;
@@ -169,7 +184,8 @@ std::optional<SmoothPressure::Extent> SmoothPressure::longitudinal_extent() cons
   auto result = extent(grid_.lateral_count, grid_.longitudinal_count, grid_.longitudinal_count, 1);
   if (result) {
     result = Extent{grid_.longitudinal_first + result->first * grid_.longitudinal_step,
-                    grid_.longitudinal_first + result->last * grid_.longitudinal_step};
+                    grid_.longitudinal_first + result->last * grid_.longitudinal_step,
+                    result->longest * grid_.longitudinal_step};
   }
   return result;
 }
@@ -178,7 +194,8 @@ std::optional<SmoothPressure::Extent> SmoothPressure::lateral_extent() const {
   auto result = extent(grid_.longitudinal_count, 1, grid_.lateral_count, grid_.longitudinal_count);
   if (result) {
     result = Extent{grid_.lateral_first + result->first * grid_.lateral_step,
-                    grid_.lateral_first + result->last * grid_.lateral_step};
+                    grid_.lateral_first + result->last * grid_.lateral_step,
+                    result->longest * grid_.lateral_step};
   }
   return result;
 }
@@ -212,23 +229,49 @@ public:
     const std::array<std::size_t, 4> corners{corner, corner + 1, corner + columns,
                                              corner + columns + 1};
     const bool in_contact =
-        std::any_of(corners.begin(), corners.end(), [this](auto at) { return of_.loaded_[at]; });
+        std::any_of(corners.begin(), corners.end(), [this](auto at) { return of_.loaded_[at] != 0; });
     const bool filled =
-        std::all_of(corners.begin(), corners.end(), [this](auto at) { return of_.known_[at]; });
+        std::all_of(corners.begin(), corners.end(), [this](auto at) { return of_.known_[at] != 0; });
     if (!in_contact && !filled) {
       return outside;
     }
-    double before = 0.0;
-    double after = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      before += weights_[j][k] * of_.squares_[corner + k - 1];
-      after += weights_[j][k] * of_.squares_[corner + columns + k - 1];
-    }
-    const double square = before + across_.beyond * (after - before);
+    const double before = along_row(j, corner);
+    const double after = along_row(j, corner + columns);
+    const double square = before + across_.beyond * (after - before) -
+                          0.5 * across_.beyond * (1.0 - across_.beyond) *
+                              second_difference(j, corner, before, after);
     return in_contact || square < 0.0 ? square : outside;
   }
 
 private:
+  /// On the row of elements whose second one of four is `at`.
+  [[nodiscard]] double along_row(std::size_t j, std::size_t at) const {
+    double square = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      square += weights_[j][k] * of_.squares_[at + k - 1];
+    }
+    return square;
+  }
+  /// Across the rows, from their values at `corner` and after it, where those beyond are known.
+  [[nodiscard]] double second_difference(std::size_t j, std::size_t corner, double before,
+                                         double after) const {
+    const std::size_t columns = of_.grid_.longitudinal_count;
+    if (across_.before < 1 || across_.before + 2 >= of_.grid_.lateral_count) {
+      return 0.0;
+    }
+    for (const std::size_t row : {corner - columns, corner, corner + columns, corner + 2 * columns}) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (of_.known_[row + k - 1] == 0) {
+          return 0.0;
+        }
+      }
+    }
+    const double first = along_row(j, corner - columns) - 2.0 * before + after;
+    const double last = before - 2.0 * after + along_row(j, corner + 2 * columns);
+    return first * last > 0.0 ? std::copysign(std::min(std::abs(first), std::abs(last)), first)
+                              : 0.0;
+  }
+
   const SmoothPressure& of_;
   std::vector<Place> along_;
   std::vector<std::array<double, 4>> weights_;

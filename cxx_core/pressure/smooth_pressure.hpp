@@ -7,8 +7,9 @@
 /// from three elements further in, 3 f1 - 3 f2 + f3. In the same way two elements outside are
 /// filled in, from as many of the 8 directions as have three known elements (else two, else one),
 /// which weigh with the slope of p^2 along them. In between p^2 is interpolated cubically along
-/// rows and linearly across, where profiles have kinks. Means over elements take p^2 as linear in
-/// each half of an element.
+/// rows. Across, where profiles have kinks, it has the smaller of the two second differences about
+/// the place, none if their signs differ. Means over elements take p^2 as linear in each half of an
+/// element.
 ///
 /// Units are the caller's. Thread rule: constant after construction.
 ///
@@ -18,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,6 +36,7 @@ public:
   struct Extent {
     double first = 0.0;
     double last = 0.0;
+    double longest = 0.0; ///< of the lines in between, from the first to the last edge on each
   };
   /// The least interval that holds the contact of all lines; none without contact.
   [[nodiscard]] std::optional<Extent> longitudinal_extent() const;
@@ -62,8 +65,8 @@ private:
   void fill_in_ring();
 
   Grid grid_;                ///< with room for what is filled in
-  std::vector<bool> loaded_; ///< elements with pressure
-  std::vector<bool> known_;  ///< elements that others are continued from
+  std::vector<std::uint8_t> loaded_; ///< elements with pressure
+  std::vector<std::uint8_t> known_;  ///< elements that others are continued from
   std::vector<double> squares_;
 };
 

@@ -257,8 +257,9 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             const CreepRequest& request, const PatchRates* rates,
                             RollingSolver& solver, CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
-  creep.grid = grid_around_contact(patch.grid, pressure, request.accuracy, patch.lobes);
-  const double columns = equivalent_columns(creep.grid, patch.lobes);
+  const auto [grid, columns] =
+      grid_around_contact(patch.grid, pressure, request.accuracy, patch.lobes);
+  creep.grid = grid;
   const bool unlike =
       request.model == CreepModel::full && request.material.difference_parameter != 0.0;
   if (unlike) {
@@ -309,7 +310,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   creep.residual = solution.residual;
   creep.convolutions = solution.convolutions;
   if (request.model == CreepModel::full) {
-    creep.error_estimate = creep_error_of_one_column * std::pow(columns, -creep_error_order) +
+    creep.error_estimate = creep_error_of_one_column / (columns * columns) +
                            share_of_creep_pressures * request.accuracy +
                            creep_error_by_residual * solution.residual;
   }

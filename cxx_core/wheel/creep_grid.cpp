@@ -7,28 +7,36 @@
 
 namespace wrc {
 
-Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
-                         int lobes) {
+CreepGrid grid_around_contact(const Grid& of_pressures, const SmoothPressure& pressure,
+                              double accuracy, int lobes) {
   const auto along = pressure.longitudinal_extent();
   const auto across = pressure.lateral_extent();
   if (!along || !across) {
-    return grid;
+    return {of_pressures, 1.0};
   }
-  const double usual = std::pow(share_of_creep_columns * accuracy / creep_error_of_one_column,
-                                -1.0 / creep_error_order);
-  const double ratio =
-      static_cast<double>(lobes) * (along->last - along->first) / (across->last - across->first);
-  const double longer = std::pow(ratio, creep_sides_exponent);
-  const double columns = std::clamp(usual * longer, min_creep_columns, max_creep_columns);
-  const double rows =
-      std::max(creep_rows_by_columns * usual / longer, min_creep_rows) * static_cast<double>(lobes);
-  const auto even = [](double count) {
-    return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
+  const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
+  const double lobe_count = static_cast<double>(lobes);
+  const double sides = lobe_count * along->longest / across->longest;
+  const double columns_by_wanted = std::pow(sides, creep_columns_exponent);
+  const double rows_by_wanted = creep_rows_by_columns * std::pow(sides, -creep_rows_exponent);
+  const double columns =
+      std::max(std::min(wanted * columns_by_wanted,
+                        max_creep_columns * along->longest / (along->last - along->first)),
+               min_creep_columns);
+  const double rows = std::max(
+      std::min(wanted * rows_by_wanted, 2.0 * max_creep_columns * across->longest /
+                                            (lobe_count * (across->last - across->first))),
+      min_creep_rows);
+  const auto over = [](const SmoothPressure::Extent& extent, double on_longest) {
+    return 2 * static_cast<std::size_t>(
+                   std::ceil(0.5 * on_longest * (extent.last - extent.first) / extent.longest));
   };
-  Grid result;
-  result.longitudinal_count = even(columns);
-  result.lateral_count = even(std::min(rows, 2.0 * max_creep_columns));
-  return moved_around_contact(result, pressure);
+  CreepGrid result;
+  result.columns = std::min(columns / columns_by_wanted, rows / rows_by_wanted);
+  result.grid.longitudinal_count = over(*along, columns);
+  result.grid.lateral_count = over(*across, lobe_count * rows);
+  result.grid = moved_around_contact(result.grid, pressure);
+  return result;
 }
 
 Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure) {
@@ -43,11 +51,6 @@ Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure) {
          result.longitudinal_step);
   divide(pressure.lateral_extent(), grid.lateral_count, result.lateral_first, result.lateral_step);
   return result;
-}
-
-double equivalent_columns(const Grid& grid, int lobes) {
-  return std::sqrt(static_cast<double>(grid.element_count()) /
-                   (creep_rows_by_columns * static_cast<double>(lobes)));
 }
 
 Grid extended_to(const Grid& inner, const Grid& outer) {

@@ -1,7 +1,9 @@
 /// Elements of the tangential problem of a patch.
 ///
-/// As many along the contact as the law error = c n^-m asks for (constants.hpp), fewer across;
-/// of lobes side by side each has as many across. Units mm. Thread rule: pure functions.
+/// As many along the contact as the law error = c/n^2 asks for (constants.hpp), fewer across; of
+/// lobes side by side each has as many across. They are counted along the longest lines of the
+/// contact, so that one that lies askew in its rectangle has as many. Units mm. Thread rule: pure
+/// functions.
 #pragma once
 
 #include "base/grid.hpp"
@@ -9,15 +11,16 @@
 
 namespace wrc {
 
-/// The grid over the rectangle around the contact; `grid`, that of the pressures, without contact.
-Grid grid_around_contact(const Grid& grid, const SmoothPressure& pressure, double accuracy,
-                         int lobes);
+/// The grid over the rectangle around the contact; that of the pressures without contact.
+struct CreepGrid {
+  Grid grid;
+  double columns = 0.0; ///< n of the law: elements along a contact as long as wide
+};
+CreepGrid grid_around_contact(const Grid& of_pressures, const SmoothPressure& pressure,
+                              double accuracy, int lobes);
 
 /// A grid with as many elements over the rectangle around another contact of the same plane.
 Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure);
-
-/// Elements along a contact as long as wide with as many elements for each lobe: n of the law.
-double equivalent_columns(const Grid& grid, int lobes);
 
 /// A grid with as many elements more on each side as reach the outer grid's edges, half its own at
 /// most: where contact of unlike bodies may move to.
