@@ -208,7 +208,7 @@ GreatestStress SubsurfaceStress::greatest() const {
   if (tractions_) {
     const double size = levels_.front().size();
     const double near = size / (size + found.depth);
-    found.error_estimate = near_surface_error * near * near * size / half_width();
+    found.error_estimate = near_surface_error * near * near * std::sqrt(size / half_width());
   }
   return found;
 }

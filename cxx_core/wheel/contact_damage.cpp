@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 
+#include "mechanics/cascade.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/wheel_result.hpp"
@@ -16,22 +19,19 @@ bool has_tractions(const PatchResult& patch) {
   return patch.creep && !patch.creep->traction_x.empty();
 }
 
-/// What acts on the requested body.
-SubsurfaceStress stresses_of(const PatchResult& patch, const DamageRequest& request) {
-  if (!has_tractions(patch)) {
-    return {{patch.grid, patch.pressure, {}, {}}, request.poisson};
-  }
+/// Tractions on the elements of normal contact: their ratio to the pressures of their own, coarser
+/// grid, times the pressures here.
+std::vector<double> on_elements_of_pressure(const PatchResult& patch,
+                                            std::span<const double> traction, double sign) {
   const CreepResult& creep = *patch.creep;
-  std::vector<double> x = creep.traction_x;
-  std::vector<double> y = creep.traction_y;
-  if (!request.of_wheel) {
-    for (std::vector<double>* traction : {&x, &y}) {
-      for (double& value : *traction) {
-        value = -value;
-      }
-    }
+  std::vector<double> pressure;
+  std::vector<double> result;
+  interpolate(creep.grid, creep.pressure, patch.grid, pressure);
+  interpolate(creep.grid, traction, patch.grid, result);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] *= pressure[i] > 0.0 ? sign * patch.pressure[i] / pressure[i] : 0.0;
   }
-  return {{creep.grid, creep.pressure, x, y}, request.poisson};
+  return result;
 }
 
 Wear wear_of_patch(const PatchResult& patch, const DamageRequest& request) {
@@ -46,7 +46,7 @@ ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
                         double pressure_error) {
   ContactDamage damage;
   if (request.stress && !patch.pressure.empty()) {
-    damage.stress = stresses_of(patch, request).greatest();
+    damage.stress = stresses_below(patch, request).greatest();
     damage.stress->error_estimate += pressure_error;
   }
   if (request.wear && patch.creep) {
@@ -97,6 +97,27 @@ void add(ContactDamage& whole, const ContactDamage& part) {
 
 } // namespace
 
+SubsurfaceStress stresses_below(const PatchResult& patch, const DamageRequest& request) {
+  if (!has_tractions(patch)) {
+    return {{patch.grid, patch.pressure, {}, {}}, request.poisson};
+  }
+  const CreepResult& creep = *patch.creep;
+  const double sign = request.of_wheel ? 1.0 : -1.0;
+  std::vector<double> x;
+  std::vector<double> y;
+  if (creep.pressure_change > 0.0) {
+    for (const auto& [from, to] :
+         {std::pair{&creep.traction_x, &x}, std::pair{&creep.traction_y, &y}}) {
+      std::transform(from->begin(), from->end(), std::back_inserter(*to),
+                     [&](double value) { return sign * value; });
+    }
+    return {{creep.grid, creep.pressure, x, y}, request.poisson};
+  }
+  x = on_elements_of_pressure(patch, creep.traction_x, sign);
+  y = on_elements_of_pressure(patch, creep.traction_y, sign);
+  return {{patch.grid, patch.pressure, x, y}, request.poisson};
+}
+
 void find_damage(WheelResult& wheel, const DamageRequest& request) {
   wheel.details.damage = request;
   wheel.damage.emplace();
@@ -121,7 +142,7 @@ StressSection stress_section(const WheelDetails& wheel, const PatchResult& patch
     return {};
   }
   const DamageRequest& request = wheel.damage;
-  const Grid& grid = has_tractions(patch) ? patch.creep->grid : patch.grid;
+  const Grid& grid = patch.grid;
   // Around the contact: of the patch's own grid the part under pressure.
   const double length = std::max(patch.semi_axis_longitudinal, 0.5 * grid.longitudinal_step);
   const double width = std::max(patch.semi_axis_lateral, 0.5 * grid.lateral_step);
@@ -137,7 +158,7 @@ StressSection stress_section(const WheelDetails& wheel, const PatchResult& patch
     depths[i] = section_depth * std::min(length, width) * (static_cast<double>(i) + 0.5) /
                 static_cast<double>(section_depths);
   }
-  const SubsurfaceStress stress = stresses_of(patch, request);
+  const SubsurfaceStress stress = stresses_below(patch, request);
   const GreatestStress& greatest = *patch.damage->stress;
   return request.section_across ? stress.across(places, greatest.x, depths)
                                 : stress.along(places, greatest.y, depths);

@@ -1,7 +1,7 @@
 /// What contact does to the steel, patch by patch, as far as it is requested.
 ///
-/// From the pressures and tractions of the creep grid; without tractions on it, from the pressures
-/// of the patch. Stresses are those of one body: the rail, on which tractions act the other way
+/// Wear comes from the pressures and tractions of the creep grid, stresses from the pressures of the
+/// patch and tractions in proportion. Stresses are those of one body: the rail, on which tractions act the other way
 /// round, or the wheel. Wear needs tractions by element (models full and fastsim-strips), fatigue
 /// creep forces of any kind.
 ///
@@ -61,6 +61,11 @@ struct ContactDamage {
 
 /// Fills in ContactDamage of the wheel and its patches.
 void find_damage(WheelResult& wheel, const DamageRequest& request);
+
+/// Of a patch or a part of one, under its pressures and, where it has them, its tractions: their
+/// ratios to the pressures of their own, coarser grid on the elements of normal contact. Pressures
+/// that tractions change are those of the tractions' grid.
+SubsurfaceStress stresses_below(const PatchResult& patch, const DamageRequest& request);
 
 /// Stresses in a plane through the place of the greatest one, track frame turned into the patch's
 /// plane; empty if they were not requested.

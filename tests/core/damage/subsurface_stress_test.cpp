@@ -326,6 +326,18 @@ TEST(SubsurfaceStress, FindsTheStressBelowANarrowStrip) {
   EXPECT_GT(stress.greatest().von_mises, 0.99 * greatest);
 }
 
+// Depths of the search are those of the contact's width, however long the elements.
+TEST(SubsurfaceStress, FindsTheStressBelowElementsFarLongerThanWide) {
+  const Loads loads = hertz(12.0, 1.0, 6, 12);
+  const SubsurfaceStress stress(loads.surface(), 0.3);
+  const double found = stress.greatest().von_mises;
+  double greatest = 0.0;
+  for (double z = 0.1; z < 1.5; z += 0.05) {
+    greatest = std::max(greatest, von_mises(stress.at(loads.grid.longitudinal(2), 0.0, z)));
+  }
+  EXPECT_NEAR(found, greatest, 0.01 * greatest);
+}
+
 TEST(SubsurfaceStress, PrincipalStressesAreRootsOfTheCharacteristicPolynomial) {
   const Stress s{-300.0, 120.0, -800.0, 90.0, -60.0, 210.0};
   const auto principal = principal_stresses(s);
