@@ -177,31 +177,5 @@ TEST(ContactCases, AllAgree) {
   }
 }
 
-/// With the default settings: grids of an accuracy, elements of smooth pressure.
-TEST(ContactCases, AgreeWithTheDefaultSettings) {
-  const nlohmann::json cases = reference_cases();
-  if (cases.empty()) {
-    GTEST_SKIP() << "no contact_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  for (const auto& entry : cases) {
-    const std::string id = entry.at("id");
-    SCOPED_TRACE(id);
-    const auto patches = ordered_patches(entry);
-    // The accuracy, and that of CONTACT's elements of 0.1 mm; a peak on a strip less than 2 mm
-    // wide; contact on few of CONTACT's elements of 0.2 mm; 1 kN on two patches, see delicate_case.
-    const bool rough = id == "table1-058" || id == "table1-079" || id == "manchester-034" ||
-                       id == "manchester-022";
-    const double share = patches.size() > 1 ? 0.05 : rough ? 0.01 : 2e-3;
-    Scene scene = scene_of(entry);
-    scene.accuracy = Scene().accuracy;
-    const SceneResult result = solve_scene(scene);
-    const PatchResult& patch = (result.left ? result.left : result.right)->patches.at(0);
-    const double pmax = patches.at(0).at("pmax_MPa");
-    const double approach = patches.at(0).at("approach_mm");
-    EXPECT_NEAR(patch.pmax, pmax, share * pmax);
-    EXPECT_NEAR(patch.approach, approach, share * approach);
-  }
-}
-
 } // namespace
 } // namespace wrc::test::contact_cases_test

@@ -1,0 +1,51 @@
+// wrc_regression: stored cases against what they should be.
+#include <algorithm>
+#include <iostream>
+
+#include "support/program.hpp"
+#include "support/scene.hpp"
+#include "wrc_regression/checks.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Solves stored cases and compares them with the paper's Table 2, with the program CONTACT "
+      "and with own baselines.\nExit status: 0 if all are within their tolerances, 4 if not.",
+      "wrc_regression");
+  std::string folder = WRC_REGRESSION_FOLDER;
+  std::string contact;
+  bool update = false;
+  app.add_option("--cases", folder,
+                 "folder with cases.toml and baselines.toml; default: drivers/evidence/"
+                 "wrc_regression of the sources it was built from")
+      ->type_name("DIR");
+  app.add_option("--contact", contact,
+                 "JSON file with values of CONTACT; without it these are left out")
+      ->type_name("FILE");
+  app.add_flag("--update", update,
+               "write the own baselines anew, and tell what has changed; nothing else is written");
+  return driver::run_program(app, argc, argv, [&] {
+    const std::filesystem::path cases = folder;
+    const std::filesystem::path baselines = cases / "baselines.toml";
+    std::vector<driver::Check> checks = driver::run_stored_cases(cases / "cases.toml", baselines);
+    if (update) {
+      const auto changes = driver::update_baselines(checks, baselines);
+      for (const std::string& line : changes) {
+        std::cout << line << '\n';
+      }
+      std::cout << changes.size() << " values of " << baselines.string() << " have changed\n";
+      return 0;
+    }
+    if (contact.empty()) {
+      std::cerr << "wrc_regression: values of CONTACT are left out (--contact FILE)\n";
+    } else {
+      for (driver::Check& check : driver::run_contact_cases(contact)) {
+        checks.push_back(std::move(check));
+      }
+    }
+    driver::print_checks(checks, std::cout);
+    const bool passed = std::all_of(checks.begin(), checks.end(),
+                                    [](const driver::Check& check) { return check.passed(); });
+    constexpr int deviates = 4;
+    return passed ? 0 : deviates;
+  });
+}
