@@ -2,6 +2,7 @@
 /// that are taken in, words and names that are refused.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -73,6 +74,37 @@ const auto& entry_in(const Table& table, const char* what, const char* contact,
   }
   refuse_name(what, contact, name, names_in(table));
 }
+
+/// A number that can be set: its range, which may leave a gap down to 0, and the text of what is
+/// allowed.
+template <class Problem> struct NumberKey {
+  const char* name;
+  double least;
+  double largest;
+  const char* allowed;
+  void (*set)(Problem&, double);
+  bool whole = false;
+  bool or_zero = false;
+};
+
+/// Throws Error(unknown_name) or Error(invalid_argument).
+template <class Table, class Problem>
+void set_number_in(const Table& table, const char* contact, Problem& problem, const char* key,
+                   double value) {
+  require_pointer(key, "key");
+  const auto& entry = entry_in(table, "number", contact, key);
+  const bool within = value >= entry.least && value <= entry.largest;
+  if (!(within || (entry.or_zero && value == 0.0)) || (entry.whole && value != std::floor(value))) {
+    throw_invalid_argument(key, value, entry.allowed);
+  }
+  entry.set(problem, value);
+}
+
+/// A text that can be set.
+template <class AnObject> struct TextKey {
+  const char* name;
+  void (*set)(AnObject&, const char* key, const char* value);
+};
 
 /// Runs a body that needs results.
 template <class Handle, class Body> wrc_status with_result(Handle* handle, Body&& body) {

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <chrono>
-#include <vector>
-
 #include "half_space/fft.hpp"
 #include "handles.hpp"
 
@@ -19,14 +15,6 @@ template <class Body> wrc_status guard_process(Body&& body) noexcept {
     std::string error;
     return wrc::status_of_current_exception(error);
   }
-}
-
-double time_pair(wrc::RealFft& transform) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  transform.forward();
-  transform.backward();
-  return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 } // namespace
@@ -64,20 +52,8 @@ wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats,
     if (repeats < 1 || repeats > most_repeats) {
       wrc::throw_invalid_argument("repeats", repeats, "allowed is 1 to 1000");
     }
-    wrc::RealFft transform(static_cast<std::size_t>(rows), static_cast<std::size_t>(columns));
-    const auto fill = [&transform] { // again for each pair, which multiplies by the size
-      std::fill(transform.field().begin(), transform.field().end(), 1.0);
-    };
-    fill();
-    time_pair(transform);
-    std::vector<double> times(static_cast<std::size_t>(repeats));
-    for (double& time : times) {
-      fill();
-      time = time_pair(transform);
-    }
-    std::sort(times.begin(), times.end());
-    const std::size_t middle = times.size() / 2;
-    *median_ms = times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
+    *median_ms = wrc::measure_transform(static_cast<std::size_t>(rows),
+                                        static_cast<std::size_t>(columns), repeats);
   });
 }
 }

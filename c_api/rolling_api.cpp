@@ -16,16 +16,7 @@ constexpr const char* rolling_contact = "rolling contact";
 /// MPa; forces on any grid, and their power, remain finite numbers.
 constexpr double largest_pressure = 1e30;
 
-struct NumberKey {
-  const char* name;
-  double least;
-  double largest;
-  const char* allowed;
-  void (*set)(Problem&, double);
-  bool whole = false;
-};
-
-constexpr auto number_keys = std::to_array<NumberKey>({
+constexpr auto number_keys = std::to_array<wrc::NumberKey<Problem>>({
     {"shear_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
      [](Problem& problem, double value) { problem.shear_modulus = value; }},
     {"poisson", 0.0, 0.5, "allowed is 0 to 0.5",
@@ -49,12 +40,7 @@ constexpr auto number_keys = std::to_array<NumberKey>({
      true},
 });
 
-struct TextKey {
-  const char* name;
-  void (*set)(Object&, const char* key, const char* value);
-};
-
-constexpr auto text_keys = std::to_array<TextKey>({
+constexpr auto text_keys = std::to_array<wrc::TextKey<Object>>({
     {"model",
      [](Object& object, const char* key, const char* value) {
        object.fastsim = wrc::chosen<bool>(key, value, {{"full", false}, {"fastsim", true}});
@@ -172,13 +158,7 @@ wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction
 
 wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value) {
   return wrc::guard(rolling, [&](Object& object) {
-    wrc::require_pointer(key, "key");
-    const NumberKey& entry = wrc::entry_in(number_keys, "number", rolling_contact, key);
-    if (!(value >= entry.least && value <= entry.largest) ||
-        (entry.whole && value != std::floor(value))) {
-      wrc::throw_invalid_argument(key, value, entry.allowed);
-    }
-    entry.set(object.problem, value);
+    wrc::set_number_in(number_keys, rolling_contact, object.problem, key, value);
     return WRC_OK;
   });
 }

@@ -184,7 +184,7 @@ def module_rows():
     folder = PROJECT / "fortran_bindings"
     main = (folder / "wrcontact.f90").read_text(encoding="utf-8")
     whole = main + "".join((folder / f"wrcontact_{part}.inc").read_text(encoding="utf-8")
-                           for part in ("scene", "solver", "vehicle", "normal", "rolling",
+                           for part in ("library", "scene", "solver", "vehicle", "normal", "rolling",
                                         "profile", "namelist"))
     procedures = procedures_of(whole)
     rows, used = {}, []
@@ -234,12 +234,12 @@ def module_rows():
 def f77_rows():
     literals = {"kind0": "KIND(0)", "one": "1.0D0"}
     lines, types, current, calls = [], {}, None, []
-    for line in text_of("fortran_bindings/wrcontact_f77.f").lower().splitlines():
-        if not re.match(r"[c*!]", line) and line.strip():
-            if re.match(r"     [^ 0]", line):
-                lines[-1] += line[6:]
-            else:
-                lines.append(line.strip())
+    for line in text_of("fortran_bindings/wrcontact_f77.f90").lower().splitlines():
+        line = line.strip()
+        if lines and lines[-1].endswith("&"):
+            lines[-1] = lines[-1][:-1] + line
+        elif line and not line.startswith("!"):
+            lines.append(line)
     for line in lines:
         head = re.match(r"subroutine (wrc\w+)\((.*)\)", line)
         if head:

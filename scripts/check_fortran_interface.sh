@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The Fortran interfaces of the C functions are those of wrcontact.h and of wrcontact_grid.h beside
 # it: every function of these headers is bound by the module, with the same names, number, kinds and
-# passing of arguments, the same structures and the same constants; the F77 layer binds some of
-# them, as exactly; every function bound is called.
+# passing of arguments, the same structures and the same constants; every function bound is called.
+# The F77 layer includes the same file.
 #
 # Both sides are brought to lines like
 #   function wrc_scene_number int32 scene:address name:letters value:real*
@@ -72,15 +72,14 @@ of_header() {
     END { exit bad }'
 }
 
-# of_fortran FILE: of its interface blocks; fixed or free form.
+# of_fortran FILE: of its interface blocks.
 of_fortran() {
   # Continued lines are joined, comments go.
   awk '
-    /^[cC*!]/ || /^ *!/ || /^ *$/ { next }
-    fixed && /^     [^ 0]/ { line = line substr($0, 7); next }
-    !fixed && open { sub(/^ +/, ""); line = line $0; open = sub(/& *$/, "", line); next }
-    { if (line != "") print line; line = $0; if (!fixed) open = sub(/& *$/, "", line) }
-    END { print line }' fixed="$([[ $1 == *f77* ]] && echo 1 || echo 0)" "$1" |
+    /^ *!/ || /^ *$/ { next }
+    open { sub(/^ +/, ""); line = line $0; open = sub(/& *$/, "", line); next }
+    { if (line != "") print line; line = $0; open = sub(/& *$/, "", line) }
+    END { print line }' "$1" |
     awk -v file="$(basename "$1")" '
     function stop(what) { print "not understood in " file ": " what > "/dev/stderr"; bad = 1 }
     function kind_of(type, array) {
@@ -139,14 +138,11 @@ fail() { echo "$1"; failures=1; }
 
 of_header | sort > "$work/header"
 of_fortran "$folder/wrcontact_c.inc" | sort > "$work/module"
-of_fortran "$folder/wrcontact_f77.inc" | sort > "$work/f77"
 # A header that is read wrongly as a whole would compare equal to nothing.
 [ "$(grep -c '^function' "$work/header")" -eq "$(cat "${headers[@]}" | grep -cE '^WRC_API [a-z]')" ] ||
   fail "not every declaration of the header was read"
 diff -u --label wrcontact.h --label wrcontact_c.inc "$work/header" "$work/module" ||
   fail "the module's interfaces are not those of the header"
-foreign=$(comm -13 "$work/header" "$work/f77")
-[ -z "$foreign" ] || fail "the F77 layer's interfaces are not those of the header: $foreign"
 
 # Constants: WRC_OK 0 in the header, wrc_ok = 0 in the module.
 grep -ohE '^#define WRC_[A-Z_]+ [0-9]+' "${headers[@]}" | tr '[:upper:]' '[:lower:]' | sed 's/#define //' | sort > "$work/defines"
@@ -157,7 +153,7 @@ diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/paramet
 
 # Every function bound is called.
 while read -r _ name _; do
-  grep -qE "[^a-z_]$name\(" "$folder/wrcontact.f90" "$folder"/wrcontact_{scene,solver,vehicle,normal,rolling,profile,namelist}.inc ||
+  grep -qE "[^a-z_]$name\(" "$folder/wrcontact.f90" "$folder"/wrcontact_{library,scene,solver,vehicle,normal,rolling,profile,namelist}.inc ||
     fail "the module binds $name and never calls it"
 done < <(grep '^function' "$work/module")
 exit "$failures"

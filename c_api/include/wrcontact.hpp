@@ -71,6 +71,21 @@ protected:
     }
     return status == WRC_OK;
   }
+  /// What a call puts at its last argument: a number, a text.
+  template <class Value, class Call, class... Arguments>
+  Value value_of(Call call, const Arguments&... arguments) const {
+    Value value{};
+    check(call(handle_, arguments..., &value));
+    return value;
+  }
+  /// Texts of a call that gives them one by one.
+  template <class Call> std::vector<std::string> texts_of(Call call) const {
+    std::vector<std::string> texts;
+    for (std::int64_t i = 0; const char* text = call(handle_, i); ++i) {
+      texts.emplace_back(text);
+    }
+    return texts;
+  }
   /// All values of a call that copies as wrc_scene_field does.
   template <class Copy> std::vector<double> copied(Copy&& copy) const {
     std::int64_t count = 0;
@@ -114,30 +129,12 @@ public:
     check(wrc_profile_write(handle(), path.c_str(), spacing));
   }
 
-  std::int32_t kind() const {
-    std::int32_t kind = 0;
-    check(wrc_profile_kind(handle(), &kind));
-    return kind;
-  }
+  std::int32_t kind() const { return value_of<std::int32_t>(wrc_profile_kind); }
   std::string text(const std::string& name) const {
-    const char* value = nullptr;
-    check(wrc_profile_text(handle(), name.c_str(), &value));
-    return value;
+    return value_of<const char*>(wrc_profile_text, name.c_str());
   }
-  std::vector<std::string> corrections() const {
-    std::vector<std::string> lines;
-    for (std::int64_t i = 0; const char* line = wrc_profile_correction(handle(), i); ++i) {
-      lines.emplace_back(line);
-    }
-    return lines;
-  }
-  std::vector<std::string> warnings() const {
-    std::vector<std::string> lines;
-    for (std::int64_t i = 0; const char* line = wrc_profile_warning(handle(), i); ++i) {
-      lines.emplace_back(line);
-    }
-    return lines;
-  }
+  std::vector<std::string> corrections() const { return texts_of(wrc_profile_correction); }
+  std::vector<std::string> warnings() const { return texts_of(wrc_profile_warning); }
   struct Points {
     std::vector<double> lateral;
     std::vector<double> height;
@@ -152,11 +149,7 @@ public:
         wrc_profile_points(handle(), which, all.lateral.data(), all.height.data(), count, &count));
     return all;
   }
-  double length() const {
-    double length = 0.0;
-    check(wrc_profile_length(handle(), &length));
-    return length;
-  }
+  double length() const { return value_of<double>(wrc_profile_length); }
   std::vector<double> nodes() const {
     return copied([this](double* values, std::int64_t capacity, std::int64_t* count) {
       return wrc_profile_nodes(handle(), values, capacity, count);
@@ -231,14 +224,10 @@ public:
     check(wrc_scene_set_profile(handle(), key.c_str(), profile.handle()));
   }
   double get_number(const std::string& key) const {
-    double value = 0.0;
-    check(wrc_scene_get_number(handle(), key.c_str(), &value));
-    return value;
+    return value_of<double>(wrc_scene_get_number, key.c_str());
   }
   std::string get_text(const std::string& key) const {
-    const char* value = nullptr;
-    check(wrc_scene_get_text(handle(), key.c_str(), &value));
-    return value;
+    return value_of<const char*>(wrc_scene_get_text, key.c_str());
   }
   std::vector<double> get_numbers(const std::string& key) const {
     return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
@@ -256,9 +245,7 @@ public:
     return wrc_scene_number(handle(), name.c_str(), &value) == WRC_OK;
   }
   double number(const std::string& name) const {
-    double value = 0.0;
-    check(wrc_scene_number(handle(), name.c_str(), &value));
-    return value;
+    return value_of<double>(wrc_scene_number, name.c_str());
   }
   /// The number, or another value if the scene has none of this name.
   double number_or(const std::string& name, double otherwise) const {
@@ -267,14 +254,10 @@ public:
   }
   /// Ids, the same for all scenes, of keys and of names of results. Since 0.3.
   std::int32_t key_id(const std::string& key) const {
-    std::int32_t id = 0;
-    check(wrc_scene_key_id(handle(), key.c_str(), &id));
-    return id;
+    return value_of<std::int32_t>(wrc_scene_key_id, key.c_str());
   }
   std::int32_t number_id(const std::string& name) const {
-    std::int32_t id = 0;
-    check(wrc_scene_number_id(handle(), name.c_str(), &id));
-    return id;
+    return value_of<std::int32_t>(wrc_scene_number_id, name.c_str());
   }
   /// Sets all or, if one is refused, none. Ids (std::int32_t) and values (double) are a
   /// std::vector, a std::array or the like, of the same length. Since 0.3.
@@ -287,29 +270,15 @@ public:
     check(wrc_scene_numbers_by_id(handle(), ids.data(), values.data(), common_length(ids, values)));
   }
   std::string text(const std::string& name) const {
-    const char* value = nullptr;
-    check(wrc_scene_text(handle(), name.c_str(), &value));
-    return value;
+    return value_of<const char*>(wrc_scene_text, name.c_str());
   }
   std::vector<double> field(const std::string& name) const {
     return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
       return wrc_scene_field(handle(), name.c_str(), values, capacity, count);
     });
   }
-  std::vector<std::string> number_names() const {
-    std::vector<std::string> names;
-    for (std::int64_t i = 0; const char* name = wrc_scene_number_name(handle(), i); ++i) {
-      names.emplace_back(name);
-    }
-    return names;
-  }
-  std::vector<std::string> text_names() const {
-    std::vector<std::string> names;
-    for (std::int64_t i = 0; const char* name = wrc_scene_text_name(handle(), i); ++i) {
-      names.emplace_back(name);
-    }
-    return names;
-  }
+  std::vector<std::string> number_names() const { return texts_of(wrc_scene_number_name); }
+  std::vector<std::string> text_names() const { return texts_of(wrc_scene_text_name); }
 
   /// Entries of a list of results, for example of "left.patches".
   int count_of(const std::string& list) const {

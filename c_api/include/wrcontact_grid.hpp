@@ -30,14 +30,10 @@ public:
   bool solve() { return converged(wrc_normal_solve(handle())); }
 
   double number(const std::string& name) const {
-    double value = 0.0;
-    check(wrc_normal_number(handle(), name.c_str(), &value));
-    return value;
+    return value_of<double>(wrc_normal_number, name.c_str());
   }
   std::string text(const std::string& name) const {
-    const char* value = nullptr;
-    check(wrc_normal_text(handle(), name.c_str(), &value));
-    return value;
+    return value_of<const char*>(wrc_normal_text, name.c_str());
   }
   std::vector<double> field(const std::string& name) const {
     return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
@@ -79,9 +75,7 @@ public:
   void advance() { check(wrc_rolling_advance(handle())); }
 
   double number(const std::string& name) const {
-    double value = 0.0;
-    check(wrc_rolling_number(handle(), name.c_str(), &value));
-    return value;
+    return value_of<double>(wrc_rolling_number, name.c_str());
   }
   std::vector<double> field(const std::string& name) const {
     return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {

@@ -10,11 +10,13 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fftw3.h>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/stopwatch.hpp"
 
 namespace wrc {
 
@@ -62,14 +64,10 @@ unsigned flags_of(PlannerRigor rigor) {
   return rigor == PlannerRigor::measure ? FFTW_MEASURE : FFTW_ESTIMATE;
 }
 
-struct BufferRelease {
-  void operator()(void* buffer) const { fftw_free(buffer); }
-};
-
-void check_length(const char* argument, std::size_t length) {
+void check_length(std::size_t length) {
   constexpr auto longest = static_cast<std::size_t>(std::numeric_limits<int>::max());
   if (length < 1 || length > longest) {
-    throw_invalid_argument(argument, static_cast<double>(length), "must lie in 1 to 2^31 - 1");
+    throw_invalid_argument("length", static_cast<double>(length), "must lie in 1 to 2^31 - 1");
   }
 }
 
@@ -244,7 +242,7 @@ template <typename Real> LineFft<Real>::LineFft(std::size_t length, PlannerRigor
 }
 
 template <typename Real> void LineFft<Real>::plan(std::size_t length, PlannerRigor rigor) {
-  check_length("length", length);
+  check_length(length);
   plans_.reset(new Plans);
   Plans& own = *plans_;
   own.pitch = aligned_pitch<Complex>(length);
@@ -401,67 +399,37 @@ void unlock_after_fork() {
   kept_transforms().unlock();
 }
 
-struct RealFft::Resources {
-  std::size_t rows;
-  std::size_t columns;
-  std::unique_ptr<double, BufferRelease> field;
-  std::unique_ptr<fftw_complex, BufferRelease> spectrum;
+double measure_transform(std::size_t rows, std::size_t columns, int repeats) {
+  AlignedArray<double> field(rows * columns);
+  AlignedArray<std::complex<double>> spectrum(rows * (columns / 2 + 1));
+  const int height = static_cast<int>(rows);
+  const int width = static_cast<int>(columns);
   Plan<double> forward;
   Plan<double> backward;
-};
-
-RealFft::RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor)
-    : resources_(new Resources{rows, columns, nullptr, nullptr, nullptr, nullptr}) {
-  check_length("rows", rows);
-  check_length("columns", columns);
-  Resources& own = *resources_;
-  own.field.reset(fftw_alloc_real(rows * columns));
-  own.spectrum.reset(fftw_alloc_complex(rows * (columns / 2 + 1)));
-  if (own.field == nullptr || own.spectrum == nullptr) {
-    throw_no_memory(rows, columns);
-  }
   {
     const PlanningGuard guard(planner());
     require_memory(memory_of_tables + 2 * memory_of_plan + (rows + columns) * memory_per_value);
-    own.forward.reset(fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns),
-                                           own.field.get(), own.spectrum.get(),
-                                           flags_of(rigor) | FFTW_PRESERVE_INPUT));
-    own.backward.reset(fftw_plan_dft_c2r_2d(static_cast<int>(rows), static_cast<int>(columns),
-                                            own.spectrum.get(), own.field.get(), flags_of(rigor)));
+    forward.reset(fftw_plan_dft_r2c_2d(height, width, field.data(), fftw_of(spectrum.data()),
+                                       FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
+    backward.reset(
+        fftw_plan_dft_c2r_2d(height, width, fftw_of(spectrum.data()), field.data(), FFTW_ESTIMATE));
   }
-  if (own.forward == nullptr || own.backward == nullptr) {
+  if (forward == nullptr || backward == nullptr) {
     throw_no_memory(rows, columns);
   }
-}
-
-RealFft::~RealFft() = default;
-RealFft::RealFft(RealFft&&) noexcept = default;
-RealFft& RealFft::operator=(RealFft&&) noexcept = default;
-
-std::size_t RealFft::rows() const {
-  return resources_->rows;
-}
-std::size_t RealFft::columns() const {
-  return resources_->columns;
-}
-std::size_t RealFft::spectrum_columns() const {
-  return resources_->columns / 2 + 1;
-}
-
-std::span<double> RealFft::field() {
-  return {resources_->field.get(), resources_->rows * resources_->columns};
-}
-
-std::span<std::complex<double>> RealFft::spectrum() {
-  return {reinterpret_cast<std::complex<double>*>(resources_->spectrum.get()),
-          resources_->rows * spectrum_columns()};
-}
-
-void RealFft::forward() {
-  fftw_execute(resources_->forward.get());
-}
-void RealFft::backward() {
-  fftw_execute(resources_->backward.get());
+  std::vector<double> times;
+  for (int i = 0; i <= repeats; ++i) {
+    std::fill_n(field.data(), rows * columns, 1.0); // again: a pair multiplies by the size
+    const Stopwatch watch;
+    fftw_execute(forward.get());
+    fftw_execute(backward.get());
+    if (i > 0) { // the first one touches the memory
+      times.push_back(watch.milliseconds());
+    }
+  }
+  std::sort(times.begin(), times.end());
+  const std::size_t middle = times.size() / 2;
+  return times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
 }
 
 } // namespace wrc

@@ -1,22 +1,20 @@
 /// Fast Fourier transforms: the one file that sees FFTW.
 ///
-/// RealFft, two-dimensional, double precision:
-///   F[k, l] = sum_{m, n} f[m, n] exp(-2 pi i (k m / rows + l n / columns)), kept for
-/// l <= columns/2; backward is its conjugate sum, so that backward(forward(f)) = rows columns f
-/// (FFTW 3 manual, "What FFTW Really Computes"). LineFft: of complex values in one dimension, in
-/// single or double precision, on lines of the caller's memory.
-/// Plans are made with the requested rigor. With `estimate` they are the same on every call, unless
-/// the process has loaded wisdom; with `measure` FFTW times several algorithms, once a length, and
-/// the last bits of results may differ from one process to the next.
+/// LineFft: of complex values in one dimension, in single or double precision, on lines of the
+/// caller's memory:
+///   F[k] = sum_m f[m] exp(-2 pi i k m / length);
+/// backward is its conjugate sum, so that backward(forward(f)) = length f (FFTW 3 manual, "What
+/// FFTW Really Computes"). Plans are made with the requested rigor. With `estimate` they are the
+/// same on every call, unless the process has loaded wisdom; with `measure` FFTW times several
+/// algorithms, once a length, and the last bits of results may differ from one process to the next.
 /// Memory: FFTW ends the program if it gets none while it plans. So all transforms of lines that
 /// grids up to 512 elements need are planned at once, before the first of them is used, and kept as
 /// long as the process (prepare_transforms); no solution plans then. Others (longer lines,
-/// `measure`, RealFft) are planned when first needed. Before any planning as much memory as it
-/// takes is asked for and given back: if there is none, that is Error(out_of_memory).
-/// Thread rule: planning takes a lock shared by the whole process, since only FFTW's execute is
+/// `measure`, measure_transform) are planned when first needed. Before any planning as much memory
+/// as it takes is asked for and given back: if there is none, that is Error(out_of_memory). Thread
+/// rule: planning takes a lock shared by the whole process, since only FFTW's execute is
 /// thread-safe; a host that plans by itself can have its own lock taken before it. One LineFft
-/// serves any number of threads at once, each with lines of its own; one RealFft, which holds its
-/// fields, serves one at a time.
+/// serves any number of threads at once, each with lines of its own.
 /// Fork rule: lock_for_fork before, unlock_after_fork in both processes after it.
 #pragma once
 
@@ -25,7 +23,6 @@
 #include <cstddef>
 #include <memory>
 #include <new>
-#include <span>
 #include <string>
 
 namespace wrc {
@@ -146,29 +143,9 @@ void prepare_transforms();
 void lock_for_fork();
 void unlock_after_fork();
 
-/// Buffers and plans of one size, aligned for vector instructions.
-class RealFft {
-public:
-  /// Throws Error(out_of_memory) if there is no memory for buffers or plans.
-  RealFft(std::size_t rows, std::size_t columns, PlannerRigor rigor = PlannerRigor::estimate);
-  ~RealFft();
-  RealFft(RealFft&&) noexcept;
-  RealFft& operator=(RealFft&&) noexcept;
-
-  [[nodiscard]] std::size_t rows() const;
-  [[nodiscard]] std::size_t columns() const;
-  /// columns/2 + 1, the length of a row of the spectrum.
-  [[nodiscard]] std::size_t spectrum_columns() const;
-
-  [[nodiscard]] std::span<double> field();
-  [[nodiscard]] std::span<std::complex<double>> spectrum();
-
-  void forward();  ///< field -> spectrum; the field is kept
-  void backward(); ///< spectrum -> field, not normalised; the spectrum is lost
-
-private:
-  struct Resources;
-  std::unique_ptr<Resources> resources_;
-};
+/// Median time in ms of a real two-dimensional transform in double precision and its inverse, over
+/// so many repetitions, at least one: a yardstick of costs. Throws Error(out_of_memory) if there is
+/// no memory for buffers or plans.
+double measure_transform(std::size_t rows, std::size_t columns, int repeats);
 
 } // namespace wrc

@@ -22,7 +22,6 @@ std::vector<CoupledInfluence::Box> CoupledInfluence::boxes_of(std::span<const So
     Box& box = boxes.emplace_back();
     box.size = {patch.grid.lateral_count, patch.grid.longitudinal_count};
     find_pressure_box(box.size, patch.pressure, 0, box.elements);
-    box.values.resize(box.elements.rows() * box.elements.columns());
     box.unit = patch.grid.longitudinal_step / (std::numbers::pi * combined_modulus);
   }
   return boxes;
@@ -49,11 +48,7 @@ void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
                            std::span<std::vector<double>> displacement) {
   for (std::size_t k = 0; k < boxes_.size(); ++k) {
     Box& box = boxes_[k];
-    for (std::size_t row = 0; row < box.elements.rows(); ++row) {
-      const auto from = pressure[k].begin() + static_cast<std::ptrdiff_t>(box.first_of(row));
-      std::copy_n(from, box.elements.columns(),
-                  box.values.begin() + static_cast<std::ptrdiff_t>(row * box.elements.columns()));
-    }
+    copy_box(box.size, box.elements, pressure[k], box.values);
     coupling_.gather(k, box.values.data(), field_.load);
   }
   coupling_.transfer(field_);
@@ -63,7 +58,8 @@ void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
     coupling_.add_others(field_, k, box.values.data());
     const std::size_t columns = box.elements.columns();
     for (std::size_t row = 0; row < box.elements.rows(); ++row) {
-      double* to = displacement[k].data() + box.first_of(row);
+      double* to = displacement[k].data() + (box.elements.first_row + row) * box.size.columns +
+                   box.elements.first_column;
       for (std::size_t column = 0; column < columns; ++column) {
         to[column] += box.unit * box.values[row * columns + column];
       }

@@ -1,4 +1,4 @@
-/// The influence of the patches of a joint problem on each other, for its stiffness.
+/// The influence of the patches of a joint problem on each other, for its stiffness and residuals.
 ///
 /// The same operator as in the solution (joint_contact.hpp, patch_coupling.hpp): all patches in
 /// their mean plane, each pair counted with its coupling weight; on boxes around the pressures.
@@ -22,7 +22,7 @@ Grid grid_in_mean_plane(const Grid& grid, const PatchInteraction::Place& place,
 
 class CoupledInfluence : public PatchInfluence {
 public:
-  /// All patches must have pressure.
+  /// On boxes around the positive values of the patches, of which each must have some.
   CoupledInfluence(std::span<const SolvedPatch> patches, const PatchInteraction& interaction,
                    double combined_modulus);
 
@@ -35,11 +35,6 @@ private:
     ElementBox elements;
     double unit = 1.0; ///< mm per MPa and unit of the coupling
     std::vector<double> values;
-
-    /// Of a row of the box, in the grid.
-    [[nodiscard]] std::size_t first_of(std::size_t row) const {
-      return (elements.first_row + row) * size.columns + elements.first_column;
-    }
   };
   static std::vector<Grid> coupled_boxes(std::span<const SolvedPatch> patches,
                                          const PatchInteraction& interaction,

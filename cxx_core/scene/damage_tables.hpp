@@ -10,87 +10,45 @@
 namespace wrc::number_tables {
 
 /// A number of a part of the damage that may not have been requested.
-template <class Part, class Value>
-std::optional<double> of_part(const std::optional<Part>& part, Value&& value) {
-  return part ? std::optional<double>(value(*part)) : std::nullopt;
-}
+template <auto part, auto... path>
+inline constexpr auto member_of_part = [](const ContactDamage& damage) {
+  const auto& found = damage.*part;
+  return found ? std::optional<double>(member<path...>(*found)) : std::nullopt;
+};
+template <auto... path>
+inline constexpr auto of_stress = member_of_part<&ContactDamage::stress, path...>;
+template <auto... path>
+inline constexpr auto of_wear = member_of_part<&ContactDamage::wear, path...>;
+template <auto... path>
+inline constexpr auto of_fatigue = member_of_part<&ContactDamage::fatigue, path...>;
+
+using OfDamage = Number<ContactDamage>;
 
 /// Of a patch, or the worst of a wheel's.
 inline constexpr std::array damage_numbers{
-    Number<ContactDamage>{"stress.von_mises_max", stress,
-                          [](const ContactDamage& d) {
-                            return of_part(d.stress,
-                                           [](const GreatestStress& s) { return s.von_mises; });
-                          }},
-    Number<ContactDamage>{"stress.shear", stress,
-                          [](const ContactDamage& d) {
-                            return of_part(d.stress, [](const auto& s) { return s.shear; });
-                          }},
-    Number<ContactDamage>{"stress.tension", stress,
-                          [](const ContactDamage& d) {
-                            return of_part(d.stress, [](const auto& s) { return s.tension; });
-                          }},
-    Number<ContactDamage>{"stress.depth", length,
-                          [](const ContactDamage& d) {
-                            return of_part(d.stress, [](const auto& s) { return s.depth; });
-                          }},
-    Number<ContactDamage>{"stress.along", length,
-                          [](const ContactDamage& d) {
-                            return of_part(d.stress, [](const auto& s) { return s.x; });
-                          }},
-    Number<ContactDamage>{"stress.across", length,
-                          [](const ContactDamage& d) {
-                            return of_part(d.stress, [](const auto& s) { return s.y; });
-                          }},
-    Number<ContactDamage>{"stress.error_estimate", pure,
-                          [](const ContactDamage& d) {
-                            const auto error =
-                                of_part(d.stress, [](const auto& s) { return s.error_estimate; });
-                            return error && std::isfinite(*error) ? error : std::nullopt;
-                          }},
-    Number<ContactDamage>{"wear.tgamma", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.wear, [](const auto& w) { return w.tgamma; });
-                          }},
-    Number<ContactDamage>{"wear.tgamma_with_spin", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.wear,
-                                           [](const auto& w) { return w.tgamma_with_spin; });
-                          }},
-    Number<ContactDamage>{
-        "wear.volume", surface,
-        [](const ContactDamage& d) { return d.wear ? d.wear->volume : std::nullopt; }},
-    Number<ContactDamage>{
-        "wear.depth_max", length,
-        [](const ContactDamage& d) { return d.wear ? d.wear->depth : std::nullopt; }},
-    Number<ContactDamage>{"fatigue.friction", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.fatigue, [](const auto& f) { return f.friction; });
-                          }},
-    Number<ContactDamage>{"fatigue.pressure_ratio", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.fatigue,
-                                           [](const auto& f) { return f.pressure_ratio; });
-                          }},
-    Number<ContactDamage>{"fatigue.elastic_limit", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.fatigue,
-                                           [](const auto& f) { return f.limits.elastic; });
-                          }},
-    Number<ContactDamage>{"fatigue.shakedown_limit", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.fatigue,
-                                           [](const auto& f) { return f.limits.shakedown; });
-                          }},
-    Number<ContactDamage>{"fatigue.surface_index", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.fatigue,
-                                           [](const auto& f) { return f.surface_index; });
-                          }},
-    Number<ContactDamage>{"fatigue.rail_damage", pure,
-                          [](const ContactDamage& d) {
-                            return of_part(d.fatigue, [](const auto& f) { return f.rail_damage; });
-                          }},
+    OfDamage{"stress.von_mises_max", stress, of_stress<&GreatestStress::von_mises>},
+    OfDamage{"stress.shear", stress, of_stress<&GreatestStress::shear>},
+    OfDamage{"stress.tension", stress, of_stress<&GreatestStress::tension>},
+    OfDamage{"stress.depth", length, of_stress<&GreatestStress::depth>},
+    OfDamage{"stress.along", length, of_stress<&GreatestStress::x>},
+    OfDamage{"stress.across", length, of_stress<&GreatestStress::y>},
+    OfDamage{"stress.error_estimate", pure,
+             [](const ContactDamage& damage) {
+               const auto error = of_stress<&GreatestStress::error_estimate>(damage);
+               return error && std::isfinite(*error) ? error : std::nullopt;
+             }},
+    OfDamage{"wear.tgamma", pure, of_wear<&WearTotals::tgamma>},
+    OfDamage{"wear.tgamma_with_spin", pure, of_wear<&WearTotals::tgamma_with_spin>},
+    OfDamage{"wear.volume", surface, of_wear<&WearTotals::volume>},
+    OfDamage{"wear.depth_max", length, of_wear<&WearTotals::depth>},
+    OfDamage{"fatigue.friction", pure, of_fatigue<&Fatigue::friction>},
+    OfDamage{"fatigue.pressure_ratio", pure, of_fatigue<&Fatigue::pressure_ratio>},
+    OfDamage{"fatigue.elastic_limit", pure,
+             of_fatigue<&Fatigue::limits, &ShakedownLimits::elastic>},
+    OfDamage{"fatigue.shakedown_limit", pure,
+             of_fatigue<&Fatigue::limits, &ShakedownLimits::shakedown>},
+    OfDamage{"fatigue.surface_index", pure, of_fatigue<&Fatigue::surface_index>},
+    OfDamage{"fatigue.rail_damage", pure, of_fatigue<&Fatigue::rail_damage>},
 };
 
 } // namespace wrc::number_tables

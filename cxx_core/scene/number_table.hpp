@@ -32,4 +32,8 @@ template <class Owner> struct Number {
   }
 };
 
+/// Reads a member, or a member of a member: member<&PatchResult::force, &Vector3::x>.
+template <auto... path>
+inline constexpr auto member = [](const auto& owner) { return (owner.*....*path); };
+
 } // namespace wrc::number_tables

@@ -21,6 +21,15 @@ namespace wrc::number_tables {
 
 using namespace dimensions;
 
+using OfPatch = Number<PatchResult>;
+using OfWheel = Number<WheelResult>;
+using OfCreep = Number<CreepResult>;
+using OfPoint = Number<ContactPoint>;
+using OfTotal = Number<TotalForce>;
+using OfResiduals = Number<Residuals>;
+using OfTime = Number<StageMilliseconds>;
+using OfScene = Number<SceneResult>;
+
 /// Two tables as one.
 template <class Owner, std::size_t count, std::size_t more>
 constexpr auto joined(const std::array<Number<Owner>, count>& table,
@@ -33,25 +42,22 @@ constexpr auto joined(const std::array<Number<Owner>, count>& table,
 }
 
 inline constexpr std::array place_numbers{
-    Number<ContactPoint>{"x", length, [](const ContactPoint& p) { return p.x; }},
-    Number<ContactPoint>{"y", turning_length, [](const ContactPoint& p) { return p.y; }},
-    Number<ContactPoint>{"z", turning_length, [](const ContactPoint& p) { return p.z; }},
-    Number<ContactPoint>{"s_wheel", length, [](const ContactPoint& p) { return p.s_wheel; }},
-    Number<ContactPoint>{"w_wheel", length, [](const ContactPoint& p) { return p.w_wheel; }},
-    Number<ContactPoint>{"t_rail", length, [](const ContactPoint& p) { return p.t_rail; }},
-    Number<ContactPoint>{"v_rail", length, [](const ContactPoint& p) { return p.v_rail; }},
-    Number<ContactPoint>{"rolling_radius", length,
-                         [](const ContactPoint& p) { return p.rolling_radius; }},
-    Number<ContactPoint>{"wheel_angle", pure, [](const ContactPoint& p) { return p.wheel_angle; }},
+    OfPoint{"x", length, member<&ContactPoint::x>},
+    OfPoint{"y", turning_length, member<&ContactPoint::y>},
+    OfPoint{"z", turning_length, member<&ContactPoint::z>},
+    OfPoint{"s_wheel", length, member<&ContactPoint::s_wheel>},
+    OfPoint{"w_wheel", length, member<&ContactPoint::w_wheel>},
+    OfPoint{"t_rail", length, member<&ContactPoint::t_rail>},
+    OfPoint{"v_rail", length, member<&ContactPoint::v_rail>},
+    OfPoint{"rolling_radius", length, member<&ContactPoint::rolling_radius>},
+    OfPoint{"wheel_angle", pure, member<&ContactPoint::wheel_angle>},
 };
 
-inline constexpr auto centroid_numbers = joined(
-    place_numbers,
-    std::array{Number<ContactPoint>{"angle", pure, [](const ContactPoint& p) { return p.angle; }}});
+inline constexpr auto centroid_numbers =
+    joined(place_numbers, std::array{OfPoint{"angle", pure, member<&ContactPoint::angle>}});
 
 inline constexpr auto touch_numbers = joined(
-    centroid_numbers, std::array{Number<ContactPoint>{
-                          "distance", length, [](const ContactPoint& p) { return p.distance; }}});
+    centroid_numbers, std::array{OfPoint{"distance", length, member<&ContactPoint::distance>}});
 
 /// Computed on request, unless a model has given it.
 inline double area_of_patch(const PatchResult& patch) {
@@ -77,84 +83,59 @@ inline double regions_of_patch(const PatchResult& patch) {
 }
 
 inline constexpr std::array patch_numbers{
-    Number<PatchResult>{"pmax", stress, [](const PatchResult& p) { return p.pmax; }},
-    Number<PatchResult>{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
-    Number<PatchResult>{"pmax_element", stress,
-                        [](const PatchResult& p) { return p.pmax_element; }},
-    Number<PatchResult>{"normal_force", pure, [](const PatchResult& p) { return p.normal_force; }},
-    Number<PatchResult>{"vertical_force", turning_force,
-                        [](const PatchResult& p) { return p.force.z; }},
-    Number<PatchResult>{"lateral_force", turning_force,
-                        [](const PatchResult& p) { return p.force.y; }},
-    Number<PatchResult>{"longitudinal_force", pure, [](const PatchResult& p) { return p.force.x; }},
-    Number<PatchResult>{"moment.x", moment, [](const PatchResult& p) { return p.moment.x; }},
-    Number<PatchResult>{"moment.y", turning_moment,
-                        [](const PatchResult& p) { return p.moment.y; }},
-    Number<PatchResult>{"moment.z", turning_moment,
-                        [](const PatchResult& p) { return p.moment.z; }},
-    Number<PatchResult>{"approach", length, [](const PatchResult& p) { return p.approach; }},
-    Number<PatchResult>{"angle", pure, [](const PatchResult& p) { return p.angle; }},
-    Number<PatchResult>{"semi_axes.0", length,
-                        [](const PatchResult& p) { return p.semi_axis_longitudinal; }},
-    Number<PatchResult>{"semi_axes.1", length,
-                        [](const PatchResult& p) { return p.semi_axis_lateral; }},
-    Number<PatchResult>{"radii.0", length,
-                        [](const PatchResult& p) { return p.radius_longitudinal; }},
-    Number<PatchResult>{"radii.1", length, [](const PatchResult& p) { return p.radius_lateral; }},
-    Number<PatchResult>{"closeness", pure, [](const PatchResult& p) { return p.coupling_weight; }},
-    Number<PatchResult>{"regions", pure, [](const PatchResult& p) { return regions_of_patch(p); }},
-    Number<PatchResult>{"lobes", pure, [](const PatchResult& p) { return p.lobes; }},
-    Number<PatchResult>{"fill", pure, [](const PatchResult& p) { return p.fill; }},
-    Number<PatchResult>{"grid.0", pure, [](const PatchResult& p) { return p.grid.lateral_count; }},
-    Number<PatchResult>{"grid.1", pure,
-                        [](const PatchResult& p) { return p.grid.longitudinal_count; }},
-    Number<PatchResult>{"element_size.0", length,
-                        [](const PatchResult& p) { return p.grid.lateral_step; }},
-    Number<PatchResult>{"element_size.1", length,
-                        [](const PatchResult& p) { return p.grid.longitudinal_step; }},
+    OfPatch{"pmax", stress, member<&PatchResult::pmax>},
+    OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
+    OfPatch{"pmax_element", stress, member<&PatchResult::pmax_element>},
+    OfPatch{"normal_force", pure, member<&PatchResult::normal_force>},
+    OfPatch{"vertical_force", turning_force, member<&PatchResult::force, &Vector3::z>},
+    OfPatch{"lateral_force", turning_force, member<&PatchResult::force, &Vector3::y>},
+    OfPatch{"longitudinal_force", pure, member<&PatchResult::force, &Vector3::x>},
+    OfPatch{"moment.x", moment, member<&PatchResult::moment, &Vector3::x>},
+    OfPatch{"moment.y", turning_moment, member<&PatchResult::moment, &Vector3::y>},
+    OfPatch{"moment.z", turning_moment, member<&PatchResult::moment, &Vector3::z>},
+    OfPatch{"approach", length, member<&PatchResult::approach>},
+    OfPatch{"angle", pure, member<&PatchResult::angle>},
+    OfPatch{"semi_axes.0", length, member<&PatchResult::semi_axis_longitudinal>},
+    OfPatch{"semi_axes.1", length, member<&PatchResult::semi_axis_lateral>},
+    OfPatch{"radii.0", length, member<&PatchResult::radius_longitudinal>},
+    OfPatch{"radii.1", length, member<&PatchResult::radius_lateral>},
+    OfPatch{"closeness", pure, member<&PatchResult::coupling_weight>},
+    OfPatch{"regions", pure, [](const PatchResult& p) { return regions_of_patch(p); }},
+    OfPatch{"lobes", pure, member<&PatchResult::lobes>},
+    OfPatch{"fill", pure, member<&PatchResult::fill>},
+    OfPatch{"grid.0", pure, member<&PatchResult::grid, &Grid::lateral_count>},
+    OfPatch{"grid.1", pure, member<&PatchResult::grid, &Grid::longitudinal_count>},
+    OfPatch{"element_size.0", length, member<&PatchResult::grid, &Grid::lateral_step>},
+    OfPatch{"element_size.1", length, member<&PatchResult::grid, &Grid::longitudinal_step>},
 };
 
 /// With creep forces only.
 inline constexpr auto creep_numbers = joined(
     std::array{
-        Number<CreepResult>{"creepage.longitudinal", pure,
-                            [](const CreepResult& c) { return c.creepages.longitudinal; }},
-        Number<CreepResult>{"creepage.lateral", turning_angle,
-                            [](const CreepResult& c) { return c.creepages.lateral; }},
-        Number<CreepResult>{"creepage.spin", turning_curvature,
-                            [](const CreepResult& c) { return c.creepages.spin; }},
-        Number<CreepResult>{"creep_force.longitudinal", pure,
-                            [](const CreepResult& c) { return c.longitudinal_force; }},
-        Number<CreepResult>{"creep_force.lateral", turning_force,
-                            [](const CreepResult& c) { return c.lateral_force; }},
-        Number<CreepResult>{"spin_moment", turning_moment,
-                            [](const CreepResult& c) { return c.spin_moment; }},
-        Number<CreepResult>{"friction", pure, [](const CreepResult& c) { return c.friction; }},
-        Number<CreepResult>{"slip_area", surface, [](const CreepResult& c) { return c.slip_area; }},
-        Number<CreepResult>{"adhesion_area", surface,
-                            [](const CreepResult& c) { return c.adhesion_area; }},
-        Number<CreepResult>{"traction_max", stress,
-                            [](const CreepResult& c) { return c.largest_traction; }},
-        Number<CreepResult>{"wear_number", pure,
-                            [](const CreepResult& c) { return c.power_per_speed; }},
-        Number<CreepResult>{"friction_power", moment,
-                            [](const CreepResult& c) { return c.friction_power; }},
-        Number<CreepResult>{"numerical_loss", pure,
-                            [](const CreepResult& c) { return c.numerical_loss; }},
-        Number<CreepResult>{"creep_residual", pure,
-                            [](const CreepResult& c) { return c.residual; }},
-        Number<CreepResult>{"creep_convolutions", pure,
-                            [](const CreepResult& c) { return c.convolutions; }},
-        Number<CreepResult>{"creep_grid.0", pure,
-                            [](const CreepResult& c) { return c.grid.lateral_count; }},
-        Number<CreepResult>{"creep_grid.1", pure,
-                            [](const CreepResult& c) { return c.grid.longitudinal_count; }},
-        Number<CreepResult>{"creep_element_size.0", length,
-                            [](const CreepResult& c) { return c.grid.lateral_step; }},
-        Number<CreepResult>{"creep_element_size.1", length,
-                            [](const CreepResult& c) { return c.grid.longitudinal_step; }},
-        Number<CreepResult>{"creep_error_estimate", pure,
-                            [](const CreepResult& c) { return c.error_estimate; }}},
+        OfCreep{"creepage.longitudinal", pure,
+                member<&CreepResult::creepages, &Creepages::longitudinal>},
+        OfCreep{"creepage.lateral", turning_angle,
+                member<&CreepResult::creepages, &Creepages::lateral>},
+        OfCreep{"creepage.spin", turning_curvature,
+                member<&CreepResult::creepages, &Creepages::spin>},
+        OfCreep{"creep_force.longitudinal", pure, member<&CreepResult::longitudinal_force>},
+        OfCreep{"creep_force.lateral", turning_force, member<&CreepResult::lateral_force>},
+        OfCreep{"spin_moment", turning_moment, member<&CreepResult::spin_moment>},
+        OfCreep{"friction", pure, member<&CreepResult::friction>},
+        OfCreep{"slip_area", surface, member<&CreepResult::slip_area>},
+        OfCreep{"adhesion_area", surface, member<&CreepResult::adhesion_area>},
+        OfCreep{"traction_max", stress, member<&CreepResult::largest_traction>},
+        OfCreep{"wear_number", pure, member<&CreepResult::power_per_speed>},
+        OfCreep{"friction_power", moment, member<&CreepResult::friction_power>},
+        OfCreep{"numerical_loss", pure, member<&CreepResult::numerical_loss>},
+        OfCreep{"creep_residual", pure, member<&CreepResult::residual>},
+        OfCreep{"creep_convolutions", pure, member<&CreepResult::convolutions>},
+        OfCreep{"creep_grid.0", pure, member<&CreepResult::grid, &Grid::lateral_count>},
+        OfCreep{"creep_grid.1", pure, member<&CreepResult::grid, &Grid::longitudinal_count>},
+        OfCreep{"creep_element_size.0", length, member<&CreepResult::grid, &Grid::lateral_step>},
+        OfCreep{"creep_element_size.1", length,
+                member<&CreepResult::grid, &Grid::longitudinal_step>},
+        OfCreep{"creep_error_estimate", pure, member<&CreepResult::error_estimate>}},
     creep_rate_numbers);
 
 /// Zeros without one.
@@ -164,68 +145,57 @@ inline const PatchResult& first_patch(const WheelResult& wheel) {
 }
 
 inline constexpr std::array side_numbers{
-    Number<WheelResult>{"vertical", turning_length,
-                        [](const WheelResult& r) { return r.vertical; }},
-    Number<WheelResult>{"pmax", stress, [](const WheelResult& r) { return r.pmax; }},
-    Number<WheelResult>{"pmax_element", stress,
-                        [](const WheelResult& r) { return r.pmax_element; }},
-    Number<WheelResult>{"area", surface,
-                        [](const WheelResult& r) {
-                          double area = 0.0;
-                          for (const PatchResult& patch : r.patches) {
-                            area += area_of_patch(patch);
-                          }
-                          return area;
-                        }},
-    Number<WheelResult>{"normal_force", pure, [](const WheelResult& r) { return r.normal_force; }},
-    Number<WheelResult>{"vertical_force", turning_force,
-                        [](const WheelResult& r) { return r.force.z; }},
-    Number<WheelResult>{"lateral_force", turning_force,
-                        [](const WheelResult& r) { return r.force.y; }},
-    Number<WheelResult>{"longitudinal_force", pure, [](const WheelResult& r) { return r.force.x; }},
-    Number<WheelResult>{"moment.x", moment, [](const WheelResult& r) { return r.moment.x; }},
-    Number<WheelResult>{"moment.y", turning_moment,
-                        [](const WheelResult& r) { return r.moment.y; }},
-    Number<WheelResult>{"moment.z", turning_moment,
-                        [](const WheelResult& r) { return r.moment.z; }},
-    Number<WheelResult>{"approach", length, [](const WheelResult& r) { return r.approach; }},
-    Number<WheelResult>{"depth", length, [](const WheelResult& r) { return r.depth; }},
-    Number<WheelResult>{"angle", pure, [](const WheelResult& r) { return r.angle; }},
-    Number<WheelResult>{"iterations", pure, [](const WheelResult& r) { return r.iterations; }},
-    Number<WheelResult>{"convolutions", pure, [](const WheelResult& r) { return r.convolutions; }},
-    Number<WheelResult>{"solutions", pure, [](const WheelResult& r) { return r.solutions; }},
-    Number<WheelResult>{"state", pure,
-                        [](const WheelResult& r) { return std::optional<double>(r.state); }},
-    Number<WheelResult>{"patch_count", pure, [](const WheelResult& r) { return r.patches.size(); }},
-    Number<WheelResult>{"fill", pure, [](const WheelResult& r) { return first_patch(r).fill; }},
-    Number<WheelResult>{"grid.0", pure,
-                        [](const WheelResult& r) { return first_patch(r).grid.lateral_count; }},
-    Number<WheelResult>{
-        "grid.1", pure,
-        [](const WheelResult& r) { return first_patch(r).grid.longitudinal_count; }},
-    Number<WheelResult>{"element_size.0", length,
-                        [](const WheelResult& r) { return first_patch(r).grid.lateral_step; }},
-    Number<WheelResult>{"element_size.1", length,
-                        [](const WheelResult& r) { return first_patch(r).grid.longitudinal_step; }},
-    Number<WheelResult>{"error_estimate", pure,
-                        [](const WheelResult& r) { return r.error_estimate; }},
-    Number<WheelResult>{"validity", pure, [](const WheelResult& r) { return r.validity; }},
+    OfWheel{"vertical", turning_length, member<&WheelResult::vertical>},
+    OfWheel{"pmax", stress, member<&WheelResult::pmax>},
+    OfWheel{"pmax_element", stress, member<&WheelResult::pmax_element>},
+    OfWheel{"area", surface,
+            [](const WheelResult& r) {
+              double area = 0.0;
+              for (const PatchResult& patch : r.patches) {
+                area += area_of_patch(patch);
+              }
+              return area;
+            }},
+    OfWheel{"normal_force", pure, member<&WheelResult::normal_force>},
+    OfWheel{"vertical_force", turning_force, member<&WheelResult::force, &Vector3::z>},
+    OfWheel{"lateral_force", turning_force, member<&WheelResult::force, &Vector3::y>},
+    OfWheel{"longitudinal_force", pure, member<&WheelResult::force, &Vector3::x>},
+    OfWheel{"moment.x", moment, member<&WheelResult::moment, &Vector3::x>},
+    OfWheel{"moment.y", turning_moment, member<&WheelResult::moment, &Vector3::y>},
+    OfWheel{"moment.z", turning_moment, member<&WheelResult::moment, &Vector3::z>},
+    OfWheel{"approach", length, member<&WheelResult::approach>},
+    OfWheel{"depth", length, member<&WheelResult::depth>},
+    OfWheel{"angle", pure, member<&WheelResult::angle>},
+    OfWheel{"iterations", pure, member<&WheelResult::iterations>},
+    OfWheel{"convolutions", pure, member<&WheelResult::convolutions>},
+    OfWheel{"solutions", pure, member<&WheelResult::solutions>},
+    OfWheel{"state", pure, [](const WheelResult& r) { return std::optional<double>(r.state); }},
+    OfWheel{"patch_count", pure, [](const WheelResult& r) { return r.patches.size(); }},
+    OfWheel{"fill", pure, [](const WheelResult& r) { return first_patch(r).fill; }},
+    OfWheel{"grid.0", pure, [](const WheelResult& r) { return first_patch(r).grid.lateral_count; }},
+    OfWheel{"grid.1", pure,
+            [](const WheelResult& r) { return first_patch(r).grid.longitudinal_count; }},
+    OfWheel{"element_size.0", length,
+            [](const WheelResult& r) { return first_patch(r).grid.lateral_step; }},
+    OfWheel{"element_size.1", length,
+            [](const WheelResult& r) { return first_patch(r).grid.longitudinal_step; }},
+    OfWheel{"error_estimate", pure, member<&WheelResult::error_estimate>},
+    OfWheel{"validity", pure, member<&WheelResult::validity>},
 };
 
 inline constexpr std::array total_numbers{
-    Number<TotalForce>{"force.x", pure, [](const TotalForce& t) { return t.force.x; }},
-    Number<TotalForce>{"force.y", turning_force, [](const TotalForce& t) { return t.force.y; }},
-    Number<TotalForce>{"force.z", turning_force, [](const TotalForce& t) { return t.force.z; }},
-    Number<TotalForce>{"moment.x", moment, [](const TotalForce& t) { return t.moment.x; }},
-    Number<TotalForce>{"moment.y", turning_moment, [](const TotalForce& t) { return t.moment.y; }},
-    Number<TotalForce>{"moment.z", turning_moment, [](const TotalForce& t) { return t.moment.z; }},
+    OfTotal{"force.x", pure, member<&TotalForce::force, &Vector3::x>},
+    OfTotal{"force.y", turning_force, member<&TotalForce::force, &Vector3::y>},
+    OfTotal{"force.z", turning_force, member<&TotalForce::force, &Vector3::z>},
+    OfTotal{"moment.x", moment, member<&TotalForce::moment, &Vector3::x>},
+    OfTotal{"moment.y", turning_moment, member<&TotalForce::moment, &Vector3::y>},
+    OfTotal{"moment.z", turning_moment, member<&TotalForce::moment, &Vector3::z>},
 };
 
 inline constexpr std::array residual_numbers{
-    Number<Residuals>{"load_balance", pure, [](const Residuals& r) { return r.load_balance; }},
-    Number<Residuals>{"least_gap", pure, [](const Residuals& r) { return r.least_gap; }},
-    Number<Residuals>{"complementarity", pure,
-                      [](const Residuals& r) { return r.complementarity; }},
+    OfResiduals{"load_balance", pure, member<&Residuals::load_balance>},
+    OfResiduals{"least_gap", pure, member<&Residuals::least_gap>},
+    OfResiduals{"complementarity", pure, member<&Residuals::complementarity>},
 };
 
 inline constexpr std::array sensitivity_numbers{
@@ -260,27 +230,21 @@ inline constexpr std::array condensed_numbers{
 };
 
 inline constexpr std::array scene_numbers{
-    Number<SceneResult>{"roll", pure, [](const SceneResult& r) { return r.roll; }},
-    Number<SceneResult>{"vertical", turning_length,
-                        [](const SceneResult& r) { return r.vertical; }},
-    Number<SceneResult>{"rolling_radius_difference", length,
-                        [](const SceneResult& r) { return r.rolling_radius_difference; }},
-    Number<SceneResult>{"pitch", pure, [](const SceneResult& r) { return r.pitch; }},
+    OfScene{"roll", pure, member<&SceneResult::roll>},
+    OfScene{"vertical", turning_length, member<&SceneResult::vertical>},
+    OfScene{"rolling_radius_difference", length, member<&SceneResult::rolling_radius_difference>},
+    OfScene{"pitch", pure, member<&SceneResult::pitch>},
 };
 
 inline constexpr std::array time_numbers{
-    Number<StageMilliseconds>{"profile", pure,
-                              [](const StageMilliseconds& t) { return t.profile; }},
-    Number<StageMilliseconds>{"setup", pure, [](const StageMilliseconds& t) { return t.setup; }},
-    Number<StageMilliseconds>{"geometry", pure,
-                              [](const StageMilliseconds& t) { return t.geometry; }},
-    Number<StageMilliseconds>{"remesh", pure, [](const StageMilliseconds& t) { return t.remesh; }},
-    Number<StageMilliseconds>{"mechanics", pure,
-                              [](const StageMilliseconds& t) { return t.mechanics; }},
-    Number<StageMilliseconds>{"rolling", pure,
-                              [](const StageMilliseconds& t) { return t.rolling; }},
-    Number<StageMilliseconds>{"damage", pure, [](const StageMilliseconds& t) { return t.damage; }},
-    Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
+    OfTime{"profile", pure, member<&StageMilliseconds::profile>},
+    OfTime{"setup", pure, member<&StageMilliseconds::setup>},
+    OfTime{"geometry", pure, member<&StageMilliseconds::geometry>},
+    OfTime{"remesh", pure, member<&StageMilliseconds::remesh>},
+    OfTime{"mechanics", pure, member<&StageMilliseconds::mechanics>},
+    OfTime{"rolling", pure, member<&StageMilliseconds::rolling>},
+    OfTime{"damage", pure, member<&StageMilliseconds::damage>},
+    OfTime{"total", pure, member<&StageMilliseconds::total>},
 };
 
 /// Calls a function with the table of a group.

@@ -14,16 +14,39 @@ using namespace dimensions;
 
 using Values = std::vector<double>;
 
-/// Element centres in the track frame, one coordinate.
-template <class Coordinate>
-Values element_places(const PatchResult& patch, Coordinate&& coordinate) {
+/// Centres of a grid's elements in the track frame, one coordinate.
+template <double Vector3::*coordinate>
+Values places_on(const Grid& grid, const WheelDetails& side, const PatchResult& patch) {
+  const double mirror = coordinate == &Vector3::y ? side.mirror : 1.0;
   Values values;
-  values.reserve(patch.grid.element_count());
-  for (std::size_t row = 0; row < patch.grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < patch.grid.longitudinal_count; ++column) {
-      values.push_back(coordinate(
-          patch.frame.to_track(patch.grid.longitudinal(column), patch.grid.lateral(row), 0.0)));
+  values.reserve(grid.element_count());
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
+      const Vector3 place = patch.frame.to_track(grid.longitudinal(column), grid.lateral(row), 0.0);
+      values.push_back(mirror * place.*coordinate);
     }
+  }
+  return values;
+}
+
+template <double Vector3::*coordinate>
+Values element_places(const WheelDetails& side, const PatchResult& patch) {
+  return places_on<coordinate>(patch.grid, side, patch);
+}
+
+/// Those of the creep grid; empty without creep forces.
+template <double Vector3::*coordinate>
+Values creep_places(const WheelDetails& side, const PatchResult& patch) {
+  return patch.creep ? places_on<coordinate>(patch.creep->grid, side, patch) : Values{};
+}
+
+/// Of the creep grid; empty without creep forces, and of a patch with parts. Some turn on the
+/// right.
+template <Values CreepResult::*field, bool turns = false>
+Values creep_field(const WheelDetails& side, const PatchResult& patch) {
+  Values values = patch.creep ? (*patch.creep).*field : Values{};
+  for (double& value : values) {
+    value *= turns ? side.mirror : 1.0;
   }
   return values;
 }
@@ -70,90 +93,23 @@ template <class Coordinate> Values wheel_outline(const WheelResult& side, Coordi
   return values;
 }
 
-/// Of the creep grid; empty without creep forces, and of a patch with parts.
-Values creep_field(const PatchResult& patch, std::vector<double> CreepResult::*field,
-                   double mirror = 1.0) {
-  if (!patch.creep) {
-    return {};
-  }
-  Values values = (*patch.creep).*field;
-  for (double& value : values) {
-    value *= mirror;
-  }
-  return values;
-}
-
-/// Places of the creep grid's elements in the track frame.
-template <class Coordinate> Values creep_places(const PatchResult& patch, Coordinate&& coordinate) {
-  Values values;
-  if (!patch.creep) {
-    return values;
-  }
-  const Grid& grid = patch.creep->grid;
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
-      values.push_back(
-          coordinate(patch.frame.to_track(grid.longitudinal(column), grid.lateral(row), 0.0)));
-    }
-  }
-  return values;
-}
+constexpr Dimension turning_stress{Quantity::stress, true};
 
 constexpr std::array patch_fields{
-    PatchField{"x", length,
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return element_places(patch, [](const Vector3& place) { return place.x; });
-               }},
-    PatchField{"y", turning_length,
-               [](const WheelDetails& side, const PatchResult& patch) {
-                 const double mirror = side.mirror;
-                 return element_places(patch,
-                                       [mirror](const Vector3& place) { return mirror * place.y; });
-               }},
-    PatchField{"z", turning_length,
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return element_places(patch, [](const Vector3& place) { return place.z; });
-               }},
+    PatchField{"x", length, element_places<&Vector3::x>},
+    PatchField{"y", turning_length, element_places<&Vector3::y>},
+    PatchField{"z", turning_length, element_places<&Vector3::z>},
     PatchField{"undeformed_distance", length, undeformed_distance},
-    PatchField{"pressure", {Quantity::stress, false}, pressure},
+    PatchField{"pressure", stress, pressure},
     PatchField{"displacement", length, displacement},
-    PatchField{"traction_x",
-               {Quantity::stress, false},
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return creep_field(patch, &CreepResult::traction_x);
-               }},
-    PatchField{"traction_y",
-               {Quantity::stress, true},
-               [](const WheelDetails& side, const PatchResult& patch) {
-                 return creep_field(patch, &CreepResult::traction_y, side.mirror);
-               }},
-    PatchField{"slip_x", pure,
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return creep_field(patch, &CreepResult::slip_x);
-               }},
-    PatchField{"slip_y", turning_angle,
-               [](const WheelDetails& side, const PatchResult& patch) {
-                 return creep_field(patch, &CreepResult::slip_y, side.mirror);
-               }},
-    PatchField{"creep_pressure",
-               {Quantity::stress, false},
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return creep_field(patch, &CreepResult::pressure);
-               }},
-    PatchField{"creep_x", length,
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return creep_places(patch, [](const Vector3& place) { return place.x; });
-               }},
-    PatchField{"creep_y", turning_length,
-               [](const WheelDetails& side, const PatchResult& patch) {
-                 const double mirror = side.mirror;
-                 return creep_places(patch,
-                                     [mirror](const Vector3& place) { return mirror * place.y; });
-               }},
-    PatchField{"creep_z", turning_length,
-               [](const WheelDetails&, const PatchResult& patch) {
-                 return creep_places(patch, [](const Vector3& place) { return place.z; });
-               }},
+    PatchField{"traction_x", stress, creep_field<&CreepResult::traction_x>},
+    PatchField{"traction_y", turning_stress, creep_field<&CreepResult::traction_y, true>},
+    PatchField{"slip_x", pure, creep_field<&CreepResult::slip_x>},
+    PatchField{"slip_y", turning_angle, creep_field<&CreepResult::slip_y, true>},
+    PatchField{"creep_pressure", stress, creep_field<&CreepResult::pressure>},
+    PatchField{"creep_x", length, creep_places<&Vector3::x>},
+    PatchField{"creep_y", turning_length, creep_places<&Vector3::y>},
+    PatchField{"creep_z", turning_length, creep_places<&Vector3::z>},
 };
 
 /// All in the track frame: y and z.

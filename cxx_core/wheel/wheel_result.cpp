@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "geometry/first_touch.hpp"
 #include "half_space/displacement_operator.hpp"
-#include "half_space/patch_coupling.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "models/hertz.hpp"
 #include "wheel/combined_contact.hpp"
@@ -235,42 +233,21 @@ namespace {
 void add_displacement_by_others(const WheelResult& side,
                                 std::span<const PatchResult* const> patches,
                                 std::vector<std::vector<double>>& displacements) {
-  const PatchInteraction& interaction = *side.details.interaction;
-  std::vector<LevelSize> sizes;
-  std::vector<ElementBox> rectangles;
-  std::vector<Grid> boxes;
+  std::vector<std::vector<double>> pressures;
+  std::vector<std::vector<double>> touched;
+  std::vector<SolvedPatch> rectangles;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
-    sizes.push_back({patch.grid.lateral_count, patch.grid.longitudinal_count});
     const double approach = patch.approach_cosine * side.details.problem_approach;
-    std::vector<double> touched = patch.pressure;
-    for (std::size_t i = 0; i < touched.size(); ++i) {
-      const double overlap = approach - patch.undeformed_distance[i] - displacements[k][i];
-      touched[i] = std::max(touched[i], overlap);
+    pressures.push_back(patch.pressure);
+    std::vector<double>& here = touched.emplace_back(patch.pressure);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      here[i] = std::max(here[i], approach - patch.undeformed_distance[i] - displacements[k][i]);
     }
-    ElementBox& rectangle = rectangles.emplace_back();
-    find_pressure_box(sizes[k], touched, 0, rectangle);
-    boxes.push_back(grid_in_mean_plane(patch.grid, interaction.places[k], rectangle));
+    rectangles.push_back({patch.grid, here});
   }
-  PatchCoupling coupling(boxes, interaction.coupling_weight);
-  NodeField field = coupling.field();
-  std::vector<double> inside;
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    copy_box(sizes[k], rectangles[k], patches[k]->pressure, inside);
-    coupling.gather(k, inside.data(), field.load);
-  }
-  coupling.transfer(field);
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    inside.assign(boxes[k].lateral_count * boxes[k].longitudinal_count, 0.0);
-    coupling.add_others(field, k, inside.data());
-    std::vector<double> others(displacements[k].size(), 0.0);
-    put_box(sizes[k], rectangles[k], inside, others);
-    const double unit =
-        boxes[k].longitudinal_step / (std::numbers::pi * side.details.combined_modulus);
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      displacements[k][i] += unit * others[i];
-    }
-  }
+  CoupledInfluence(rectangles, *side.details.interaction, side.details.combined_modulus)
+      .add(pressures, displacements);
 }
 
 } // namespace

@@ -117,7 +117,7 @@ constexpr const char* slip_colour = "0xf6c7b6";
 
 /// The tractions of a patch, or of its parts, over lateral (from its reference) and x.
 void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
-  for (const PatchName& one : creep_patches_of(scene, patch.name)) {
+  for (const PatchName& one : parts_with(scene, {patch.name}, creep_result)) {
     const auto field = [&](const char* name) { return scene.field(one.prefix + name); };
     const auto x = field("creep_x");
     const auto y = field("creep_y");
@@ -390,7 +390,7 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
                        [](const DrawnPatch& patch) { return !patch.areas.empty(); });
   });
   const bool has_stresses = std::any_of(sides.begin(), sides.end(), [&](const DrawnSide& side) {
-    return !stress_patches_of(scene, side.name).empty();
+    return !parts_with(scene, patches_of(scene, side.name), stress_result).empty();
   });
   const std::size_t rows =
       1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U) + (has_stresses ? 1U : 0U);

@@ -163,7 +163,7 @@ void print_patch_forces(const Scene& scene, std::ostream& out) {
 }
 
 void print_creep_forces(const Scene& scene, std::ostream& out) {
-  const PatchPrinter table(scene, out, "creep_force.longitudinal");
+  const PatchPrinter table(scene, out, creep_result);
   table.print("Creep", {{"creepage", "1e-3", "creepage.longitudinal", 10, 3, 1e3},
                         {"lateral", "1e-3", "creepage.lateral", 9, 3, 1e3},
                         {"spin", "1e-3/mm", "creepage.spin", 9, 3, 1e3},
@@ -389,31 +389,28 @@ void write_field(const Scene& scene, const std::filesystem::path& path) {
   write_fields(scene, all_patches(scene), element_fields, path);
 }
 
-std::vector<PatchName> creep_patches_of(const Scene& scene, const PatchName& patch) {
-  std::vector<PatchName> patches;
-  if (!scene.has_number(patch.prefix + "creep_force.longitudinal")) {
-    return patches;
+std::vector<PatchName> parts_with(const Scene& scene, const std::vector<PatchName>& patches,
+                                  const std::string& result) {
+  std::vector<PatchName> found;
+  for (const PatchName& patch : patches) {
+    const int parts = scene.count_of(patch.prefix + "parts");
+    for (int i = 0; i < std::max(parts, 1); ++i) {
+      PatchName one = patch;
+      if (parts > 0) {
+        one.prefix += "parts." + std::to_string(i) + '.';
+      }
+      if (scene.has_number(one.prefix + result)) {
+        found.push_back(one);
+      }
+    }
   }
-  const int parts = scene.count_of(patch.prefix + "parts");
-  if (parts == 0) {
-    patches.push_back(patch);
-  }
-  for (int part = 0; part < parts; ++part) {
-    patches.push_back(
-        {patch.side, patch.index, patch.prefix + "parts." + std::to_string(part) + '.'});
-  }
-  return patches;
+  return found;
 }
 
 void write_creep_field(const Scene& scene, const std::filesystem::path& path) {
   constexpr std::array names{"creep_x",    "creep_y",    "creep_z", "creep_pressure",
                              "traction_x", "traction_y", "slip_x",  "slip_y"};
-  std::vector<PatchName> patches;
-  for (const PatchName& patch : all_patches(scene)) {
-    for (PatchName& one : creep_patches_of(scene, patch)) {
-      patches.push_back(std::move(one));
-    }
-  }
+  const auto patches = parts_with(scene, all_patches(scene), creep_result);
   if (patches.empty()) {
     throw Failure("--creep-field " + path.string() +
                   ": there are no creep forces; set creepage.left or creepage.right");

@@ -34,9 +34,10 @@ void print_csv(const Scene& scene, std::ostream& out);
 /// undeformed_distance, pressure, displacement.
 void write_field(const Scene& scene, const std::filesystem::path& path);
 
-/// The patches that have tractions of their own: a patch with creep forces, or its parts.
-std::vector<PatchName> creep_patches_of(const Scene& scene, const PatchName& patch);
-/// Tractions and slips of them, a line per element: side, patch, creep_x, creep_y, creep_z,
+/// What has fields of its own, a patch or its parts, if it has this result.
+std::vector<PatchName> parts_with(const Scene& scene, const std::vector<PatchName>& patches,
+                                  const std::string& result);
+/// Tractions and slips, a line per element: side, patch, creep_x, creep_y, creep_z,
 /// creep_pressure, traction_x, traction_y, slip_x, slip_y. Throws Failure if there are none.
 void write_creep_field(const Scene& scene, const std::filesystem::path& path);
 
@@ -45,10 +46,11 @@ void write_creep_field(const Scene& scene, const std::filesystem::path& path);
 /// `patch` (N of patches.N) and `side` (1 left, -1 right) tell them apart.
 void write_vtk(const Scene& scene, const std::filesystem::path& path);
 
-/// The patches, or their parts, of a side that have stresses below the surface.
-std::vector<PatchName> stress_patches_of(const Scene& scene, const std::string& side);
-/// Their sections as a legacy VTK unstructured grid in the track frame, stresses at its points.
-/// Throws Failure if there are none.
+inline constexpr const char* creep_result = "creep_force.longitudinal";
+inline constexpr const char* stress_result = "stress.von_mises_max";
+
+/// Sections of stresses below the surface as a legacy VTK unstructured grid in the track frame,
+/// stresses at its points. Throws Failure if there are none.
 void write_stress_vtk(const Scene& scene, const std::filesystem::path& path);
 /// Draws the section with the greatest stress of a side.
 class Gnuplot;

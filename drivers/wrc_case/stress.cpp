@@ -10,55 +10,36 @@
 
 namespace driver {
 
-std::vector<PatchName> stress_patches_of(const Scene& scene, const std::string& side) {
-  std::vector<PatchName> all;
-  for (const PatchName& patch : patches_of(scene, side)) {
-    const int parts = scene.count_of(patch.prefix + "parts");
-    for (int i = 0; i < std::max(parts, 1); ++i) {
-      PatchName one = patch;
-      if (parts > 0) {
-        one.prefix += "parts." + std::to_string(i) + '.';
-      }
-      if (scene.has_number(one.prefix + "stress.von_mises_max")) {
-        all.push_back(one);
-      }
-    }
-  }
-  return all;
-}
-
 void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
   constexpr std::array names{"von_mises", "shear", "xx", "yy", "zz", "xy", "xz", "yz"};
   VtkGrid grid;
   std::array<std::vector<double>, names.size()> values;
   const bool across = scene.get_text("stress.section") == "across";
   const double down = scene.get_text("stress.body") == "rail" ? -1.0 : 1.0;
-  for (const std::string& side : sides_of(scene)) {
-    for (const PatchName& patch : stress_patches_of(scene, side)) {
-      const auto number = [&](const char* name) { return scene.number(patch.prefix + name); };
-      const std::vector<double> places = scene.field(patch.prefix + "stress_place");
-      const std::vector<double> depths = scene.field(patch.prefix + "stress_depth");
-      const auto columns = static_cast<std::size_t>(
-          std::count(depths.begin(), depths.end(), depths.empty() ? 0.0 : depths.front()));
-      const double mirror = side == "left" ? 1.0 : -1.0;
-      const double angle = number("angle");
-      const std::size_t offset = grid.points.size();
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const double x = across ? number("stress.along") : places[i];
-        const double y = mirror * (across ? places[i] : number("stress.across"));
-        const double z = down * depths[i];
-        grid.points.push_back({number("x") + x,
-                               number("y") + y * std::cos(angle) - z * std::sin(angle),
-                               number("z") + y * std::sin(angle) + z * std::cos(angle)});
-        if (i % columns + 1 < columns && i + columns < places.size()) {
-          const std::size_t corner = offset + i;
-          grid.quads.push_back({corner, corner + 1, corner + columns + 1, corner + columns});
-        }
+  for (const PatchName& patch : parts_with(scene, all_patches(scene), stress_result)) {
+    const auto number = [&](const char* name) { return scene.number(patch.prefix + name); };
+    const std::vector<double> places = scene.field(patch.prefix + "stress_place");
+    const std::vector<double> depths = scene.field(patch.prefix + "stress_depth");
+    const auto columns = static_cast<std::size_t>(
+        std::count(depths.begin(), depths.end(), depths.empty() ? 0.0 : depths.front()));
+    const double mirror = patch.side == "left" ? 1.0 : -1.0;
+    const double angle = number("angle");
+    const std::size_t offset = grid.points.size();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double x = across ? number("stress.along") : places[i];
+      const double y = mirror * (across ? places[i] : number("stress.across"));
+      const double z = down * depths[i];
+      grid.points.push_back({number("x") + x,
+                             number("y") + y * std::cos(angle) - z * std::sin(angle),
+                             number("z") + y * std::sin(angle) + z * std::cos(angle)});
+      if (i % columns + 1 < columns && i + columns < places.size()) {
+        const std::size_t corner = offset + i;
+        grid.quads.push_back({corner, corner + 1, corner + columns + 1, corner + columns});
       }
-      for (std::size_t k = 0; k < names.size(); ++k) {
-        const std::vector<double> field = scene.field(patch.prefix + "stress_" + names[k]);
-        values[k].insert(values[k].end(), field.begin(), field.end());
-      }
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const std::vector<double> field = scene.field(patch.prefix + "stress_" + names[k]);
+      values[k].insert(values[k].end(), field.begin(), field.end());
     }
   }
   if (grid.points.empty()) {
@@ -76,7 +57,7 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
 
 void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) {
   std::ostream& out = gnuplot.script();
-  const std::vector<PatchName> patches = stress_patches_of(scene, side);
+  const auto patches = parts_with(scene, patches_of(scene, side), stress_result);
   out << "unset label\nset size noratio\n";
   if (patches.empty()) {
     out << "set title '" << side << " wheel: no stresses'\nplot NaN notitle\n";
@@ -85,8 +66,8 @@ void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) 
   // That of the greatest stress.
   const PatchName& patch =
       *std::max_element(patches.begin(), patches.end(), [&](const auto& one, const auto& other) {
-        return scene.number(one.prefix + "stress.von_mises_max") <
-               scene.number(other.prefix + "stress.von_mises_max");
+        return scene.number(one.prefix + stress_result) <
+               scene.number(other.prefix + stress_result);
       });
   const std::vector<double> places = scene.field(patch.prefix + "stress_place");
   const std::vector<double> depths = scene.field(patch.prefix + "stress_depth");
@@ -100,7 +81,7 @@ void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) 
     data << places[i] << ' ' << depths[i] << ' ' << stress[i] << '\n';
   }
   const bool across = scene.get_text("stress.section") == "across";
-  const double greatest = scene.number(patch.prefix + "stress.von_mises_max");
+  const double greatest = scene.number(patch.prefix + stress_result);
   const double depth = scene.number(patch.prefix + "stress.depth");
   const double place = scene.number(patch.prefix + (across ? "stress.across" : "stress.along"));
   const std::string block = gnuplot.block(data.str());

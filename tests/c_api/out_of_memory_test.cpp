@@ -17,6 +17,18 @@ template <class Call> wrc_status with_allocations(long count, Call&& call) {
   return status;
 }
 
+/// Each allocation of a call fails once, until it succeeds; `check` is called after each failure.
+/// Returns how many have failed.
+template <class Call, class Check> long fail_each(Call call, Check check) {
+  long count = 0;
+  wrc_status status = with_allocations(count, call);
+  for (; status == WRC_OUT_OF_MEMORY; status = with_allocations(++count, call)) {
+    check();
+  }
+  EXPECT_EQ(status, WRC_OK) << "allocation " << count;
+  return count;
+}
+
 TEST(OutOfMemory, NoHandleIsMade) {
   wrc_scene* scene = nullptr;
   EXPECT_EQ(with_allocations(0, [&] { return wrc_scene_create(&scene); }), WRC_OUT_OF_MEMORY);
@@ -26,12 +38,9 @@ TEST(OutOfMemory, NoHandleIsMade) {
   EXPECT_EQ(normal, nullptr);
   // The object of a rolling contact has parts of its own.
   wrc_rolling* rolling = nullptr;
-  long count = 0;
-  while (with_allocations(count, [&] { return wrc_rolling_create(&rolling); }) != WRC_OK) {
-    EXPECT_EQ(rolling, nullptr);
-    ++count;
-  }
-  EXPECT_GT(count, 2);
+  EXPECT_GT(
+      fail_each([&] { return wrc_rolling_create(&rolling); }, [&] { EXPECT_EQ(rolling, nullptr); }),
+      2);
   wrc_rolling_destroy(rolling);
   wrc_profile* profile = nullptr;
   EXPECT_EQ(with_allocations(0, [&] { return wrc_profile_create(&profile); }), WRC_OUT_OF_MEMORY);
@@ -51,17 +60,16 @@ TEST(OutOfMemory, ATextIsNotSet) {
 TEST(OutOfMemory, AProfileKeepsWhatItHeld) {
   const ProfilePointer profile = make_profile();
   ASSERT_EQ(wrc_profile_load_standard(profile.get(), "S1002"), WRC_OK);
-  wrc_status status = WRC_OUT_OF_MEMORY;
-  long count = 0;
-  for (; status == WRC_OUT_OF_MEMORY; ++count) {
-    status =
-        with_allocations(count, [&] { return wrc_profile_load_standard(profile.get(), "60E1"); });
-    std::int32_t kind = WRC_RAIL;
-    ASSERT_EQ(wrc_profile_kind(profile.get(), &kind), WRC_OK);
-    EXPECT_EQ(kind, status == WRC_OK ? WRC_RAIL : WRC_WHEEL);
-  }
-  EXPECT_EQ(status, WRC_OK);
-  EXPECT_GT(count, 1) << "no allocation has failed";
+  const auto kind = [&] {
+    std::int32_t value = -1;
+    EXPECT_EQ(wrc_profile_kind(profile.get(), &value), WRC_OK);
+    return value;
+  };
+  EXPECT_GT(fail_each([&] { return wrc_profile_load_standard(profile.get(), "60E1"); },
+                      [&] { EXPECT_EQ(kind(), WRC_WHEEL); }),
+            0)
+      << "no allocation has failed";
+  EXPECT_EQ(kind(), WRC_RAIL);
 }
 
 TEST(OutOfMemory, ASceneKeepsItsResultsWhicheverAllocationFails) {
@@ -70,16 +78,8 @@ TEST(OutOfMemory, ASceneKeepsItsResultsWhicheverAllocationFails) {
   ASSERT_EQ(wrc_scene_solve(scene.get()), WRC_OK);
   const double before = number_of(scene.get(), "left.pmax");
   ASSERT_EQ(wrc_scene_set_number(scene.get(), "load.vertical", 90000.0), WRC_OK);
-  wrc_status status = WRC_OUT_OF_MEMORY;
-  long failures = 0;
-  for (long count = 0; status != WRC_OK; ++count) {
-    status = with_allocations(count, [&] { return wrc_scene_solve(scene.get()); });
-    if (status != WRC_OK) {
-      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_scene_error(scene.get());
-      ASSERT_EQ(number_of(scene.get(), "left.pmax"), before) << count;
-      ++failures;
-    }
-  }
+  const long failures = fail_each([&] { return wrc_scene_solve(scene.get()); },
+                                  [&] { EXPECT_EQ(number_of(scene.get(), "left.pmax"), before); });
   EXPECT_GT(failures, 100);
   EXPECT_NE(number_of(scene.get(), "left.pmax"), before);
   std::printf("%ld allocations of a solution failed, one after the other\n", failures);
@@ -104,18 +104,10 @@ TEST(OutOfMemory, NumbersByIdTakeNoneAndStayIfOneCannotBeComputed) {
             WRC_OK);
   EXPECT_EQ(with_allocations(0, [&] { return wrc_scene_numbers_by_id(s, ids, values, 2); }),
             WRC_OK);
-  wrc_status status = WRC_OUT_OF_MEMORY;
-  long failures = 0;
-  for (long count = 0; status != WRC_OK; ++count) {
-    values[0] = -1.0;
-    status = with_allocations(count, [&] { return wrc_scene_numbers_by_id(s, ids, values, 4); });
-    if (status != WRC_OK) {
-      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_scene_error(s);
-      ASSERT_EQ(values[0], -1.0) << count;
-      ++failures;
-    }
-  }
-  EXPECT_GT(failures, 2);
+  values[0] = -1.0;
+  EXPECT_GT(fail_each([&] { return wrc_scene_numbers_by_id(s, ids, values, 4); },
+                      [&] { EXPECT_EQ(values[0], -1.0); }),
+            2);
   EXPECT_EQ(values[0], pmax);
   EXPECT_GT(values[3], 0.0);
 }
@@ -127,11 +119,7 @@ TEST(OutOfMemory, ASolverThatFailsAnywhereStartsAnew) {
   ASSERT_EQ(wrc_scene_set_text(scene.get(), "solve.side", "left"), WRC_OK);
   ASSERT_EQ(wrc_solver_solve(failing, scene.get()), WRC_OK);
   ASSERT_EQ(wrc_scene_set_number(scene.get(), "pose.lateral", 1.0), WRC_OK);
-  wrc_status status = WRC_OUT_OF_MEMORY;
-  for (long count = 0; status != WRC_OK; ++count) {
-    status = with_allocations(count, [&] { return wrc_solver_solve(failing, scene.get()); });
-    ASSERT_TRUE(status == WRC_OK || status == WRC_OUT_OF_MEMORY) << status;
-  }
+  fail_each([&] { return wrc_solver_solve(failing, scene.get()); }, [] {});
   const ScenePointer alone = make_small_scene();
   ASSERT_EQ(wrc_scene_set_text(alone.get(), "solve.side", "left"), WRC_OK);
   ASSERT_EQ(wrc_scene_set_number(alone.get(), "pose.lateral", 1.0), WRC_OK);
@@ -172,17 +160,9 @@ TEST(OutOfMemory, ANormalContactKeepsItsResults) {
                 0, [&] { return wrc_normal_set_distance(normal.get(), gap.data() + 1, side); }),
             WRC_OUT_OF_MEMORY);
   ASSERT_EQ(wrc_normal_set_number(normal.get(), "normal_load", 900.0), WRC_OK);
-  wrc_status status = WRC_OUT_OF_MEMORY;
-  long failures = 0;
-  for (long count = 0; status != WRC_OK; ++count) {
-    status = with_allocations(count, [&] { return wrc_normal_solve(normal.get()); });
-    if (status != WRC_OK) {
-      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_normal_error(normal.get());
-      ASSERT_EQ(pmax_of(normal.get()), before) << count;
-      ++failures;
-    }
-  }
-  EXPECT_GT(failures, 10);
+  EXPECT_GT(fail_each([&] { return wrc_normal_solve(normal.get()); },
+                      [&] { EXPECT_EQ(pmax_of(normal.get()), before); }),
+            10);
   EXPECT_EQ(pmax_of(normal.get()), pmax_of(untouched.get())) << "failures have left traces";
 }
 
@@ -220,17 +200,9 @@ TEST(OutOfMemory, ARollingContactKeepsItsResults) {
               WRC_OUT_OF_MEMORY);
   }
   contact.set("longitudinal_creepage", -0.002);
-  wrc_status status = WRC_OUT_OF_MEMORY;
-  long failures = 0;
-  for (long count = 0; status != WRC_OK; ++count) {
-    status = with_allocations(count, [&] { return wrc_rolling_solve(rolling); });
-    if (status != WRC_OK) {
-      ASSERT_EQ(status, WRC_OUT_OF_MEMORY) << wrc_rolling_error(rolling);
-      ASSERT_EQ(contact.number("longitudinal_force"), before) << count;
-      ++failures;
-    }
-  }
-  EXPECT_GT(failures, 10);
+  EXPECT_GT(fail_each([&] { return wrc_rolling_solve(rolling); },
+                      [&] { EXPECT_EQ(contact.number("longitudinal_force"), before); }),
+            10);
   EXPECT_EQ(contact.number("longitudinal_force"), untouched.number("longitudinal_force"))
       << "failures have left traces";
 }

@@ -41,8 +41,7 @@ TEST_F(FullDisk, NoDriverLeavesHalfAFileOrSpoilsAnOldOne) {
       Writer{WRC_PROFILE_PROGRAM, "S1002 --convert a.txt", "a.txt"},
       Writer{WRC_PROFILE_PROGRAM, "S1002 --convert a.prw", "a.prw"},
       Writer{WRC_PROFILE_PROGRAM, "S1002 --plot b.png", "b.png"},
-      Writer{WRC_TRADEOFF_PROGRAM, "--scenes 1 --repeats 1 --csv b.csv", "b.csv"},
-      Writer{WRC_REGRESSION_PROGRAM, "--junit b.xml", "b.xml"}};
+      Writer{WRC_TRADEOFF_PROGRAM, "--scenes 1 --repeats 1 --json b.json", "b.json"}};
   bool is_there = false; // an old file: in turn
   for (const Writer& writer : writers) {
     SCOPED_TRACE(writer.arguments);

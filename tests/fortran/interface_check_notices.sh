@@ -40,5 +40,4 @@ notices 'a kind in the module' wrcontact_c.inc '0,/c_int64_t), value :: count/s/
 notices 'value lost in the module' wrcontact_c.inc '0,/real(c_double), value :: value/s//real(c_double), intent(in) :: value/'
 notices 'a constant in the module' wrcontact.f90 's/wrc_no_contact = 5/wrc_no_contact = 6/'
 notices 'a function never called' wrcontact_scene.inc 's/wrc_scene_solve(/wrc_scene_dissolve(/'
-notices 'a kind in the F77 layer' wrcontact_f77.inc '0,/real(c_double), value :: value/s//integer(c_int64_t), value :: value/'
 exit "$failures"

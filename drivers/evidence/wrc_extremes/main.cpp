@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
       ->type_name("QUANTITY")
       ->check(CLI::IsMember(quantity_names()));
   app.add_option("--out", folder,
-                 "write extremes.csv, extremes.json and extremes_<quantity>.png into a folder, "
+                 "write extremes.json and extremes_<quantity>.png into a folder, "
                  "which is made if it is not there")
       ->type_name("FOLDER");
   app.add_option("--seed", seed, "of noise, and of elements drawn from large grids")
@@ -111,8 +111,6 @@ int main(int argc, char** argv) {
     extremes::print_table(rows, std::cout);
     if (!folder.empty()) {
       const std::filesystem::path out(folder);
-      driver::write_whole(out / "extremes.csv",
-                          [&](std::ostream& s) { extremes::print_csv(rows, s); });
       driver::write_whole(out / "extremes.json", [&](std::ostream& s) {
         driver::print_json(extremes::json_of(rows, seed), s, 1);
       });

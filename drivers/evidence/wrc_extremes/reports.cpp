@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "support/csv_table.hpp"
 #include "support/numbers.hpp"
 #include "support/text_table.hpp"
 #include "wrc_extremes/row.hpp"
@@ -127,26 +126,6 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
                driver::power(range.worst_error, 0), cut(range.message, 90)});
   }
   table.print(out);
-}
-
-void print_csv(const std::vector<Row>& rows, std::ostream& out) {
-  std::vector<std::string> names =
-      driver::words("quantity base setting value verdict status asked truth");
-  for (const Column& column : measured_columns) {
-    names.emplace_back(column.name);
-  }
-  names.emplace_back("message");
-  driver::CsvLine(out).add(names);
-  out.precision(17);
-  for (const Row& row : rows) {
-    driver::CsvLine line(out);
-    line << row.quantity << row.base << row.setting << row.value << name_of(row.verdict)
-         << row.status << row.asked << row.truth;
-    for (const Column& column : measured_columns) {
-      line << row.*column.member;
-    }
-    line << row.message;
-  }
 }
 
 json json_of(const std::vector<Row>& rows, std::uint64_t seed) {

@@ -1,4 +1,4 @@
-/// The study as table of ranges, CSV (one line per point), JSON and pictures.
+/// The study as table of ranges, JSON and pictures.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,6 @@
 namespace extremes {
 
 void print_table(const std::vector<Row>& rows, std::ostream& out);
-void print_csv(const std::vector<Row>& rows, std::ostream& out);
 driver::json json_of(const std::vector<Row>& rows, std::uint64_t seed);
 
 /// One picture per quantity, extremes_<quantity>.png: residuals and errors over it, and where it is

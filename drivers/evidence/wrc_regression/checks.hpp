@@ -17,7 +17,7 @@ struct Tolerance {
 };
 
 struct Check {
-  std::string group; ///< "paper", "hertz", "contact", "own"
+  std::string group; ///< "paper", "contact", "own"
   std::string name;  ///< of the case
   std::string result;
   double expected = 0.0;
@@ -34,8 +34,6 @@ struct Check {
   }
 };
 
-/// Hertz (1882): a sphere on a half-space, in closed form, by wrc_normal.
-std::vector<Check> run_hertz_cases();
 /// Wheel/rail cases of a JSON file as the reference folder has them (see tests/README.md). Throws
 /// Failure if it cannot be understood.
 std::vector<Check> run_contact_cases(const std::filesystem::path& file);
@@ -50,8 +48,6 @@ std::vector<Check> run_stored_cases(const std::filesystem::path& cases,
 std::vector<std::string> update_baselines(const std::vector<Check>& checks,
                                           const std::filesystem::path& baselines);
 
-/// As a table for people, and as JUnit XML for programs.
 void print_checks(const std::vector<Check>& checks, std::ostream& out);
-void write_junit(const std::vector<Check>& checks, const std::filesystem::path& path);
 
 } // namespace driver

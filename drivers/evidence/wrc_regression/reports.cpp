@@ -5,23 +5,10 @@
 #include <map>
 
 #include "support/numbers.hpp"
-#include "support/output_file.hpp"
 #include "support/text_table.hpp"
 
 namespace driver {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char letter : text) {
-    out += letter == '&'   ? "&amp;"
-           : letter == '<' ? "&lt;"
-           : letter == '>' ? "&gt;"
-           : letter == '"' ? "&quot;"
-                           : std::string(1, letter);
-  }
-  return out;
-}
 
 std::string percent(double share) {
   return (share < 0.0 ? "" : "+") + fixed(100.0 * share, std::abs(share) < 1e-4 ? 5 : 2) + " %";
@@ -59,28 +46,6 @@ void print_checks(const std::vector<Check>& checks, std::ostream& out) {
   const auto failed = std::count_if(checks.begin(), checks.end(),
                                     [](const Check& check) { return !check.passed(); });
   out << '\n' << checks.size() << " checks, " << failed << " failed\n";
-}
-
-void write_junit(const std::vector<Check>& checks, const std::filesystem::path& path) {
-  OutputFile file(path);
-  std::ostream& out = file.stream();
-  const auto failed = std::count_if(checks.begin(), checks.end(),
-                                    [](const Check& check) { return !check.passed(); });
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"wrc_regression\" tests=\""
-      << checks.size() << "\" failures=\"" << failed << "\">\n";
-  for (const Check& check : checks) {
-    out << "  <testcase classname=\"" << escaped(check.group) << "\" name=\""
-        << escaped(check.name + ": " + check.result) << "\"";
-    if (check.passed()) {
-      out << "/>\n";
-    } else {
-      out << ">\n    <failure message=\"expected " << check.expected << ", is " << check.actual
-          << ", allowed " << check.tolerance.relative << " (" << escaped(check.tolerance.reason)
-          << ")\">" << escaped(check.trouble) << "</failure>\n  </testcase>\n";
-    }
-  }
-  out << "</testsuite>\n";
-  file.commit();
 }
 
 } // namespace driver

@@ -94,8 +94,6 @@ struct CreepRow {
 std::vector<CreepRow> creep_rows(const std::vector<CreepMeasured>& all);
 
 void print_creep_summary(const std::vector<CreepMeasured>& all, std::ostream& out);
-/// One line per patch and way.
-void print_creep_csv(const std::vector<CreepMeasured>& all, std::ostream& out);
 driver::json creep_json_of(const std::vector<CreepMeasured>& all);
 /// Writes tradeoff_creep.png, errors over time, into a folder that exists.
 void draw_creep(const std::vector<CreepMeasured>& all, const std::filesystem::path& folder);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/csv_table.hpp"
 #include "support/numbers.hpp"
 #include "support/statistics.hpp"
 #include "support/text_table.hpp"
@@ -10,11 +9,9 @@
 namespace tradeoff {
 namespace {
 
-using driver::CsvLine;
 using driver::general;
 using driver::json;
 using driver::quantile;
-using driver::words;
 
 constexpr std::size_t printed_misses = 10;
 
@@ -162,23 +159,6 @@ void print_creep_summary(const std::vector<CreepMeasured>& all, std::ostream& ou
       << general(creep_truth_accuracy) << "; time of creep forces for each patch\n";
   table.print(out);
   print_creep_misses(all, out);
-}
-
-void print_creep_csv(const std::vector<CreepMeasured>& all, std::ostream& out) {
-  out.precision(9);
-  CsvLine(out).add(words("scene side patch creep accuracy time_us error_fx error_fy error_mz "
-                         "estimate"));
-  for (std::size_t way = 0; way < creep_ways.size(); ++way) {
-    for_each_patch(all, way,
-                   [&](const CreepMeasured& measured, const CreepRun& run, std::size_t side,
-                       std::size_t i, const CreepError& error) {
-                     CsvLine line(out);
-                     line << static_cast<std::size_t>(&measured - all.data())
-                          << driver::side_names[side] << i << creep_ways[way].model
-                          << creep_ways[way].accuracy << run.time_us;
-                     line.add(error.values) << error.estimate;
-                   });
-  }
 }
 
 json creep_json_of(const std::vector<CreepMeasured>& all) {

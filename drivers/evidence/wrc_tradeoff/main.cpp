@@ -22,7 +22,7 @@ struct Options {
   std::string accuracy_of = "both";
   int threads = 1;
   int repeats = 15;
-  std::string csv, json, pictures;
+  std::string json, pictures;
 };
 
 /// Random scenes are solved for what accuracies are worth; the family in all ways.
@@ -71,13 +71,10 @@ std::vector<Measured> measure_all(const Options& options) {
 }
 
 /// Prints and writes what options ask for.
-template <class All, class Summary, class Csv, class Json, class Draw>
-void report(const All& all, const Options& options, Summary print_summary, Csv print_csv,
-            Json json_of, Draw draw) {
+template <class All, class Summary, class Json, class Draw>
+void report(const All& all, const Options& options, Summary print_summary, Json json_of,
+            Draw draw) {
   print_summary(all, std::cout);
-  if (!options.csv.empty()) {
-    driver::write_whole(options.csv, [&](std::ostream& out) { print_csv(all, out); });
-  }
   if (!options.json.empty()) {
     driver::write_whole(options.json,
                         [&](std::ostream& out) { driver::print_json(json_of(all), out, 1); });
@@ -92,8 +89,7 @@ void compare_creep_models(const Options& options) {
   report(measure_scenes(
              cases.size(), options,
              [&](std::size_t i) { return tradeoff::measure_creep(cases[i], options.repeats); }),
-         options, tradeoff::print_creep_summary, tradeoff::print_creep_csv, tradeoff::creep_json_of,
-         tradeoff::draw_creep);
+         options, tradeoff::print_creep_summary, tradeoff::creep_json_of, tradeoff::draw_creep);
 }
 
 } // namespace
@@ -133,13 +129,12 @@ int main(int argc, char** argv) {
                  "most")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--csv", options.csv, "write one line for each wheel and way")->type_name("FILE");
   app.add_option("--json", options.json, "write everything as one object")->type_name("FILE");
   app.add_option("--pictures", options.pictures, "draw pictures, tradeoff_*.png, into a folder")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
   app.footer("\nExamples:\n"
-             "  wrc_tradeoff --threads 2 --csv tradeoff.csv --pictures docs/images\n"
+             "  wrc_tradeoff --threads 2 --json tradeoff.json --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n");
   return driver::run_program(app, argc, argv, [&options] {
@@ -147,8 +142,8 @@ int main(int argc, char** argv) {
       compare_creep_models(options);
       return 0;
     }
-    report(measure_all(options), options, tradeoff::print_summary, tradeoff::print_csv,
-           tradeoff::json_of, [&options](const auto& all, const auto& folder) {
+    report(measure_all(options), options, tradeoff::print_summary, tradeoff::json_of,
+           [&options](const auto& all, const auto& folder) {
              tradeoff::draw_pictures(all, folder, options.random == 0);
            });
     return 0;

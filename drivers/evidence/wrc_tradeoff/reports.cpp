@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "support/csv_table.hpp"
 #include "support/json.hpp"
 #include "support/numbers.hpp"
 #include "support/text_table.hpp"
@@ -10,11 +9,9 @@
 namespace tradeoff {
 namespace {
 
-using driver::CsvLine;
 using driver::general;
 using driver::json;
 using driver::TextTable;
-using driver::words;
 
 constexpr std::size_t printed_misses = 40;
 
@@ -140,34 +137,6 @@ void print_summary(const std::vector<Measured>& all, std::ostream& out) {
     print_hands(all, out);
   }
   print_misses(all, out);
-}
-
-void print_csv(const std::vector<Measured>& all, std::ostream& out) {
-  out.precision(9);
-  std::vector<std::string> names =
-      words("scene group side lateral yaw load way asked grid_lateral grid_longitudinal time_ms");
-  for (const char* name : quantity_names) {
-    names.push_back(std::string("error_") + name);
-  }
-  CsvLine(out).add(names).add(words("estimate validity patches truth_pmax "
-                                    "truth_uncertainty_forces truth_uncertainty_pressures"));
-  for (const Measured& measured : all) {
-    const driver::Settings& scene = measured.scene.settings;
-    for (const Run& run : measured.runs) {
-      for (std::size_t side = 0; side < 2; ++side) {
-        const WheelError& error = run.errors[side];
-        const WheelError& uncertainty = measured.truth_uncertainty[side];
-        CsvLine line(out);
-        line << measured.scene.name << measured.scene.group << driver::side_names[side]
-             << scene.number_or("pose.lateral", 0.0) << scene.number_or("pose.yaw", 0.0)
-             << load_of(scene, side) << run.way.label << run.way.accuracy;
-        line.add(run.way.grid) << run.time_ms;
-        line.add(error.values) << error.estimate << error.validity << measured.patches[side]
-                               << measured.truth_pmax[side] << uncertainty.controlled("forces")
-                               << uncertainty.controlled("pressures");
-      }
-    }
-  }
 }
 
 json json_of(const std::vector<Measured>& all) {

@@ -1,5 +1,5 @@
-/// What the measurements of all scenes say together: as table, CSV (one line per wheel and way),
-/// JSON and pictures.
+/// What the measurements of all scenes say together: as table, JSON and
+/// pictures.
 #pragma once
 
 #include <array>
@@ -15,7 +15,6 @@
 namespace tradeoff {
 
 void print_summary(const std::vector<Measured>& all, std::ostream& out);
-void print_csv(const std::vector<Measured>& all, std::ostream& out);
 driver::json json_of(const std::vector<Measured>& all);
 
 /// Writes tradeoff_work_precision.png, tradeoff_asked.png, tradeoff_estimate.png and

@@ -18,10 +18,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <vector>
 
 #include "base/error.hpp"
+#include "evidence/random_wheels.hpp"
 #include "support/state_differences.hpp"
 
 namespace {
@@ -35,41 +35,23 @@ constexpr std::array<const char*, state_count> names{
 
 constexpr std::array<std::size_t, 2> held{0, 3}; // lateral, yaw
 
-class Draw {
-public:
-  /// A wheel under load, moving; without an Error if it stands on its rail.
-  Scene scene(int index, double accuracy) {
-    constexpr std::array<const char*, 4> rails{"60E1", "CHN60", "54E1", "60E2"};
-    Scene scene;
-    const bool lma = index % 2 != 0;
-    scene.left.wheel.name = scene.right.wheel.name = lma ? "LMA" : "S1002";
-    scene.left.rail.name = scene.right.rail.name = rails[static_cast<std::size_t>(index / 2) % 4];
-    scene.back_to_back = lma ? 1353.0 : 1360.0;
-    scene.lateral = between(-7.0, 7.0);
-    scene.yaw = between(-0.01, 0.01);
-    scene.left.load = scene.right.load = std::pow(10.0, between(4.3, 5.1));
-    scene.accuracy_of = AccuracyOf::forces;
-    scene.accuracy = accuracy;
-    scene.side = SideChoice::left;
-    const double speed = between(5e3, 6e4);
-    scene.motion = Motion{.speed = speed,
-                          .pitch = speed / scene.left.radius * (1.0 + between(-3e-3, 3e-3)),
-                          .lateral = speed * between(-3e-3, 3e-3),
-                          .vertical = speed * between(-1e-3, 1e-3),
-                          .roll = between(-0.05, 0.05),
-                          .yaw = between(-0.05, 0.05)};
-    const SceneResult under_load = solve_scene(scene);
-    scene.roll = under_load.roll;
-    scene.vertical = under_load.left->vertical - under_load.left->depth;
-    return scene;
-  }
-
-private:
-  double between(double low, double high) {
-    return low + (high - low) * std::generate_canonical<double, 53>(random_);
-  }
-  std::mt19937_64 random_{1};
-};
+/// A wheel under load, moving; without an Error if it stands on its rail.
+Scene moving_wheel(Draw& draw, int index, double accuracy) {
+  Scene scene = draw.wheel(index);
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.accuracy = accuracy;
+  const double speed = draw.between(5e3, 6e4);
+  scene.motion = Motion{.speed = speed,
+                        .pitch = speed / scene.left.radius * (1.0 + draw.between(-3e-3, 3e-3)),
+                        .lateral = speed * draw.between(-3e-3, 3e-3),
+                        .vertical = speed * draw.between(-1e-3, 1e-3),
+                        .roll = draw.between(-0.05, 0.05),
+                        .yaw = draw.between(-0.05, 0.05)};
+  const SceneResult under_load = solve_scene(scene);
+  scene.roll = under_load.roll;
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  return scene;
+}
 
 using Columns = std::array<ForceColumn, state_count>;
 
@@ -118,19 +100,14 @@ struct Errors {
   }
 };
 
-double quantile(std::vector<double>& values, double share) {
-  std::sort(values.begin(), values.end());
-  return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
-}
-
-void print(const char* name, double accuracy, Errors& errors) {
+void print(const char* name, double accuracy, const Errors& errors) {
   const auto within = [accuracy](const std::vector<double>& of) {
     const auto count =
         std::count_if(of.begin(), of.end(), [accuracy](double e) { return e <= accuracy; });
     return static_cast<double>(count) / static_cast<double>(of.size());
   };
   std::printf("%-18s %6zu", name, errors.of_columns.size());
-  for (std::vector<double>* of : {&errors.of_columns, &errors.without_slip}) {
+  for (const std::vector<double>* of : {&errors.of_columns, &errors.without_slip}) {
     std::printf(" | %7.4f %7.4f %7.4f %7.4f %7.3f", quantile(*of, 0.5), quantile(*of, 0.95),
                 quantile(*of, 0.99), quantile(*of, 1.0), within(*of));
   }
@@ -172,7 +149,7 @@ int main(int argc, char** argv) {
   Draw draw;
   for (int i = 0; i < count; ++i) {
     try {
-      const Case of = compare(draw.scene(i, accuracy));
+      const Case of = compare(moving_wheel(draw, i, accuracy));
       for (std::size_t which = 0; which < state_count; ++which) {
         errors[which].add(of.found[which], of.one[which], of.other[which],
                           largest_of(of.without_slip[which]));

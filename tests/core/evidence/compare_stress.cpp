@@ -13,51 +13,32 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <vector>
 
 #include "base/error.hpp"
 #include "damage/subsurface_stress.hpp"
-#include "scene/solve_scene.hpp"
+#include "evidence/random_wheels.hpp"
 #include "wheel/contact_damage.hpp"
 
 namespace {
 
 using namespace wrc;
+using namespace wrc::test;
 
 constexpr double truth_accuracy = 2e-4;
 constexpr std::array accuracies{1e-1, 1e-2, 1e-3};
 
-class Draw {
-public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  Scene scene(int index) {
-    constexpr std::array<const char*, 4> rails{"60E1", "CHN60", "54E1", "60E2"};
-    Scene scene;
-    const bool lma = index % 2 != 0;
-    scene.left.wheel.name = scene.right.wheel.name = lma ? "LMA" : "S1002";
-    scene.left.rail.name = scene.right.rail.name = rails[static_cast<std::size_t>(index / 2) % 4];
-    scene.back_to_back = lma ? 1353.0 : 1360.0;
-    scene.lateral = between(-7.0, 7.0);
-    scene.yaw = between(-0.01, 0.01);
-    scene.left.load = scene.right.load = std::pow(10.0, between(4.3, 5.1));
-    scene.side = SideChoice::left;
-    scene.damage.stress = true;
-    if (index / 8 % 2 != 0) {
-      const double size = std::pow(10.0, between(-4.0, -2.0));
-      const double angle = between(0.0, 6.28);
-      scene.left.creepages =
-          Creepages{size * std::cos(angle), size * std::sin(angle), between(-1e-4, 1e-3)};
-    }
-    return scene;
+Scene rolling_wheel(Draw& draw, int index) {
+  Scene scene = draw.wheel(index);
+  scene.damage.stress = true;
+  if (index / 8 % 2 != 0) {
+    const double size = std::pow(10.0, draw.between(-4.0, -2.0));
+    const double angle = draw.between(0.0, 6.28);
+    scene.left.creepages =
+        Creepages{size * std::cos(angle), size * std::sin(angle), draw.between(-1e-4, 1e-3)};
   }
-
-private:
-  double between(double low, double high) {
-    return low + (high - low) * std::generate_canonical<double, 53>(random_);
-  }
-  std::mt19937_64 random_;
-};
+  return scene;
+}
 
 /// The greatest below one patch, from sections below 40 rows or all.
 double greatest_below(const PatchResult& patch, const DamageRequest& request) {
@@ -136,11 +117,6 @@ struct Found {
   double bounded = 0.0;
 };
 
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
-}
-
 /// Without creepages; with them, below the surface; on it.
 constexpr std::array groups{"no", "yes", "surface"};
 using Table = std::array<std::array<Found, accuracies.size()>, groups.size()>;
@@ -176,7 +152,7 @@ int main(int argc, char** argv) {
   Draw draw(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1U);
   Table all;
   for (int i = 0; i < count; ++i) {
-    const Scene scene = draw.scene(i);
+    const Scene scene = rolling_wheel(draw, i);
     try {
       measure(scene, all, i);
     } catch (const Error& error) {

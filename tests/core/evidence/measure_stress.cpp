@@ -4,15 +4,18 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "base/stopwatch.hpp"
 #include "damage/subsurface_stress.hpp"
+#include "evidence/random_wheels.hpp"
 #include "mechanics/normal_solver.hpp"
 
 namespace {
 
 using namespace wrc;
+using namespace wrc::test;
 
 template <class Work> double median_ms(int repeats, Work work) {
   std::vector<double> times;
@@ -21,9 +24,7 @@ template <class Work> double median_ms(int repeats, Work work) {
     work();
     times.push_back(watch.milliseconds());
   }
-  const auto middle = times.begin() + repeats / 2;
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
+  return quantile(std::move(times), 0.5);
 }
 
 /// A normal solution whose contact fills so much of each side of 64 x 32 elements.

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "half_space/fft.hpp"
 #include "half_space/influence_coefficients.hpp"
 
 namespace wrc::test::displacement_operator_test {
@@ -136,20 +135,6 @@ TEST(DisplacementOperator, RefusesBadInput) {
   std::vector<double> five(5);
   EXPECT_THROW(displacement.apply(five, four), Error);
   EXPECT_THROW(displacement.apply(four, five), Error);
-}
-
-TEST(Fft, ThereAndBackMultipliesBySize) {
-  RealFft transform(6, 5);
-  const std::vector<double> values = random_pressure(30);
-  std::copy(values.begin(), values.end(), transform.field().begin());
-  transform.forward();
-  EXPECT_EQ(transform.spectrum().size(), 6U * 3U);
-  transform.backward();
-  for (std::size_t index = 0; index < values.size(); ++index) {
-    EXPECT_NEAR(transform.field()[index], 30.0 * values[index], 30.0 * relative_tolerance);
-  }
-  EXPECT_THROW(RealFft(0, 3), Error);
-  EXPECT_THROW(RealFft(3, 0), Error);
 }
 
 } // namespace

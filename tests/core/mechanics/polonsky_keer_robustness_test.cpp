@@ -102,36 +102,6 @@ TEST(PolonskyKeer, WholeGridInContact) {
   EXPECT_EQ(contact_count(pressed), grid.element_count());
 }
 
-TEST(PolonskyKeer, SecondContactBarelyPressedInIsFound) {
-  const Grid grid = centred_grid(64, 24, 0.2, 0.2);
-  const auto two_bodies = [&](double depth) {
-    std::vector<double> distance = hertz_gap(grid, 1.0 / 100.0, 1.0 / 100.0);
-    for (std::size_t row = 0; row < 64; ++row) {
-      for (std::size_t column = 0; column < 24; ++column) {
-        const double x = grid.longitudinal(column) - 0.1;
-        const double y = grid.lateral(row) - 5.1;
-        double& value = distance[row * 24 + column];
-        value = std::min(value, (x * x + y * y) / 60.0 + depth);
-      }
-    }
-    return distance;
-  };
-  // Alone, the first contact leaves this much room for the second one.
-  const std::vector<double> alone = two_bodies(1.0);
-  const NormalSolution first =
-      solve_with_polonsky_keer({grid, alone, steel_modulus, 1000.0, {}, 1e-12});
-  const std::size_t place = (31 + 26) * 24 + 12;
-  const double room = first.approach - first.displacement[place];
-  const double largest = *std::max_element(first.displacement.begin(), first.displacement.end());
-  for (const double share : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7}) {
-    const std::vector<double> distance = two_bodies(room - share * largest);
-    const NormalSolution solution =
-        solve_with_polonsky_keer({grid, distance, steel_modulus, 1000.0, {}, 1e-10});
-    expect_solved(solution, 1e-10, std::to_string(share));
-    EXPECT_EQ(pressure_regions(grid, solution.pressure).size(), 2U) << share;
-  }
-}
-
 TEST(PolonskyKeer, ReachesTwelveDigits) {
   for (const ContactCase& example : contact_cases(53, 47, 1.0)) {
     const NormalSolution solution = solve_with_polonsky_keer(

@@ -1,0 +1,924 @@
+! Wheel/rail contact for programs in FORTRAN 77: external subroutines,
+! no module, nothing to include for the caller. Compile this file (which
+! includes wrcontact_c.inc) with the program, link with -lwrcontact;
+! docs/fortran.md shows a complete program.
+!
+!   INTEGER*8 HANDLE         scene, solver, profile, normal or rolling
+!                            contact
+!   REAL*8                   all numbers; mm, N, MPa, rad, y left, z up,
+!                            unless the scene's convention differs
+!   CHARACTER*(*)            keys and texts; trailing blanks do not
+!                            count
+!   INTEGER                  counts, and IERR, always last, always set:
+!                            0, or a status of wrcontact.h (1 invalid
+!                            argument, 2 unknown name, 3 file
+!                            unreadable, 4 file malformed, 5 no contact,
+!                            6 out of memory, 7 internal, 8 not
+!                            converged, with results, 9 too small,
+!                            10 no result, 11 busy)
+!
+! Keys, names of results and ranges: wrcontact.h, docs/results.md.
+!
+! Integers of the program may have 4 or 8 bytes (-fdefault-integer-8),
+! whatever this file is compiled with: WRCOPN takes KIND(0), written
+! exactly so, and marks the handle with it. A handle may be used only
+! by program parts compiled with the same option. Reals must have 8
+! bytes: WRCOPN takes 1.0D0, written exactly so, and refuses a program
+! in which it has 16 (-fdefault-real-8 without -fdefault-double-8).
+!
+!   WRCOPN(HANDLE, WHAT, KIND(0), 1.0D0, IERR)   makes a 'scene',
+!                                          'solver', 'profile',
+!                                          'normal' or 'rolling'
+!   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    the same without looking at
+!                                          reals
+!   WRCDEL(HANDLE, IERR)                   destroys it, sets it to 0
+!   WRCERR(HANDLE, TEXT, IERR)             text of its last failure
+!   WRCVER(TEXT)                           version of the library
+!
+!   WRCSET(HANDLE, KEY, VALUE, IERR)       number of a scene or contact
+!   WRCSTX(HANDLE, KEY, TEXT, IERR)        text of a scene or contact
+!   WRCSTN(SCENE, KEY, VALUES, N, IERR)    numbers
+!   WRCGET(SCENE, KEY, VALUE, IERR)        the number of a key
+!   WRCGTX(SCENE, KEY, TEXT, IERR)         the text of a key
+!   WRCPUT(SCENE, KEY, PROFIL, IERR)       lets the scene use a profile
+!   WRCWRT(SCENE, PATH, IERR)              a file that wrc_case replays
+!
+!   WRCSOL(HANDLE, IERR)                   solves a scene or contact
+!   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
+!                                          scene with what is kept
+!   WRCFOR(SOLVER, MODE, IERR)             forgets: 1 all, 0 nothing
+!
+!   Vehicle simulations (wrc_solver_step and the calls below it in
+!   wrcontact.h):
+!   WRCVEH(SOLVER, SCENE, Q, V, IRAILS, RAILS, F, IDERIV, DFDQ, DFDV,
+!          ISTATE, IERR)
+!        one evaluation of a wheelset. Q(6): x, y, z, roll, pitch angle,
+!        yaw; V(6): their rates; IRAILS 1: RAILS(3,2), displacements of
+!        the left and the right rail, 0: as in the scene; F(6,2): force
+!        and moment on the left and the right wheel about the
+!        wheelset's centre; IDERIV 1: DFDQ(6,6,2), DFDV(6,6,2), of F(I,K)
+!        by Q(J), V(J), 0: neither; ISTATE(2): 1 lifted + 2 flange tip
+!        + 4 chamfer + 8 beyond yield
+!   WRCPAT(SCENE, PATCH, LENP, N, IERR)
+!        patches: N of them, PATCH(22,LENP) if LENP is at least N;
+!        otherwise N only. Members as wrc_patch in wrcontact.h
+!   WRCCRP(SOLVER, SCENE, IPATCH, CREEP, FORCE, IDERIV, DERIV, IERR)
+!        FORCE(3) of patch IPATCH, from 1, at CREEP(3) of the program's
+!        own; IDERIV 1: DERIV(3,3), of FORCE(J) by CREEP(I)
+!   WRCTAB(SCENE, KEYS, VALUES, COUNTS, N, NAMES, NTHR, PATH, TABLE,
+!          IERR)
+!        a table over values of N keys, COUNTS(N) of each; KEYS and
+!        NAMES (of results) separated by blanks; NTHR threads; PATH: a
+!        file, or blank
+!
+!   WRCNUM(HANDLE, NAME, VALUE, IERR)      result of a scene or contact
+!   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text of a scene, profile or
+!                                          normal contact
+!   WRCFLD(HANDLE, NAME, VALUES, LENV, N, IERR)
+!        a field: N values, longitudinal index fastest, if LENV is at
+!        least N; otherwise N only. LENV = 0 returns N, without error
+!
+!   Ids of keys and of names of results, for many steps; the same for
+!   all scenes of one version of the library:
+!   WRCKID(SCENE, KEY, ID, IERR)           id of a key
+!   WRCNID(SCENE, NAME, ID, IERR)          id of the name of a result
+!   WRCSTB(SCENE, IDS, VALUES, N, IERR)    sets N keys to numbers: all
+!                                          or, if one is refused, none
+!   WRCRDB(SCENE, IDS, VALUES, N, IERR)    reads N results; those that
+!                                          are not there: not-a-number
+!
+!   WRCSTD(PROFIL, NAME, IERR)             a built-in profile
+!   WRCFIL(PROFIL, PATH, IERR)             a profile's file
+!   WRCPTS(PROFIL, NAME, IKIND, Y, Z, N, IERR)
+!        a profile through points; IKIND 0: wheel, 1: rail
+!   WRCFLX(PROFIL, PATH, IKIND, MIRY, MIRZ, ISTRCT, SCALE, SMOOTH,
+!          IERR)
+!   WRCPTX(PROFIL, NAME, IKIND, Y, Z, N, MIRY, MIRZ, ISTRCT, SCALE,
+!          SMOOTH, IERR)
+!        the same, and how they are read: IKIND -1 as the file says;
+!        MIRY, MIRZ 0 mirrored if needed, 1 mirrored, -1 not; ISTRCT 1
+!        refuses instead of guessing; SCALE mm per unit, 0 guessed;
+!        SMOOTH wavelength in mm that is halved, 0 no smoothing
+!
+!   WRCGRD(HANDLE, NLAT, NLON, DLAT, DLON, IERR)   grid of a contact
+!   WRCGAP(NORMAL, DIST, N, IERR)          undeformed distance at the
+!                                          element centres, as a field
+!   WRCPRS(ROLLNG, PRESS, N, IERR)         pressures, as a field
+!   WRCPRV(ROLLNG, QX, QY, N, IERR)        tractions before a step or a
+!                                          shift; N = 0: none
+!   WRCADV(ROLLNG, IERR)                   those found become them
+!
+! If a call fails, numbers keep their values and texts become blank.
+
+! The C interface, and what the subroutines share.
+module wrcontact_f77_c
+  use, intrinsic :: iso_c_binding
+  implicit none
+  public
+
+  integer, parameter :: scene_mark = 1, solver_mark = 2
+  integer, parameter :: profile_mark = 4, normal_mark = 8
+  integer, parameter :: rolling_mark = 16, any_mark = 31
+  integer, parameter :: contact_mark = normal_mark + rolling_mark
+  ! Stands for no handle but for reals that WRCOPN has refused.
+  integer(c_int64_t), parameter :: refused_reals = 28
+
+  include 'wrcontact_c.inc'
+
+contains
+
+  ! Handles are multiples of 32. The low two bits say how many bytes the
+  ! caller's integers have (1: 4, 2: 8), the next three what it is.
+
+  ! Address and width of a handle that is of one of the kinds; status 1
+  ! without. The width is that of IERR in any case.
+  subroutine look(handle, kinds, address, kind, width, status)
+    integer(c_int64_t), intent(in) :: handle
+    integer, intent(in) :: kinds
+    type(c_ptr), intent(out) :: address
+    integer, intent(out) :: kind, width
+    integer(c_int32_t), intent(out) :: status
+    integer(c_int64_t) :: number
+    width = 4*int(iand(handle, 3_c_int64_t))
+    kind = int(ishft(1_c_int64_t, int(iand(ishft(handle, -2), 7_c_int64_t))))
+    number = iand(handle, not(31_c_int64_t))
+    address = transfer(number, c_null_ptr)
+    status = 0
+    if (width .ne. 4 .and. width .ne. 8 .or. number .eq. 0) then
+      status = 1
+    !       Four bytes that are not zero make eight that are not zero.
+      if (width .ne. 8) width = 4
+      kind = 0
+      address = c_null_ptr
+    else if (iand(kind, kinds) .eq. 0) then
+      status = 1
+      address = c_null_ptr
+    end if
+  end subroutine look
+
+  ! The caller's integer of 4 or 8 bytes.
+  integer(c_int64_t) function taken(number, width)
+    integer(c_int32_t), intent(in), target :: number(*)
+    integer, intent(in) :: width
+    integer(c_int64_t), pointer :: wide
+    if (width .eq. 8) then
+      call c_f_pointer(c_loc(number), wide)
+      taken = wide
+    else
+      taken = number(1)
+    end if
+  end function taken
+
+  subroutine give(value, number, width)
+    integer(c_int64_t), intent(in) :: value
+    integer(c_int32_t), intent(inout), target :: number(*)
+    integer, intent(in) :: width
+    integer(c_int64_t), pointer :: wide
+    if (width .eq. 8) then
+      call c_f_pointer(c_loc(number), wide)
+      wide = value
+    else
+      number(1) = int(value, c_int32_t)
+    end if
+  end subroutine give
+
+  ! Both integers of a pair.
+  subroutine give_two(values, numbers, width)
+    integer(c_int32_t), intent(in) :: values(2)
+    integer(c_int32_t), intent(inout) :: numbers(*)
+    integer, intent(in) :: width
+    call give(int(values(1), c_int64_t), numbers, width)
+    call give(int(values(2), c_int64_t), numbers(1 + width/4), width)
+  end subroutine give_two
+
+  ! Ids of 8 bytes as C takes them; what has no room is none.
+  function narrowed(ids, n)
+    integer(c_int32_t), intent(in), target :: ids(*)
+    integer(c_int64_t), intent(in) :: n
+    integer(c_int32_t), allocatable :: narrowed(:)
+    integer(c_int64_t), pointer :: wide(:)
+    !     C takes up to 2**20 of them.
+    call c_f_pointer(c_loc(ids), wide, [max(0_c_int64_t, min(n, 2_c_int64_t**20))])
+    narrowed = int(max(-1_c_int64_t, min(wide, int(huge(0_c_int32_t), c_int64_t))), c_int32_t)
+  end function narrowed
+
+  ! As C takes the lengths of lists.
+  function widened(counts, n, width)
+    integer(c_int32_t), intent(in), target :: counts(*)
+    integer(c_int64_t), intent(in) :: n
+    integer, intent(in) :: width
+    integer(c_int64_t), allocatable :: widened(:)
+    integer(c_int64_t), pointer :: wide(:)
+    integer(c_int64_t) :: most
+    most = max(0_c_int64_t, min(n, 2_c_int64_t**10))
+    if (width .eq. 8) then
+      call c_f_pointer(c_loc(counts), wide, [most])
+      widened = wide
+    else
+      widened = int(counts(:most), c_int64_t)
+    end if
+  end function widened
+
+  ! How a file or points are read. IKIND -1: the kind is not given.
+  function reading(ikind, miry, mirz, istrct, scale, smooth, width)
+    integer(c_int32_t), intent(in) :: ikind(*), miry(*), mirz(*)
+    integer(c_int32_t), intent(in) :: istrct(*)
+    real(c_double), intent(in) :: scale, smooth
+    integer, intent(in) :: width
+    type(wrc_read_options) :: reading
+    reading = wrc_read_options(0, 0, 0, 0, 0, 0, 0, scale, smooth, 0, 0, 0, 0)
+    reading%struct_size = c_sizeof(reading)
+    reading%kind = int(taken(ikind, width), c_int32_t)
+    if (reading%kind .ne. -1) reading%kind_given = 1
+    reading%mirror_lateral = int(taken(miry, width), c_int32_t)
+    reading%mirror_height = int(taken(mirz, width), c_int32_t)
+    reading%strict = int(taken(istrct, width), c_int32_t)
+  end function reading
+
+  subroutine finish(status, ierr, width)
+    integer(c_int32_t), intent(in) :: status
+    integer(c_int32_t), intent(inout) :: ierr(*)
+    integer, intent(in) :: width
+    call give(int(status, c_int64_t), ierr, width)
+  end subroutine finish
+
+  function letters(text)
+    character*(*), intent(in) :: text
+    character(len_trim(text) + 1, c_char) :: letters
+    letters = trim(text)//c_null_char
+  end function letters
+
+  ! Blank if there is none; status 9 if it was cut.
+  subroutine copy(address, text, status)
+    type(c_ptr), intent(in) :: address
+    character*(*), intent(inout) :: text
+    integer(c_int32_t), intent(inout) :: status
+    character(kind=c_char), pointer :: letter(:)
+    integer :: i, length
+    text = ' '
+    if (.not. c_associated(address)) return
+    length = int(strlen(address))
+    call c_f_pointer(address, letter, [length])
+    do i = 1, min(length, len(text))
+      text(i:i) = letter(i)
+    end do
+    if (length .gt. len(text) .and. status .eq. 0) status = 9
+  end subroutine copy
+end module wrcontact_f77_c
+
+subroutine wrcnew(handle, what, kind0, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) what
+  integer*4 kind0(*), ierr(*)
+  type(c_ptr) made
+  integer*4 status
+  integer width, mark
+  handle = 0
+  made = c_null_ptr
+  status = 1
+  mark = 0
+  !     KIND(0) is 4 in four bytes, or 8 in eight: the first four bytes
+  !     are 8, or 0 where the most significant ones come first.
+  width = 0
+  if (kind0(1) .eq. 4) width = 4
+  if (kind0(1) .eq. 8) width = 8
+  if (kind0(1) .eq. 0) then
+    if (kind0(2) .eq. 8) width = 8
+  end if
+  if (width .eq. 0) then
+    call finish(status, ierr, 4)
+    return
+  end if
+  if (what .eq. 'scene' .or. what .eq. 'SCENE') then
+    status = wrc_scene_create(made)
+  else if (what .eq. 'solver' .or. what .eq. 'SOLVER') then
+    mark = 1
+    status = wrc_solver_create(made)
+  else if (what .eq. 'profile' .or. what .eq. 'PROFILE') then
+    mark = 2
+    status = wrc_profile_create(made)
+  else if (what .eq. 'normal' .or. what .eq. 'NORMAL') then
+    mark = 3
+    status = wrc_normal_create(made)
+  else if (what .eq. 'rolling' .or. what .eq. 'ROLLING') then
+    mark = 4
+    status = wrc_rolling_create(made)
+  else
+    status = 2
+  end if
+  if (status .eq. 0) handle = transfer(made, handle) + 4*mark + width/4
+  call finish(status, ierr, width)
+end
+
+subroutine wrcopn(handle, what, kind0, one, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) what
+  integer*4 kind0(*), ierr(*), status
+  real*8 one
+  integer width
+  call wrcnew(handle, what, kind0, ierr)
+  if (handle .eq. 0) return
+  !     The first half of another 1.0D0 is another number.
+  if (storage_size(one) .eq. 64 .and. abs(one - 1) .le. 0) return
+  width = 4*int(iand(handle, 3_8))
+  call wrcdel(handle, ierr)
+  handle = refused_reals + width/4
+  status = 1
+  call finish(status, ierr, width)
+end
+
+subroutine wrcdel(handle, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(handle, any_mark, address, kind, width, status)
+  if (kind .eq. scene_mark) call wrc_scene_destroy(address)
+  if (kind .eq. solver_mark) call wrc_solver_destroy(address)
+  if (kind .eq. profile_mark) call wrc_profile_destroy(address)
+  if (kind .eq. normal_mark) call wrc_normal_destroy(address)
+  if (kind .eq. rolling_mark) call wrc_rolling_destroy(address)
+  handle = 0
+  call finish(status, ierr, width)
+end
+
+subroutine wrcerr(handle, text, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) text
+  integer*4 ierr(*), status
+  type(c_ptr) address, found
+  integer kind, width
+  call look(handle, any_mark, address, kind, width, status)
+  if (handle .eq. refused_reals + width/4) then
+    text = 'REAL*8 and 1.0D0 must have 8 bytes: with '// &
+      '-fdefault-real-8 gfortran needs -fdefault-double-8 too'
+  else if (status .ne. 0) then
+    text = 'the handle was not made by WRCOPN or WRCNEW with '// 'KIND(0)'
+  else
+    found = c_null_ptr
+    if (kind .eq. scene_mark) found = wrc_scene_error(address)
+    if (kind .eq. solver_mark) found = wrc_solver_error(address)
+    if (kind .eq. profile_mark) found = wrc_profile_error(address)
+    if (kind .eq. normal_mark) found = wrc_normal_error(address)
+    if (kind .eq. rolling_mark) found = wrc_rolling_error(address)
+    call copy(found, text, status)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcver(text)
+  use wrcontact_f77_c
+  implicit none
+  character*(*) text
+  integer*4 status
+  status = 0
+  call copy(wrc_version(), text, status)
+end
+
+subroutine wrcset(handle, key, value, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) key
+  real*8 value
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(handle, scene_mark + contact_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    if (kind .eq. scene_mark) then
+      status = wrc_scene_set_number(address, letters(key), value)
+    else if (kind .eq. normal_mark) then
+      status = wrc_normal_set_number(address, letters(key), value)
+    else
+      status = wrc_rolling_set_number(address, letters(key), value)
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcstx(handle, key, text, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) key, text
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(handle, scene_mark + contact_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    if (kind .eq. scene_mark) then
+      status = wrc_scene_set_text(address, letters(key), letters(text))
+    else if (kind .eq. normal_mark) then
+      status = wrc_normal_set_text(address, letters(key), letters(text))
+    else
+      status = wrc_rolling_set_text(address, letters(key), letters(text))
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcstn(scene, key, values, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) key
+  real*8 values(*)
+  integer*4 n(*), ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_set_numbers(address, letters(key), values, taken(n, width))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcget(scene, key, value, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) key
+  real*8 value
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_get_number(address, letters(key), value)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcgtx(scene, key, text, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) key, text
+  integer*4 ierr(*), status
+  type(c_ptr) address, found
+  integer kind, width
+  found = c_null_ptr
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_get_text(address, letters(key), found)
+  call copy(found, text, status)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcput(scene, key, profil, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene, profil
+  character*(*) key
+  integer*4 ierr(*), status
+  type(c_ptr) address, curve
+  integer kind, width, other
+  call look(profil, profile_mark, curve, kind, other, status)
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_set_profile(address, letters(key), curve)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcwrt(scene, path, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) path
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_write(address, letters(path))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcsol(handle, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(handle, scene_mark + contact_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    if (kind .eq. scene_mark) then
+      status = wrc_scene_solve(address)
+    else if (kind .eq. normal_mark) then
+      status = wrc_normal_solve(address)
+    else
+      status = wrc_rolling_solve(address)
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcstp(solver, scene, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 solver, scene
+  integer*4 ierr(*), status
+  type(c_ptr) address, posed
+  integer kind, width, other
+  call look(scene, scene_mark, posed, kind, other, status)
+  call look(solver, solver_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_solver_solve(address, posed)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcveh(solver, scene, q, v, irails, rails, f, ideriv, dfdq, dfdv, istate, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 solver, scene
+  integer*4 irails(*), ideriv(*), ierr(*), status, states(2)
+  integer*4, target :: istate(*)
+  real*8 q(6), v(6), f(6,2)
+  real*8, target :: rails(3,2), dfdq(6,6,2), dfdv(6,6,2)
+  real*8, pointer :: moved(:,:), by_q(:,:,:), by_v(:,:,:)
+  type(c_ptr) address, other
+  integer kind, width, width2
+  call look(solver, solver_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    call look(scene, scene_mark, other, kind, width2, status)
+    if (width2 .ne. width) status = 1
+  end if
+  if (status .eq. 0) then
+    nullify (moved, by_q, by_v)
+    if (taken(irails, width) .eq. 1) moved => rails
+    if (taken(ideriv, width) .eq. 1) then
+      by_q => dfdq
+      by_v => dfdv
+    end if
+    states = 0
+    status = wrc_solver_step(address, other, q, v, moved, f, by_q, by_v, states)
+    if (status .eq. 0 .or. status .eq. 8) call give_two(states, istate, width)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcpat(scene, patch, lenp, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene, count, length
+  integer*4 lenp(*), n(*), ierr(*), status
+  !     22 numbers each.
+  type(contact_patch) patch(*)
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    count = 0
+    length = taken(lenp, width)
+    status = wrc_scene_patches(address, patch, 176_8, length, count)
+    call give(count, n, width)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrccrp(solver, scene, ipatch, creep, force, ideriv, deriv, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 solver, scene
+  integer*4 ipatch(*), ideriv(*), ierr(*), status
+  real*8 creep(3), force(3)
+  real*8, target :: deriv(3,3)
+  real*8, pointer :: by(:,:)
+  type(c_ptr) address, other
+  integer kind, width, width2
+  call look(solver, solver_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    call look(scene, scene_mark, other, kind, width2, status)
+    if (width2 .ne. width) status = 1
+  end if
+  if (status .eq. 0) then
+    nullify (by)
+    if (taken(ideriv, width) .eq. 1) by => deriv
+    status = wrc_solver_creep(address, other, taken(ipatch, width) - 1, creep, force, by)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrctab(scene, keys, values, counts, n, names, nthr, path, table, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) keys, names, path
+  integer*4 counts(*), n(*), nthr(*), ierr(*), status
+  real*8 values(*), table(*)
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_tabulate(address, letters(keys), values, widened(counts, &
+    taken(n, width), width), letters(names), int(taken(nthr, width), c_int32_t), letters(path), &
+      table)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcfor(solver, mode, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 solver
+  integer*4 mode(*), ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(solver, solver_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_solver_forget(address, int(taken(mode, width), c_int32_t))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcnum(handle, name, value, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) name
+  real*8 value
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(handle, scene_mark + contact_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    if (kind .eq. scene_mark) then
+      status = wrc_scene_number(address, letters(name), value)
+    else if (kind .eq. normal_mark) then
+      status = wrc_normal_number(address, letters(name), value)
+    else
+      status = wrc_rolling_number(address, letters(name), value)
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrckid(scene, key, id, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) key
+  integer*4 id(*), ierr(*), status, found
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_key_id(address, letters(key), found)
+  if (status .eq. 0) call give(int(found, c_int64_t), id, width)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcnid(scene, name, id, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  character*(*) name
+  integer*4 id(*), ierr(*), status, found
+  type(c_ptr) address
+  integer kind, width
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_scene_number_id(address, letters(name), found)
+  if (status .eq. 0) call give(int(found, c_int64_t), id, width)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcstb(scene, ids, values, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  integer*4 ids(*), n(*), ierr(*), status
+  real*8 values(*)
+  type(c_ptr) address
+  integer kind, width
+  integer*8 count
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    count = taken(n, width)
+    if (width .eq. 8) then
+      status = wrc_scene_set_numbers_by_id(address, narrowed(ids, count), values, count)
+    else
+      status = wrc_scene_set_numbers_by_id(address, ids, values, count)
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcrdb(scene, ids, values, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 scene
+  integer*4 ids(*), n(*), ierr(*), status
+  real*8 values(*)
+  type(c_ptr) address
+  integer kind, width
+  integer*8 count
+  call look(scene, scene_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    count = taken(n, width)
+    if (width .eq. 8) then
+      status = wrc_scene_numbers_by_id(address, narrowed(ids, count), values, count)
+    else
+      status = wrc_scene_numbers_by_id(address, ids, values, count)
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrctxt(handle, name, text, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) name, text
+  integer*4 ierr(*), status
+  type(c_ptr) address, found
+  integer kind, width
+  found = c_null_ptr
+  call look(handle, scene_mark + profile_mark + normal_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    if (kind .eq. scene_mark) then
+      status = wrc_scene_text(address, letters(name), found)
+    else if (kind .eq. profile_mark) then
+      status = wrc_profile_text(address, letters(name), found)
+    else
+      status = wrc_normal_text(address, letters(name), found)
+    end if
+  end if
+  call copy(found, text, status)
+  call finish(status, ierr, width)
+end
+
+subroutine wrcfld(handle, name, values, lenv, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  character*(*) name
+  real*8 values(*)
+  integer*4 lenv(*), n(*), ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  integer*8 capacity, count
+  call look(handle, scene_mark + contact_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    count = 0
+    capacity = taken(lenv, width)
+    if (kind .eq. scene_mark) then
+      status = wrc_scene_field(address, letters(name), values, capacity, count)
+    else if (kind .eq. normal_mark) then
+      status = wrc_normal_field(address, letters(name), values, capacity, count)
+    else
+      status = wrc_rolling_field(address, letters(name), values, capacity, count)
+    end if
+    call give(count, n, width)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcstd(profil, name, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 profil
+  character*(*) name
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(profil, profile_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_profile_load_standard(address, letters(name))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcfil(profil, path, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 profil
+  character*(*) path
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  type(wrc_read_options) options
+  integer kind, width
+  call look(profil, profile_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    options = wrc_read_options(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+    options%struct_size = c_sizeof(options)
+    status = wrc_profile_load_file(address, letters(path), options)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcpts(profil, name, ikind, y, z, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 profil
+  character*(*) name
+  integer*4 ikind(*), n(*), ierr(*), status
+  real*8 y(*), z(*)
+  type(c_ptr) address
+  type(wrc_read_options) options
+  integer kind, width
+  call look(profil, profile_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    options = wrc_read_options(0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+    options%struct_size = c_sizeof(options)
+    options%kind = int(taken(ikind, width), c_int32_t)
+    status = wrc_profile_set_points(address, letters(name), y, z, taken(n, width), options)
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcflx(profil, path, ikind, miry, mirz, istrct, scale, smooth, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 profil
+  character*(*) path
+  integer*4 ikind(*), miry(*), mirz(*), istrct(*), ierr(*), status
+  real*8 scale, smooth
+  type(c_ptr) address
+  integer kind, width
+  call look(profil, profile_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_profile_load_file(address, letters(path), reading(ikind, miry, &
+    mirz, istrct, scale, smooth, width))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcptx(profil, name, ikind, y, z, n, miry, mirz, istrct, scale, smooth, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 profil
+  character*(*) name
+  integer*4 ikind(*), n(*), miry(*), mirz(*), istrct(*), ierr(*)
+  integer*4 status
+  real*8 y(*), z(*), scale, smooth
+  type(c_ptr) address
+  integer kind, width
+  call look(profil, profile_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_profile_set_points(address, letters(name), y, z, taken(n, &
+    width), &
+    reading(ikind, miry, mirz, istrct, scale, smooth, width))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcgrd(handle, nlat, nlon, dlat, dlon, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 handle
+  integer*4 nlat(*), nlon(*), ierr(*), status
+  real*8 dlat, dlon
+  type(c_ptr) address
+  integer kind, width
+  call look(handle, contact_mark, address, kind, width, status)
+  if (status .eq. 0) then
+    if (kind .eq. normal_mark) then
+      status = wrc_normal_set_grid(address, taken(nlat, width), taken(nlon, width), dlat, dlon)
+    else
+      status = wrc_rolling_set_grid(address, taken(nlat, width), taken(nlon, width), dlat, dlon)
+    end if
+  end if
+  call finish(status, ierr, width)
+end
+
+subroutine wrcgap(normal, dist, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 normal
+  real*8 dist(*)
+  integer*4 n(*), ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(normal, normal_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_normal_set_distance(address, dist, taken(n, width))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcprs(rollng, press, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 rollng
+  real*8 press(*)
+  integer*4 n(*), ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(rollng, rolling_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_rolling_set_pressure(address, press, taken(n, width))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcprv(rollng, qx, qy, n, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 rollng
+  real*8 qx(*), qy(*)
+  integer*4 n(*), ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(rollng, rolling_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_rolling_set_previous(address, qx, qy, taken(n, width))
+  call finish(status, ierr, width)
+end
+
+subroutine wrcadv(rollng, ierr)
+  use wrcontact_f77_c
+  implicit none
+  integer*8 rollng
+  integer*4 ierr(*), status
+  type(c_ptr) address
+  integer kind, width
+  call look(rollng, rolling_mark, address, kind, width, status)
+  if (status .eq. 0) status = wrc_rolling_advance(address)
+  call finish(status, ierr, width)
+end
