@@ -48,11 +48,11 @@ inline constexpr std::array damage_numbers{
                                 of_part(d.stress, [](const auto& s) { return s.error_estimate; });
                             return error && std::isfinite(*error) ? error : std::nullopt;
                           }},
-    Number<ContactDamage>{"wear.tgamma", pure,
+    Number<ContactDamage>{"wear.tgamma", force,
                           [](const ContactDamage& d) {
                             return of_part(d.wear, [](const auto& w) { return w.tgamma; });
                           }},
-    Number<ContactDamage>{"wear.tgamma_with_spin", pure,
+    Number<ContactDamage>{"wear.tgamma_with_spin", force,
                           [](const ContactDamage& d) {
                             return of_part(d.wear,
                                            [](const auto& w) { return w.tgamma_with_spin; });

@@ -42,12 +42,12 @@ inline constexpr std::array place_numbers{
     Number<ContactPoint>{"v_rail", length, [](const ContactPoint& p) { return p.v_rail; }},
     Number<ContactPoint>{"rolling_radius", length,
                          [](const ContactPoint& p) { return p.rolling_radius; }},
-    Number<ContactPoint>{"wheel_angle", pure, [](const ContactPoint& p) { return p.wheel_angle; }},
+    Number<ContactPoint>{"wheel_angle", angle, [](const ContactPoint& p) { return p.wheel_angle; }},
 };
 
-inline constexpr auto centroid_numbers = joined(
-    place_numbers,
-    std::array{Number<ContactPoint>{"angle", pure, [](const ContactPoint& p) { return p.angle; }}});
+inline constexpr auto centroid_numbers =
+    joined(place_numbers, std::array{Number<ContactPoint>{
+                              "angle", angle, [](const ContactPoint& p) { return p.angle; }}});
 
 inline constexpr auto touch_numbers = joined(
     centroid_numbers, std::array{Number<ContactPoint>{
@@ -81,19 +81,20 @@ inline constexpr std::array patch_numbers{
     Number<PatchResult>{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
     Number<PatchResult>{"pmax_element", stress,
                         [](const PatchResult& p) { return p.pmax_element; }},
-    Number<PatchResult>{"normal_force", pure, [](const PatchResult& p) { return p.normal_force; }},
+    Number<PatchResult>{"normal_force", force, [](const PatchResult& p) { return p.normal_force; }},
     Number<PatchResult>{"vertical_force", turning_force,
                         [](const PatchResult& p) { return p.force.z; }},
     Number<PatchResult>{"lateral_force", turning_force,
                         [](const PatchResult& p) { return p.force.y; }},
-    Number<PatchResult>{"longitudinal_force", pure, [](const PatchResult& p) { return p.force.x; }},
+    Number<PatchResult>{"longitudinal_force", force,
+                        [](const PatchResult& p) { return p.force.x; }},
     Number<PatchResult>{"moment.x", moment, [](const PatchResult& p) { return p.moment.x; }},
     Number<PatchResult>{"moment.y", turning_moment,
                         [](const PatchResult& p) { return p.moment.y; }},
     Number<PatchResult>{"moment.z", turning_moment,
                         [](const PatchResult& p) { return p.moment.z; }},
     Number<PatchResult>{"approach", length, [](const PatchResult& p) { return p.approach; }},
-    Number<PatchResult>{"angle", pure, [](const PatchResult& p) { return p.angle; }},
+    Number<PatchResult>{"angle", angle, [](const PatchResult& p) { return p.angle; }},
     Number<PatchResult>{"semi_axes.0", length,
                         [](const PatchResult& p) { return p.semi_axis_longitudinal; }},
     Number<PatchResult>{"semi_axes.1", length,
@@ -119,11 +120,11 @@ inline constexpr auto creep_numbers = joined(
     std::array{
         Number<CreepResult>{"creepage.longitudinal", pure,
                             [](const CreepResult& c) { return c.creepages.longitudinal; }},
-        Number<CreepResult>{"creepage.lateral", turning_angle,
+        Number<CreepResult>{"creepage.lateral", turning,
                             [](const CreepResult& c) { return c.creepages.lateral; }},
         Number<CreepResult>{"creepage.spin", turning_curvature,
                             [](const CreepResult& c) { return c.creepages.spin; }},
-        Number<CreepResult>{"creep_force.longitudinal", pure,
+        Number<CreepResult>{"creep_force.longitudinal", force,
                             [](const CreepResult& c) { return c.longitudinal_force; }},
         Number<CreepResult>{"creep_force.lateral", turning_force,
                             [](const CreepResult& c) { return c.lateral_force; }},
@@ -135,9 +136,9 @@ inline constexpr auto creep_numbers = joined(
                             [](const CreepResult& c) { return c.adhesion_area; }},
         Number<CreepResult>{"traction_max", stress,
                             [](const CreepResult& c) { return c.largest_traction; }},
-        Number<CreepResult>{"wear_number", pure,
+        Number<CreepResult>{"wear_number", force,
                             [](const CreepResult& c) { return c.power_per_speed; }},
-        Number<CreepResult>{"friction_power", moment,
+        Number<CreepResult>{"friction_power", power,
                             [](const CreepResult& c) { return c.friction_power; }},
         Number<CreepResult>{"numerical_loss", pure,
                             [](const CreepResult& c) { return c.numerical_loss; }},
@@ -177,12 +178,13 @@ inline constexpr std::array side_numbers{
                           }
                           return area;
                         }},
-    Number<WheelResult>{"normal_force", pure, [](const WheelResult& r) { return r.normal_force; }},
+    Number<WheelResult>{"normal_force", force, [](const WheelResult& r) { return r.normal_force; }},
     Number<WheelResult>{"vertical_force", turning_force,
                         [](const WheelResult& r) { return r.force.z; }},
     Number<WheelResult>{"lateral_force", turning_force,
                         [](const WheelResult& r) { return r.force.y; }},
-    Number<WheelResult>{"longitudinal_force", pure, [](const WheelResult& r) { return r.force.x; }},
+    Number<WheelResult>{"longitudinal_force", force,
+                        [](const WheelResult& r) { return r.force.x; }},
     Number<WheelResult>{"moment.x", moment, [](const WheelResult& r) { return r.moment.x; }},
     Number<WheelResult>{"moment.y", turning_moment,
                         [](const WheelResult& r) { return r.moment.y; }},
@@ -190,7 +192,7 @@ inline constexpr std::array side_numbers{
                         [](const WheelResult& r) { return r.moment.z; }},
     Number<WheelResult>{"approach", length, [](const WheelResult& r) { return r.approach; }},
     Number<WheelResult>{"depth", length, [](const WheelResult& r) { return r.depth; }},
-    Number<WheelResult>{"angle", pure, [](const WheelResult& r) { return r.angle; }},
+    Number<WheelResult>{"angle", angle, [](const WheelResult& r) { return r.angle; }},
     Number<WheelResult>{"iterations", pure, [](const WheelResult& r) { return r.iterations; }},
     Number<WheelResult>{"convolutions", pure, [](const WheelResult& r) { return r.convolutions; }},
     Number<WheelResult>{"solutions", pure, [](const WheelResult& r) { return r.solutions; }},
@@ -213,7 +215,7 @@ inline constexpr std::array side_numbers{
 };
 
 inline constexpr std::array total_numbers{
-    Number<TotalForce>{"force.x", pure, [](const TotalForce& t) { return t.force.x; }},
+    Number<TotalForce>{"force.x", force, [](const TotalForce& t) { return t.force.x; }},
     Number<TotalForce>{"force.y", turning_force, [](const TotalForce& t) { return t.force.y; }},
     Number<TotalForce>{"force.z", turning_force, [](const TotalForce& t) { return t.force.z; }},
     Number<TotalForce>{"moment.x", moment, [](const TotalForce& t) { return t.moment.x; }},
@@ -233,17 +235,17 @@ inline constexpr std::array sensitivity_numbers{
                        [](const WheelRates& r) { return r.force.lateral.force.y; }},
     Number<WheelRates>{"lateral_force.vertical", stiffness,
                        [](const WheelRates& r) { return r.force.vertical.force.y; }},
-    Number<WheelRates>{"lateral_force.roll", turning_force,
+    Number<WheelRates>{"lateral_force.roll", turning_force_by_angle,
                        [](const WheelRates& r) { return r.force.roll.force.y; }},
-    Number<WheelRates>{"lateral_force.yaw", pure,
+    Number<WheelRates>{"lateral_force.yaw", force_by_angle,
                        [](const WheelRates& r) { return r.force.yaw.force.y; }},
     Number<WheelRates>{"vertical_force.lateral", stiffness,
                        [](const WheelRates& r) { return r.force.lateral.force.z; }},
     Number<WheelRates>{"vertical_force.vertical", stiffness,
                        [](const WheelRates& r) { return r.force.vertical.force.z; }},
-    Number<WheelRates>{"vertical_force.roll", turning_force,
+    Number<WheelRates>{"vertical_force.roll", turning_force_by_angle,
                        [](const WheelRates& r) { return r.force.roll.force.z; }},
-    Number<WheelRates>{"vertical_force.yaw", pure,
+    Number<WheelRates>{"vertical_force.yaw", force_by_angle,
                        [](const WheelRates& r) { return r.force.yaw.force.z; }},
 };
 
@@ -251,36 +253,40 @@ inline constexpr std::array sensitivity_numbers{
 inline constexpr std::array condensed_numbers{
     Number<CondensedRates>{"lateral_force.lateral", stiffness,
                            [](const CondensedRates& r) { return r.lateral.wheel.force.y; }},
-    Number<CondensedRates>{"lateral_force.roll", turning_force,
+    Number<CondensedRates>{"lateral_force.roll", turning_force_by_angle,
                            [](const CondensedRates& r) { return r.roll.wheel.force.y; }},
     Number<CondensedRates>{"vertical.lateral", pure,
                            [](const CondensedRates& r) { return r.lateral.vertical; }},
-    Number<CondensedRates>{"vertical.roll", turning_length,
+    Number<CondensedRates>{"vertical.roll", turning_length_by_angle,
                            [](const CondensedRates& r) { return r.roll.vertical; }},
 };
 
 inline constexpr std::array scene_numbers{
-    Number<SceneResult>{"roll", pure, [](const SceneResult& r) { return r.roll; }},
+    Number<SceneResult>{"roll", angle, [](const SceneResult& r) { return r.roll; }},
     Number<SceneResult>{"vertical", turning_length,
                         [](const SceneResult& r) { return r.vertical; }},
     Number<SceneResult>{"rolling_radius_difference", length,
                         [](const SceneResult& r) { return r.rolling_radius_difference; }},
-    Number<SceneResult>{"pitch", pure, [](const SceneResult& r) { return r.pitch; }},
+    Number<SceneResult>{"pitch", angle, [](const SceneResult& r) { return r.pitch; }},
 };
 
 inline constexpr std::array time_numbers{
-    Number<StageMilliseconds>{"profile", pure,
+    Number<StageMilliseconds>{"profile", milliseconds,
                               [](const StageMilliseconds& t) { return t.profile; }},
-    Number<StageMilliseconds>{"setup", pure, [](const StageMilliseconds& t) { return t.setup; }},
-    Number<StageMilliseconds>{"geometry", pure,
+    Number<StageMilliseconds>{"setup", milliseconds,
+                              [](const StageMilliseconds& t) { return t.setup; }},
+    Number<StageMilliseconds>{"geometry", milliseconds,
                               [](const StageMilliseconds& t) { return t.geometry; }},
-    Number<StageMilliseconds>{"remesh", pure, [](const StageMilliseconds& t) { return t.remesh; }},
-    Number<StageMilliseconds>{"mechanics", pure,
+    Number<StageMilliseconds>{"remesh", milliseconds,
+                              [](const StageMilliseconds& t) { return t.remesh; }},
+    Number<StageMilliseconds>{"mechanics", milliseconds,
                               [](const StageMilliseconds& t) { return t.mechanics; }},
-    Number<StageMilliseconds>{"rolling", pure,
+    Number<StageMilliseconds>{"rolling", milliseconds,
                               [](const StageMilliseconds& t) { return t.rolling; }},
-    Number<StageMilliseconds>{"damage", pure, [](const StageMilliseconds& t) { return t.damage; }},
-    Number<StageMilliseconds>{"total", pure, [](const StageMilliseconds& t) { return t.total; }},
+    Number<StageMilliseconds>{"damage", milliseconds,
+                              [](const StageMilliseconds& t) { return t.damage; }},
+    Number<StageMilliseconds>{"total", milliseconds,
+                              [](const StageMilliseconds& t) { return t.total; }},
 };
 
 /// Calls a function with the table of a group.

@@ -131,7 +131,7 @@ constexpr std::array patch_fields{
                [](const WheelDetails&, const PatchResult& patch) {
                  return creep_field(patch, &CreepResult::slip_x);
                }},
-    PatchField{"slip_y", turning_angle,
+    PatchField{"slip_y", turning,
                [](const WheelDetails& side, const PatchResult& patch) {
                  return creep_field(patch, &CreepResult::slip_y, side.mirror);
                }},
