@@ -35,6 +35,7 @@ struct SceneObject {
   std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one requested
   std::vector<double> numbers;                                      ///< the last ones read by id
   std::string input_text; ///< the last text of an input requested
+  std::string unit;       ///< the last one requested
   std::string error;
 
   /// Takes a new result in; returns its status.

@@ -88,6 +88,20 @@ wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32_t* id) 
   });
 }
 
+wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit) {
+  return wrc::guard(scene, [&](wrc::SceneObject& object) {
+    wrc::require_pointer(name, "name");
+    wrc::require_pointer(unit, "unit");
+    const auto found = wrc::number_id(name);
+    if (!found) {
+      throw_unknown("result", name);
+    }
+    object.unit = wrc::number_unit(*found, object.scene.convention.units);
+    *unit = object.unit.c_str();
+    return WRC_OK;
+  });
+}
+
 wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids, double* values,
                                    int64_t count) {
   return wrc::with_result(scene, [&](wrc::SceneObject& object) {

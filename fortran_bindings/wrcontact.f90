@@ -143,6 +143,7 @@ module wrcontact
     !> Ids of keys and of names of results, the same for all scenes; -1 after a failure.
     procedure :: key_id => scene_key_id
     procedure :: number_id => scene_number_id
+    procedure :: number_unit => scene_number_unit
     !> patches(patches, patch_count): all contact patches; see wrc_scene_patches in wrcontact.h.
     procedure :: patches => scene_patches
     !> tabulate(keys, values, counts, results, table, threads, path): results over all combinations

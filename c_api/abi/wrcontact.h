@@ -14,8 +14,8 @@
  *          y to the right and z down (key convention.frame).
  * Errors:  functions return WRC_OK or another wrc_status. The text of the last failure of a handle
  *          stays on the handle (wrc_scene_error and so on) until its next call. A failed call
- *          leaves the handle unchanged. Nothing throws, prints or ends the program, with one
- *          exception: FFTW itself aborts it if there is no memory for a plan.
+ *          leaves the handle unchanged. Nothing throws, prints or ends the program. Memory, threads
+ *          and fork(): docs/c.md, with what remains of FFTW ending a program without memory.
  * Handles: a handle is a number disguised as a pointer and looked up at each call: one that has
  *          been destroyed, or is of another kind, is rejected with WRC_INVALID_ARGUMENT.
  * Threads: all functions may be called from any thread. A handle serves one call at a time; a
@@ -149,6 +149,12 @@ WRC_API wrc_status wrc_scene_set_numbers_by_id(wrc_scene* scene, const int32_t* 
  */
 WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids, double* values,
                                            int64_t count);
+/**
+ * The unit of a number of that name, in any scene with the same convention.units: "MPa", "N mm/s",
+ * or "1" of counts and ratios. The text stays until the next call for a unit. WRC_UNKNOWN_NAME.
+ * Since 0.3.
+ */
+WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**

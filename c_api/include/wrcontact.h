@@ -149,6 +149,12 @@ WRC_API wrc_status wrc_scene_set_numbers_by_id(wrc_scene* scene, const int32_t* 
  */
 WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids, double* values,
                                            int64_t count);
+/**
+ * The unit of a number of that name, in any scene with the same convention.units: "MPa", "N mm/s",
+ * or "1" of counts and ratios. The text stays until the next call for a unit. WRC_UNKNOWN_NAME.
+ * Since 0.3.
+ */
+WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit);
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**

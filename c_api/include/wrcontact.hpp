@@ -259,6 +259,12 @@ public:
   std::int32_t number_id(const std::string& name) const {
     return value_of<std::int32_t>(wrc_scene_number_id, name.c_str());
   }
+  /// "MPa", "N mm/s", ... by convention.units. Since 0.3.
+  std::string number_unit(const std::string& name) const {
+    const char* unit = nullptr;
+    check(wrc_scene_number_unit(handle(), name.c_str(), &unit));
+    return unit;
+  }
   /// Sets all or, if one is refused, none. Ids (std::int32_t) and values (double) are a
   /// std::vector, a std::array or the like, of the same length. Since 0.3.
   template <class Ids, class Values> void set_numbers_by_id(const Ids& ids, const Values& values) {

@@ -32,25 +32,36 @@ enum class Quantity : std::uint8_t {
   stiffness ///< force or angle per length
 };
 
-/// What a number is: its quantity, and whether it changes its sign with the frame.
+/// What a number is: its quantity, whether it changes its sign with the frame, and of results the
+/// unit in mm, N, MPa.
 struct Dimension {
   Quantity quantity = Quantity::number;
   bool turns = false;
+  std::string_view unit = "1";
 };
 
 /// What keys and results are.
 namespace dimensions {
 inline constexpr Dimension pure{Quantity::number, false};
-inline constexpr Dimension turning_angle{Quantity::number, true};
-inline constexpr Dimension turning_force{Quantity::number, true}; ///< also a force per angle
-inline constexpr Dimension length{Quantity::length, false};
-inline constexpr Dimension turning_length{Quantity::length, true};
-inline constexpr Dimension surface{Quantity::area, false};
-inline constexpr Dimension stress{Quantity::stress, false};
-inline constexpr Dimension moment{Quantity::moment, false};
-inline constexpr Dimension turning_moment{Quantity::moment, true};
-inline constexpr Dimension turning_curvature{Quantity::stiffness, true}; ///< angle per length
-inline constexpr Dimension stiffness{Quantity::stiffness, false};
+inline constexpr Dimension turning{Quantity::number, true};
+inline constexpr Dimension angle{Quantity::number, false, "rad"};
+inline constexpr Dimension turning_angle{Quantity::number, true, "rad"};
+inline constexpr Dimension rate{Quantity::number, false, "rad/s"};
+inline constexpr Dimension force{Quantity::number, false, "N"};
+inline constexpr Dimension turning_force{Quantity::number, true, "N"};
+inline constexpr Dimension force_by_angle{Quantity::number, false, "N/rad"};
+inline constexpr Dimension turning_force_by_angle{Quantity::number, true, "N/rad"};
+inline constexpr Dimension milliseconds{Quantity::number, false, "ms"};
+inline constexpr Dimension length{Quantity::length, false, "mm"};
+inline constexpr Dimension turning_length{Quantity::length, true, "mm"};
+inline constexpr Dimension turning_length_by_angle{Quantity::length, true, "mm/rad"};
+inline constexpr Dimension surface{Quantity::area, false, "mm2"};
+inline constexpr Dimension stress{Quantity::stress, false, "MPa"};
+inline constexpr Dimension moment{Quantity::moment, false, "N mm"};
+inline constexpr Dimension turning_moment{Quantity::moment, true, "N mm"};
+inline constexpr Dimension power{Quantity::moment, false, "N mm/s"};
+inline constexpr Dimension turning_curvature{Quantity::stiffness, true, "1/mm"};
+inline constexpr Dimension stiffness{Quantity::stiffness, false, "N/mm"};
 } // namespace dimensions
 
 /// mm, N, MPa per m, N, Pa: inside = outside * scale_of(quantity) / shrink_of(quantity).

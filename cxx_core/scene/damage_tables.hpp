@@ -37,8 +37,8 @@ inline constexpr std::array damage_numbers{
                const auto error = of_stress<&GreatestStress::error_estimate>(damage);
                return error && std::isfinite(*error) ? error : std::nullopt;
              }},
-    OfDamage{"wear.tgamma", pure, of_wear<&WearTotals::tgamma>},
-    OfDamage{"wear.tgamma_with_spin", pure, of_wear<&WearTotals::tgamma_with_spin>},
+    OfDamage{"wear.tgamma", force, of_wear<&WearTotals::tgamma>},
+    OfDamage{"wear.tgamma_with_spin", force, of_wear<&WearTotals::tgamma_with_spin>},
     OfDamage{"wear.volume", surface, of_wear<&WearTotals::volume>},
     OfDamage{"wear.depth_max", length, of_wear<&WearTotals::depth>},
     OfDamage{"fatigue.friction", pure, of_fatigue<&Fatigue::friction>},

@@ -50,11 +50,11 @@ inline constexpr std::array place_numbers{
     OfPoint{"t_rail", length, member<&ContactPoint::t_rail>},
     OfPoint{"v_rail", length, member<&ContactPoint::v_rail>},
     OfPoint{"rolling_radius", length, member<&ContactPoint::rolling_radius>},
-    OfPoint{"wheel_angle", pure, member<&ContactPoint::wheel_angle>},
+    OfPoint{"wheel_angle", angle, member<&ContactPoint::wheel_angle>},
 };
 
 inline constexpr auto centroid_numbers =
-    joined(place_numbers, std::array{OfPoint{"angle", pure, member<&ContactPoint::angle>}});
+    joined(place_numbers, std::array{OfPoint{"angle", angle, member<&ContactPoint::angle>}});
 
 inline constexpr auto touch_numbers = joined(
     centroid_numbers, std::array{OfPoint{"distance", length, member<&ContactPoint::distance>}});
@@ -86,15 +86,15 @@ inline constexpr std::array patch_numbers{
     OfPatch{"pmax", stress, member<&PatchResult::pmax>},
     OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
     OfPatch{"pmax_element", stress, member<&PatchResult::pmax_element>},
-    OfPatch{"normal_force", pure, member<&PatchResult::normal_force>},
+    OfPatch{"normal_force", force, member<&PatchResult::normal_force>},
     OfPatch{"vertical_force", turning_force, member<&PatchResult::force, &Vector3::z>},
     OfPatch{"lateral_force", turning_force, member<&PatchResult::force, &Vector3::y>},
-    OfPatch{"longitudinal_force", pure, member<&PatchResult::force, &Vector3::x>},
+    OfPatch{"longitudinal_force", force, member<&PatchResult::force, &Vector3::x>},
     OfPatch{"moment.x", moment, member<&PatchResult::moment, &Vector3::x>},
     OfPatch{"moment.y", turning_moment, member<&PatchResult::moment, &Vector3::y>},
     OfPatch{"moment.z", turning_moment, member<&PatchResult::moment, &Vector3::z>},
     OfPatch{"approach", length, member<&PatchResult::approach>},
-    OfPatch{"angle", pure, member<&PatchResult::angle>},
+    OfPatch{"angle", angle, member<&PatchResult::angle>},
     OfPatch{"semi_axes.0", length, member<&PatchResult::semi_axis_longitudinal>},
     OfPatch{"semi_axes.1", length, member<&PatchResult::semi_axis_lateral>},
     OfPatch{"radii.0", length, member<&PatchResult::radius_longitudinal>},
@@ -114,19 +114,18 @@ inline constexpr auto creep_numbers = joined(
     std::array{
         OfCreep{"creepage.longitudinal", pure,
                 member<&CreepResult::creepages, &Creepages::longitudinal>},
-        OfCreep{"creepage.lateral", turning_angle,
-                member<&CreepResult::creepages, &Creepages::lateral>},
+        OfCreep{"creepage.lateral", turning, member<&CreepResult::creepages, &Creepages::lateral>},
         OfCreep{"creepage.spin", turning_curvature,
                 member<&CreepResult::creepages, &Creepages::spin>},
-        OfCreep{"creep_force.longitudinal", pure, member<&CreepResult::longitudinal_force>},
+        OfCreep{"creep_force.longitudinal", force, member<&CreepResult::longitudinal_force>},
         OfCreep{"creep_force.lateral", turning_force, member<&CreepResult::lateral_force>},
         OfCreep{"spin_moment", turning_moment, member<&CreepResult::spin_moment>},
         OfCreep{"friction", pure, member<&CreepResult::friction>},
         OfCreep{"slip_area", surface, member<&CreepResult::slip_area>},
         OfCreep{"adhesion_area", surface, member<&CreepResult::adhesion_area>},
         OfCreep{"traction_max", stress, member<&CreepResult::largest_traction>},
-        OfCreep{"wear_number", pure, member<&CreepResult::power_per_speed>},
-        OfCreep{"friction_power", moment, member<&CreepResult::friction_power>},
+        OfCreep{"wear_number", force, member<&CreepResult::power_per_speed>},
+        OfCreep{"friction_power", power, member<&CreepResult::friction_power>},
         OfCreep{"numerical_loss", pure, member<&CreepResult::numerical_loss>},
         OfCreep{"creep_residual", pure, member<&CreepResult::residual>},
         OfCreep{"creep_convolutions", pure, member<&CreepResult::convolutions>},
@@ -156,16 +155,16 @@ inline constexpr std::array side_numbers{
               }
               return area;
             }},
-    OfWheel{"normal_force", pure, member<&WheelResult::normal_force>},
+    OfWheel{"normal_force", force, member<&WheelResult::normal_force>},
     OfWheel{"vertical_force", turning_force, member<&WheelResult::force, &Vector3::z>},
     OfWheel{"lateral_force", turning_force, member<&WheelResult::force, &Vector3::y>},
-    OfWheel{"longitudinal_force", pure, member<&WheelResult::force, &Vector3::x>},
+    OfWheel{"longitudinal_force", force, member<&WheelResult::force, &Vector3::x>},
     OfWheel{"moment.x", moment, member<&WheelResult::moment, &Vector3::x>},
     OfWheel{"moment.y", turning_moment, member<&WheelResult::moment, &Vector3::y>},
     OfWheel{"moment.z", turning_moment, member<&WheelResult::moment, &Vector3::z>},
     OfWheel{"approach", length, member<&WheelResult::approach>},
     OfWheel{"depth", length, member<&WheelResult::depth>},
-    OfWheel{"angle", pure, member<&WheelResult::angle>},
+    OfWheel{"angle", angle, member<&WheelResult::angle>},
     OfWheel{"iterations", pure, member<&WheelResult::iterations>},
     OfWheel{"convolutions", pure, member<&WheelResult::convolutions>},
     OfWheel{"solutions", pure, member<&WheelResult::solutions>},
@@ -184,7 +183,7 @@ inline constexpr std::array side_numbers{
 };
 
 inline constexpr std::array total_numbers{
-    OfTotal{"force.x", pure, member<&TotalForce::force, &Vector3::x>},
+    OfTotal{"force.x", force, member<&TotalForce::force, &Vector3::x>},
     OfTotal{"force.y", turning_force, member<&TotalForce::force, &Vector3::y>},
     OfTotal{"force.z", turning_force, member<&TotalForce::force, &Vector3::z>},
     OfTotal{"moment.x", moment, member<&TotalForce::moment, &Vector3::x>},
@@ -203,17 +202,17 @@ inline constexpr std::array sensitivity_numbers{
                        [](const WheelRates& r) { return r.force.lateral.force.y; }},
     Number<WheelRates>{"lateral_force.vertical", stiffness,
                        [](const WheelRates& r) { return r.force.vertical.force.y; }},
-    Number<WheelRates>{"lateral_force.roll", turning_force,
+    Number<WheelRates>{"lateral_force.roll", turning_force_by_angle,
                        [](const WheelRates& r) { return r.force.roll.force.y; }},
-    Number<WheelRates>{"lateral_force.yaw", pure,
+    Number<WheelRates>{"lateral_force.yaw", force_by_angle,
                        [](const WheelRates& r) { return r.force.yaw.force.y; }},
     Number<WheelRates>{"vertical_force.lateral", stiffness,
                        [](const WheelRates& r) { return r.force.lateral.force.z; }},
     Number<WheelRates>{"vertical_force.vertical", stiffness,
                        [](const WheelRates& r) { return r.force.vertical.force.z; }},
-    Number<WheelRates>{"vertical_force.roll", turning_force,
+    Number<WheelRates>{"vertical_force.roll", turning_force_by_angle,
                        [](const WheelRates& r) { return r.force.roll.force.z; }},
-    Number<WheelRates>{"vertical_force.yaw", pure,
+    Number<WheelRates>{"vertical_force.yaw", force_by_angle,
                        [](const WheelRates& r) { return r.force.yaw.force.z; }},
 };
 
@@ -221,30 +220,30 @@ inline constexpr std::array sensitivity_numbers{
 inline constexpr std::array condensed_numbers{
     Number<CondensedRates>{"lateral_force.lateral", stiffness,
                            [](const CondensedRates& r) { return r.lateral.wheel.force.y; }},
-    Number<CondensedRates>{"lateral_force.roll", turning_force,
+    Number<CondensedRates>{"lateral_force.roll", turning_force_by_angle,
                            [](const CondensedRates& r) { return r.roll.wheel.force.y; }},
     Number<CondensedRates>{"vertical.lateral", pure,
                            [](const CondensedRates& r) { return r.lateral.vertical; }},
-    Number<CondensedRates>{"vertical.roll", turning_length,
+    Number<CondensedRates>{"vertical.roll", turning_length_by_angle,
                            [](const CondensedRates& r) { return r.roll.vertical; }},
 };
 
 inline constexpr std::array scene_numbers{
-    OfScene{"roll", pure, member<&SceneResult::roll>},
+    OfScene{"roll", angle, member<&SceneResult::roll>},
     OfScene{"vertical", turning_length, member<&SceneResult::vertical>},
     OfScene{"rolling_radius_difference", length, member<&SceneResult::rolling_radius_difference>},
-    OfScene{"pitch", pure, member<&SceneResult::pitch>},
+    OfScene{"pitch", rate, member<&SceneResult::pitch>},
 };
 
 inline constexpr std::array time_numbers{
-    OfTime{"profile", pure, member<&StageMilliseconds::profile>},
-    OfTime{"setup", pure, member<&StageMilliseconds::setup>},
-    OfTime{"geometry", pure, member<&StageMilliseconds::geometry>},
-    OfTime{"remesh", pure, member<&StageMilliseconds::remesh>},
-    OfTime{"mechanics", pure, member<&StageMilliseconds::mechanics>},
-    OfTime{"rolling", pure, member<&StageMilliseconds::rolling>},
-    OfTime{"damage", pure, member<&StageMilliseconds::damage>},
-    OfTime{"total", pure, member<&StageMilliseconds::total>},
+    OfTime{"profile", milliseconds, member<&StageMilliseconds::profile>},
+    OfTime{"setup", milliseconds, member<&StageMilliseconds::setup>},
+    OfTime{"geometry", milliseconds, member<&StageMilliseconds::geometry>},
+    OfTime{"remesh", milliseconds, member<&StageMilliseconds::remesh>},
+    OfTime{"mechanics", milliseconds, member<&StageMilliseconds::mechanics>},
+    OfTime{"rolling", milliseconds, member<&StageMilliseconds::rolling>},
+    OfTime{"damage", milliseconds, member<&StageMilliseconds::damage>},
+    OfTime{"total", milliseconds, member<&StageMilliseconds::total>},
 };
 
 /// Calls a function with the table of a group.

@@ -105,7 +105,7 @@ constexpr std::array patch_fields{
     PatchField{"traction_x", stress, creep_field<&CreepResult::traction_x>},
     PatchField{"traction_y", turning_stress, creep_field<&CreepResult::traction_y, true>},
     PatchField{"slip_x", pure, creep_field<&CreepResult::slip_x>},
-    PatchField{"slip_y", turning_angle, creep_field<&CreepResult::slip_y, true>},
+    PatchField{"slip_y", turning, creep_field<&CreepResult::slip_y, true>},
     PatchField{"creep_pressure", stress, creep_field<&CreepResult::pressure>},
     PatchField{"creep_x", length, creep_places<&Vector3::x>},
     PatchField{"creep_y", turning_length, creep_places<&Vector3::y>},

@@ -147,7 +147,7 @@ Key creepage_key(std::string_view name, std::string_view meaning, SceneSide Scen
   Key key = three_key(
       {name, "\"none\"", "[longitudinal, lateral, spin], each -10 to 10 (spin 1/mm), or \"none\"",
        meaning},
-      {max_creepage, max_creepage, max_creepage}, {pure, turning_angle, turning_curvature},
+      {max_creepage, max_creepage, max_creepage}, {pure, turning, turning_curvature},
       [side](const Scene& scene) -> std::optional<Three> {
         const auto& creepages = (scene.*side).creepages;
         return creepages ? std::optional(
@@ -264,8 +264,8 @@ std::vector<Key> make_rolling_keys() {
       creepage_key("creepage.right", "creepages of the right wheel", &Scene::right),
       component_key("creepage.longitudinal", creepage_range, "longitudinal creepage of both wheels",
                     pure, &Creepages::longitudinal),
-      component_key("creepage.lateral", creepage_range, "lateral creepage of both wheels",
-                    turning_angle, &Creepages::lateral),
+      component_key("creepage.lateral", creepage_range, "lateral creepage of both wheels", turning,
+                    &Creepages::lateral),
       component_key("creepage.spin", spin_range, "spin creepage of both wheels", turning_curvature,
                     &Creepages::spin),
       motion_key("motion.speed", speed_range,

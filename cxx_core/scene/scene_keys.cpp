@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
@@ -15,16 +17,64 @@ const std::vector<Key>& keys() {
   return all;
 }
 
+/// Letters to insert, drop or replace between two words (Levenshtein 1966); points and underscores
+/// are the same letter.
+std::size_t edit_distance(std::string_view one, std::string_view other) {
+  std::vector<std::size_t> row(other.size() + 1); // from what was read of `one` to parts of `other`
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (const char letter : one) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      const bool same = letter == other[i] || (letter == '_' && other[i] == '.');
+      const std::size_t replaced = diagonal + (same ? 0 : 1);
+      diagonal = row[i + 1];
+      row[i + 1] = std::min({replaced, diagonal + 1, row[i] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::size_t after_point(std::string_view name, std::size_t begin) {
+  return std::min(name.find('.', begin), name.size()) + 1;
+}
+
+/// The keys that differ least from a word, groups left out at either end counting nothing.
+std::string nearest_keys(std::string_view word) {
+  constexpr std::size_t longest_word =
+      64;                 // origin: derived: more than any key has, so that it ends
+  constexpr int most = 4; // origin: reasoned: a line holds them
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  std::string text;
+  int count = 0;
+  for (const Key& key : keys()) {
+    std::size_t distance = std::numeric_limits<std::size_t>::max();
+    const std::string_view name = key.description.name;
+    for (std::size_t begin = 0; begin <= name.size(); begin = after_point(name, begin)) {
+      for (std::size_t end = begin; end <= name.size();) {
+        end = after_point(name, end);
+        const std::string_view part = name.substr(begin, end - begin - 1);
+        distance = std::min(distance, edit_distance(word.substr(0, longest_word), part));
+      }
+    }
+    if (distance < least) {
+      least = distance;
+      text = key.description.name;
+      count = 1;
+    } else if (distance == least && count++ < most) {
+      text.append(" ").append(key.description.name);
+    }
+  }
+  return text;
+}
+
 const Key& find_key(std::string_view name) {
   const auto found = std::find_if(keys().begin(), keys().end(),
                                   [name](const Key& key) { return key.description.name == name; });
   if (found == keys().end()) {
-    std::string text = "unknown key " + std::string(name) + "; known keys:";
-    for (const Key& key : keys()) {
-      text += ' ';
-      text += key.description.name;
-    }
-    throw Error(ErrorCode::unknown_name, text);
+    throw Error(ErrorCode::unknown_name,
+                "unknown key " + std::string(name) + "; nearest: " + nearest_keys(name) +
+                    "; all are listed by wrc_scene_key, wrc_case --help, wrcontact.keys() in "
+                    "Python, wrc_keys in Octave");
   }
   return *found;
 }

@@ -87,6 +87,8 @@ std::vector<std::string> number_names(const SceneResult& result);
 double number_value(SceneResult& result, const NumberId& id, const Convention& convention = {});
 std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention = {});
+/// "N mm/s", "N m/s"; "1" of what has none.
+std::string number_unit(const NumberId& id, Units units);
 /// All texts by name ("model", "left.warnings.0", ...).
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,
                                                              const Convention& convention = {});

@@ -75,7 +75,7 @@ PatchSummary summary_of(const PatchResult& patch, const Convention& convention, 
   summary.lateral_creep_force = told(creep.lateral_force, turning_force);
   summary.spin_moment = told(creep.spin_moment, turning_moment);
   summary.longitudinal_creepage = creep.creepages.longitudinal;
-  summary.lateral_creepage = told(creep.creepages.lateral, turning_angle);
+  summary.lateral_creepage = told(creep.creepages.lateral, turning);
   summary.spin_creepage = told(creep.creepages.spin, turning_curvature);
   summary.longitudinal_semi_axis = told(patch.semi_axis_longitudinal, length);
   summary.lateral_semi_axis = told(patch.semi_axis_lateral, length);
@@ -168,7 +168,7 @@ PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t i
   const Convention& convention = scene.convention;
   const auto& columns = number_tables::creep_columns;
   std::array<double, 3> inside{};
-  constexpr std::array<Dimension, 3> of_creepages{pure, turning_angle, turning_curvature};
+  constexpr std::array<Dimension, 3> of_creepages{pure, turning, turning_curvature};
   for (std::size_t i = 0; i < inside.size(); ++i) {
     inside[i] = from_caller(creepages[i], convention, of_creepages[i]);
     if (!(std::abs(inside[i]) <= max_creepage)) {

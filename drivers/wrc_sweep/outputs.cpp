@@ -50,9 +50,8 @@ public:
     check(nc_put_att_int(file_, variable, name.c_str(), NC_INT64, values.size(), values.data()));
   }
 
-  /// Unit and long name of a key or result.
-  void describe(int variable, const std::string& name) {
-    attribute(variable, "units", unit_of(name));
+  void describe(int variable, const std::string& name, const std::string& unit) {
+    attribute(variable, "units", unit);
     attribute(variable, "long_name", long_name_of(name));
   }
 
@@ -108,7 +107,7 @@ void write_axis(NetcdfFile& file, const Axis& axis, int dimension) {
     return;
   }
   const int variable = file.variable(axis.key, NC_DOUBLE, {dimension});
-  file.describe(variable, axis.key);
+  file.describe(variable, axis.key, unit_of(axis.key));
   file.put(variable, numbers);
 }
 
@@ -131,21 +130,23 @@ void write_results(NetcdfFile& file, const Study& study, Journal& journal,
   std::vector<long long> status(count);
   std::vector<std::string> message(count);
   std::vector<std::vector<double>> values(study.results.size(), std::vector<double>(count));
-  for (std::size_t scene = 0; scene < count; ++scene) {
-    const Row row = journal.read(static_cast<std::int64_t>(scene));
-    status[scene] = row.status;
-    message[scene] = row.message;
+  for (std::size_t index = 0; index < count; ++index) {
+    const Row row = journal.read(static_cast<std::int64_t>(index));
+    status[index] = row.status;
+    message[index] = row.message;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i][scene] = row.values[i];
+      values[i][index] = row.values[i];
     }
   }
+  Scene scene;
+  study.apply(0, scene);
   const int status_variable = file.variable("status", NC_INT64, dimensions);
   describe_status(file, status_variable);
   file.put(status_variable, status);
   file.put(file.variable("message", NC_STRING, dimensions), message);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const int variable = file.variable(study.results[i], NC_DOUBLE, dimensions);
-    file.describe(variable, study.results[i]);
+    file.describe(variable, study.results[i], scene.number_unit(study.results[i]));
     file.put(variable, values[i]);
   }
 }
@@ -194,7 +195,7 @@ void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
   std::vector<int> fields;
   for (const std::string& name : study.fields) {
     fields.push_back(file.variable("field." + name, NC_DOUBLE, {element_dimension}));
-    file.describe(fields.back(), name);
+    file.describe(fields.back(), name, unit_of(name));
     file.compress(fields.back());
   }
   std::size_t first = 0;

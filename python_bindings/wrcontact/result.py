@@ -40,12 +40,15 @@ class Group:
         self._prefix = prefix
 
     def __getitem__(self, name: str | int) -> Any:
-        full = self._prefix + str(name)
-        if full in self._result._groups:
-            return Group(self._result, full + ".")
+        result, full = self._result, self._prefix + str(name)
+        number = result._number_or_none(full)
+        if number is not None:
+            return number
+        if result._is_group(full):
+            return Group(result, full + ".")
         if isinstance(name, int) and not 0 <= name < len(self):
             raise IndexError(f"{self._prefix[:-1]} has {len(self)} entries, there is no {name}")
-        return self._result._value(full)
+        return result._value(full)
 
     def __getattr__(self, name: str) -> Any:
         if not name.startswith("_"):
@@ -112,6 +115,11 @@ class Result(Group):
             raise NoResult("the scene was solved again since; this result is gone")
         return self.scene._handle
 
+    def _number_or_none(self, name: str) -> float | None:
+        number = ffi.new("double *")
+        found: bool = lib.wrc_scene_number(self._live(), encoded(name), number) == 0
+        return float(number[0]) if found else None
+
     def _value(self, name: str) -> Any:
         handle, code = self._live(), encoded(name)
         number = ffi.new("double *")
@@ -134,13 +142,8 @@ class Result(Group):
             depth = self.scene._copied(lib.wrc_scene_field, encoded(f"{prefix}.stress_depth"))
             return values.reshape(-1, max(1, np.count_nonzero(depth == depth[:1])))
         grid = "creep_grid" if last.startswith(_ON_CREEP_GRID) else "grid"
-        shape = [self._numbers_or_0(f"{prefix}.{grid}.{index}") for index in (0, 1)]
+        shape = [int(self._number_or_none(f"{prefix}.{grid}.{index}") or 0) for index in (0, 1)]
         return values.reshape(shape) if shape[0] * shape[1] == values.size else values
-
-    def _numbers_or_0(self, name: str) -> int:
-        number = ffi.new("double *")
-        lib.wrc_scene_number(self._live(), encoded(name), number)
-        return int(number[0])
 
     @property
     def _names(self) -> dict[str, None]:
@@ -154,11 +157,19 @@ class Result(Group):
                     self._of_names[string(name_at(handle, index))] = None
         return self._of_names
 
+    def _is_group(self, name: str) -> bool:
+        if name in ("left", "right"):  # spares the list of all names, as long as a small solution
+            return self._number_or_none(name + ".vertical") is not None
+        return name in self._groups
+
     @property
     def _groups(self) -> set[str]:
         if self._of_groups is None:
-            self._of_groups = {name[:end] for name in self._names
-                               for end in range(len(name)) if name[end] == "."} - self._names.keys()
+            found: set[str] = set()
+            for name in self._names:
+                while (name := name.rpartition(".")[0]) and name not in found:
+                    found.add(name)
+            self._of_groups = found - self._names.keys()
         return self._of_groups
 
     def to_dict(self) -> dict[str, float | str]:

@@ -10,7 +10,7 @@ from ._handle import encoded
 from ._interface import ffi
 from ._library import doubles, lib, pointer, string
 from .errors import Error
-from .scene import Scene, key_of, values_of
+from .scene import Scene, key_of, keys, values_of
 from .solver import solve_batch
 
 if TYPE_CHECKING:
@@ -33,8 +33,9 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     without contact. Further keywords are keys with one value. All in the units of `values`, mm, N,
     MPa, rad by default.
 
-    The Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and
-    text), and all keys that do not vary as attributes. A scene that fails is not raised. Results do
+    Each result has its unit as attribute `units`, each key that varies its meaning as `long_name`. The
+    Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and text),
+    and all keys that do not vary as attributes. A scene that fails is not raised. Results do
     not depend on `threads`; each scene is solved by itself, as by Scene.solve.
     """
     import xarray
@@ -46,13 +47,23 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     columns = {key: array.values.ravel() for key, array in zip(arrays, grid)}
     table, statuses, messages = _solve_all(columns, int(np.prod(shape)), results, threads, values)
     dims = grid[0].dims if grid else ()
-    variables = {name: (dims, table[:, index].reshape(shape)) for index, name in enumerate(results)}
+    variables: dict[str, Any] = {
+        name: (dims, table[:, index].reshape(shape), {"units": _unit(name, values)})
+        for index, name in enumerate(results)}
     variables["status"] = (dims, statuses.reshape(shape))
     variables["message"] = (dims, messages.reshape(shape))
-    coordinates = {key: (array.dims, [_told(value) for value in array.values])
+    coordinates = {key: (array.dims, [_told(value) for value in array.values],
+                         {"long_name": keys()[key].meaning})
                    for key, array in arrays.items()}
     attributes = {"source": f"wrcontact {string(lib.wrc_version())}", **_constant(arrays, values)}
     return xarray.Dataset(variables, coordinates, attributes)
+
+
+def _unit(name: str, values: Mapping[str, Any]) -> str:
+    """Of a result, in scenes of these values."""
+    scene, unit = Scene(**values), ffi.new("const char **")
+    scene._check(lib.wrc_scene_number_unit(scene._handle, encoded(name), unit))
+    return string(unit[0])
 
 
 def _column(key: str, values: Any) -> Any:

@@ -131,13 +131,16 @@ wrc_status call_scene() {
 wrc_status call_by_id() {
   wrc_scene* scene = scenes.any();
   std::int32_t id = 0;
-  switch (below(4)) {
+  const char* unit = nullptr;
+  switch (below(5)) {
   case 0:
     return wrc_scene_key_id(scene, any_text(), maybe(&id));
   case 1:
     return wrc_scene_number_id(scene, any_text(), maybe(&id));
   case 2:
     return wrc_scene_set_numbers_by_id(scene, any_ids(), any_array(), any_count());
+  case 3:
+    return wrc_scene_number_unit(scene, any_text(), maybe(&unit));
   default:
     return wrc_scene_numbers_by_id(scene, any_ids(), any_array(), any_count());
   }

@@ -59,6 +59,39 @@ double turned(const std::string& key, double value) {
   return key == "pose.vertical" ? -value : value;
 }
 
+TEST(Units, AreThoseOfTheNumber) {
+  const std::array<std::array<const char*, 3>, 13> units{{
+      {"left.pmax", "MPa", "Pa"},
+      {"roll", "rad", "rad"},
+      {"vertical", "mm", "m"},
+      {"left.area", "mm2", "m2"},
+      {"wheelset.moment.z", "N mm", "N m"},
+      {"left.patches.7.creepage.spin", "1/mm", "1/m"},
+      {"left.patches.0.friction_power", "N mm/s", "N m/s"},
+      {"right.sensitivities.vertical_force.vertical", "N/mm", "N/m"},
+      {"left.sensitivities.at_load.vertical.roll", "mm/rad", "m/rad"},
+      {"left.jacobian.moment.z.by.lateral_velocity", "N mm s/mm", "N m s/m"},
+      {"left.patches.0.creep_force.lateral.by.spin", "N mm", "N m"},
+      {"time_ms.total", "ms", "ms"},
+      {"left.patch_count", "1", "1"},
+  }};
+  for (const auto& [name, in_mm, in_si] : units) {
+    const ScenePointer scene = make_scene(); // needs no result
+    const char* unit = nullptr;
+    EXPECT_EQ(wrc_scene_number_unit(scene.get(), name, &unit), WRC_OK) << name;
+    EXPECT_STREQ(unit, in_mm) << name;
+    set(scene.get(), {{"convention.units", "SI"}});
+    EXPECT_EQ(wrc_scene_number_unit(scene.get(), name, &unit), WRC_OK) << name;
+    EXPECT_STREQ(unit, in_si) << name;
+  }
+  const ScenePointer scene = make_scene();
+  const char* unit = nullptr;
+  expect_error(scene.get(), wrc_scene_number_unit(scene.get(), "model", &unit), WRC_UNKNOWN_NAME,
+               "model");
+  expect_null_told(scene.get(), wrc_scene_number_unit(scene.get(), nullptr, &unit), "name");
+  expect_null_told(scene.get(), wrc_scene_number_unit(scene.get(), "roll", nullptr), "unit");
+}
+
 TEST(Ids, SetWhatTheKeysSet) {
   const ScenePointer by_name = make_step_scene();
   const ScenePointer by_id = make_step_scene();

@@ -113,7 +113,7 @@
 %! fclose (stream);
 %! rail = wrc_profile ('60E1');
 %! points = [rail.lateral, rail.height];
-%! cases = {{'pose.latera', 5}, 'unknown_name', 'known keys: ';
+%! cases = {{'pose.latera', 5}, 'unknown_name', 'nearest: pose.lateral;';
 %!          {'pose.lateral', 500}, 'invalid_argument', 'pose.lateral = 500: allowed is -100 to 100 mm';
 %!          {'pose.lateral', 100}, 'no_contact', 'wheel off the rail';
 %!          {'track.rail', 'no/such.txt'}, 'unknown_name', 'no/such.txt';

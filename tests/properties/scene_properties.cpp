@@ -74,44 +74,18 @@ bool is_stress(const std::string& name) {
                      [&name](const char* end) { return name.ends_with(end); });
 }
 
-/// m, N, N m, Pa of what is told in mm, N, N mm, MPa.
-double unit_of(const std::string& name) {
-  if (is_force(name) || is_moment(name)) {
-    return is_force(name) ? 1.0 : 1e-3;
-  }
-  const auto ends = [&name](std::initializer_list<const char*> list) {
-    return std::any_of(list.begin(), list.end(),
-                       [&name](const char* end) { return name.ends_with(end); });
-  };
-  if (is_stress(name)) {
+/// One of a unit in m, N, N m, Pa.
+double size_of(const std::string& unit) {
+  if (unit == "MPa") {
     return 1e6;
   }
-  if (ends({".area", "wear.volume"})) {
-    return 1e-6;
+  double size = 1.0;
+  for (std::size_t at = unit.find("mm"); at != std::string::npos; at = unit.find("mm", at + 1)) {
+    const bool divides = at > 0 && unit[at - 1] == '/';
+    const bool squared = unit.substr(at + 2, 1) == "2";
+    size *= std::pow(1e-3, (divides ? -1.0 : 1.0) * (squared ? 2.0 : 1.0));
   }
-  const bool length = ends({".x",
-                            ".y",
-                            ".z",
-                            ".s_wheel",
-                            ".w_wheel",
-                            ".t_rail",
-                            ".v_rail",
-                            "rolling_radius",
-                            "vertical",
-                            "approach",
-                            "depth",
-                            "distance",
-                            "rolling_radius_difference",
-                            "element_size.0",
-                            "element_size.1",
-                            "semi_axes.0",
-                            "semi_axes.1",
-                            "radii.0",
-                            "radii.1",
-                            "stress.along",
-                            "stress.across",
-                            "wear.depth_max"});
-  return length ? 1e-3 : 1.0;
+  return size;
 }
 
 /// How accurate a side's depth is as it says itself: as asked, or as estimated on a grid that was
@@ -277,7 +251,16 @@ std::string check_units(const DrawnScene& scene) {
     return differ("status in SI", si.status, mm.status);
   }
   for (const auto& [name, value] : mm.numbers) {
-    const double unit = unit_of(name);
+    const std::string in_mm = wrcontact::Scene().number_unit(name);
+    std::string expected = in_mm; // the same without prefixes
+    std::erase_if(expected, [](char letter) { return letter == 'M'; });
+    for (std::size_t at = expected.find("mm"); at != std::string::npos; at = expected.find("mm")) {
+      expected.erase(at, 1);
+    }
+    if (in_si.number_unit(name) != expected) {
+      return name + " is told in " + in_si.number_unit(name) + " in place of " + in_mm;
+    }
+    const double unit = size_of(in_mm);
     if (!si.has(name) || !near(si.at(name), unit * value, conversion)) {
       return differ(name + " in SI", si.has(name) ? si.at(name) : std::nan(""), unit * value);
     }

@@ -67,12 +67,12 @@ def least(call, count, repeats=7):
 
 def measure_calls():
     scene, solver = wrcontact.Scene(until="geometry"), wrcontact.Solver()
-    result = solver.solve(scene)
+    solver.solve(scene)
 
     def set_key():
         scene["pose.lateral"] = 0.0
 
-    mine = [least(set_key, 20000), least(lambda: result["left.rigid_contact.y"], 20000),
+    mine = [least(set_key, 20000), least(lambda: scene.result["left.rigid_contact.y"], 20000),
             least(lambda: solver.solve(scene), 300)]
     project = Path(__file__).resolve().parents[2]
     library = next(Path(wrcontact.__file__).parent.glob("libwrcontact.so.*"))
@@ -84,7 +84,7 @@ def measure_calls():
         theirs = [float(line) for line in subprocess.run(
             [f"{folder}/calls"], check=True, capture_output=True, text=True).stdout.split()]
     print("call                          C, us  Python, us  beyond C, us")
-    for name, c, python in zip(("scene[key] = number", "result[name]", "solver.solve(scene)"), theirs, mine):
+    for name, c, python in zip(("scene[key] = number", "scene.result[name]", "solver.solve(scene)"), theirs, mine):
         print(f"{name:<26} {c:9.2f} {python:11.2f} {python - c:13.2f}")
 
 

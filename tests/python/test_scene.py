@@ -64,7 +64,7 @@ def test_keywords_stand_for_the_keys_of_the_library():
         assert wrcontact.key_of(word) == name
     with pytest.raises(wrcontact.UnknownName, match="load_left or friction_left"):
         wrcontact.key_of("left")
-    with pytest.raises(wrcontact.UnknownName, match="latral"):
+    with pytest.raises(wrcontact.UnknownName, match="unknown key latral; nearest: pose.lateral"):
         wrcontact.Scene(latral=3)
 
 

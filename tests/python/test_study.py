@@ -51,3 +51,11 @@ def test_values_of_all_kinds_vary(tmp_path):
     moved = wrcontact.study({"track.left.displacement": [[0, 0, 0], [1, 0, 0]]}, ["roll"])
     assert moved["roll"][0] != moved["roll"][1]
     assert wrcontact.study({}, ["roll"])["roll"].shape == ()
+
+
+def test_units_are_told():
+    results = ["left.pmax", "left.depth", "roll", "left.patch_count", "right.patches.0.wear_number"]
+    for convention, units in (("mm", ["MPa", "mm", "rad", "1", "N"]), ("SI", ["Pa", "m", "rad", "1", "N"])):
+        data = wrcontact.study({"lateral": [0]}, results, until="geometry", units=convention)
+        assert [data[name].attrs["units"] for name in results] == units
+        assert data["pose.lateral"].attrs["long_name"] == wrcontact.keys()["pose.lateral"].meaning

@@ -54,12 +54,25 @@ TEST(SceneKeys, EveryKeyRefusesWhatIsNotPermittedAndSaysWhatIs) {
   }
 }
 
-TEST(SceneKeys, UnknownKeyListsTheKnownOnes) {
-  Scene scene;
-  const std::string text =
-      error_text([&] { set_number(scene, "pose.latral", 1.0); }, ErrorCode::unknown_name);
-  EXPECT_NE(text.find("pose.latral"), std::string::npos);
-  EXPECT_NE(text.find("pose.lateral"), std::string::npos);
+TEST(SceneKeys, UnknownKeySaysTheNearestAndWhereAllAre) {
+  const std::array<std::pair<std::string, const char*>, 7> words{{
+      {"pose.latral", "pose.lateral"},
+      {"track_gage", "track.gauge"},
+      {"yaw", "pose.yaw motion.yaw"},
+      {"solve.accuracyof", "solve.accuracy_of"},
+      {"wheelset.back_to_back_distance", "wheelset.back_to_back"},
+      {"loads", "load.vertical load.left load.right"},
+      {std::string(1 << 20, 'y'), ""}, // and does not take a minute
+  }};
+  for (const auto& [word, nearest] : words) {
+    Scene scene;
+    const std::string text =
+        error_text([&] { set_number(scene, word, 1.0); }, ErrorCode::unknown_name);
+    EXPECT_NE(text.find("unknown key " + word + "; nearest: " + nearest), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("; all are listed by wrc_scene_key"), std::string::npos) << text;
+    EXPECT_LT(text.size(), word.size() + 250) << text;
+  }
 }
 
 TEST(SceneKeys, CantAsRatioOrAngle) {
