@@ -2,6 +2,7 @@
 /// not judged.
 #include "run_driver.hpp"
 
+namespace wrc_tradeoff_test {
 namespace {
 
 using nlohmann::json;
@@ -115,3 +116,4 @@ TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
 }
 
 } // namespace
+} // namespace wrc_tradeoff_test

@@ -75,7 +75,7 @@ bool is_stress(const std::string& name) {
 }
 
 /// m, N, N m, Pa of what is told in mm, N, N mm, MPa.
-double unit_of(const std::string& name) {
+double unit_of_result(const std::string& name) {
   if (is_force(name) || is_moment(name)) {
     return is_force(name) ? 1.0 : 1e-3;
   }
@@ -277,7 +277,7 @@ std::string check_units(const DrawnScene& scene) {
     return differ("status in SI", si.status, mm.status);
   }
   for (const auto& [name, value] : mm.numbers) {
-    const double unit = unit_of(name);
+    const double unit = unit_of_result(name);
     if (!si.has(name) || !near(si.at(name), unit * value, conversion)) {
       return differ(name + " in SI", si.has(name) ? si.at(name) : std::nan(""), unit * value);
     }
