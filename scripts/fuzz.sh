@@ -45,7 +45,7 @@ thin_real_files() {
     done
   done
 }
-cmake --preset clang -B build/fuzz -DWRCONTACT_BUILD_FUZZERS=ON -DWRCONTACT_BUILD_FORTRAN=OFF \
+cmake --preset clang -B build/fuzz -DCMAKE_UNITY_BUILD=ON -DWRCONTACT_BUILD_FUZZERS=ON -DWRCONTACT_BUILD_FORTRAN=OFF \
   -DWRCONTACT_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
 cmake --build build/fuzz --target "${names[@]/#/fuzz_}" >build/fuzz/build.log 2>&1 || {
   grep -E -A5 'error|FAILED' build/fuzz/build.log | head -n 60

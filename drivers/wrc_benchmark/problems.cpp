@@ -15,7 +15,7 @@ namespace benchmark {
 namespace {
 
 constexpr double combined_modulus = 210000.0 / (2.0 * (1.0 - 0.3 * 0.3));
-constexpr double load = 80000.0;
+constexpr double hertz_load = 80000.0;
 constexpr double share_of_side = 0.6;
 
 /// A gap over the plane; x along, y across, mm.
@@ -42,7 +42,7 @@ Gap hertz_gap(double a, double b) {
   gap.longitudinal_side = 2.0 * a / share_of_side;
   gap.lateral_side = 2.0 * b / share_of_side;
   gap.distance = paraboloid;
-  const double p0 = 3.0 * load / (2.0 * std::numbers::pi * a * b);
+  const double p0 = 3.0 * hertz_load / (2.0 * std::numbers::pi * a * b);
   gap.pmax = p0;
   if (a == b) {
     gap.coefficient_x = gap.coefficient_y = std::numbers::pi * p0 / (4.0 * a * combined_modulus);
@@ -160,7 +160,7 @@ private:
     normal.set("solver", settings.method);
     normal.set("elements", "constant"); // so that all methods solve the same problem
     normal.set("combined_modulus", combined_modulus);
-    normal.set("normal_load", load);
+    normal.set("normal_load", hertz_load);
     normal.set("tolerance", settings.tolerance);
   }
 

@@ -13,7 +13,7 @@ namespace driver {
 namespace {
 
 /// A page holds some 20 kB for each.
-constexpr std::int64_t most_scenes = 2000;
+constexpr std::int64_t most_scenes_of_page = 2000;
 
 /// Digits that can be seen: 0.001 mm, 0.1 MPa.
 json rounded(const std::vector<double>& values, double unit) {
@@ -119,7 +119,7 @@ json solved(const Study& study, std::int64_t index) {
   return made;
 }
 
-json value_of(const Value& value) {
+json json_of(const Value& value) {
   const double* number = std::get_if<double>(&value);
   return number != nullptr ? json(*number) : json(text_of(value));
 }
@@ -128,9 +128,9 @@ json value_of(const Value& value) {
 
 void write_page(const Study& study, int threads, const std::filesystem::path& path) {
   const std::int64_t count = study.scene_count();
-  if (count > most_scenes) {
+  if (count > most_scenes_of_page) {
     throw Failure("--page: the study has " + std::to_string(count) +
-                  " scenes, allowed for a page are " + std::to_string(most_scenes));
+                  " scenes, allowed for a page are " + std::to_string(most_scenes_of_page));
   }
   std::vector<json> scenes(static_cast<std::size_t>(count));
   for_each_index(scenes.size(), threads,
@@ -142,7 +142,7 @@ void write_page(const Study& study, int threads, const std::filesystem::path& pa
   for (const Axis& axis : study.axes) {
     json values = json::array();
     for (const Value& value : axis.values) {
-      values.push_back(value_of(value));
+      values.push_back(json_of(value));
     }
     data["axes"].push_back({{"key", axis.key}, {"values", std::move(values)}});
   }

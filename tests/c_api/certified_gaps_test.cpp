@@ -8,6 +8,7 @@
 
 #include "owned_handles.hpp"
 
+namespace certified_gaps_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -282,3 +283,4 @@ TEST(CertifiedGaps, ASecondRunChangesNoBit) {
 }
 
 } // namespace
+} // namespace certified_gaps_test

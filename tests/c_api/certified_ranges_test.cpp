@@ -11,6 +11,7 @@
 
 #include "owned_handles.hpp"
 
+namespace certified_ranges_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -359,3 +360,4 @@ TEST(CertifiedRanges, AConformalWheelThatIsWedgedIsNoUsualResult) {
 }
 
 } // namespace
+} // namespace certified_ranges_test

@@ -8,6 +8,7 @@
 
 #include "all_results.hpp"
 
+namespace convention_test {
 namespace {
 
 /// Powers of ten are exact in double precision: only the last rounding is left.
@@ -345,3 +346,4 @@ TEST(ProfilePoints, AreRefusedWithTheirFault) {
 }
 
 } // namespace
+} // namespace convention_test

@@ -7,6 +7,7 @@
 
 #include "owned_handles.hpp"
 
+namespace full_disk_test {
 namespace {
 
 /// No file may grow beyond this while it lives.
@@ -90,3 +91,4 @@ TEST_F(FullDisk, LeavesNoHalfOfWisdom) {
 }
 
 } // namespace
+} // namespace full_disk_test

@@ -8,6 +8,7 @@
 
 #include "all_results.hpp"
 
+namespace handles_test {
 namespace {
 
 template <class Handle> Handle* handle_of(std::uintptr_t number) {
@@ -126,3 +127,4 @@ TEST(FloatingPoint, TrapsOfTheCallerDoNotFire) {
 #endif
 
 } // namespace
+} // namespace handles_test

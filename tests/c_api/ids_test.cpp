@@ -10,6 +10,7 @@
 #include "owned_handles.hpp"
 #include "wrcontact.hpp"
 
+namespace ids_test {
 namespace {
 
 using Ids = std::vector<std::int32_t>;
@@ -284,3 +285,4 @@ TEST(Ids, InCxxAreThoseOfAnyScene) {
 }
 
 } // namespace
+} // namespace ids_test

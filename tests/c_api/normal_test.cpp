@@ -8,6 +8,7 @@
 
 #include "owned_handles.hpp"
 
+namespace normal_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -359,3 +360,4 @@ TEST(NormalResults, NotConvergedComesWithUsableResults) {
 }
 
 } // namespace
+} // namespace normal_test

@@ -9,6 +9,7 @@
 
 #include "all_results.hpp"
 
+namespace patch_results_test {
 namespace {
 
 /// Sums over a few hundred elements.
@@ -356,3 +357,4 @@ TEST(Sensitivities, CondensedAgreeWithDifferencesUnderConstantLoad) {
 }
 
 } // namespace
+} // namespace patch_results_test

@@ -4,6 +4,7 @@
 
 #include "owned_handles.hpp"
 
+namespace process_test {
 namespace {
 
 struct CountingLock {
@@ -73,3 +74,4 @@ TEST(Yardstick, RefusesWhatItCannotMeasure) {
 }
 
 } // namespace
+} // namespace process_test

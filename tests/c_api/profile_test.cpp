@@ -10,6 +10,7 @@
 
 #include "owned_handles.hpp"
 
+namespace profile_test {
 namespace {
 
 /// Coordinates of profiles are some 10 mm; their arithmetic rounds here.
@@ -373,3 +374,4 @@ TEST_F(ProfileFiles, AnOlderCallersSmallerStructIsReadNoFurther) {
 }
 
 } // namespace
+} // namespace profile_test

@@ -10,6 +10,7 @@
 #include "all_results.hpp"
 #include "owned_handles.hpp"
 
+namespace result_test {
 namespace {
 
 /// Sums over a few hundred elements.
@@ -226,3 +227,4 @@ TEST_F(Solving, NoLoadAndNoTouchAreResultsWithAWarning) {
 }
 
 } // namespace
+} // namespace result_test

@@ -10,6 +10,7 @@
 #include "owned_handles.hpp"
 #include "wrcontact.hpp"
 
+namespace rolling_test {
 namespace {
 
 using wrcontact::RollingContact;
@@ -466,3 +467,4 @@ TEST(RollingResults, NotConvergedComesWithUsableResults) {
 }
 
 } // namespace
+} // namespace rolling_test

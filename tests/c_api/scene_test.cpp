@@ -7,6 +7,7 @@
 
 #include "owned_handles.hpp"
 
+namespace scene_test {
 namespace {
 
 TEST(Library, NamesItsVersionAndEveryStatus) {
@@ -258,3 +259,4 @@ TEST(SceneExtremes, AnAbsurdOverlapIsRefused) {
 }
 
 } // namespace
+} // namespace scene_test

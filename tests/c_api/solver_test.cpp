@@ -6,6 +6,7 @@
 
 #include "all_results.hpp"
 
+namespace solver_test {
 namespace {
 
 TEST(SolverHandle, RefusesNull) {
@@ -280,3 +281,4 @@ TEST_F(SolverFiles, AreReadAgainOnceForgotten) {
 }
 
 } // namespace
+} // namespace solver_test

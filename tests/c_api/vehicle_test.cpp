@@ -10,6 +10,7 @@
 #include "owned_handles.hpp"
 #include "wrcontact.hpp"
 
+namespace vehicle_test {
 namespace {
 
 using Six = std::array<double, 6>;
@@ -353,3 +354,4 @@ TEST(Tables, AreRefusedBeforeTheFirstSolution) {
 }
 
 } // namespace
+} // namespace vehicle_test

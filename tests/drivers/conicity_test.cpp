@@ -6,6 +6,7 @@
 
 #include "wrc_sweep/conicity.hpp"
 
+namespace conicity_test {
 namespace {
 
 using driver::equivalent_conicity;
@@ -100,3 +101,4 @@ TEST(Conicity, IsUnknownWhereTheSamplesEndOrLeadAway) {
 }
 
 } // namespace
+} // namespace conicity_test

@@ -4,6 +4,7 @@
 
 #include "run_driver.hpp"
 
+namespace full_disk_test {
 namespace {
 
 /// A program, what it is told to do, and the file that it cannot write.
@@ -103,3 +104,4 @@ TEST_F(FullDisk, ASweepKeepsWhatIsDoneAndResumes) {
 }
 
 } // namespace
+} // namespace full_disk_test

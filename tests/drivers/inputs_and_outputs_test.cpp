@@ -8,6 +8,7 @@
 
 #include "run_driver.hpp"
 
+namespace inputs_and_outputs_test {
 namespace {
 
 class InputsAndOutputs : public Driver {
@@ -197,3 +198,4 @@ TEST_F(InputsAndOutputs, AFileWithoutEndIsRefused) {
 }
 
 } // namespace
+} // namespace inputs_and_outputs_test

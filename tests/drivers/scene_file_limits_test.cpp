@@ -1,6 +1,7 @@
 /// Scene and study files that are far too large or far too deep: refused in one line.
 #include "run_driver.hpp"
 
+namespace scene_file_limits_test {
 namespace {
 
 class SceneFileLimits : public Driver {
@@ -77,3 +78,4 @@ TEST_F(SceneFileLimits, AFileInUtf16IsNamedSo) {
 }
 
 } // namespace
+} // namespace scene_file_limits_test

@@ -4,6 +4,7 @@
 
 #include "run_driver.hpp"
 
+namespace wrc_benchmark_test {
 namespace {
 
 using nlohmann::json;
@@ -198,3 +199,4 @@ TEST_F(WrcBenchmark, RefusesWhatItDoesNotKnow) {
 }
 
 } // namespace
+} // namespace wrc_benchmark_test

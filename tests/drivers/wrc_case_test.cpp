@@ -5,6 +5,7 @@
 
 #include "run_driver.hpp"
 
+namespace wrc_case_test {
 namespace {
 
 using nlohmann::json;
@@ -406,3 +407,4 @@ TEST_F(WrcCase, WritesAndDrawsStressesBelowTheSurface) {
 }
 
 } // namespace
+} // namespace wrc_case_test

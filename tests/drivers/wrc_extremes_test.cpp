@@ -5,6 +5,7 @@
 
 #include "run_driver.hpp"
 
+namespace wrc_extremes_test {
 namespace {
 
 using nlohmann::json;
@@ -75,3 +76,4 @@ TEST_F(WrcExtremes, RefusesWhatIsNotAllowed) {
 }
 
 } // namespace
+} // namespace wrc_extremes_test

@@ -1,6 +1,7 @@
 /// wrc_paper as a process: verdicts follow from the results, whatever these are.
 #include "run_driver.hpp"
 
+namespace wrc_paper_test {
 namespace {
 
 class WrcPaper : public Driver {
@@ -79,3 +80,4 @@ TEST_F(WrcPaper, RefusesAFolderWithoutResults) {
 }
 
 } // namespace
+} // namespace wrc_paper_test

@@ -4,6 +4,7 @@
 
 #include "run_driver.hpp"
 
+namespace wrc_profile_test {
 namespace {
 
 using nlohmann::json;
@@ -198,3 +199,4 @@ TEST_F(WrcProfile, ReadsTheManchesterBenchmark) {
 }
 
 } // namespace
+} // namespace wrc_profile_test

@@ -1,6 +1,7 @@
 /// wrc_regression as a process: it passes, it fails, and it updates nothing but baselines.
 #include "run_driver.hpp"
 
+namespace wrc_regression_test {
 namespace {
 
 class WrcRegression : public Driver {
@@ -75,3 +76,4 @@ TEST_F(WrcRegression, RefusesFilesItDoesNotUnderstand) {
 }
 
 } // namespace
+} // namespace wrc_regression_test

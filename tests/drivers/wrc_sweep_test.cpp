@@ -11,6 +11,7 @@
 
 #include "run_driver.hpp"
 
+namespace wrc_sweep_test {
 namespace {
 
 /// 35 scenes that are solved in a second.
@@ -468,3 +469,4 @@ TEST_F(WrcSweep, RefusesBadArguments) {
 }
 
 } // namespace
+} // namespace wrc_sweep_test

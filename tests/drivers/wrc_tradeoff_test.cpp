@@ -2,6 +2,7 @@
 /// not judged.
 #include "run_driver.hpp"
 
+namespace wrc_tradeoff_test {
 namespace {
 
 using nlohmann::json;
@@ -108,3 +109,4 @@ TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
 }
 
 } // namespace
+} // namespace wrc_tradeoff_test

@@ -4,6 +4,7 @@
 
 #include "run_driver.hpp"
 
+namespace wrc_wear_test {
 namespace {
 
 class WrcWear : public Driver {
@@ -41,3 +42,4 @@ TEST_F(WrcWear, RefusesAKeyThatIsNone) {
 }
 
 } // namespace
+} // namespace wrc_wear_test

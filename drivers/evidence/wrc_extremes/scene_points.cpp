@@ -35,7 +35,7 @@ Point key_point(const std::string& quantity, const Base& base, const std::string
           }};
 }
 
-void add_loads(std::vector<Point>& points) {
+void add_scene_loads(std::vector<Point>& points) {
   for (const Base& base : {table1, flange}) {
     for (int exponent = -8; exponent <= 13; ++exponent) {
       points.push_back(key_point("load", base, "load.vertical", std::pow(10.0, exponent), " N",
@@ -164,7 +164,7 @@ void add_solving(std::vector<Point>& points) {
 } // namespace
 
 void add_scene_points(std::vector<Point>& points) {
-  add_loads(points);
+  add_scene_loads(points);
   add_materials(points);
   add_wheelsets(points);
   add_laterals(points);

@@ -6,7 +6,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string lateral = "pose.lateral";
+const std::string lateral_position = "pose.lateral";
 const std::string pmax = "left.pmax";
 
 CsvTable pressures(const fs::path& folder) {
@@ -15,7 +15,7 @@ CsvTable pressures(const fs::path& folder) {
 
 Finding judge_three_parts(const fs::path& folder) {
   const CsvTable table = pressures(folder);
-  const auto at = [&](double y) { return table.at(lateral, y, pmax); };
+  const auto at = [&](double y) { return table.at(lateral_position, y, pmax); };
   const bool rises = at(0.0) > at(-8.0);
   double least = at(1.0);
   double where = 1.0;
@@ -35,9 +35,10 @@ Finding judge_three_parts(const fs::path& folder) {
 
 Finding judge_flange(const fs::path& folder) {
   const CsvTable table = pressures(folder);
-  const double before = table.at(lateral, 6.0, pmax);
-  const double most = std::max(
-      {table.at(lateral, 8.0, pmax), table.at(lateral, 9.0, pmax), table.at(lateral, 10.0, pmax)});
+  const double before = table.at(lateral_position, 6.0, pmax);
+  const double most =
+      std::max({table.at(lateral_position, 8.0, pmax), table.at(lateral_position, 9.0, pmax),
+                table.at(lateral_position, 10.0, pmax)});
   constexpr double sharp = 2.0; // times
   return {verdict_of(most > sharp * before),
           "from " + fixed(before, 0) + " MPa at 6 mm to " + fixed(most, 0) + " MPa within 4 mm"};
@@ -77,8 +78,8 @@ CantOrder order_of(const CsvTable& steep, const CsvTable& flat, double sign) {
   CantOrder order;
   double last = 0.0;
   for (double y = -8.0; y <= 8.0; y += 1.0) {
-    const double one = steep.at(lateral, sign * y, pmax);
-    const double other = flat.at(lateral, sign * y, pmax);
+    const double one = steep.at(lateral_position, sign * y, pmax);
+    const double other = flat.at(lateral_position, sign * y, pmax);
     const double difference = std::abs(one / other - 1.0) < same ? 0.0 : one - other;
     if (y != said_place) {
       order.as_said += (y < said_place ? difference < 0.0 : difference > 0.0) ? 1 : 0;
@@ -104,8 +105,8 @@ Finding judge_cants(const fs::path& folder) {
   const CsvTable flat = table.where("track.cant", "1:30");
   const CantOrder order = order_of(steep, flat, 1.0);
   return {graded(order.as_said == order.all, 3 * order.as_said >= 2 * order.all),
-          text_of(order) + "; at 0 mm " + fixed(steep.at(lateral, 0.0, pmax), 0) + " (1:20), " +
-              fixed(flat.at(lateral, 0.0, pmax), 0) +
+          text_of(order) + "; at 0 mm " + fixed(steep.at(lateral_position, 0.0, pmax), 0) +
+              " (1:20), " + fixed(flat.at(lateral_position, 0.0, pmax), 0) +
               " (1:30) MPa. With y turned round, as on the right wheel: " +
               text_of(order_of(steep, flat, -1.0))};
 }
@@ -157,7 +158,7 @@ Finding judge_yaw_shape(const fs::path& folder) {
 }
 
 /// The yaw printed beside a thousand times as much.
-Finding judge_printed_yaw(const fs::path& folder) {
+Finding judge_pressures_of_printed_yaw(const fs::path& folder) {
   const CsvTable table = yawed(folder);
   const auto most_change = [&](double yaw) {
     double most = 0.0;
@@ -173,7 +174,7 @@ Finding judge_printed_yaw(const fs::path& folder) {
               " %, 50 mrad by " + fixed(most_change(0.05), 1) + " %"};
 }
 
-const char* const reconstruction =
+const char* const fitted_profile =
     "The paper does not print its profile. LM here is a reconstruction, fitted to the paper's "
     "contact positions and not to its pressures, and LMA is another wheel.";
 
@@ -187,7 +188,7 @@ std::vector<Figure> pressure_figures() {
        {"fig08_patches.png", "fig08_pmax.png"},
        {{"The lateral displacement has a strong influence on the pressure", judge_strong, ""},
         {"Left wheel: a mild increase up to y = 0, then a sharp decrease, then a sharp increase",
-         judge_three_parts, reconstruction},
+         judge_three_parts, fitted_profile},
         {"The last increase is the flange on the gauge corner", judge_flange, ""},
         {"The right wheel behaves in the opposite way", judge_opposite, ""}}});
   figures.push_back(
@@ -213,7 +214,7 @@ std::vector<Figure> pressure_figures() {
          "pressures: the sign of yaw cannot matter for bodies of revolution on straight rails.",
          Ground::proof},
         {"Yaw changes the shape of the patches", judge_yaw_shape, ""},
-        {"These are effects of a yaw of 0.05 mrad, as printed", judge_printed_yaw,
+        {"These are effects of a yaw of 0.05 mrad, as printed", judge_pressures_of_printed_yaw,
          "0.05 mrad turn the ends of a wheelset by 0.04 mm. The effects shown need about 50 mrad.",
          Ground::numbers}}});
   return figures;

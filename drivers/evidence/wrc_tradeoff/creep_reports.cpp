@@ -13,7 +13,7 @@ using driver::general;
 using driver::json;
 using driver::quantile;
 
-constexpr std::size_t printed_misses = 10;
+constexpr std::size_t printed_creep_misses = 10;
 
 bool is_full(const CreepWay& way) {
   return std::string(way.model) == "full";
@@ -120,7 +120,7 @@ void print_creep_misses(const std::vector<CreepMeasured>& all, std::ostream& out
   std::stable_sort(misses.begin(), misses.end(),
                    [](const CreepMiss& a, const CreepMiss& b) { return a.ratio > b.ratio; });
   out << '\n' << misses.size() << " misses of the full theory, worst first\n";
-  for (std::size_t i = 0; i < std::min(printed_misses, misses.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(printed_creep_misses, misses.size()); ++i) {
     out << "  " << misses[i].text << '\n';
   }
 }
