@@ -228,18 +228,18 @@ public:
     }
     const std::array<std::size_t, 4> corners{corner, corner + 1, corner + columns,
                                              corner + columns + 1};
-    const bool in_contact =
-        std::any_of(corners.begin(), corners.end(), [this](auto at) { return of_.loaded_[at] != 0; });
-    const bool filled =
-        std::all_of(corners.begin(), corners.end(), [this](auto at) { return of_.known_[at] != 0; });
+    const bool in_contact = std::any_of(corners.begin(), corners.end(),
+                                        [this](auto at) { return of_.loaded_[at] != 0; });
+    const bool filled = std::all_of(corners.begin(), corners.end(),
+                                    [this](auto at) { return of_.known_[at] != 0; });
     if (!in_contact && !filled) {
       return outside;
     }
     const double before = along_row(j, corner);
     const double after = along_row(j, corner + columns);
-    const double square = before + across_.beyond * (after - before) -
-                          0.5 * across_.beyond * (1.0 - across_.beyond) *
-                              second_difference(j, corner, before, after);
+    const double square =
+        before + across_.beyond * (after - before) -
+        0.5 * across_.beyond * (1.0 - across_.beyond) * second_difference(j, corner, before, after);
     return in_contact || square < 0.0 ? square : outside;
   }
 
@@ -259,7 +259,8 @@ private:
     if (across_.before < 1 || across_.before + 2 >= of_.grid_.lateral_count) {
       return 0.0;
     }
-    for (const std::size_t row : {corner - columns, corner, corner + columns, corner + 2 * columns}) {
+    for (const std::size_t row :
+         {corner - columns, corner, corner + columns, corner + 2 * columns}) {
       for (std::size_t k = 0; k < 4; ++k) {
         if (of_.known_[row + k - 1] == 0) {
           return 0.0;

@@ -64,7 +64,7 @@ private:
   void replace_ends_of_rows();
   void fill_in_ring();
 
-  Grid grid_;                ///< with room for what is filled in
+  Grid grid_;                        ///< with room for what is filled in
   std::vector<std::uint8_t> loaded_; ///< elements with pressure
   std::vector<std::uint8_t> known_;  ///< elements that others are continued from
   std::vector<double> squares_;

@@ -23,10 +23,10 @@ CreepGrid grid_around_contact(const Grid& of_pressures, const SmoothPressure& pr
       std::max(std::min(wanted * columns_by_wanted,
                         max_creep_columns * along->longest / (along->last - along->first)),
                min_creep_columns);
-  const double rows = std::max(
-      std::min(wanted * rows_by_wanted, 2.0 * max_creep_columns * across->longest /
-                                            (lobe_count * (across->last - across->first))),
-      min_creep_rows);
+  const double rows =
+      std::max(std::min(wanted * rows_by_wanted, 2.0 * max_creep_columns * across->longest /
+                                                     (lobe_count * (across->last - across->first))),
+               min_creep_rows);
   const auto over = [](const SmoothPressure::Extent& extent, double on_longest) {
     return 2 * static_cast<std::size_t>(
                    std::ceil(0.5 * on_longest * (extent.last - extent.first) / extent.longest));
