@@ -8,63 +8,65 @@
 
 namespace {
 
-using Object = wrc::NormalObject;
-using Problem = wrc::NormalProblem;
-using Result = wrc::NormalResult;
+using wrc::NormalObject;
+using wrc::NormalProblem;
+using wrc::NormalResult;
 
 constexpr const char* normal_contact = "normal contact";
 
 /// The tolerance from what double precision reaches on any grid (docs/stability.md) on; that of
 /// solve.tolerance too.
-constexpr auto number_keys = std::to_array<wrc::NumberKey<Problem>>({
+constexpr auto normal_number_keys = std::to_array<wrc::NumberKey<NormalProblem>>({
     {"combined_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
-     [](Problem& problem, double value) { problem.combined_modulus = value; }},
+     [](NormalProblem& problem, double value) { problem.combined_modulus = value; }},
     {"normal_load", 1e-60, 1e60, "allowed is 0, or 1e-60 to 1e60 N",
-     [](Problem& problem, double value) {
+     [](NormalProblem& problem, double value) {
        problem.normal_load = value;
        problem.approach.reset();
      },
      false, true},
     {"approach", -1e60, 1e60, "allowed is -1e60 to 1e60 mm",
-     [](Problem& problem, double value) {
+     [](NormalProblem& problem, double value) {
        problem.approach = value;
        problem.normal_load.reset();
      }},
     {"tolerance", 1e-13, 0.1, "allowed is 1e-13 to 0.1",
-     [](Problem& problem, double value) { problem.tolerance = value; }},
+     [](NormalProblem& problem, double value) { problem.tolerance = value; }},
     {"maximum_iterations", 1.0, wrc::most_iterations, "allowed is a whole number, 1 to 1e9",
-     [](Problem& problem, double value) { problem.maximum_iterations = static_cast<int>(value); },
+     [](NormalProblem& problem, double value) {
+       problem.maximum_iterations = static_cast<int>(value);
+     },
      true},
 });
 
 /// With another solver from the next solution on, if the setting is another one.
-template <class Setting> void change(Object& object, Setting& setting, Setting value) {
+template <class Setting> void change(NormalObject& object, Setting& setting, Setting value) {
   if (setting != value) {
     setting = value;
     object.solver.reset();
   }
 }
 
-constexpr auto text_keys = std::to_array<wrc::TextKey<Object>>({
+constexpr auto normal_text_keys = std::to_array<wrc::TextKey<NormalObject>>({
     {"solver",
-     [](Object& object, const char* key, const char* value) {
+     [](NormalObject& object, const char* key, const char* value) {
        object.paper_method = wrc::chosen<bool>(key, value, {{"default", false}, {"paper", true}});
      }},
     {"elements",
-     [](Object& object, const char* key, const char* value) {
+     [](NormalObject& object, const char* key, const char* value) {
        using wrc::Elements;
        object.elements = wrc::chosen<Elements>(
            key, value, {{"smooth", Elements::smooth}, {"constant", Elements::constant}});
      }},
     {"precision",
-     [](Object& object, const char* key, const char* value) {
+     [](NormalObject& object, const char* key, const char* value) {
        using wrc::Precision;
        change(object, object.precision,
               wrc::chosen<Precision>(
                   key, value, {{"mixed", Precision::mixed}, {"double", Precision::double_only}}));
      }},
     {"planner",
-     [](Object& object, const char* key, const char* value) {
+     [](NormalObject& object, const char* key, const char* value) {
        using Rigor = wrc::PlannerRigor;
        change(object, object.rigor,
               wrc::chosen<Rigor>(key, value,
@@ -72,7 +74,7 @@ constexpr auto text_keys = std::to_array<wrc::TextKey<Object>>({
      }},
 });
 
-const std::vector<double>& displacement_of(Result& result) {
+const std::vector<double>& displacement_of(NormalResult& result) {
   if (result.solution.displacement.empty()) {
     std::vector<double> displacement(result.solution.pressure.size());
     wrc::DisplacementOperator(result.problem.grid, result.problem.combined_modulus,
@@ -83,7 +85,7 @@ const std::vector<double>& displacement_of(Result& result) {
   return result.solution.displacement;
 }
 
-const wrc::Residuals& residuals_of(Result& result) {
+const wrc::Residuals& residuals_of(NormalResult& result) {
   if (!result.residuals) {
     result.residuals =
         wrc::compute_residuals(result.problem, result.solution.pressure, result.solution.approach);
@@ -91,30 +93,31 @@ const wrc::Residuals& residuals_of(Result& result) {
   return *result.residuals;
 }
 
-struct Number {
+struct NormalNumber {
   const char* name;
-  double (*of)(Result&);
+  double (*of)(NormalResult&);
 };
 
-constexpr auto numbers = std::to_array<Number>({
-    {"approach", [](Result& result) { return result.solution.approach; }},
-    {"normal_force", [](Result& result) { return result.solution.normal_force; }},
-    {"pmax", [](Result& result) { return result.summary.peak_pressure; }},
-    {"pmax_element", [](Result& result) { return result.summary.largest_element_pressure; }},
+constexpr auto normal_numbers = std::to_array<NormalNumber>({
+    {"approach", [](NormalResult& result) { return result.solution.approach; }},
+    {"normal_force", [](NormalResult& result) { return result.solution.normal_force; }},
+    {"pmax", [](NormalResult& result) { return result.summary.peak_pressure; }},
+    {"pmax_element", [](NormalResult& result) { return result.summary.largest_element_pressure; }},
     {"area",
-     [](Result& result) {
+     [](NormalResult& result) {
        return wrc::contact_area(result.problem.grid, result.solution.pressure);
      }},
     {"fill",
-     [](Result& result) {
+     [](NormalResult& result) {
        return static_cast<double>(result.summary.element_count) /
               static_cast<double>(result.problem.grid.element_count());
      }},
-    {"iterations", [](Result& result) { return double(result.solution.iterations); }},
-    {"residuals.load_balance", [](Result& result) { return residuals_of(result).load_balance; }},
-    {"residuals.least_gap", [](Result& result) { return residuals_of(result).least_gap; }},
+    {"iterations", [](NormalResult& result) { return double(result.solution.iterations); }},
+    {"residuals.load_balance",
+     [](NormalResult& result) { return residuals_of(result).load_balance; }},
+    {"residuals.least_gap", [](NormalResult& result) { return residuals_of(result).least_gap; }},
     {"residuals.complementarity",
-     [](Result& result) { return residuals_of(result).complementarity; }},
+     [](NormalResult& result) { return residuals_of(result).complementarity; }},
 });
 
 } // namespace
@@ -136,7 +139,7 @@ const char* wrc_normal_error(const wrc_normal* normal) {
 wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                int64_t longitudinal_count, double lateral_step,
                                double longitudinal_step) {
-  return wrc::guard(normal, [&](Object& object) {
+  return wrc::guard(normal, [&](NormalObject& object) {
     object.problem.grid =
         wrc::checked_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step);
     return WRC_OK;
@@ -144,7 +147,7 @@ wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
 }
 
 wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count) {
-  return wrc::guard(normal, [&](Object& object) {
+  return wrc::guard(normal, [&](NormalObject& object) {
     object.distance = std::make_shared<const std::vector<double>>(wrc::copied(
         "values", values, count, [](double value) { return std::isfinite(value); },
         "a distance must be finite, mm"));
@@ -153,23 +156,23 @@ wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int
 }
 
 wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, double value) {
-  return wrc::guard(normal, [&](Object& object) {
-    wrc::set_number_in(number_keys, normal_contact, object.problem, key, value);
+  return wrc::guard(normal, [&](NormalObject& object) {
+    wrc::set_number_in(normal_number_keys, normal_contact, object.problem, key, value);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value) {
-  return wrc::guard(normal, [&](Object& object) {
+  return wrc::guard(normal, [&](NormalObject& object) {
     wrc::require_pointer(key, "key");
     wrc::require_pointer(value, "value");
-    wrc::entry_in(text_keys, "text", normal_contact, key).set(object, key, value);
+    wrc::entry_in(normal_text_keys, "text", normal_contact, key).set(object, key, value);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_solve(wrc_normal* normal) {
-  return wrc::guard(normal, [&](Object& object) -> wrc_status {
+  return wrc::guard(normal, [&](NormalObject& object) -> wrc_status {
     if (object.problem.grid.element_count() == 0) {
       wrc::throw_invalid_argument("grid", "none", "wrc_normal_set_grid must be called first");
     }
@@ -177,7 +180,7 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
       wrc::throw_invalid_argument("undeformed_distance", "none",
                                   "wrc_normal_set_distance must be called first");
     }
-    Result result;
+    NormalResult result;
     result.distance = object.distance;
     result.problem = object.problem;
     result.problem.undeformed_distance = *result.distance;
@@ -202,16 +205,16 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
 }
 
 wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value) {
-  return wrc::with_result(normal, [&](Object&, Result& result) {
+  return wrc::with_result(normal, [&](NormalObject&, NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    *value = wrc::entry_in(numbers, "number", normal_contact, name).of(result);
+    *value = wrc::entry_in(normal_numbers, "number", normal_contact, name).of(result);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** value) {
-  return wrc::with_result(normal, [&](Object&, Result& result) {
+  return wrc::with_result(normal, [&](NormalObject&, NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
     if (std::string_view(name) != "stop_reason") {
@@ -225,7 +228,7 @@ wrc_status wrc_normal_text(wrc_normal* normal, const char* name, const char** va
 
 wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values, int64_t capacity,
                             int64_t* count) {
-  return wrc::with_result(normal, [&](Object& object, Result& result) {
+  return wrc::with_result(normal, [&](NormalObject& object, NormalResult& result) {
     wrc::require_pointer(name, "name");
     const std::string_view requested = name;
     if (requested != "pressure" && requested != "displacement") {

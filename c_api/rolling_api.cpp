@@ -8,45 +8,47 @@
 
 namespace {
 
-using Object = wrc::RollingObject;
-using Problem = wrc::RollingProblem;
-using Solution = wrc::RollingSolution;
+using wrc::RollingObject;
+using wrc::RollingProblem;
+using wrc::RollingSolution;
 
 constexpr const char* rolling_contact = "rolling contact";
 /// MPa; forces on any grid, and their power, remain finite numbers.
 constexpr double largest_pressure = 1e30;
 
-constexpr auto number_keys = std::to_array<wrc::NumberKey<Problem>>({
+constexpr auto rolling_number_keys = std::to_array<wrc::NumberKey<RollingProblem>>({
     {"shear_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
-     [](Problem& problem, double value) { problem.shear_modulus = value; }},
+     [](RollingProblem& problem, double value) { problem.shear_modulus = value; }},
     {"poisson", 0.0, 0.5, "allowed is 0 to 0.5",
-     [](Problem& problem, double value) { problem.poisson = value; }},
+     [](RollingProblem& problem, double value) { problem.poisson = value; }},
     {"difference_parameter", -0.5, 0.5, "allowed is -0.5 to 0.5",
-     [](Problem& problem, double value) { problem.difference_parameter = value; }},
+     [](RollingProblem& problem, double value) { problem.difference_parameter = value; }},
     {"friction", 0.0, 1e3, "allowed is 0 to 1e3",
-     [](Problem& problem, double value) { problem.friction = value; }},
+     [](RollingProblem& problem, double value) { problem.friction = value; }},
     {"longitudinal_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
-     [](Problem& problem, double value) { problem.creepages.longitudinal = value; }},
+     [](RollingProblem& problem, double value) { problem.creepages.longitudinal = value; }},
     {"lateral_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30",
-     [](Problem& problem, double value) { problem.creepages.lateral = value; }},
+     [](RollingProblem& problem, double value) { problem.creepages.lateral = value; }},
     {"spin_creepage", -1e30, 1e30, "allowed is -1e30 to 1e30 1/mm",
-     [](Problem& problem, double value) { problem.creepages.spin = value; }},
+     [](RollingProblem& problem, double value) { problem.creepages.spin = value; }},
     {"tolerance", 1e-10, 0.1, "allowed is 1e-10 to 0.1",
-     [](Problem& problem, double value) { problem.tolerance = value; }},
+     [](RollingProblem& problem, double value) { problem.tolerance = value; }},
     {"derivatives", 0.0, 1.0, "allowed is 0 or 1",
-     [](Problem& problem, double value) { problem.derivatives = value != 0.0; }, true},
+     [](RollingProblem& problem, double value) { problem.derivatives = value != 0.0; }, true},
     {"maximum_iterations", 1.0, wrc::most_iterations, "allowed is a whole number, 1 to 1e9",
-     [](Problem& problem, double value) { problem.maximum_iterations = static_cast<int>(value); },
+     [](RollingProblem& problem, double value) {
+       problem.maximum_iterations = static_cast<int>(value);
+     },
      true},
 });
 
-constexpr auto text_keys = std::to_array<wrc::TextKey<Object>>({
+constexpr auto rolling_text_keys = std::to_array<wrc::TextKey<RollingObject>>({
     {"model",
-     [](Object& object, const char* key, const char* value) {
+     [](RollingObject& object, const char* key, const char* value) {
        object.fastsim = wrc::chosen<bool>(key, value, {{"full", false}, {"fastsim", true}});
      }},
     {"contact",
-     [](Object& object, const char* key, const char* value) {
+     [](RollingObject& object, const char* key, const char* value) {
        using Motion = wrc::TangentialMotion;
        object.problem.motion = wrc::chosen<Motion>(key, value,
                                                    {{"rolling", Motion::rolling},
@@ -54,50 +56,53 @@ constexpr auto text_keys = std::to_array<wrc::TextKey<Object>>({
                                                     {"shift", Motion::shift}});
      }},
     {"difference",
-     [](Object& object, const char* key, const char* value) {
+     [](RollingObject& object, const char* key, const char* value) {
        using Difference = wrc::SlipDifference;
        object.problem.difference = wrc::chosen<Difference>(
            key, value, {{"biased", Difference::biased}, {"first-order", Difference::first_order}});
      }},
 });
 
-struct Number {
+struct RollingNumber {
   const char* name;
-  double (*of)(const Solution&);
+  double (*of)(const RollingSolution&);
 };
 
-constexpr auto numbers = std::to_array<Number>({
-    {"longitudinal_force", [](const Solution& solution) { return solution.longitudinal_force; }},
-    {"lateral_force", [](const Solution& solution) { return solution.lateral_force; }},
-    {"spin_moment", [](const Solution& solution) { return solution.spin_moment; }},
-    {"slip_area", [](const Solution& solution) { return solution.slip_area; }},
-    {"adhesion_area", [](const Solution& solution) { return solution.adhesion_area; }},
-    {"friction_power", [](const Solution& solution) { return solution.friction_power; }},
-    {"numerical_loss", [](const Solution& solution) { return solution.numerical_loss; }},
-    {"iterations", [](const Solution& solution) { return double(solution.iterations); }},
-    {"convolutions", [](const Solution& solution) { return double(solution.convolutions); }},
-    {"residual", [](const Solution& solution) { return solution.residual; }},
-    {"converged", [](const Solution& solution) { return solution.converged ? 1.0 : 0.0; }},
+constexpr auto rolling_numbers = std::to_array<RollingNumber>({
+    {"longitudinal_force",
+     [](const RollingSolution& solution) { return solution.longitudinal_force; }},
+    {"lateral_force", [](const RollingSolution& solution) { return solution.lateral_force; }},
+    {"spin_moment", [](const RollingSolution& solution) { return solution.spin_moment; }},
+    {"slip_area", [](const RollingSolution& solution) { return solution.slip_area; }},
+    {"adhesion_area", [](const RollingSolution& solution) { return solution.adhesion_area; }},
+    {"friction_power", [](const RollingSolution& solution) { return solution.friction_power; }},
+    {"numerical_loss", [](const RollingSolution& solution) { return solution.numerical_loss; }},
+    {"iterations", [](const RollingSolution& solution) { return double(solution.iterations); }},
+    {"convolutions", [](const RollingSolution& solution) { return double(solution.convolutions); }},
+    {"residual", [](const RollingSolution& solution) { return solution.residual; }},
+    {"converged", [](const RollingSolution& solution) { return solution.converged ? 1.0 : 0.0; }},
 });
 
-struct Field {
+struct RollingField {
   const char* name;
-  std::span<const double> (*of)(const Solution&);
+  std::span<const double> (*of)(const RollingSolution&);
 };
 
-constexpr auto fields = std::to_array<Field>({
+constexpr auto rolling_fields = std::to_array<RollingField>({
     {"traction_x",
-     [](const Solution& solution) { return std::span<const double>(solution.traction_x); }},
+     [](const RollingSolution& solution) { return std::span<const double>(solution.traction_x); }},
     {"traction_y",
-     [](const Solution& solution) { return std::span<const double>(solution.traction_y); }},
-    {"slip_x", [](const Solution& solution) { return std::span<const double>(solution.slip_x); }},
-    {"slip_y", [](const Solution& solution) { return std::span<const double>(solution.slip_y); }},
+     [](const RollingSolution& solution) { return std::span<const double>(solution.traction_y); }},
+    {"slip_x",
+     [](const RollingSolution& solution) { return std::span<const double>(solution.slip_x); }},
+    {"slip_y",
+     [](const RollingSolution& solution) { return std::span<const double>(solution.slip_y); }},
     {"normal_displacement",
-     [](const Solution& solution) {
+     [](const RollingSolution& solution) {
        return std::span<const double>(solution.normal_displacement);
      }},
     {"creepage_derivatives",
-     [](const Solution& solution) { return std::span<const double>(solution.by_creepage); }},
+     [](const RollingSolution& solution) { return std::span<const double>(solution.by_creepage); }},
 });
 
 } // namespace
@@ -119,7 +124,7 @@ const char* wrc_rolling_error(const wrc_rolling* rolling) {
 wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_count,
                                 int64_t longitudinal_count, double lateral_step,
                                 double longitudinal_step) {
-  return wrc::guard(rolling, [&](Object& object) {
+  return wrc::guard(rolling, [&](RollingObject& object) {
     wrc::Grid grid =
         wrc::checked_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step);
     grid.lateral_first = -0.5 * static_cast<double>(lateral_count - 1) * lateral_step;
@@ -131,7 +136,7 @@ wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_count,
 }
 
 wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values, int64_t count) {
-  return wrc::guard(rolling, [&](Object& object) {
+  return wrc::guard(rolling, [&](RollingObject& object) {
     object.pressure = wrc::copied(
         "values", values, count, [](double p) { return p >= 0.0 && p <= largest_pressure; },
         "allowed is 0 to 1e30 MPa");
@@ -141,7 +146,7 @@ wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values, 
 
 wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
                                     const double* traction_y, int64_t count) {
-  return wrc::guard(rolling, [&](Object& object) {
+  return wrc::guard(rolling, [&](RollingObject& object) {
     std::vector<double> previous_x;
     std::vector<double> previous_y;
     if (count != 0) {
@@ -157,23 +162,23 @@ wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction
 }
 
 wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key, double value) {
-  return wrc::guard(rolling, [&](Object& object) {
-    wrc::set_number_in(number_keys, rolling_contact, object.problem, key, value);
+  return wrc::guard(rolling, [&](RollingObject& object) {
+    wrc::set_number_in(rolling_number_keys, rolling_contact, object.problem, key, value);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_rolling_set_text(wrc_rolling* rolling, const char* key, const char* value) {
-  return wrc::guard(rolling, [&](Object& object) {
+  return wrc::guard(rolling, [&](RollingObject& object) {
     wrc::require_pointer(key, "key");
     wrc::require_pointer(value, "value");
-    wrc::entry_in(text_keys, "text", rolling_contact, key).set(object, key, value);
+    wrc::entry_in(rolling_text_keys, "text", rolling_contact, key).set(object, key, value);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
-  return wrc::guard(rolling, [&](Object& object) -> wrc_status {
+  return wrc::guard(rolling, [&](RollingObject& object) -> wrc_status {
     if (object.problem.grid.element_count() == 0) {
       wrc::throw_invalid_argument("grid", "none", "wrc_rolling_set_grid must be called first");
     }
@@ -181,15 +186,15 @@ wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
       wrc::throw_invalid_argument("pressure", "none",
                                   "wrc_rolling_set_pressure must be called first");
     }
-    Problem problem = object.problem;
+    RollingProblem problem = object.problem;
     problem.pressure = object.pressure;
     if (problem.motion != wrc::TangentialMotion::rolling) {
       problem.previous_x = object.previous_x;
       problem.previous_y = object.previous_y;
     }
-    Solution solution = object.fastsim
-                            ? solve_with_fastsim(problem, flexibilities_of(problem, object.solver))
-                            : object.solver.solve(problem);
+    RollingSolution solution =
+        object.fastsim ? solve_with_fastsim(problem, flexibilities_of(problem, object.solver))
+                       : object.solver.solve(problem);
     const bool converged = solution.converged;
     std::string error =
         converged ? "" : "not converged: residual = " + wrc::short_text_of(solution.residual);
@@ -204,7 +209,7 @@ wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
 }
 
 wrc_status wrc_rolling_advance(wrc_rolling* rolling) {
-  return wrc::with_result(rolling, [](Object& object, const Solution& solution) {
+  return wrc::with_result(rolling, [](RollingObject& object, const RollingSolution& solution) {
     std::vector<double> previous_x = solution.traction_x;
     std::vector<double> previous_y = solution.traction_y;
     object.previous_x.swap(previous_x);
@@ -214,19 +219,19 @@ wrc_status wrc_rolling_advance(wrc_rolling* rolling) {
 }
 
 wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value) {
-  return wrc::with_result(rolling, [&](Object&, const Solution& solution) {
+  return wrc::with_result(rolling, [&](RollingObject&, const RollingSolution& solution) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    *value = wrc::entry_in(numbers, "number", rolling_contact, name).of(solution);
+    *value = wrc::entry_in(rolling_numbers, "number", rolling_contact, name).of(solution);
     return WRC_OK;
   });
 }
 
 wrc_status wrc_rolling_field(wrc_rolling* rolling, const char* name, double* values,
                              int64_t capacity, int64_t* count) {
-  return wrc::with_result(rolling, [&](Object& object, const Solution& solution) {
+  return wrc::with_result(rolling, [&](RollingObject& object, const RollingSolution& solution) {
     wrc::require_pointer(name, "name");
-    const auto found = wrc::entry_in(fields, "field", rolling_contact, name).of(solution);
+    const auto found = wrc::entry_in(rolling_fields, "field", rolling_contact, name).of(solution);
     return wrc::copy_values(found.data(), found.size(), values, capacity, count, object.error);
   });
 }
