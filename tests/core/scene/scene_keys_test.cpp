@@ -67,7 +67,7 @@ TEST(SceneKeys, UnknownKeySaysTheNearestAndWhereAllAre) {
   for (const auto& [word, nearest] : words) {
     Scene scene;
     const std::string text =
-        error_text([&] { set_number(scene, word, 1.0); }, ErrorCode::unknown_name);
+        error_text([&, &word = word] { set_number(scene, word, 1.0); }, ErrorCode::unknown_name);
     EXPECT_NE(text.find("unknown key " + word + "; nearest: " + nearest), std::string::npos)
         << text;
     EXPECT_NE(text.find("; all are listed by wrc_scene_key"), std::string::npos) << text;
