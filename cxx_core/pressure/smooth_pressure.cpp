@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "pressure/constants.hpp"
 
 namespace wrc {
 
@@ -38,6 +39,11 @@ Place place_of(double steps, std::size_t count, std::size_t room) {
 /// Contact may reach the grid's edge: room for the two elements outside.
 constexpr std::size_t room = 2; // not a tuning constant
 
+/// How far a value has grown towards another, 0 to 1.
+double grown(double value, double whole) {
+  return !(value > 0.0) ? 0.0 : value < whole ? value / whole : 1.0;
+}
+
 } // namespace
 
 SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressure) : grid_(grid) {
@@ -45,102 +51,145 @@ SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressur
   grid_.longitudinal_count += 2 * room;
   grid_.lateral_first -= static_cast<double>(room) * grid.lateral_step;
   grid_.longitudinal_first -= static_cast<double>(room) * grid.longitudinal_step;
-  loaded_.resize(grid_.element_count());
   known_.resize(grid_.element_count());
   squares_.resize(grid_.element_count());
   for (std::size_t i = 0; i < grid.lateral_count; ++i) {
     for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
-      const double p = pressure[i * grid.longitudinal_count + j];
-      const std::size_t at = (i + room) * grid_.longitudinal_count + j + room;
-      loaded_[at] = p > 0.0 ? 1 : 0;
-      squares_[at] = p > 0.0 ? p * p : 0.0;
+      const double p = std::max(pressure[i * grid.longitudinal_count + j], 0.0);
+      squares_[(i + room) * grid_.longitudinal_count + j + room] = p * p;
     }
   }
-  replace_ends_of_rows();
-  fill_in_ring();
-  fill_in_ring();
-}
-
-double SmoothPressure::Continuation::value() const {
-  return found == 3   ? 3.0 * (values[0] - values[1]) + values[2]
-         : found == 2 ? 2.0 * values[0] - values[1]
-                      : -values[0];
+  const std::vector<double> given = squares_;
+  replace_ends_of_rows(given);
+  fill_in_ring(given);
+  fill_in_ring(given);
 }
 
 SmoothPressure::Continuation SmoothPressure::continuation(std::size_t at,
                                                           std::ptrdiff_t step) const {
+  std::array<double, 3> f{};
   Continuation result;
-  std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at) + step;
-  while (result.found < 3 && place >= 0 && place < static_cast<std::ptrdiff_t>(known_.size()) &&
-         known_[static_cast<std::size_t>(place)] != 0) {
-    result.values[result.found++] = squares_[static_cast<std::size_t>(place)];
+  double known = 1.0;
+  auto place = static_cast<std::ptrdiff_t>(at);
+  for (std::size_t k = 0; k < 3; ++k) {
     place += step;
+    if (place < 0 || place >= static_cast<std::ptrdiff_t>(known_.size())) {
+      break;
+    }
+    f[k] = squares_[static_cast<std::size_t>(place)];
+    known *= known_[static_cast<std::size_t>(place)];
+    if (known == 0.0) {
+      break;
+    }
+    result.known[k] = known;
   }
+  result.values = {-f[0], 2.0 * f[0] - f[1], 3.0 * (f[0] - f[1]) + f[2]};
+  result.slopes = {f[0], f[1] - f[0], f[1] - f[0]};
   return result;
 }
 
-void SmoothPressure::replace_ends_of_rows() {
+/// Elements count as inside as far as their neighbours in the row have grown, ...
+void SmoothPressure::replace_ends_of_rows(const std::vector<double>& given) {
   const std::size_t columns = grid_.longitudinal_count;
+  std::vector<double> entered(squares_.size());
   for (std::size_t at = columns; at + columns < squares_.size(); ++at) {
-    known_[at] = std::min({loaded_[at], loaded_[at - 1], loaded_[at + 1], loaded_[at - columns],
-                           loaded_[at + columns]});
-  }
-  for (std::size_t at = 0; at < squares_.size(); ++at) {
-    if (loaded_[at] == 0 || known_[at] != 0) {
+    const double f = squares_[at];
+    if (!(f > 0.0)) {
       continue;
     }
-    for (const std::ptrdiff_t step : {-1, 1}) {
-      if (const Continuation inwards = continuation(at, step); inwards.found == 3) {
-        squares_[at] = inwards.value();
+    const double before = squares_[at - 1];
+    const double after = squares_[at + 1];
+    const double below = squares_[at - columns];
+    const double above = squares_[at + columns];
+    entered[at] = grown(f, entering_share * std::max({before, after, below, above}));
+    known_[at] = std::min({entered[at], grown(std::min(before, after), end_share * f),
+                           grown(std::min(below, above), entering_share * f)});
+  }
+  const std::vector<double> inside = known_;
+  // The second time ends are continued from what the first one replaced.
+  for (int times = 0; times < 2; ++times) {
+    const std::vector<double> from = squares_;
+    const std::vector<double> from_known = known_;
+    for (std::size_t at = 3; at + 3 < given.size(); ++at) {
+      if (inside[at] == 1.0 || entered[at] == 0.0) {
+        continue;
       }
+      double weights = 0.0;
+      double sum = 0.0;
+      for (const std::ptrdiff_t step : {-1, 1}) {
+        const auto place = [&](std::ptrdiff_t k) {
+          return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) + k * step);
+        };
+        const double weight = from_known[place(1)] * from_known[place(2)] * from_known[place(3)];
+        weights += weight;
+        sum += weight * (3.0 * (from[place(1)] - from[place(2)]) + from[place(3)]);
+      }
+      const double continued = std::min(weights, 1.0);
+      const double outer = (1.0 - inside[at]) * entered[at];
+      const double by_row = weights > 0.0 ? sum / weights : 0.0;
+      known_[at] = inside[at] + outer;
+      squares_[at] = given[at] + outer * continued * (by_row - given[at]) / known_[at];
     }
   }
-  known_ = loaded_;
 }
 
-/// Directions weigh with the slope of p^2 along them, that is, those across the edge most.
-void SmoothPressure::fill_in_ring() {
+/// Directions weigh with the slope of p^2 along them, that is, those across the edge most. What
+/// they continue to does not exceed what is given.
+void SmoothPressure::fill_in_ring(const std::vector<double>& given) {
   const std::size_t columns = grid_.longitudinal_count;
-  std::vector<std::uint8_t> near_row(squares_.size()); // something known here or beside it
+  std::vector<double> near_row(squares_.size()); // something known here or beside it
   for (std::size_t at = 1; at + 1 < squares_.size(); ++at) {
     near_row[at] = std::max({known_[at - 1], known_[at], known_[at + 1]});
   }
-  std::vector<std::pair<std::size_t, double>> ring;
+  struct Filled {
+    std::size_t at;
+    double square, known;
+  };
+  std::vector<Filled> ring;
   for (std::size_t at = 0; at < squares_.size(); ++at) {
-    const bool beside = near_row[at] != 0 || (at >= columns && near_row[at - columns] != 0) ||
-                        (at + columns < squares_.size() && near_row[at + columns] != 0);
-    if (known_[at] != 0 || !beside) {
+    const bool beside = near_row[at] > 0.0 || (at >= columns && near_row[at - columns] > 0.0) ||
+                        (at + columns < squares_.size() && near_row[at + columns] > 0.0);
+    if (known_[at] == 1.0 || !beside) {
       continue;
     }
     std::array<double, 3> sums{};
     std::array<double, 3> weights{};
+    std::array<double, 3> known{};
     for (const std::ptrdiff_t down : {-1, 0, 1}) {
       for (const std::ptrdiff_t right : {-1, 0, 1}) {
-        const Continuation one =
-            continuation(at, down * static_cast<std::ptrdiff_t>(columns) + right);
-        if (one.found == 0) { // nor is the element itself known
+        const std::ptrdiff_t step = down * static_cast<std::ptrdiff_t>(columns) + right;
+        if (step == 0) {
           continue;
         }
+        const Continuation one = continuation(at, step);
         const double length = std::hypot(static_cast<double>(down) * grid_.lateral_step,
                                          static_cast<double>(right) * grid_.longitudinal_step);
         // Where p^2 falls inwards a direction counts only if there is no other.
         const double least = std::numeric_limits<double>::epsilon() * std::abs(one.values[0]);
-        const double slope = one.found == 1 ? one.values[0] : one.values[1] - one.values[0];
-        const double weight = std::max(slope, least) / length;
-        sums[one.found - 1] += weight * one.value();
-        weights[one.found - 1] += weight;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double weight = one.known[k] * std::max(one.slopes[k], least) / length;
+          sums[k] += weight * one.values[k];
+          weights[k] += weight;
+          known[k] = std::max(known[k], one.known[k]);
+        }
       }
     }
-    for (std::size_t found = 3; found > 0; --found) {
-      if (weights[found - 1] > 0.0) {
-        ring.emplace_back(at, std::min(sums[found - 1] / weights[found - 1], 0.0));
-        break;
+    double square = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (weights[k] > 0.0) {
+        square += known[k] * (sums[k] / weights[k] - square);
       }
+    }
+    const double itself = known_[at];
+    const double all = itself + (1.0 - itself) * known[0];
+    if (all > 0.0) {
+      ring.push_back(
+          {at, (itself * squares_[at] + (all - itself) * std::min(square, given[at])) / all, all});
     }
   }
-  for (const auto& [at, value] : ring) {
-    squares_[at] = value;
-    known_[at] = 1;
+  for (const Filled& one : ring) {
+    squares_[one.at] = one.square;
+    known_[one.at] = one.known;
   }
 }
 
@@ -157,7 +206,7 @@ std::optional<SmoothPressure::Extent> SmoothPressure::extent(std::size_t lines,
     };
     // Of the edge between two places, from the one inside.
     const auto beyond = [&](std::size_t inside, std::size_t outside) {
-      const bool known = known_[line * line_stride + outside * stride] != 0;
+      const bool known = known_[line * line_stride + outside * stride] > 0.0;
       return known ? at(inside) / (at(inside) - std::min(at(outside), 0.0)) : 0.5;
     };
     for (std::size_t i = 0; i < count; ++i) {
@@ -228,19 +277,15 @@ public:
     }
     const std::array<std::size_t, 4> corners{corner, corner + 1, corner + columns,
                                              corner + columns + 1};
-    const bool in_contact = std::any_of(corners.begin(), corners.end(),
-                                        [this](auto at) { return of_.loaded_[at] != 0; });
-    const bool filled = std::all_of(corners.begin(), corners.end(),
-                                    [this](auto at) { return of_.known_[at] != 0; });
-    if (!in_contact && !filled) {
+    if (std::any_of(corners.begin(), corners.end(),
+                    [this](auto at) { return of_.known_[at] == 0.0; })) {
       return outside;
     }
     const double before = along_row(j, corner);
     const double after = along_row(j, corner + columns);
-    const double square =
-        before + across_.beyond * (after - before) -
-        0.5 * across_.beyond * (1.0 - across_.beyond) * second_difference(j, corner, before, after);
-    return in_contact || square < 0.0 ? square : outside;
+    return before + across_.beyond * (after - before) -
+           0.5 * across_.beyond * (1.0 - across_.beyond) *
+               second_difference(j, corner, before, after);
   }
 
 private:
@@ -252,25 +297,28 @@ private:
     }
     return square;
   }
-  /// Across the rows, from their values at `corner` and after it, where those beyond are known.
+  /// Across the rows, from their values at `corner` and after it, as far as those beyond are known.
   [[nodiscard]] double second_difference(std::size_t j, std::size_t corner, double before,
                                          double after) const {
     const std::size_t columns = of_.grid_.longitudinal_count;
     if (across_.before < 1 || across_.before + 2 >= of_.grid_.lateral_count) {
       return 0.0;
     }
+    double known = 1.0;
     for (const std::size_t row :
          {corner - columns, corner, corner + columns, corner + 2 * columns}) {
       for (std::size_t k = 0; k < 4; ++k) {
-        if (of_.known_[row + k - 1] == 0) {
-          return 0.0;
-        }
+        known = std::min(known, of_.known_[row + k - 1]);
       }
+    }
+    if (known == 0.0) {
+      return 0.0;
     }
     const double first = along_row(j, corner - columns) - 2.0 * before + after;
     const double last = before - 2.0 * after + along_row(j, corner + 2 * columns);
-    return first * last > 0.0 ? std::copysign(std::min(std::abs(first), std::abs(last)), first)
-                              : 0.0;
+    return first * last > 0.0
+               ? known * std::copysign(std::min(std::abs(first), std::abs(last)), first)
+               : 0.0;
   }
 
   const SmoothPressure& of_;

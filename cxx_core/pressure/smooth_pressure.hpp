@@ -5,11 +5,14 @@
 /// have none there. Pressures of smooth elements are accurate but for those of the ends of rows,
 /// which stand for elements that are not wholly in contact: these are replaced by p^2 continued
 /// from three elements further in, 3 f1 - 3 f2 + f3. In the same way two elements outside are
-/// filled in, from as many of the 8 directions as have three known elements (else two, else one),
-/// which weigh with the slope of p^2 along them. In between p^2 is interpolated cubically along
-/// rows. Across, where profiles have kinks, it has the smaller of the two second differences about
-/// the place, none if their signs differ. Means over elements take p^2 as linear in each half of an
-/// element.
+/// filled in, in the mean of 8 directions, which weigh with the slope of p^2 along them; from fewer
+/// elements where there are not three. In between p^2 is interpolated cubically along rows. Across,
+/// where profiles have kinks, it has the smaller of the two second differences about the place,
+/// none if their signs differ. Means over elements take p^2 as linear in each half of an element.
+///
+/// All of this is continuous in the pressures: an element that enters the contact counts as one
+/// outside at first, and as one inside as its pressure grows (constants.hpp). Otherwise forces that
+/// follow from the edge step whenever an element enters.
 ///
 /// Units are the caller's. Thread rule: constant after construction.
 ///
@@ -19,7 +22,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,22 +54,22 @@ private:
   /// p^2 at places along the rolling direction, on the line at a lateral place; outside the contact
   /// negative, minus infinity where nothing is filled in.
   class Line;
-  /// p^2 of up to three known elements in a row, from the next one on.
+  /// p^2 continued from the next one, two and three elements in a direction to the place before
+  /// them, and how far these are known, 0 to 1.
   struct Continuation {
     std::array<double, 3> values{};
-    std::size_t found = 0;
-    [[nodiscard]] double value() const; ///< that they continue to
+    std::array<double, 3> known{};
+    std::array<double, 3> slopes{}; ///< of p^2 inwards
   };
   [[nodiscard]] Continuation continuation(std::size_t at, std::ptrdiff_t step) const;
   [[nodiscard]] std::optional<Extent> extent(std::size_t lines, std::size_t line_stride,
                                              std::size_t count, std::size_t stride) const;
-  void replace_ends_of_rows();
-  void fill_in_ring();
+  void replace_ends_of_rows(const std::vector<double>& given);
+  void fill_in_ring(const std::vector<double>& given);
 
-  Grid grid_;                        ///< with room for what is filled in
-  std::vector<std::uint8_t> loaded_; ///< elements with pressure
-  std::vector<std::uint8_t> known_;  ///< elements that others are continued from
-  std::vector<double> squares_;
+  Grid grid_;                   ///< with room for what is filled in
+  std::vector<double> known_;   ///< how far elements are known, 0 to 1
+  std::vector<double> squares_; ///< p^2 of what is known
 };
 
 } // namespace wrc

@@ -13,7 +13,7 @@ namespace wrc {
 namespace {
 
 /// Elements from the leading end of the grid to where contact begins, strip by strip; infinite
-/// without contact.
+/// without contact. A first element counts as far as it is covered.
 template <typename Real>
 std::vector<double> edge_places(const Real* bound, const Real* covered, const TractionShape& shape,
                                 std::size_t pitch) {
@@ -22,7 +22,9 @@ std::vector<double> edge_places(const Real* bound, const Real* covered, const Tr
     for (std::size_t column = 0; column < shape.columns; ++column) {
       const std::size_t at = row * pitch + column;
       if (bound[at] > Real{0}) {
-        places[column] = static_cast<double>(row) + 1.0 - static_cast<double>(covered[at]);
+        const double open = 1.0 - static_cast<double>(covered[at]);
+        const double next = row + 1 < shape.rows ? static_cast<double>(covered[at + pitch]) : 0.0;
+        places[column] = static_cast<double>(row) + open + open * (1.0 - next);
       }
     }
   }
@@ -42,6 +44,13 @@ double advance_at(const std::vector<double>& places, std::size_t column) {
   return sides > 0 ? std::abs(sum) / sides : 0.0;
 }
 
+/// The share that counts: more for an oblique edge, by `edge_advance` times its slope in the mean
+/// of all shares, and none where there is none to share, so that nothing steps as edges move on.
+double advanced_share(double covered, double slope) {
+  constexpr double most = 1.0 / 6.0; // with which 1 is reached with slope 0
+  return covered + std::min(edge_advance * slope, most) * 6.0 * covered * (1.0 - covered);
+}
+
 } // namespace
 
 double edge_compliance(double covered) {
@@ -53,10 +62,15 @@ double edge_traction_ratio(double covered) {
   return edge_traction / std::sqrt(std::clamp(covered, min_edge_share, 1.0));
 }
 
-double edge_compliance_rate(double compliance) {
+double edge_compliance_rate(double compliance, double covered) {
   const double unit = 2.0 / std::numbers::pi * edge_stiffening;
-  const double inverse = 1.0 + compliance / unit; // of the share
-  return compliance > 0.0 ? -unit * inverse * inverse : 0.0;
+  const double inverse = 1.0 + compliance / unit; // of the share as the edge is found
+  const double c = std::clamp(covered, min_edge_share, 1.0);
+  if (!(compliance > 0.0)) {
+    return 0.0;
+  }
+  const double advanced = 1.0 / inverse - c; // in shares of c (1 - c)
+  return -unit * inverse * inverse * (1.0 + advanced * (1.0 - 2.0 * c) / (c * (1.0 - c)));
 }
 
 template <typename Real>
@@ -66,15 +80,17 @@ void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t
   for (std::size_t row = shape.rows; row-- > 0;) {
     for (std::size_t column = 0; column < shape.columns; ++column) {
       const std::size_t at = row * pitch + column;
-      if (!(bound[at] > Real{0}) || (row > 0 && bound[at - pitch] > Real{0})) {
+      const double open = row > 0 ? 1.0 - static_cast<double>(edge[at - pitch]) : 1.0;
+      if (!(bound[at] > Real{0}) || !(open > 0.0)) {
         edge[at] = Real{0};
         continue;
       }
       const auto covered = static_cast<double>(edge[at]);
-      const double slope =
-          places[column] >= static_cast<double>(row) ? advance_at(places, column) / aspect : 0.0;
-      bound[at] *= static_cast<Real>(edge_traction_ratio(covered));
-      edge[at] = static_cast<Real>(edge_compliance(covered + edge_advance * slope));
+      const bool first =
+          places[column] + 1.0 >= static_cast<double>(row); // of strips behind others
+      const double slope = first ? advance_at(places, column) / aspect : 0.0;
+      bound[at] *= static_cast<Real>(1.0 + open * (edge_traction_ratio(covered) - 1.0));
+      edge[at] = static_cast<Real>(open * edge_compliance(advanced_share(covered, slope)));
     }
   }
 }

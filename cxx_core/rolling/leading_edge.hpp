@@ -17,7 +17,8 @@
 /// order wherever its edge falls.
 ///
 /// An edge that runs obliquely through the strips is found behind its place, by a share of its
-/// slope (`edge_advance`); its elements are taken as covered by as much more, up to whole ones.
+/// slope (`edge_advance`); its elements are taken as covered by more, as much in the mean over all
+/// places of an edge, nothing where it passes from one element to the next.
 /// Along a single oblique edge that holds on average only: what is left is of first order still.
 /// Thread rule: pure functions.
 #pragma once
@@ -28,15 +29,16 @@ namespace wrc {
 
 /// In y, for a share c that is in contact, 0 to 1.
 double edge_compliance(double covered);
-/// Its derivative by the share, from the compliance; 0 for a whole element.
-double edge_compliance_rate(double compliance);
+/// Derivative by the share of the compliance that make_edges found with it; 0 for a whole element.
+double edge_compliance_rate(double compliance, double covered);
 
 /// f for such a share: the value of a first element over the mean of its tractions.
 double edge_traction_ratio(double covered);
 
-/// From the share of each element in contact to its compliance, and its bound times f: of the first
-/// elements under a bound of strips, counted from the leading edge; elsewhere the compliance is 0.
-/// Fields as TractionConvolution has them; `aspect`: an element's width over its length.
+/// From the share of each element in contact to its compliance, and its bound times f: of the
+/// elements that strips begin with. An element behind another one begins its strip as far as the
+/// one ahead is not covered, so that nothing steps where an edge enters the next element. Fields as
+/// TractionConvolution has them; `aspect`: an element's width over its length.
 template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
                 double aspect);

@@ -112,7 +112,8 @@ private:
     const Real* q = solved_.traction();
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
       if (has_moving_edge(rate, at)) {
-        const double by = edge_compliance_rate(static_cast<double>(solved_.edge()[at])) *
+        const double by = edge_compliance_rate(static_cast<double>(solved_.edge()[at]),
+                                               problem_.covered[element.index]) *
                           rate.covered[element.index];
         slip[at] += static_cast<Real>((1.0 - problem_.poisson) * by) * q[at];
         slip[size + at] += static_cast<Real>(by) * q[size + at];

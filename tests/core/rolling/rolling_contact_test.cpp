@@ -416,15 +416,20 @@ TEST(RollingContact, RatesOfProblemsAreThoseOfDifferences) {
     leaning[i] *= grid.lateral(i / grid.longitudinal_count) / ellipse.b;
   }
   const std::vector<double> same(pressure.size());
-  const std::vector<double> ones(pressure.size(), 1.0);
-  const std::vector<double> covered(pressure.size(), 0.6);
+  std::vector<double> firsts(pressure.size());
+  std::vector<double> covered(pressure.size());
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    const bool ends = (i + 1) % grid.longitudinal_count == 0 || !(pressure[i + 1] > 0.0);
+    firsts[i] = pressure[i] > 0.0 && ends ? 1.0 : 0.0;
+    covered[i] = pressure[i] > 0.0 ? 1.0 - 0.4 * firsts[i] : 0.0;
+  }
   problem.covered = covered;
   const std::vector<ProblemRate> rates{
       {grid.longitudinal_first, grid.longitudinal_step, 0.0, 0.0, same},
       {0.0, 0.0, grid.lateral_first, grid.lateral_step, pressure},
       {3.0, 0.0, 2.0, 0.0, same},
       {0.0, 0.0, 0.0, 0.0, leaning},
-      {0.0, 0.0, 0.0, 0.0, same, ones}};
+      {0.0, 0.0, 0.0, 0.0, same, firsts}};
   problem.rates = rates;
   RollingSolver solver;
   const auto found = solver.solve(problem).by_rate;
@@ -439,8 +444,10 @@ TEST(RollingContact, RatesOfProblemsAreThoseOfDifferences) {
       RollingProblem other = problem;
       other.rates = {};
       other.pressure = moved;
-      const std::vector<double> edges(covered.size(),
-                                      covered[0] + (rates[k].covered.empty() ? 0.0 : step));
+      std::vector<double> edges(covered);
+      for (std::size_t i = 0; i < rates[k].covered.size(); ++i) {
+        edges[i] += step * rates[k].covered[i];
+      }
       other.covered = edges;
       other.grid.longitudinal_first += step * rates[k].longitudinal_first;
       other.grid.longitudinal_step += step * rates[k].longitudinal_step;

@@ -15,14 +15,12 @@
 namespace wrc::test::force_jacobian_test {
 namespace {
 
-/// Of a column's largest entry: what elements that enter the contact or change between adhesion and
-/// slip leave. Velocities: up to 6e-3 was seen; on the flange differences by the vertical velocity
-/// over 0.3, 1 and 3 usual steps are 3 % of the column apart. Positions: up to 1.5e-2, up to 3.1e-2
-/// on the flange and by strips, whose flexibilities are taken to grow with the contact.
+/// Of a column's largest entry. Positions: up to 3.1e-3 was seen; by strips, whose flexibilities
+/// are taken to grow with the contact, up to 2.6e-2. Velocities: up to 6e-3, which elements that
+/// change between adhesion and slip leave.
 constexpr double velocity_tolerance = 8e-3;
-constexpr double rough_tolerance = 3e-2;
-constexpr double position_tolerance = 2e-2;
-constexpr double flange_tolerance = 4e-2;
+constexpr double position_tolerance = 5e-3;
+constexpr double strips_tolerance = 4e-2;
 /// On an ellipse, which has no elements: up to 3.2e-3 was seen.
 constexpr double ellipse_tolerance = 5e-3;
 
@@ -81,7 +79,7 @@ TEST_P(Jacobians, AreThoseOfCentralDifferences) {
       // Elements that change sides within a step show in the difference.
       const double error =
           std::min(column_error(*jacobian, which, difference_by(scene, which, side)),
-                   column_error(*jacobian, which, difference_by(scene, which, side, 0.3)));
+                   column_error(*jacobian, which, difference_by(scene, which, side, 0.1)));
       EXPECT_LE(error, which < position_count ? GetParam().of_positions : GetParam().of_velocities)
           << which << (side == &SceneResult::left ? " left" : " right");
     }
@@ -91,14 +89,12 @@ TEST_P(Jacobians, AreThoseOfCentralDifferences) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Jacobians,
     testing::Values(Case{"centred", 0.0, 0.0}, Case{"outwards", -2.0, 0.004},
-                    Case{"flange_root", 5.0, 0.002},
-                    Case{"flange", 6.6, 0.005, CreepModel::full, 2e4, flange_tolerance,
-                         rough_tolerance},
+                    Case{"flange_root", 5.0, 0.002}, Case{"flange", 6.6, 0.005},
                     Case{"backwards", -2.0, -0.001, CreepModel::full, -2e4},
                     Case{"linear", -2.0, 0.001, CreepModel::linear, 2e4, ellipse_tolerance},
                     Case{"polach", -2.0, 0.003, CreepModel::polach, 2e4, ellipse_tolerance},
                     Case{"fastsim", -2.0, 0.001, CreepModel::fastsim, 2e4, ellipse_tolerance},
-                    Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips, 2e4, flange_tolerance},
+                    Case{"strips", -2.0, 0.001, CreepModel::fastsim_strips, 2e4, strips_tolerance},
                     Case{"friction_falls", -2.0, 0.004, CreepModel::polach, 2e4, ellipse_tolerance,
                          velocity_tolerance, falling},
                     Case{"friction_by_place", 3.0, 0.004, CreepModel::polach, 2e4,
