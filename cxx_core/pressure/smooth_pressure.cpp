@@ -88,7 +88,8 @@ SmoothPressure::Continuation SmoothPressure::continuation(std::size_t at,
   return result;
 }
 
-/// Elements count as inside as far as their neighbours in the row have grown, ...
+/// Elements count as inside as far as they and their neighbours have entered the contact; the rest
+/// of them is continued along the row from those further in, as far as there are any.
 void SmoothPressure::replace_ends_of_rows(const std::vector<double>& given) {
   const std::size_t columns = grid_.longitudinal_count;
   std::vector<double> entered(squares_.size());
