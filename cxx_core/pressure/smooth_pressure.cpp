@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pressure/constants.hpp"
 
@@ -109,28 +110,27 @@ void SmoothPressure::replace_ends_of_rows(const std::vector<double>& given) {
   const std::vector<double> inside = known_;
   // The second time ends are continued from what the first one replaced.
   for (int times = 0; times < 2; ++times) {
-    const std::vector<double> from = squares_;
-    const std::vector<double> from_known = known_;
-    for (std::size_t at = 3; at + 3 < given.size(); ++at) {
+    std::vector<double> known = known_;
+    std::vector<double> squares = squares_;
+    for (std::size_t at = 0; at < given.size(); ++at) {
       if (inside[at] == 1.0 || entered[at] == 0.0) {
         continue;
       }
       double weights = 0.0;
       double sum = 0.0;
       for (const std::ptrdiff_t step : {-1, 1}) {
-        const auto place = [&](std::ptrdiff_t k) {
-          return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) + k * step);
-        };
-        const double weight = from_known[place(1)] * from_known[place(2)] * from_known[place(3)];
-        weights += weight;
-        sum += weight * (3.0 * (from[place(1)] - from[place(2)]) + from[place(3)]);
+        const Continuation inwards = continuation(at, step);
+        weights += inwards.known[2];
+        sum += inwards.known[2] * inwards.values[2];
       }
       const double continued = std::min(weights, 1.0);
       const double outer = (1.0 - inside[at]) * entered[at];
       const double by_row = weights > 0.0 ? sum / weights : 0.0;
-      known_[at] = inside[at] + outer;
-      squares_[at] = given[at] + outer * continued * (by_row - given[at]) / known_[at];
+      known[at] = inside[at] + outer;
+      squares[at] = given[at] + outer * continued * (by_row - given[at]) / known[at];
     }
+    known_ = std::move(known);
+    squares_ = std::move(squares);
   }
 }
 
