@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 #include "scene/number_tables.hpp"
 #include "scene/result_names.hpp"
@@ -37,8 +38,7 @@ constexpr std::array patch_prefixes{Prefix{"centroid.", NumberGroup::patch_centr
                                     Prefix{"", NumberGroup::damage}};
 
 /// Sets group and entry; false if there is no such name.
-template <class Prefixes>
-bool find_entry(const Prefixes& prefixes, std::string_view name, NumberId& id) {
+bool find_entry(std::span<const Prefix> prefixes, std::string_view name, NumberId& id) {
   return std::any_of(prefixes.begin(), prefixes.end(), [name, &id](const Prefix& prefix) {
     std::string_view rest = name;
     return strip_prefix(rest, prefix.text) && with_table(prefix.group, [&](const auto& table) {
