@@ -15,7 +15,7 @@ std::size_t whole(double count) {
 
 double error_factor(const AccuracyGoal& goal) {
   return (goal.position_is_prescribed ? force_by_depth : 1.0) *
-         (goal.creep_forces || goal.stresses ? creep_accuracy_factor : 1.0) *
+         (goal.stresses ? stress_accuracy_factor : 1.0) *
          (goal.elements == Elements::constant ? constant_elements_error : 1.0);
 }
 
@@ -46,9 +46,24 @@ ElementCounts counts_with(double rows) {
 ElementCounts counts_for(const AccuracyGoal& goal) {
   ElementCounts counts = counts_with(rows_for(goal.accuracy / error_factor(goal)));
   if (goal.creep_forces) {
-    counts.longitudinal = whole(creep_columns_factor * static_cast<double>(counts.longitudinal));
+    const double accuracy =
+        goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
+    counts.lateral = std::max(counts.lateral, whole(std::sqrt(creep_row_law / accuracy)));
+    counts.longitudinal =
+        std::max(counts.longitudinal, whole(std::sqrt(creep_column_law / accuracy)));
+    counts.longitudinal_growth = columns_by_sides_exponent;
   }
   return counts;
+}
+
+Grid grid_over(const PlaneArea& area, const ElementCounts& counts) {
+  if (counts.longitudinal_growth == 0.0) {
+    return grid_over(area, counts.lateral, counts.longitudinal);
+  }
+  const double growth = std::pow(area.length() / area.width(), counts.longitudinal_growth);
+  const double columns = std::max(growth * static_cast<double>(counts.longitudinal), min_columns);
+  return grid_around(area, {static_cast<double>(counts.lateral), columns}, counts.lateral,
+                     even_count(columns));
 }
 
 ElementCounts coarse_counts(double accuracy) {
@@ -85,7 +100,7 @@ ElementCounts refined_counts(const ElementCounts& counts, const ErrorEstimate& e
   const double of_grid = std::min(std::max(error.rows, error.columns), share_of_rows * accuracy);
   const double by_crest = error.crest / (accuracy - of_grid - error.iteration);
   return {times(std::max(by_law(error.rows), by_crest), counts.lateral),
-          times(by_law(error.columns), counts.longitudinal)};
+          times(by_law(error.columns), counts.longitudinal), counts.longitudinal_growth};
 }
 
 } // namespace wrc

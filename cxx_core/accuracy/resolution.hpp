@@ -12,6 +12,9 @@
 /// about forty accuracies. Averages of the gap over elements in place of its values at their
 /// centres were tried: errors of pmax are 5 to 10 times as large in the median, and no smaller in
 /// the tail.
+/// Creep forces need more elements than normal ones, by a law of their own: they follow from the
+/// shape of the contact, whose errors average out in normal forces, and a long contact needs more
+/// elements along it.
 /// Units: none. Thread rule: pure functions. Not known here: errors of planes and of the
 /// half-space.
 #pragma once
@@ -20,12 +23,15 @@
 #include <cstddef>
 
 #include "accuracy/grid_solution.hpp"
+#include "patches/plane_area.hpp"
 
 namespace wrc {
 
 struct ElementCounts {
   std::size_t lateral = 0;
-  std::size_t longitudinal = 0;
+  std::size_t longitudinal = 0; ///< of a patch as long as wide
+  /// The power of a patch's length over its width by which there are more along it.
+  double longitudinal_growth = 0.0;
 };
 
 /// What a solution is to be accurate in, and how.
@@ -38,6 +44,8 @@ struct AccuracyGoal {
 };
 
 ElementCounts counts_for(const AccuracyGoal& goal);
+/// Elements over the area of a patch.
+Grid grid_over(const PlaneArea& area, const ElementCounts& counts);
 /// Of the solution before the final one, which finds the depth for a load.
 ElementCounts coarse_counts(double accuracy);
 

@@ -142,6 +142,19 @@ void SmoothPressure::fill_in_ring(const std::vector<double>& given) {
   for (std::size_t at = 1; at + 1 < squares_.size(); ++at) {
     near_row[at] = std::max({known_[at - 1], known_[at], known_[at + 1]});
   }
+  struct Direction {
+    std::ptrdiff_t step;
+    double length;
+  };
+  std::vector<Direction> directions;
+  for (const std::ptrdiff_t down : {-1, 0, 1}) {
+    for (const std::ptrdiff_t right : {-1, 0, 1}) {
+      directions.push_back({down * static_cast<std::ptrdiff_t>(columns) + right,
+                            std::hypot(static_cast<double>(down) * grid_.lateral_step,
+                                       static_cast<double>(right) * grid_.longitudinal_step)});
+    }
+  }
+  directions.erase(directions.begin() + 4); // none at all
   struct Filled {
     std::size_t at;
     double square, known;
@@ -156,23 +169,15 @@ void SmoothPressure::fill_in_ring(const std::vector<double>& given) {
     std::array<double, 3> sums{};
     std::array<double, 3> weights{};
     std::array<double, 3> known{};
-    for (const std::ptrdiff_t down : {-1, 0, 1}) {
-      for (const std::ptrdiff_t right : {-1, 0, 1}) {
-        const std::ptrdiff_t step = down * static_cast<std::ptrdiff_t>(columns) + right;
-        if (step == 0) {
-          continue;
-        }
-        const Continuation one = continuation(at, step);
-        const double length = std::hypot(static_cast<double>(down) * grid_.lateral_step,
-                                         static_cast<double>(right) * grid_.longitudinal_step);
-        // Where p^2 falls inwards a direction counts only if there is no other.
-        const double least = std::numeric_limits<double>::epsilon() * std::abs(one.values[0]);
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double weight = one.known[k] * std::max(one.slopes[k], least) / length;
-          sums[k] += weight * one.values[k];
-          weights[k] += weight;
-          known[k] = std::max(known[k], one.known[k]);
-        }
+    for (const auto& [step, length] : directions) {
+      const Continuation one = continuation(at, step);
+      // Where p^2 falls inwards a direction counts only if there is no other.
+      const double least = std::numeric_limits<double>::epsilon() * std::abs(one.values[0]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double weight = one.known[k] * std::max(one.slopes[k], least) / length;
+        sums[k] += weight * one.values[k];
+        weights[k] += weight;
+        known[k] = std::max(known[k], one.known[k]);
       }
     }
     double square = 0.0;

@@ -159,44 +159,35 @@ inline constexpr std::size_t max_elements_ratio = 16;
 inline constexpr double sensitivity_tolerance = 1e-4;
 
 /// Error of creep forces over mu N on a grid of one element along the contact, falling with the
-/// square of their number: bounds 95 of 100 errors with exact pressures.
-/// origin: measured (120 scenes of wrc_tradeoff's family, pressures of 576 x 240 elements): 95 % of
-/// n^2 errors are 1.5, 2.3, 2.7, 2.7 and 3.2 at accuracies of 1e-1, 3e-2, 1e-2, 3e-3 and 1e-3.
-inline constexpr double creep_error_of_one_column = 3.3;
+/// square of their number: bounds 98 of 100 errors, those by pressures included.
+/// origin: measured (scenes of wrc_tradeoff --creep 500): 95 % of n^2 errors are below 0.81, 0.84,
+/// 0.80, 0.82 and 0.82 at accuracies of 1e-1, 3e-2, 1e-2, 3e-3 and 1e-3.
+inline constexpr double creep_error_of_one_column = 1.0;
 
-/// Of the accuracy, what elements may leave of it by that law, ...
-/// origin: reasoned: what pressures and the iteration leave.
-inline constexpr double share_of_creep_columns = 0.68;
-
-/// ... and what pressures may.
-/// origin: measured (wrc_tradeoff --creep 500), with creep_accuracy_factor and
-/// creep_columns_factor (accuracy/constants.hpp).
-inline constexpr double share_of_creep_pressures = 0.26;
+/// Of the accuracy, what elements may leave of it by that law.
+/// origin: measured (wrc_tradeoff --creep 500): 99.3 to 99.6 % of patches meet it at five
+/// accuracies, with 0.83 99.1 to 99.4 %.
+inline constexpr double share_of_creep_columns = 0.67;
 
 /// The fewest elements along a contact.
 /// origin: measured (60 ellipses): errors reach 7 % of mu N there.
 inline constexpr double min_creep_columns = 8.0;
 
 /// The most elements along a contact; across twice as many.
-/// origin: reasoned: bounds memory to some 200 MB; the error by the law is 1e-4 of mu N.
+/// origin: reasoned: bounds memory to some 200 MB; the error by the law is 1e-5 of mu N.
 inline constexpr double max_creep_columns = 400.0;
 
-/// Elements across for each along.
-/// origin: measured (250 ellipses, 48 elements along): the rms error with 0.5 is 17 % larger than
-/// with 0.75.
-inline constexpr double creep_rows_by_columns = 0.6;
+/// Elements across for each along, over an elliptic contact as long as wide.
+/// origin: measured (wrc_tradeoff --creep 500, 1e-2): errors are below 0.52, 0.46 and 0.41 of the
+/// accuracy on 90 of 100 patches with 0.85, 0.95 and 1.1, which take 5 % longer each.
+inline constexpr double creep_rows_by_columns = 0.95;
 
-/// Powers of the contact's ratio of sides, length over width, by which columns grow ...
-/// origin: measured (120 scenes, pressures of 576 x 240 elements, 1e-3): of 23 patches more than
-/// five times as long as wide all meet the accuracy; with 0.25 for both powers 20.
-inline constexpr double creep_columns_exponent = 0.35;
+/// V W^2/N of an elliptic contact: creep_grid.hpp.
+/// origin: derived: its rows have forces of 1 - (2 y/W)^2.
+inline constexpr double variation_of_ellipse = 24.0;
 
-/// ... and rows fall.
-/// origin: measured: as creep_columns_exponent.
-inline constexpr double creep_rows_exponent = 0.1;
-
-/// The fewest elements across a lobe.
-/// origin: reasoned: as min_creep_columns in a contact as long as wide.
+/// The fewest elements across an elliptic contact.
+/// origin: reasoned: as min_creep_columns in a contact as long as wide, by half.
 inline constexpr double min_creep_rows = 4.8;
 
 /// Share of the accuracy, of friction's largest moment about the axle, to which a free pitch rate

@@ -257,16 +257,15 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             const CreepRequest& request, const PatchRates* rates,
                             RollingSolver& solver, CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
-  const auto [grid, columns] =
-      grid_around_contact(patch.grid, pressure, request.accuracy, patch.lobes);
-  creep.grid = grid;
   const bool unlike =
       request.model == CreepModel::full && request.material.difference_parameter != 0.0;
+  const bool by_means = request.model == CreepModel::full && !unlike;
+  const auto [grid, columns] = creep_grid({patch.grid, patch.pressure, pressure}, request.accuracy);
+  creep.grid = grid;
   if (unlike) {
     creep.grid = extended_to(creep.grid, patch.grid);
   }
   std::vector<double> covered;
-  const bool by_means = request.model == CreepModel::full && !unlike;
   creep.pressure =
       pressures_on(creep.grid, pressure, patch.normal_force, by_means ? &covered : nullptr);
   const double sign = motion.backwards ? -1.0 : 1.0;
@@ -311,7 +310,6 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   creep.convolutions = solution.convolutions;
   if (request.model == CreepModel::full) {
     creep.error_estimate = creep_error_of_one_column / (columns * columns) +
-                           share_of_creep_pressures * request.accuracy +
                            creep_error_by_residual * solution.residual;
   }
   if (motion.backwards) {

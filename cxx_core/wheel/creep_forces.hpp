@@ -2,8 +2,8 @@
 ///
 /// Each patch is solved by itself on a grid of its own over the rectangle around its contact, with
 /// the pressures interpolated to it (pressure/smooth_pressure.hpp) and scaled to its normal force.
-/// The number of elements follows from the requested accuracy and the number of lobes, so that
-/// forces are continuous functions of the scene. Patches of one plane are solved one by one as
+/// Elements follow from the requested accuracy and the pressures (creep_grid.hpp), such that forces
+/// are continuous functions of the scene. Patches of one plane are solved one by one as
 /// well, each with the rigid slip at its place. Tractions of unlike bodies change the pressures
 /// they stem from: the full model takes that into the pressures on its own grid
 /// (rolling/unlike_bodies.hpp).

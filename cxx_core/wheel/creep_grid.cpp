@@ -2,55 +2,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
+#include "accuracy/constants.hpp"
+#include "patches/plane_area.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
+namespace {
 
-CreepGrid grid_around_contact(const Grid& of_pressures, const SmoothPressure& pressure,
-                              double accuracy, int lobes) {
-  const auto along = pressure.longitudinal_extent();
-  const auto across = pressure.lateral_extent();
-  if (!along || !across) {
-    return {of_pressures, 1.0};
+/// Rows over those of an elliptic contact.
+double rows_for_crests(const PatchPressures& pressures, double width) {
+  const Grid& grid = pressures.grid;
+  std::vector<double> force(grid.lateral_count + 4); // of rows; two without any on both sides
+  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+    const auto row = pressures.values.subspan(i * grid.longitudinal_count, grid.longitudinal_count);
+    force[i + 2] = std::accumulate(row.begin(), row.end(), 0.0);
   }
+  double variation = 0.0;
+  for (std::size_t i = 1; i + 1 < force.size(); ++i) {
+    variation += std::abs(force[i - 1] - 2.0 * force[i] + force[i + 1]);
+  }
+  const double rows = width / grid.lateral_step;
+  return rows * std::sqrt(variation / (variation_of_ellipse *
+                                       std::accumulate(force.begin(), force.end(), 0.0)));
+}
+
+/// The nearest power of the square root of 2: numbers of elements change seldom.
+double stepped(double factor) {
+  return std::exp2(0.5 * std::round(2.0 * std::log2(factor)));
+}
+
+} // namespace
+
+CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
+  const auto along = pressures.smooth.longitudinal_extent();
+  const auto across = pressures.smooth.lateral_extent();
+  if (!along || !across) {
+    return {pressures.grid};
+  }
+  const PlaneArea area{across->first, across->last, along->first, along->last};
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
-  const double lobe_count = static_cast<double>(lobes);
-  const double sides = lobe_count * along->longest / across->longest;
-  const double columns_by_wanted = std::pow(sides, creep_columns_exponent);
-  const double rows_by_wanted = creep_rows_by_columns * std::pow(sides, -creep_rows_exponent);
+  const double crests = stepped(rows_for_crests(pressures, area.width()));
+  const double by_sides =
+      stepped(std::pow(crests * along->longest / across->longest, columns_by_sides_exponent));
+  // As many of the longest lines as the rectangle is long and wide.
+  const double times_along = area.length() / along->longest;
+  const double times_across = crests * area.width() / across->longest;
   const double columns =
-      std::max(std::min(wanted * columns_by_wanted,
-                        max_creep_columns * along->longest / (along->last - along->first)),
-               min_creep_columns);
+      std::max(std::min(wanted * by_sides, max_creep_columns / times_along), min_creep_columns);
   const double rows =
-      std::max(std::min(wanted * rows_by_wanted, 2.0 * max_creep_columns * across->longest /
-                                                     (lobe_count * (across->last - across->first))),
+      std::max(std::min(wanted * creep_rows_by_columns, 2.0 * max_creep_columns / times_across),
                min_creep_rows);
-  const auto over = [](const SmoothPressure::Extent& extent, double on_longest) {
-    return 2 * static_cast<std::size_t>(
-                   std::ceil(0.5 * on_longest * (extent.last - extent.first) / extent.longest));
-  };
-  CreepGrid result;
-  result.columns = std::min(columns / columns_by_wanted, rows / rows_by_wanted);
-  result.grid.longitudinal_count = over(*along, columns);
-  result.grid.lateral_count = over(*across, lobe_count * rows);
-  result.grid = moved_around_contact(result.grid, pressure);
-  return result;
+  return {grid_over(area, even_count(rows * times_across), even_count(columns * times_along)),
+          std::min(columns / by_sides, rows / creep_rows_by_columns)};
 }
 
 Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure) {
-  Grid result = grid;
-  const auto divide = [](const auto& extent, std::size_t count, double& first, double& step) {
-    if (extent) {
-      step = (extent->last - extent->first) / static_cast<double>(count);
-      first = extent->first + 0.5 * step;
-    }
-  };
-  divide(pressure.longitudinal_extent(), grid.longitudinal_count, result.longitudinal_first,
-         result.longitudinal_step);
-  divide(pressure.lateral_extent(), grid.lateral_count, result.lateral_first, result.lateral_step);
-  return result;
+  const auto along = pressure.longitudinal_extent();
+  const auto across = pressure.lateral_extent();
+  return along && across ? grid_over({across->first, across->last, along->first, along->last},
+                                     grid.lateral_count, grid.longitudinal_count)
+                         : grid;
 }
 
 Grid extended_to(const Grid& inner, const Grid& outer) {

@@ -1,23 +1,40 @@
 /// Elements of the tangential problem of a patch.
 ///
-/// As many along the contact as the law error = c/n^2 asks for (constants.hpp), fewer across; of
-/// lobes side by side each has as many across. They are counted along the longest lines of the
-/// contact, so that one that lies askew in its rectangle has as many. Units mm. Thread rule: pure
+/// Along the contact there are as many as the law error = c/n^2 asks for (constants.hpp), more
+/// where it is long. Across there are more where the pressures have crests: a sum over rows of
+/// height h has an error of at most h^2/8 times the total variation of the slope of what it sums,
+/// here the force per width, so that for the same error rows over those of an ellipse are
+///   sqrt(V W^2 / (24 N)),
+/// V the total variation, W the width of the contact, N the force. Two lobes side by side, each
+/// half as wide, have twice as many. Elements are counted along the longest lines of the contact,
+/// so that one that lies askew in its rectangle has as many.
+///
+/// The grid reaches from edge to edge, so that the longest lines begin and end between elements;
+/// with elements of a size that follows from real numbers, so that nothing steps where a whole one
+/// is reached, derivatives by positions were twice as far off. Units mm, MPa. Thread rule: pure
 /// functions.
 #pragma once
+
+#include <span>
 
 #include "base/grid.hpp"
 #include "pressure/smooth_pressure.hpp"
 
 namespace wrc {
 
-/// The grid over the rectangle around the contact; that of the pressures without contact.
+/// Of a patch, on the grid of its normal contact.
+struct PatchPressures {
+  const Grid& grid;
+  std::span<const double> values;
+  const SmoothPressure& smooth;
+};
+
+/// Around the contact; the grid of the pressures without contact.
 struct CreepGrid {
   Grid grid;
-  double columns = 0.0; ///< n of the law: elements along a contact as long as wide
+  double columns = 1.0; ///< n of the law: elements along a contact as long as wide
 };
-CreepGrid grid_around_contact(const Grid& of_pressures, const SmoothPressure& pressure,
-                              double accuracy, int lobes);
+CreepGrid creep_grid(const PatchPressures& pressures, double accuracy);
 
 /// A grid with as many elements over the rectangle around another contact of the same plane.
 Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure);

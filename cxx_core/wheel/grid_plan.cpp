@@ -100,8 +100,7 @@ GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibr
                       ? tangent_frame(origin, penetration.angle)
                       : vertical_frame(origin, Rotation(equilibrium.pose));
     const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
-    patch.grid = grid_over(within_limits(area, penetration, rail, patch.frame), counts.lateral,
-                           counts.longitudinal);
+    patch.grid = grid_over(within_limits(area, penetration, rail, patch.frame), counts);
   }
   solution.main = found.main;
   const Vector3 main_normal = solution.patches[found.main].frame.normal;

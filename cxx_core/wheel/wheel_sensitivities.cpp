@@ -84,20 +84,24 @@ ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penet
                              const PlaneRates& rates, const HeightFunction& rail,
                              double ByMotion<double>::*motion) {
   const Grid& grid = patch.grid;
-  const auto follow = [](double first, double step, std::size_t count, double first_rate,
-                         double last_rate, double& translation, double& growth) {
-    const double length = step * static_cast<double>(count);
-    const double middle = first + 0.5 * (length - step);
-    growth = (last_rate - first_rate) / length * (1.0 + 2.0 * penetration_margin);
+  const auto follow = [](double middle, double apart, double first_rate, double last_rate,
+                         double& translation, double& growth) {
+    growth = (last_rate - first_rate) / apart;
     translation = 0.5 * (first_rate + last_rate) - growth * middle;
+  };
+  const auto middle = [](double first, double step, std::size_t count) {
+    return first + 0.5 * step * static_cast<double>(count - 1);
   };
   const auto across = [&](double y, const ByMotion<double>& rate) {
     return rate.*motion * (patch.frame.lateral.y + patch.frame.lateral.z * rail.at(y).slope);
   };
   ElementMotion result;
-  follow(grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count,
-         rates.x_first.*motion, rates.x_last.*motion, result.along, result.longitudinal_growth);
-  follow(grid.lateral_first, grid.lateral_step, grid.lateral_count,
+  follow(middle(grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count),
+         penetration.x_last - penetration.x_first, rates.x_first.*motion, rates.x_last.*motion,
+         result.along, result.longitudinal_growth);
+  follow(middle(grid.lateral_first, grid.lateral_step, grid.lateral_count),
+         grid.lateral_step * static_cast<double>(grid.lateral_count) /
+             (1.0 + 2.0 * penetration_margin),
          across(penetration.y_first, rates.y_first), across(penetration.y_last, rates.y_last),
          result.across, result.lateral_growth);
   return result;

@@ -56,6 +56,7 @@ module bogie_model
     type(contact_scene) :: scenes(2)
     type(contact_solver) :: solvers(2)
     integer :: threads = 1
+    real(real64) :: accuracy = 1.0e-2_real64 !< of contact forces; make sets it
     real(real64) :: speed = 40, acceleration = 0 !< at the time 0; constant
     real(real64) :: irregularity = 1 !< factor of the amplitudes
     logical :: by_differences = .false. !< Jacobians
@@ -78,6 +79,7 @@ contains
       roll_inertia]
     integer :: i, side
     real(real64) :: on_wheelset(3, position_count), on_frame(3, position_count)
+    self%accuracy = accuracy
     do i = 1, 2
       call self%solvers(i)%create()
       call self%scenes(i)%create()

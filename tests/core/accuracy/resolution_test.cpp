@@ -42,6 +42,20 @@ TEST(Resolution, ForcesAtAPositionAndConstantElementsTakeMoreRows) {
   expect_counts(counts_for({.accuracy = 1e-2, .elements = Elements::constant}), 32, 14);
 }
 
+/// By laws of their own, and more along where a patch is long: (16)^0.35 = 2.639 times as many.
+TEST(Resolution, CreepForcesTakeMoreElements) {
+  const ElementCounts counts = counts_for({.accuracy = 1e-2, .creep_forces = true});
+  expect_counts(counts, 38, 18); // sqrt(14 / 1e-2) = 37.4, sqrt(3.2 / 1e-2) = 17.9
+  const Grid grid = grid_over({-1.0, 1.0, -16.0, 16.0}, counts);
+  EXPECT_EQ(grid.lateral_count, 38u);
+  EXPECT_EQ(grid.longitudinal_count, 48u); // 47.5
+  EXPECT_NEAR(grid.longitudinal_step, 32.0 / (18.0 * std::pow(16.0, 0.35)), rounding);
+  EXPECT_NEAR(grid.longitudinal(23) + grid.longitudinal(24), 0.0, rounding);
+  EXPECT_EQ(grid_over({-16.0, 16.0, -0.1, 0.1}, counts).longitudinal_count, 8u);
+  // As many as are given by hand.
+  EXPECT_EQ(grid_over({-1.0, 1.0, -16.0, 16.0}, ElementCounts{5, 3}).longitudinal_count, 3u);
+}
+
 /// 40 x 20 elements, of which the longest row has seven under pressure.
 GridSolution askew_contact() {
   GridSolution solution;

@@ -14,6 +14,17 @@ TEST(PlaneArea, GridFillsTheAreaWithEqualElements) {
   EXPECT_DOUBLE_EQ(grid.longitudinal(9), 1.95);
 }
 
+/// Two and a half elements along, of which four are around the middle.
+TEST(PlaneArea, RealNumbersOfElementsKeepItsMiddle) {
+  const Grid grid = grid_around({-3.0, 5.0, 1.0, 2.0}, {4.0, 2.5}, 4, 4);
+  EXPECT_DOUBLE_EQ(grid.lateral(0), -2.0);
+  EXPECT_DOUBLE_EQ(grid.longitudinal_step, 0.4);
+  EXPECT_DOUBLE_EQ(grid.longitudinal(1), 1.3);
+  EXPECT_DOUBLE_EQ(grid.longitudinal(2), 1.7);
+  EXPECT_EQ(even_count(2.5), 4u);
+  EXPECT_EQ(even_count(4.0), 4u);
+}
+
 TEST(PlaneArea, WidensBySharesOfItsSides) {
   const PlaneArea area = PlaneArea{-1.0, 3.0, 2.0, 4.0}.widened(0.25);
   EXPECT_DOUBLE_EQ(area.lateral_first, -2.0);
