@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,9 @@ TEST(CreepMotion, CreepagesOfCreepCasesFollowFromTheMotion) {
     }
     SCOPED_TRACE(entry.at("id").get<std::string>());
     const auto& input = entry.at("input");
+    // That of the wheelset's centre, from the place of the first patch, which bears most. That of
+    // the second one of wr79, under 70 degrees, says 0.6 um more.
+    std::optional<double> height;
     for (const auto& patch : entry.at("grids").back().at("patches")) {
       const double left = input.at("side") == "left" ? 1.0 : -1.0;
       Motion motion = motion_of_case(input);
@@ -73,13 +77,13 @@ TEST(CreepMotion, CreepagesOfCreepCasesFollowFromTheMotion) {
            0.5 * input.at("flange_back_distance_mm").get<double>() + 70.0 -
                left * patch.at("y_wheel_mm").get<double>(),
            -input.at("nominal_radius_mm").get<double>() - patch.at("z_wheel_mm").get<double>()});
-      const double height = place.z - body.z;
+      height = height.value_or(place.z - body.z);
       const ContactFrame frame = tangent_frame(place, angle);
       const double approach = patch.at("approach_mm");
-      const RigidSlip slip = rigid_slip({motion, pose, height, 460.0, {}}, frame, approach);
+      const RigidSlip slip = rigid_slip({motion, pose, *height, 460.0, {}}, frame, approach);
       EXPECT_NEAR(slip.reference_speed, 1e3 * patch.at("V_ref_m_s").get<double>(), 0.05);
-      EXPECT_NEAR(slip.creepages.longitudinal, -patch.at("cksi").get<double>(), 2e-6);
-      EXPECT_NEAR(slip.creepages.lateral, left * patch.at("ceta").get<double>(), 1e-6);
+      EXPECT_NEAR(slip.creepages.longitudinal, -patch.at("cksi").get<double>(), 3e-7);
+      EXPECT_NEAR(slip.creepages.lateral, left * patch.at("ceta").get<double>(), 3e-7);
       EXPECT_NEAR(slip.creepages.spin, left * patch.at("cphi_per_mm").get<double>(), 2e-9);
       ++compared;
     }
