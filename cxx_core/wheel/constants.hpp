@@ -165,8 +165,8 @@ inline constexpr double sensitivity_tolerance = 1e-4;
 inline constexpr double creep_error_of_one_column = 1.0;
 
 /// Of the accuracy, what elements may leave of it by that law.
-/// origin: measured (wrc_tradeoff --creep 500): 99.3 to 99.6 % of patches meet it at five
-/// accuracies, with 0.83 99.1 to 99.4 %.
+/// origin: measured (wrc_tradeoff --creep 500): 99.3 to 99.6 % of patches meet it at accuracies
+/// from 1e-1 to 1e-3, with 0.83 99.0 to 99.4 %.
 inline constexpr double share_of_creep_columns = 0.67;
 
 /// The fewest elements along a contact.

@@ -2,11 +2,11 @@
 ///
 /// Each patch is solved by itself on a grid of its own over the rectangle around its contact, with
 /// the pressures interpolated to it (pressure/smooth_pressure.hpp) and scaled to its normal force.
-/// Elements follow from the requested accuracy and the pressures (creep_grid.hpp), such that forces
-/// are continuous functions of the scene. Patches of one plane are solved one by one as
-/// well, each with the rigid slip at its place. Tractions of unlike bodies change the pressures
-/// they stem from: the full model takes that into the pressures on its own grid
-/// (rolling/unlike_bodies.hpp).
+/// Elements follow from the requested accuracy and the pressures (creep_grid.hpp); where their
+/// number does not change, forces are continuous functions of the scene. Patches of one plane are
+/// solved one by one as well, each with the rigid slip at its place. Tractions of unlike bodies
+/// change the pressures they stem from: the full model takes that into the pressures on its own
+/// grid (rolling/unlike_bodies.hpp).
 ///
 /// Results are in the track frame, both sides alike: x forward, y to the left along the patch's
 /// plane; forces on the wheel, moments about the contact reference. Units mm, N, MPa, rad.
