@@ -62,8 +62,7 @@ Grid grid_over(const PlaneArea& area, const ElementCounts& counts) {
   }
   const double growth = std::pow(area.length() / area.width(), counts.longitudinal_growth);
   const double columns = std::max(growth * static_cast<double>(counts.longitudinal), min_columns);
-  return grid_around(area, {static_cast<double>(counts.lateral), columns}, counts.lateral,
-                     even_count(columns));
+  return grid_over_real(area, counts.lateral, columns);
 }
 
 ElementCounts coarse_counts(double accuracy) {

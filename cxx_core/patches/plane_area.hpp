@@ -47,16 +47,11 @@ struct PlaneArea {
 /// Equally spaced elements that fill an area.
 Grid grid_over(const PlaneArea& area, std::size_t lateral_count, std::size_t longitudinal_count);
 
-/// As many elements around the middle of an area as its grid has, of the area's width and length
-/// over real numbers. Where there are more than these, the outer ones lie outside the area.
-struct RealCounts {
-  double lateral = 0.0;
-  double longitudinal = 0.0;
-};
-Grid grid_around(const PlaneArea& area, const RealCounts& over, std::size_t lateral_count,
-                 std::size_t longitudinal_count);
-
-/// The next even number: elements stay where they are while it grows.
+/// The next even number: elements around a middle stay where they are while it grows.
 std::size_t even_count(double count);
+
+/// The same with elements of an area's length over a real number, as many around its middle as
+/// cover it, an even number. The outer ones lie partly or wholly outside.
+Grid grid_over_real(const PlaneArea& area, std::size_t lateral_count, double longitudinal_count);
 
 } // namespace wrc

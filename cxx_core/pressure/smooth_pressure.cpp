@@ -149,12 +149,13 @@ void SmoothPressure::fill_in_ring(const std::vector<double>& given) {
   std::vector<Direction> directions;
   for (const std::ptrdiff_t down : {-1, 0, 1}) {
     for (const std::ptrdiff_t right : {-1, 0, 1}) {
-      directions.push_back({down * static_cast<std::ptrdiff_t>(columns) + right,
-                            std::hypot(static_cast<double>(down) * grid_.lateral_step,
-                                       static_cast<double>(right) * grid_.longitudinal_step)});
+      if (down != 0 || right != 0) {
+        directions.push_back({down * static_cast<std::ptrdiff_t>(columns) + right,
+                              std::hypot(static_cast<double>(down) * grid_.lateral_step,
+                                         static_cast<double>(right) * grid_.longitudinal_step)});
+      }
     }
   }
-  directions.erase(directions.begin() + 4); // none at all
   struct Filled {
     std::size_t at;
     double square, known;

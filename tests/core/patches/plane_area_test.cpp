@@ -16,7 +16,7 @@ TEST(PlaneArea, GridFillsTheAreaWithEqualElements) {
 
 /// Two and a half elements along, of which four are around the middle.
 TEST(PlaneArea, RealNumbersOfElementsKeepItsMiddle) {
-  const Grid grid = grid_around({-3.0, 5.0, 1.0, 2.0}, {4.0, 2.5}, 4, 4);
+  const Grid grid = grid_over_real({-3.0, 5.0, 1.0, 2.0}, 4, 2.5);
   EXPECT_DOUBLE_EQ(grid.lateral(0), -2.0);
   EXPECT_DOUBLE_EQ(grid.longitudinal_step, 0.4);
   EXPECT_DOUBLE_EQ(grid.longitudinal(1), 1.3);

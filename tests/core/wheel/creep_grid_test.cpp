@@ -102,7 +102,7 @@ TEST(CreepGrid, CountsAlongTheLongestLines) {
                 std::sqrt(2.0) * creep_rows_by_columns * wanted, std::sqrt(2.0) * wanted);
 }
 
-TEST(CreepGrid, FewAccuraciesAskForMoreThanMemoryHolds) {
+TEST(CreepGrid, AreBounded) {
   const CreepGrid found = grid_of(Pressures{{0.0, 0.0, 4.0, 4.0}}, 1e-9);
   expect_counts(found, 2.0 * max_creep_columns, max_creep_columns);
   EXPECT_NEAR(found.columns, max_creep_columns, 1e-9);

@@ -16,7 +16,7 @@ namespace {
 
 /// Of a column's largest entry: up to 6.4e-3 was seen, which elements that change between adhesion
 /// and slip leave; by strips, whose flexibilities are taken to grow with the contact, up to 4e-2 at
-/// most places and up to 0.13 at some, -2 mm among them.
+/// most places and up to 9e-2 at some, -2 mm among them.
 constexpr double velocity_tolerance = 8e-3;
 constexpr double position_tolerance = 8e-3;
 constexpr double strips_tolerance = 4e-2;
