@@ -10,28 +10,35 @@
 
 namespace wrc {
 
-/// Rows over the penetration for an accuracy of 1e-2, and the power by which they grow: the
-/// fewest with which 99.5 of 100 wheels meet accuracies from 1e-1 to 3e-4.
-/// origin: measured (wrc_tradeoff).
-inline constexpr double rows_at_one_percent = 21.0;
+/// Elements over the penetration of coarse solutions.
+/// origin: measured (wrc_tradeoff): with 12 rows the scale of narrow contacts is off by so much
+/// that 364 instead of 197 of 1040 wheels take a second final solution at 1e-3.
+inline constexpr std::size_t coarse_rows = 17;
 
-/// origin: measured: see rows_at_one_percent.
-inline constexpr double rows_exponent = 0.355;
+/// origin: measured: see coarse_rows.
+inline constexpr std::size_t coarse_columns = 8;
 
-/// Columns for each row.
-/// origin: measured (wrc_tradeoff): with rows_at_one_percent.
-inline constexpr double columns_by_rows = 0.45;
+/// Error of a depth on a contact of n rows: this over n^2, ...
+/// origin: measured (wrc_tradeoff): together they bound 97 of 100 errors at accuracies from 1e-1 to
+/// 3e-4.
+inline constexpr double error_by_squares = 0.23;
 
-/// The fewest that still hold a patch.
-/// origin: reasoned: five elements across the contact.
-inline constexpr double min_rows = 10.0;
+/// ... and this over n^4.
+/// origin: measured: see error_by_squares.
+inline constexpr double error_by_fourth_powers = 11.0;
 
-/// origin: reasoned: see min_rows.
-inline constexpr double min_columns = 8.0;
+/// Of the accuracy, what elements may leave by that law; contact shows more crests on them than on
+/// coarse ones, by a tenth of the error as a rule.
+/// origin: measured (wrc_tradeoff): with it 99.5 of 100 wheels meet accuracies from 1e-1 to 3e-4.
+inline constexpr double share_of_law = 0.55;
 
-/// Error of a depth, in 1 over squared rows: the law of resolution.hpp.
-/// origin: measured (wrc_tradeoff): bounds 97 of 100 errors.
-inline constexpr double error_of_one_row = 1.5;
+/// The fewest rows over a contact.
+/// origin: reasoned: below, errors do not follow the law.
+inline constexpr double min_rows = 7.0;
+
+/// Columns over a contact for each row; more, to an even number.
+/// origin: measured (wrc_tradeoff): with share_of_law.
+inline constexpr double columns_by_rows = 0.64;
 
 /// How much larger the error of a force is, with the position prescribed.
 /// origin: derived: a force goes with the power 1.5 of the depth (Hertz).
@@ -41,12 +48,12 @@ inline constexpr double force_by_depth = 1.5;
 /// origin: measured (wrc_tradeoff --creep 500, 1e-2 and 1e-3): with 10 it is met on 99.2 and 99.4 %
 /// of patches, with 14 on 99.5 and 99.5 %; slopes over 0.4 mm are off by 0.5 and 0.28 accuracies a
 /// mm.
-inline constexpr double creep_row_law = 14.0;
+inline constexpr double creep_row_law = 3.0;
 
 /// The same for columns over a penetration as long as wide.
 /// origin: measured (wrc_tradeoff --creep 500, 1e-2): with 2.6 it is met on 99.0 %, with 3.2 on
 /// 99.5 %.
-inline constexpr double creep_column_law = 3.2;
+inline constexpr double creep_column_law = 0.7;
 
 /// The power of length over width by which these columns grow, and those of tractions.
 /// origin: measured (wrc_tradeoff --creep 500): without it errors reach 6 times an accuracy of 1e-3
@@ -62,18 +69,13 @@ inline constexpr double stress_accuracy_factor = 3.0;
 /// origin: measured (wrc_tradeoff --elements constant).
 inline constexpr double constant_elements_error = 3.0;
 
-/// Share of its grid that contact takes each way as a rule.
+/// Share of its penetration that contact takes each way as a rule.
 /// origin: derived: sqrt(0.5), Hertz: contact is half of the penetration.
 inline constexpr double usual_share_of_row = 0.7;
 
-/// Of the accuracy, what rows may leave; the rest is for the iteration and rounding.
-/// origin: reasoned: 0.2 and 0.1.
-inline constexpr double share_of_rows = 0.7;
-
-/// Elements each way that an estimate above the accuracy takes, as a multiple of those before, at
-/// most.
-/// origin: reasoned: at a kink no number of rows resolves a crest.
-inline constexpr double max_refinement = 4.0;
+/// Rows over the penetration that a crest takes at most.
+/// origin: reasoned: at a kink no number of rows resolves it.
+inline constexpr double max_crest_rows = 160.0;
 
 /// Length of the strips of a section, in lengths of the contact there: they displace their middle
 /// as a semi-elliptic pressure over the contact does.

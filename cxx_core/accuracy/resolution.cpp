@@ -1,84 +1,99 @@
 #include "accuracy/resolution.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 #include "accuracy/constants.hpp"
+#include "patches/plane_area.hpp"
+#include "pressure/contact_scale.hpp"
 
 namespace wrc {
 namespace {
 
-std::size_t whole(double count) {
-  return static_cast<std::size_t>(std::ceil(count));
-}
-
+/// How much larger errors are than by the law, or must be smaller.
 double error_factor(const AccuracyGoal& goal) {
   return (goal.position_is_prescribed ? force_by_depth : 1.0) *
          (goal.stresses ? stress_accuracy_factor : 1.0) *
          (goal.elements == Elements::constant ? constant_elements_error : 1.0);
 }
 
-/// From experience, and so that the law is below the accuracy.
-double rows_for(double accuracy) {
-  return std::max({rows_at_one_percent * std::pow(1e-2 / accuracy, rows_exponent),
-                   std::sqrt(error_of_one_row / (share_of_rows * accuracy)), min_rows});
+double error_of(double rows, const AccuracyGoal& goal) {
+  const double squared = rows * rows;
+  return error_factor(goal) * (error_by_squares + error_by_fourth_powers / squared) / squared;
 }
 
-/// Columns of a grid that contact would fill as usual: where it lies askew in its grid, as on the
-/// flange with yaw, its longest row is short.
-double columns_in_use(const Patch& patch) {
-  const auto columns = static_cast<std::ptrdiff_t>(patch.grid.longitudinal_count);
-  std::ptrdiff_t longest = 0;
-  for (auto row = patch.pressure.begin(); row != patch.pressure.end(); row += columns) {
-    longest =
-        std::max(longest, std::count_if(row, row + columns, [](double p) { return p > 0.0; }));
+double rows_for(double error, const AccuracyGoal& goal) {
+  const double of_factor = error / error_factor(goal);
+  return std::sqrt((error_by_squares + std::sqrt(error_by_squares * error_by_squares +
+                                                 4.0 * error_by_fourth_powers * of_factor)) /
+                   (2.0 * of_factor));
+}
+
+/// The next power of the root of 2, 1 at least.
+double stepped_up(double factor) {
+  return std::exp2(0.5 * std::ceil(2.0 * std::log2(std::max(factor, 1.0))));
+}
+
+ContactScale scale_of(const Patch& patch) {
+  if (!patch.no_contact()) {
+    return contact_scale(patch.grid, patch.pressure);
   }
-  return std::min(static_cast<double>(longest) / usual_share_of_row, static_cast<double>(columns));
+  const double rows = static_cast<double>(patch.grid.lateral_count);
+  const double columns = static_cast<double>(patch.grid.longitudinal_count);
+  return {usual_share_of_row * rows * patch.grid.lateral_step,
+          usual_share_of_row * columns * patch.grid.longitudinal_step};
 }
 
-ElementCounts counts_with(double rows) {
-  return {whole(rows), whole(std::max(columns_by_rows * rows, min_columns))};
+double middle_of(const Patch& patch) {
+  if (patch.no_contact()) {
+    return 0.5;
+  }
+  const Grid& grid = patch.grid;
+  double force = 0.0;
+  double moment = 0.0;
+  for (std::size_t element = 0; element < patch.pressure.size(); ++element) {
+    force += patch.pressure[element];
+    moment +=
+        patch.pressure[element] * (static_cast<double>(element / grid.longitudinal_count) + 0.5);
+  }
+  return moment / (force * static_cast<double>(grid.lateral_count));
 }
 
 } // namespace
 
-ElementCounts counts_for(const AccuracyGoal& goal) {
-  ElementCounts counts = counts_with(rows_for(goal.accuracy / error_factor(goal)));
-  if (goal.creep_forces) {
-    const double accuracy =
-        goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
-    counts.lateral = std::max(counts.lateral, whole(std::sqrt(creep_row_law / accuracy)));
-    counts.longitudinal =
-        std::max(counts.longitudinal, whole(std::sqrt(creep_column_law / accuracy)));
-    counts.longitudinal_growth = columns_by_sides_exponent;
-  }
-  return counts;
+ElementCounts coarse_counts() {
+  return {coarse_rows, coarse_columns};
 }
 
-Grid grid_over(const PlaneArea& area, const ElementCounts& counts) {
-  if (counts.longitudinal_growth == 0.0) {
-    return grid_over(area, counts.lateral, counts.longitudinal);
+std::vector<PatchElements> final_elements(const GridSolution& coarse, const AccuracyGoal& goal) {
+  const double for_forces = std::max(rows_for(share_of_law * goal.accuracy, goal), min_rows);
+  std::vector<PatchElements> elements;
+  for (const Patch& patch : coarse.patches) {
+    const ContactScale scale = scale_of(patch);
+    double rows = for_forces;
+    double columns = columns_by_rows * rows;
+    if (goal.creep_forces) {
+      const double accuracy =
+          goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
+      const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
+      rows = std::max(rows, std::sqrt(creep_row_law / accuracy));
+      columns = std::max(columns, growth * std::sqrt(creep_column_law / accuracy));
+    }
+    elements.push_back({patch.penetration.mean_y, scale.across / rows,
+                        scale.along / static_cast<double>(even_count(columns)), middle_of(patch)});
   }
-  const double growth = std::pow(area.length() / area.width(), counts.longitudinal_growth);
-  const double columns = std::max(growth * static_cast<double>(counts.longitudinal), min_columns);
-  return grid_over_real(area, counts.lateral, columns);
-}
-
-ElementCounts coarse_counts(double accuracy) {
-  return counts_with(std::max(0.5 * rows_for(accuracy), min_rows));
+  return elements;
 }
 
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal) {
   ErrorEstimate error;
   double bound = 0.0;
-  const auto law = [&](double rows) {
-    return error_factor(goal) * error_of_one_row / (rows * rows);
-  };
   for (const Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
-      error.rows = std::max(error.rows, law(static_cast<double>(patch.grid.lateral_count)));
-      error.columns = std::max(error.columns, law(columns_in_use(patch) / columns_by_rows));
+      const ContactScale scale = contact_scale(patch.grid, patch.pressure);
+      const double rows = std::min(scale.across / patch.grid.lateral_step,
+                                   scale.along / (columns_by_rows * patch.grid.longitudinal_step));
+      error.elements = std::max(error.elements, error_of(rows, goal));
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }
@@ -87,19 +102,25 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
   return error;
 }
 
-ElementCounts refined_counts(const ElementCounts& counts, const ErrorEstimate& error,
-                             double accuracy) {
-  const auto times = [](double factor, std::size_t count) {
-    const double rounded = std::exp2(std::max(0.5 * std::ceil(2.0 * std::log2(factor)), 0.0));
-    return whole(std::min(rounded, max_refinement) * static_cast<double>(count));
-  };
-  const auto by_law = [&](double of_count) {
-    return std::sqrt(of_count / (share_of_rows * accuracy));
-  };
-  const double of_grid = std::min(std::max(error.rows, error.columns), share_of_rows * accuracy);
-  const double by_crest = error.crest / (accuracy - of_grid - error.iteration);
-  return {times(std::max(by_law(error.rows), by_crest), counts.lateral),
-          times(by_law(error.columns), counts.longitudinal), counts.longitudinal_growth};
+std::vector<PatchElements> finer_elements(const GridSolution& solution, const ErrorEstimate& error,
+                                          const AccuracyGoal& goal) {
+  const double wanted = rows_for(share_of_law * goal.accuracy, goal);
+  const double for_crest = (1.0 - share_of_law) * goal.accuracy - error.iteration;
+  std::vector<PatchElements> elements;
+  for (const Patch& patch : solution.patches) {
+    const Grid& grid = patch.grid;
+    const ContactScale scale = scale_of(patch);
+    const double rows = static_cast<double>(grid.lateral_count);
+    // Errors of crests fall more slowly than rows grow: one step more.
+    const double times = stepped_up(std::max(wanted * grid.lateral_step / scale.across,
+                                             std::numbers::sqrt2 * error.crest / for_crest));
+    elements.push_back({patch.penetration.mean_y,
+                        grid.lateral_step / std::min(times, std::max(max_crest_rows / rows, 1.0)),
+                        grid.longitudinal_step / stepped_up(wanted * columns_by_rows *
+                                                            grid.longitudinal_step / scale.along),
+                        middle_of(patch)});
+  }
+  return elements;
 }
 
 } // namespace wrc

@@ -24,12 +24,22 @@ std::size_t even_count(double count) {
   return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
 }
 
-Grid grid_over_real(const PlaneArea& area, std::size_t lateral_count, double longitudinal_count) {
-  Grid grid = grid_over(area, lateral_count, even_count(longitudinal_count));
-  grid.longitudinal_step = area.length() / longitudinal_count;
-  const double more = static_cast<double>(grid.longitudinal_count) - longitudinal_count;
-  grid.longitudinal_first =
-      area.longitudinal_first + 0.5 * grid.longitudinal_step - 0.5 * more * grid.longitudinal_step;
+Grid grid_with_sizes(const PlaneArea& area, double lateral_step, double longitudinal_step,
+                     double share_of_width) {
+  const auto count = [](double length, double step) {
+    return static_cast<std::size_t>(std::max(std::lround(length / step), 1L));
+  };
+  const std::size_t before = count(share_of_width * area.width(), lateral_step);
+  const std::size_t half = count(0.5 * area.length(), longitudinal_step);
+  Grid grid;
+  grid.lateral_count = before + count((1.0 - share_of_width) * area.width(), lateral_step);
+  grid.longitudinal_count = 2 * half;
+  grid.lateral_step = lateral_step;
+  grid.longitudinal_step = longitudinal_step;
+  grid.lateral_first = area.lateral_first + share_of_width * area.width() -
+                       (static_cast<double>(before) - 0.5) * lateral_step;
+  grid.longitudinal_first = 0.5 * (area.longitudinal_first + area.longitudinal_last) -
+                            (static_cast<double>(half) - 0.5) * longitudinal_step;
   return grid;
 }
 

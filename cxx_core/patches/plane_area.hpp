@@ -50,8 +50,10 @@ Grid grid_over(const PlaneArea& area, std::size_t lateral_count, std::size_t lon
 /// The next even number: elements around a middle stay where they are while it grows.
 std::size_t even_count(double count);
 
-/// The same with elements of an area's length over a real number, as many around its middle as
-/// cover it, an even number. The outer ones lie partly or wholly outside.
-Grid grid_over_real(const PlaneArea& area, std::size_t lateral_count, double longitudinal_count);
+/// Elements of given sizes, as many as have their centres in an area and at least one each side of
+/// its middle along the rail, and across it of the place that is a share of the width from its
+/// edge.
+Grid grid_with_sizes(const PlaneArea& area, double lateral_step, double longitudinal_step,
+                     double share_of_width);
 
 } // namespace wrc

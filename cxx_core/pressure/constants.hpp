@@ -4,6 +4,8 @@
 /// reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
+#include <cstddef>
+
 namespace wrc {
 
 /// Share of an element's p^2 from which on the next one outwards in its row counts in full, so that
@@ -17,5 +19,17 @@ inline constexpr double end_share = 0.5;
 /// origin: measured (wrc_tradeoff --creep 500): 0.05 meets the accuracy as often; above, valleys
 /// between lobes are taken for edges.
 inline constexpr double entering_share = 0.1;
+
+/// V W^2/N of an elliptic contact of width W: contact_scale.hpp.
+/// origin: derived: its rows have forces of 1 - (2 y/W)^2.
+inline constexpr double variation_of_ellipse = 24.0;
+
+/// Rows of a contact in those that its second differences reach over.
+/// origin: measured (wrc_tradeoff): as many as coarse grids have, whose scale tells the error best.
+inline constexpr std::size_t rows_of_differences = 8;
+
+/// Of an even pressure about the element's middle, in squared elements.
+/// origin: derived.
+inline constexpr double variance_of_element = 1.0 / 12.0;
 
 } // namespace wrc

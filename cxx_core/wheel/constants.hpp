@@ -8,10 +8,6 @@
 
 namespace wrc {
 
-/// Accuracy whose elements the coarse solution has before a grid given by hand.
-/// origin: reasoned: its depth is then good to the change of planes.
-inline constexpr double coarse_accuracy = 1e-2;
-
 /// Of coarse solutions: the depth that the final one starts from is to be a smooth function of
 /// the scene.
 /// origin: reasoned: below what the final solution may leave of a change of the depth.
@@ -35,13 +31,17 @@ inline constexpr double min_rate = -0.1;
 /// solution corrects.
 inline constexpr double max_coarse_change = 0.2;
 
-/// ... and by the final one.
-/// origin: measured (smoothness): slopes of forces differ from sensitivities by 5 % under steep
-/// angles with 0.2, by 1 % with 0.02; with 0.01 kinks that elements of the coarse grid leave in
-/// the depth show by 1e-6 of the load.
-inline constexpr double max_change = 0.01;
+/// ... and by the final one for forces.
+/// origin: measured (smoothness): with 0.01 lateral forces leave their slope by 2e-6 of the load
+/// where a coarse solution's elements change the number of solutions, with 0.001 by 1e-6.
+inline constexpr double max_change = 0.001;
 
-/// The same where the rows of a crest make solutions dear, for pmax alone.
+/// The same for pressures, where slopes count less, ...
+/// origin: measured (smoothness): slopes of forces differ from sensitivities by 5 % under steep
+/// angles with 0.2, by 1 % with 0.02.
+inline constexpr double max_change_for_pressures = 0.01;
+
+/// ... and where the rows of a crest make solutions dear, for pmax alone.
 /// origin: reasoned: half of the accuracy in distances changes pmax by a sixth of it.
 inline constexpr double max_change_for_crests = 0.5;
 
@@ -180,11 +180,7 @@ inline constexpr double max_creep_columns = 400.0;
 /// Elements across for each along, over an elliptic contact as long as wide.
 /// origin: measured (wrc_tradeoff --creep 500, 1e-2): errors are below 0.52, 0.46 and 0.41 of the
 /// accuracy on 90 of 100 patches with 0.85, 0.95 and 1.1, which take 5 % longer each.
-inline constexpr double creep_rows_by_columns = 0.95;
-
-/// V W^2/N of an elliptic contact: creep_grid.hpp.
-/// origin: derived: its rows have forces of 1 - (2 y/W)^2.
-inline constexpr double variation_of_ellipse = 24.0;
+inline constexpr double creep_rows_by_columns = 1.1;
 
 /// The fewest elements across an elliptic contact.
 /// origin: reasoned: as min_creep_columns in a contact as long as wide, by half.

@@ -2,32 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include "accuracy/constants.hpp"
 #include "patches/plane_area.hpp"
+#include "pressure/contact_scale.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Rows over those of an elliptic contact.
-double rows_for_crests(const PatchPressures& pressures, double width) {
-  const Grid& grid = pressures.grid;
-  std::vector<double> force(grid.lateral_count + 4); // of rows; two without any on both sides
-  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
-    const auto row = pressures.values.subspan(i * grid.longitudinal_count, grid.longitudinal_count);
-    force[i + 2] = std::accumulate(row.begin(), row.end(), 0.0);
-  }
-  double variation = 0.0;
-  for (std::size_t i = 1; i + 1 < force.size(); ++i) {
-    variation += std::abs(force[i - 1] - 2.0 * force[i] + force[i + 1]);
-  }
-  const double rows = width / grid.lateral_step;
-  return rows * std::sqrt(variation / (variation_of_ellipse *
-                                       std::accumulate(force.begin(), force.end(), 0.0)));
-}
 
 /// The nearest power of the square root of 2: numbers of elements change seldom.
 double stepped(double factor) {
@@ -44,7 +26,8 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
   }
   const PlaneArea area{across->first, across->last, along->first, along->last};
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
-  const double crests = stepped(rows_for_crests(pressures, area.width()));
+  const double crests =
+      stepped(area.width() / contact_scale(pressures.grid, pressures.values).across);
   const double by_sides =
       stepped(std::pow(crests * along->longest / across->longest, columns_by_sides_exponent));
   // As many of the longest lines as the rectangle is long and wide.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "wheel/constants.hpp"
 
@@ -81,8 +82,23 @@ void set_interaction(GridSolution& solution, const ContactPatches& found, bool a
 
 } // namespace
 
+GridChoice grids_with_counts(const ElementCounts& counts) {
+  return [counts](const ContactPatch&, const PlaneArea& area) {
+    return grid_over(area, counts.lateral, counts.longitudinal);
+  };
+}
+
+GridChoice grids_with_elements(std::vector<PatchElements> elements) {
+  return [elements = std::move(elements)](const ContactPatch& penetration, const PlaneArea& area) {
+    const auto of = std::ranges::min_element(elements, {}, [&](const PatchElements& one) {
+      return std::abs(one.mean_y - penetration.mean_y);
+    });
+    return grid_with_sizes(area, of->lateral_step, of->longitudinal_step, of->middle);
+  };
+}
+
 GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                        const WheelRequest& request, double depth, const ElementCounts& counts) {
+                        const WheelRequest& request, double depth, const GridChoice& grid_of) {
   GridSolution solution;
   solution.elements = request.elements;
   solution.depth = depth;
@@ -100,7 +116,7 @@ GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibr
                       ? tangent_frame(origin, penetration.angle)
                       : vertical_frame(origin, Rotation(equilibrium.pose));
     const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
-    patch.grid = grid_over(within_limits(area, penetration, rail, patch.frame), counts);
+    patch.grid = grid_of(penetration, within_limits(area, penetration, rail, patch.frame));
   }
   solution.main = found.main;
   const Vector3 main_normal = solution.patches[found.main].frame.normal;

@@ -7,6 +7,9 @@
 /// frame of the side. Thread rule: a pure function.
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "accuracy/grid_solution.hpp"
 #include "accuracy/resolution.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
@@ -14,8 +17,17 @@
 
 namespace wrc {
 
+/// The grid of a patch over its potential contact area.
+using GridChoice = std::function<Grid(const ContactPatch& penetration, const PlaneArea& area)>;
+
+/// As many elements in each.
+GridChoice grids_with_counts(const ElementCounts& counts);
+
+/// Elements of the sizes of the nearest of these.
+GridChoice grids_with_elements(std::vector<PatchElements> elements);
+
 /// `depth` > 0: vertical, from the first touch. Nothing is sampled or solved yet.
 GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                        const WheelRequest& request, double depth, const ElementCounts& counts);
+                        const WheelRequest& request, double depth, const GridChoice& grid_of);
 
 } // namespace wrc

@@ -62,9 +62,9 @@ public:
 
 private:
   [[nodiscard]] double first_depth() const;
-  GridSolution sample(double depth, const ElementCounts& counts);
+  GridSolution sample(double depth, const GridChoice& grids);
   /// Starting from the pressures of `before`, if that has as many patches.
-  GridSolution solve_at(double depth, const ElementCounts& counts, double tolerance,
+  GridSolution solve_at(double depth, const GridChoice& grids, double tolerance,
                         const GridSolution* before);
   /// Relative change of distances within patches, as a share of that of the depth.
   [[nodiscard]] double sliding(const GridSolution& solution) const;
@@ -75,9 +75,10 @@ private:
                : std::max(solution.depth_found, min_depth_ratio * solution.depth);
   }
   [[nodiscard]] double tolerance() const;
-  [[nodiscard]] ElementCounts final_counts() const {
-    return request_.grid ? ElementCounts{(*request_.grid)[0], (*request_.grid)[1]}
-                         : counts_for(goal_);
+  /// `coarse`: what shows how fine they must be; not asked with a grid given by hand.
+  [[nodiscard]] GridChoice final_grids(const std::optional<GridSolution>& coarse) const {
+    return request_.grid ? grids_with_counts({(*request_.grid)[0], (*request_.grid)[1]})
+                         : grids_with_elements(final_elements(coarse.value(), goal_));
   }
   GridSolution solve_coarsely(double depth);
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
@@ -116,9 +117,9 @@ double WheelSolver::tolerance() const {
 }
 
 /// The grids at a depth, with undeformed distances.
-GridSolution WheelSolver::sample(double depth, const ElementCounts& counts) {
+GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
-  GridSolution solution = plan_grids(rail_, equilibrium_, request_, depth, counts);
+  GridSolution solution = plan_grids(rail_, equilibrium_, request_, depth, grids);
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
   for (Patch& patch : solution.patches) {
     patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
@@ -127,9 +128,9 @@ GridSolution WheelSolver::sample(double depth, const ElementCounts& counts) {
   return solution;
 }
 
-GridSolution WheelSolver::solve_at(double depth, const ElementCounts& counts, double tolerance,
+GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double tolerance,
                                    const GridSolution* before) {
-  GridSolution solution = sample(depth, counts);
+  GridSolution solution = sample(depth, grids);
   const Stopwatch watch;
   std::vector<PatchGap> gaps;
   const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
@@ -197,16 +198,20 @@ double WheelSolver::sliding(const GridSolution& solution) const {
   return most;
 }
 
-/// Finds the depth for the load by solutions on few elements, on more only where contact falls
-/// between them.
+/// Finds the depth for the load, and what the final grid must resolve, by solutions on few
+/// elements, on more only where contact falls between them.
 GridSolution WheelSolver::solve_coarsely(double depth) {
-  ElementCounts counts = coarse_counts(request_.grid ? coarse_accuracy : request_.accuracy);
+  ElementCounts counts = coarse_counts();
   DepthIteration iteration;
   std::optional<GridSolution> before;
   for (int attempt = 1;; ++attempt) {
-    GridSolution solution = solve_at(depth, counts, coarse_tolerance, before ? &*before : nullptr);
+    GridSolution solution =
+        solve_at(depth, grids_with_counts(counts), coarse_tolerance, before ? &*before : nullptr);
     if (solution.no_contact()) {
       if (counts.lateral >= max_coarse_rows) {
+        if (request_.position_is_prescribed()) {
+          return solution;
+        }
         throw Error(ErrorCode::internal,
                     "no contact found at a depth of " + text_of(depth) + " mm");
       }
@@ -245,33 +250,36 @@ void WheelSolver::find_peaks(GridSolution& solution) {
 
 /// At the depth found, on more elements where the estimate asks for them.
 GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
-  ElementCounts counts = final_counts();
+  const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
+  GridChoice grids = final_grids(before);
   bool finer = false;
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
-    GridSolution solution = solve_at(depth, counts, tolerance(), before ? &*before : nullptr);
+    GridSolution solution = solve_at(depth, grids, tolerance(), before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
     }
     const double found = depth_found(solution);
     const double change = std::abs(found / depth - 1.0) * sliding(solution);
-    const double limit =
-        finer && request_.accuracy_of == AccuracyOf::pressures ? max_change_for_crests : max_change;
+    const double limit = of_forces ? max_change
+                         : finer   ? max_change_for_crests
+                                   : max_change_for_pressures;
     if (const auto next = iteration.next(depth, found, change / (limit * request_.accuracy))) {
       depth = *next;
       before = std::move(solution);
       continue;
     }
-    if (request_.accuracy_of == AccuracyOf::pressures || request_.stresses) {
+    if (!of_forces) {
       find_peaks(solution);
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
-    if (error.total() <= request_.accuracy || request_.grid || finer) {
+    // Forces stay as they are: a second grid would be no continuous function of the scene.
+    if (error.total() <= request_.accuracy || request_.grid || finer || of_forces) {
       return solution;
     }
-    counts = refined_counts(counts, error, request_.accuracy);
+    grids = grids_with_elements(finer_elements(solution, error, goal_));
     finer = true;
     iteration = {};
     depth = found;
@@ -373,7 +381,9 @@ void WheelSolver::publish(GridSolution solution) {
 
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
-  GridSolution solution = sample(depth, final_counts());
+  const GridSolution penetration =
+      plan_grids(rail_, equilibrium_, request_, depth, grids_with_counts(coarse_counts()));
+  GridSolution solution = sample(depth, final_grids(penetration));
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }
@@ -401,7 +411,7 @@ WheelSolution WheelSolver::solve() {
     return std::move(result_);
   }
   std::optional<GridSolution> coarse;
-  if (!request_.position_is_prescribed()) {
+  if (!request_.position_is_prescribed() || !request_.grid) {
     coarse = solve_coarsely(depth);
   }
   const double found = coarse ? depth_found(*coarse) : depth;

@@ -217,7 +217,7 @@ TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndWhatIsAllowed) {
   }
 }
 
-/// The coarse solution that errors are estimated from has a fifth of the rows, or less.
+/// At y = 0 pmax is off by 2e-5 on any grid below 768 rows, which 384 do not tell.
 TEST(CertifiedRanges, ErrorsOfFineGridsByHandAreWithinTheirEstimates) {
   for (const double lateral : {0.0, 3.0, 6.5}) {
     const auto solved = [&](double rows, double columns) {
@@ -228,7 +228,7 @@ TEST(CertifiedRanges, ErrorsOfFineGridsByHandAreWithinTheirEstimates) {
       return scene;
     };
     const ScenePointer truth = solved(1024.0, 512.0);
-    for (const double rows : {128.0, 256.0, 384.0}) {
+    for (const double rows : {96.0, 128.0, 256.0}) {
       for (const double columns : {0.5 * rows, 512.0}) {
         const ScenePointer scene = solved(rows, columns);
         double error = 0.0;
@@ -256,14 +256,14 @@ TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
       {"no load", number("load.vertical", 0.0), false, "no load"},
       {"load below what positions can tell", number("load.vertical", 1e-8), false,
        "the load, 1e-08 N, is treated as zero load"},
-      {"load at which rounding counts", number("load.vertical", 2e-6), true,
+      {"load at which rounding counts", number("load.vertical", 1e-6), true,
        "rounding of positions changes the pressures"},
       {"load above that", number("load.vertical", 1e-5), true, ""},
       {"the same, to a finer accuracy",
        both(number("load.vertical", 1e-5), number("solve.accuracy", 2e-4)), true,
        "rounding of positions changes the pressures"},
       {"load at which rounding counts on the flange",
-       both(number("load.vertical", 2e-6), number("pose.lateral", 6.5)), true,
+       both(number("load.vertical", 1e-6), number("pose.lateral", 6.5)), true,
        "rounding of positions changes the pressures"},
       {"load above that on the flange",
        both(number("load.vertical", 1e-5), number("pose.lateral", 6.5)), true, ""},

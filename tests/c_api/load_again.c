@@ -1,5 +1,6 @@
 /* Loads the library, solves a scene and closes it, again and again: no round takes memory that the
- * one before has not. Usage: load_again LIBRARY */
+ * one before has not. Usage: load_again LIBRARY, with GLIBC_TUNABLES that keep freed chunks from
+ * counting as in use: glibc.malloc.tcache_count=0:glibc.malloc.mxfast=0 */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <malloc.h>
@@ -40,7 +41,7 @@ static int solve_once(const char* path) {
 }
 
 int main(int count, char** arguments) {
-  enum { rounds = 120, most = 2000 }; /* the first half fills caches of the C library */
+  enum { rounds = 120 }; /* the first half fills caches of the C library */
   size_t before = 0;
   size_t after = 0;
   for (int round = 0; round < rounds; ++round) {
@@ -53,5 +54,5 @@ int main(int count, char** arguments) {
   }
   after = mallinfo2().uordblks;
   printf("%zu bytes in use after %d rounds, %zu after %d\n", before, rounds / 2, after, rounds);
-  return after < before + most ? 0 : 1;
+  return after <= before ? 0 : 1;
 }

@@ -24,7 +24,6 @@ awk '
     # S1002 on 60E1 inclined 1:40.
     expect(conicity > 0.15 && conicity < 0.22, "conicity " conicity)
     expect(near(first[2], 3, 0.01), "starts at 3 mm: " first[2])
-    expect(second[2] < 0.6*first[2], "dies away: " second[2])
     # At an accuracy of 1e-3 1.76; with linear creep forces 1.88.
     expect(near(second[2], 1.76, 0.03), "decay as known: " second[2])
     # The gauge corners are reached at 5 mm and stop the motion before 8 mm; a limit cycle, since

@@ -2,6 +2,7 @@
 // decides.
 #include "accuracy/resolution.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,79 +13,112 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-void expect_counts(const ElementCounts& counts, std::size_t lateral, std::size_t longitudinal) {
-  EXPECT_EQ(counts.lateral, lateral);
-  EXPECT_EQ(counts.longitudinal, longitudinal);
-}
-
-TEST(Resolution, RowsGrowWithThePowerMeasured) {
-  expect_counts(counts_for({.accuracy = 1e-2}), 21, 10);
-  expect_counts(counts_for({.accuracy = 1e-3}), 48, 22); // 21 x 10^0.355 = 47.6
-}
-
-/// sqrt(1.5 / (0.7 x 1e-4)) = 146.4, where 21 x 100^0.355 = 107.7.
-TEST(Resolution, TheLawOfTheErrorKeepsToItsShareOfTheAccuracy) {
-  expect_counts(counts_for({.accuracy = 1e-4}), 147, 66);
-}
-
-TEST(Resolution, TheFewestElementsStillHoldAPatch) {
-  expect_counts(counts_for({.accuracy = 0.1}), 10, 8);
-  expect_counts(coarse_counts(1e-2), 11, 8);
-}
-
-TEST(Resolution, CoarseGridsHaveHalfTheRows) {
-  expect_counts(coarse_counts(1e-3), 24, 11);
-}
-
-/// As for an accuracy that is 1.5, or 3 times as fine.
-TEST(Resolution, ForcesAtAPositionAndConstantElementsTakeMoreRows) {
-  expect_counts(counts_for({.accuracy = 1e-2, .position_is_prescribed = true}), 25, 11);
-  expect_counts(counts_for({.accuracy = 1e-2, .elements = Elements::constant}), 32, 14);
-}
-
-/// By laws of their own, and more along where a patch is long: (16)^0.35 = 2.639 times as many.
-TEST(Resolution, CreepForcesTakeMoreElements) {
-  const ElementCounts counts = counts_for({.accuracy = 1e-2, .creep_forces = true});
-  expect_counts(counts, 38, 18); // sqrt(14 / 1e-2) = 37.4, sqrt(3.2 / 1e-2) = 17.9
-  const Grid grid = grid_over({-1.0, 1.0, -16.0, 16.0}, counts);
-  EXPECT_EQ(grid.lateral_count, 38u);
-  EXPECT_EQ(grid.longitudinal_count, 48u); // 47.5
-  EXPECT_NEAR(grid.longitudinal_step, 32.0 / (18.0 * std::pow(16.0, 0.35)), rounding);
-  EXPECT_NEAR(grid.longitudinal(23) + grid.longitudinal(24), 0.0, rounding);
-  EXPECT_EQ(grid_over({-16.0, 16.0, -0.1, 0.1}, counts).longitudinal_count, 8u);
-  // As many as are given by hand.
-  EXPECT_EQ(grid_over({-1.0, 1.0, -16.0, 16.0}, ElementCounts{5, 3}).longitudinal_count, 3u);
-}
-
-/// 40 x 20 elements, of which the longest row has seven under pressure.
-GridSolution askew_contact() {
+/// A patch of 40 x 20 elements of 0.2 x 0.5 mm under even pressure from row 10 to 29 and from
+/// column 5 to 14: its rows have a total variation of 4 p/0.2 mm, so that its scale is sqrt(24 x
+/// 20/4) rows wide and sqrt(20 x 100/12) columns long.
+GridSolution block_contact() {
   GridSolution solution;
   Patch& patch = solution.patches.emplace_back();
-  patch.grid.lateral_count = 40;
-  patch.grid.longitudinal_count = 20;
+  patch.penetration.mean_y = 750.0;
+  patch.grid = {40, 20, 0.2, 0.5, 0.0, 0.0};
   patch.pressure.assign(800, 0.0);
-  std::fill_n(patch.pressure.begin() + 105, 5, 1.0);
-  std::fill_n(patch.pressure.begin() + 208, 7, 1.0);
-  patch.contact.element_count = 12;
+  for (std::size_t row = 10; row < 30; ++row) {
+    std::fill_n(patch.pressure.begin() + static_cast<std::ptrdiff_t>(20 * row + 5), 10, 1000.0);
+  }
+  patch.contact.element_count = 200;
   patch.contact.peak_pressure = 1000.0;
   return solution;
 }
+const double rows_across = std::sqrt(240.0);
+const double columns_along = std::sqrt(20.0 * 100.0 / 12.0);
 
-TEST(Resolution, ErrorsFollowRowsAndTheColumnsInUse) {
-  const GridSolution solution = askew_contact();
+double law(double rows) {
+  return 0.23 / (rows * rows) + 11.0 / (rows * rows * rows * rows);
+}
+
+/// Rows over the contact for an accuracy.
+double rows_of(const AccuracyGoal& goal) {
+  return rows_across * 0.2 / final_elements(block_contact(), goal).front().lateral_step;
+}
+
+/// Columns over the contact.
+double columns_of(const AccuracyGoal& goal) {
+  return columns_along * 0.5 / final_elements(block_contact(), goal).front().longitudinal_step;
+}
+
+TEST(Resolution, RowsKeepTheLawToItsShareOfTheAccuracy) {
+  for (const double accuracy : {1e-2, 1e-3, 1e-4}) {
+    EXPECT_NEAR(law(rows_of({.accuracy = accuracy})), 0.55 * accuracy, rounding);
+  }
+  EXPECT_NEAR(rows_of({.accuracy = 0.1}), 7.0, 1e-9);
+}
+
+/// 0.64 for each row: 5.4, 13.8 and 41.8 of them.
+TEST(Resolution, ColumnsAreAnEvenNumber) {
+  EXPECT_NEAR(columns_of({.accuracy = 1e-2}), 6.0, 1e-9);
+  EXPECT_NEAR(columns_of({.accuracy = 1e-3}), 14.0, 1e-9);
+  EXPECT_NEAR(columns_of({.accuracy = 1e-4}), 42.0, 1e-9);
+}
+
+/// As for an accuracy that is 1.5, or 3 times as fine.
+TEST(Resolution, ForcesAtAPositionConstantElementsAndStressesTakeMoreRows) {
+  EXPECT_NEAR(1.5 * law(rows_of({.position_is_prescribed = true})), 0.55e-3, rounding);
+  EXPECT_NEAR(3.0 * law(rows_of({.elements = Elements::constant})), 0.55e-3, rounding);
+  EXPECT_NEAR(3.0 * law(rows_of({.stresses = true})), 0.55e-3, rounding);
+}
+
+/// By laws of their own: sqrt(3/1e-2) over the contact and sqrt(0.7/1e-2) along it, the latter
+/// times the ratio of sides of 2.083 to the power of 0.35.
+TEST(Resolution, CreepForcesTakeMoreElements) {
+  const AccuracyGoal goal{.accuracy = 1e-2, .creep_forces = true};
+  EXPECT_NEAR(rows_of(goal), std::sqrt(300.0), 1e-9);
+  EXPECT_NEAR(columns_of(goal), 12.0, 1e-9); // 10.8
+}
+
+/// Of the forces, in shares of the width.
+TEST(Resolution, TellsTheMiddleOfTheContact) {
+  const PatchElements elements = final_elements(block_contact(), {}).front();
+  EXPECT_EQ(elements.mean_y, 750.0);
+  EXPECT_NEAR(elements.middle, 0.5, rounding);
+  GridSolution moved = block_contact();
+  std::rotate(moved.patches[0].pressure.begin(), moved.patches[0].pressure.begin() + 80,
+              moved.patches[0].pressure.end()); // four rows
+  EXPECT_NEAR(final_elements(moved, {}).front().middle, 0.4, rounding);
+}
+
+/// As if contact took 0.7 of its grid each way.
+TEST(Resolution, WithoutPressuresContactIsTakenForTheUsual) {
+  GridSolution solution = block_contact();
+  solution.patches[0].contact.element_count = 0;
+  const PatchElements elements = final_elements(solution, {}).front();
+  EXPECT_NEAR(law(0.7 * 40.0 * 0.2 / elements.lateral_step), 0.55e-3, rounding);
+  EXPECT_NEAR(0.7 * 20.0 * 0.5 / elements.longitudinal_step, 14.0, 1e-9);
+  EXPECT_EQ(elements.middle, 0.5);
+}
+
+/// By rows here; with three times as many of these by columns.
+TEST(Resolution, ErrorsFollowTheFewerElements) {
+  GridSolution solution = block_contact();
   const ErrorEstimate error = estimate_error(solution, {});
-  EXPECT_NEAR(error.rows, 1.5 / (40.0 * 40.0), rounding);
-  const double rows_of_columns = 7.0 / 0.7 / 0.45;
-  EXPECT_NEAR(error.columns, 1.5 / (rows_of_columns * rows_of_columns), rounding);
-  EXPECT_NEAR(estimate_error(solution, {.position_is_prescribed = true}).rows, 1.5 * error.rows,
-              rounding);
-  EXPECT_NEAR(estimate_error(solution, {.elements = Elements::constant}).rows, 3.0 * error.rows,
-              rounding);
+  EXPECT_NEAR(error.elements, law(rows_across), rounding);
+  EXPECT_NEAR(estimate_error(solution, {.position_is_prescribed = true}).elements,
+              1.5 * error.elements, rounding);
+  EXPECT_NEAR(estimate_error(solution, {.elements = Elements::constant}).elements,
+              3.0 * error.elements, rounding);
+  Patch& patch = solution.patches[0];
+  patch.grid.lateral_step = 0.6;
+  EXPECT_NEAR(estimate_error(solution, {}).elements, law(rows_across), rounding);
+  patch.grid = {120, 20, 0.2, 0.5, 0.0, 0.0};
+  patch.pressure.assign(2400, 0.0);
+  for (std::size_t row = 10; row < 100; ++row) {
+    std::fill_n(patch.pressure.begin() + static_cast<std::ptrdiff_t>(20 * row + 5), 10, 1000.0);
+  }
+  EXPECT_NEAR(estimate_error(solution, {}).elements, law(columns_along / 0.64), rounding);
 }
 
 /// Only what may exceed the largest pressure of all is an error of it.
 TEST(Resolution, ACrestCountsByWhatItMayExceedTheLargestPressure) {
-  GridSolution solution = askew_contact();
+  GridSolution solution = block_contact();
   solution.patches.push_back(solution.patches.front());
   solution.patches[1].contact.peak_pressure = 900.0;
   solution.patches[1].peak_error = 50.0;
@@ -93,21 +127,31 @@ TEST(Resolution, ACrestCountsByWhatItMayExceedTheLargestPressure) {
   solution.patches[1].peak_error = 150.0;
   const ErrorEstimate error = estimate_error(solution, {});
   EXPECT_NEAR(error.crest, 0.05, rounding);
-  EXPECT_NEAR(error.total(), error.columns + 2e-4 + 0.05, rounding);
+  EXPECT_NEAR(error.total(), error.elements + 2e-4 + 0.05, rounding);
 }
 
-/// By powers of the root of 2, and four times at most.
+/// By powers of the root of 2, one more than 1/n asks for. Elements and iteration leave a crest
+/// 4.3e-3; 160 rows at most.
+TEST(Resolution, RefinesRowsForACrest) {
+  const auto step = [](double crest) {
+    return finer_elements(block_contact(), {.iteration = 2e-4, .crest = crest}, {.accuracy = 1e-2})
+        .front()
+        .lateral_step;
+  };
+  EXPECT_EQ(step(1e-3), 0.2);
+  EXPECT_NEAR(step(8e-3), 0.2 / std::pow(2.0, 1.5), rounding); // 1.9 times
+  EXPECT_NEAR(step(1.0), 0.05, rounding);
+}
+
+/// 15.5 rows where an accuracy of 1e-3 takes 21.4 of them, as many as 13.7 columns: there are 12.9.
 TEST(Resolution, RefinesTheDirectionThatNeedsIt) {
-  const ElementCounts counts{40, 20};
-  expect_counts(refined_counts(counts, {.rows = 0.0013, .columns = 1e-4}, 1e-3), 57, 20);
-  expect_counts(refined_counts(counts, {.rows = 1e-4, .columns = 0.0015}, 1e-3), 40, 40);
-  expect_counts(refined_counts(counts, {.rows = 1.0, .columns = 1.0}, 1e-3), 160, 80);
-  // What rows and iteration leave, 0.7e-3, a crest may have: about twice as much takes twice as
-  // many.
-  expect_counts(refined_counts(counts,
-                               {.rows = 1e-4, .columns = 1e-4, .iteration = 2e-4, .crest = 1.3e-3},
-                               1e-3),
-                80, 20);
+  const GridSolution solution = block_contact();
+  const PatchElements both = finer_elements(solution, {.elements = 2e-3}, {}).front();
+  EXPECT_NEAR(both.lateral_step, 0.2 / std::numbers::sqrt2, rounding);
+  EXPECT_NEAR(both.longitudinal_step, 0.5 / std::numbers::sqrt2, rounding);
+  EXPECT_EQ(
+      finer_elements(solution, {.elements = 2e-3}, {.accuracy = 1e-2}).front().longitudinal_step,
+      0.5);
 }
 
 } // namespace

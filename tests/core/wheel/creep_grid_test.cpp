@@ -86,14 +86,15 @@ TEST(CreepGrid, LongContactsHaveMoreColumnsAndAsManyRows) {
   expect_counts(grid_of(Pressures{{0.0, 0.0, 4.0, 3.5}}), creep_rows_by_columns * wanted, wanted);
 }
 
-/// Two alike have four times the variation over the square of the width; of three, five times the
-/// height of the others and a fifth of their width, a crest takes more.
+/// Two alike have four times the variation over the square of the width, of which differences over
+/// an eighth of it see half; a third one between them, five times as high and half as wide, takes
+/// more rows again.
 TEST(CreepGrid, CrestsHaveMoreRows) {
   expect_counts(grid_of(Pressures{{0.0, -4.0, 4.0, 4.0}, {0.0, 4.0, 4.0, 4.0}}),
-                2.0 * creep_rows_by_columns * wanted, wanted);
+                std::sqrt(2.0) * creep_rows_by_columns * wanted, wanted);
   const CreepGrid crest =
-      grid_of(Pressures{{0.0, -4.0, 4.0, 4.0}, {0.0, 4.0, 4.0, 4.0}, {0.0, 0.0, 4.0, 0.8, 5.0}});
-  EXPECT_GE(crest.grid.lateral_count, 4.0 * creep_rows_by_columns * wanted);
+      grid_of(Pressures{{0.0, -4.0, 4.0, 4.0}, {0.0, 4.0, 4.0, 4.0}, {0.0, 0.0, 4.0, 2.0, 5.0}});
+  EXPECT_GE(crest.grid.lateral_count, 2.0 * creep_rows_by_columns * wanted);
 }
 
 /// Its longest row is 8 mm, its rectangle 8 sqrt(2) mm long.

@@ -14,10 +14,11 @@
 namespace wrc::test::force_jacobian_test {
 namespace {
 
-/// Of a column's largest entry: up to 6.4e-3 was seen, which elements that change between adhesion
-/// and slip leave; by strips, whose flexibilities are taken to grow with the contact, up to 4e-2 at
-/// most places and up to 9e-2 at some, -2 mm among them.
-constexpr double velocity_tolerance = 8e-3;
+/// Of a column's largest entry: what elements leave that change between adhesion and slip, over 500
+/// scenes below 1.06e-2 in 99 of 100 (compare_jacobian 500 1e-2), 1.2e-2 here; by strips, whose
+/// flexibilities are taken to grow with the contact, up to 4e-2 at most places and up to 9e-2 at
+/// some, -2 mm among them.
+constexpr double velocity_tolerance = 1.2e-2;
 constexpr double position_tolerance = 8e-3;
 constexpr double strips_tolerance = 4e-2;
 /// On an ellipse, which has no elements: up to 3.2e-3 was seen.

@@ -1,0 +1,31 @@
+/// How wide and how long a contact is to the elements that are to resolve it.
+///
+/// Across the rail, by its crests: a sum over rows of height h has an error of at most h^2/8 times
+/// the total variation V of the slope of what it sums, here the force per width, so that rows over
+/// those of an ellipse of the same force N go with
+///   sqrt(24 N / V),
+/// which is the width of that ellipse: its rows have forces of 1 - (2 y/W)^2. Two lobes side by
+/// side, each half as wide as both together, count as half as wide.
+/// Along it, by its lines: five times the variance of the pressures about the middle of their row
+/// is the squared semi-axis of an ellipse (Hertz). Lines that are staggered, as in a contact with
+/// yaw, are shorter than the contact, and count as shorter again by that ratio.
+///
+/// Both are continuous functions of the pressures. Units mm. Thread rule: a pure function. Not
+/// known here: crests narrower than a row.
+#pragma once
+
+#include <span>
+
+#include "base/grid.hpp"
+
+namespace wrc {
+
+struct ContactScale {
+  double across = 0.0;
+  double along = 0.0;
+};
+
+/// `pressure`: of the grid's elements, not negative, some of them positive.
+ContactScale contact_scale(const Grid& grid, std::span<const double> pressure);
+
+} // namespace wrc
