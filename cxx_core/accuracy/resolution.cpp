@@ -51,10 +51,12 @@ double middle_of(const Patch& patch) {
   const Grid& grid = patch.grid;
   double force = 0.0;
   double moment = 0.0;
-  for (std::size_t element = 0; element < patch.pressure.size(); ++element) {
-    force += patch.pressure[element];
-    moment +=
-        patch.pressure[element] * (static_cast<double>(element / grid.longitudinal_count) + 0.5);
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
+      const double pressure = patch.pressure[row * grid.longitudinal_count + column];
+      force += pressure;
+      moment += pressure * (static_cast<double>(row) + 0.5);
+    }
   }
   return moment / (force * static_cast<double>(grid.lateral_count));
 }

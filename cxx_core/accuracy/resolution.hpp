@@ -2,14 +2,15 @@
 ///
 /// Elements are counted by the contact's own scale (pressure/contact_scale.hpp): with n rows over
 /// its width and 0.64 n columns over its length, depth, forces and centre of pressure have an error
-/// below 0.21/n^2 + 7/n^4 in 97 of 100 wheels; the force at a prescribed position 1.5 times as
+/// below 0.23/n^2 + 11/n^4 in 97 of 100 wheels; the force at a prescribed position 1.5 times as
 /// much, since it goes with the depth to the power of 1.5. A coarse solution over the penetration
 /// shows the scale, so that the same accuracy takes the same n whatever the contact looks like: one
 /// that fills a fifth of its penetration, lobes, or contact askew in its grid. Columns are an even
 /// number, the same for all contacts: the longest line begins and ends between elements, where an
-/// edge leaves the smallest error. Sizes are real numbers, continuous in the scene.
-/// The largest pressure, taken from a finer section (peak_section.hpp), has the same error and that
-/// of its crest besides. The area of contact is not counted: it is right to about forty accuracies.
+/// edge leaves the smallest error. Sizes are real numbers, continuous in the scene, and elements
+/// keep their places about the middle of the forces, so that those at the edges move least. The
+/// largest pressure, taken from a finer section (peak_section.hpp), has the same error and that of
+/// its crest besides. The area of contact is not counted: it is right to about forty accuracies.
 /// Creep forces need more elements than normal ones, by a law of their own: they follow from the
 /// shape of the contact, whose errors average out in normal forces, and a long contact needs more
 /// elements along it.

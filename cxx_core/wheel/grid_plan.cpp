@@ -82,23 +82,18 @@ void set_interaction(GridSolution& solution, const ContactPatches& found, bool a
 
 } // namespace
 
-GridChoice grids_with_counts(const ElementCounts& counts) {
-  return [counts](const ContactPatch&, const PlaneArea& area) {
-    return grid_over(area, counts.lateral, counts.longitudinal);
-  };
-}
-
-GridChoice grids_with_elements(std::vector<PatchElements> elements) {
-  return [elements = std::move(elements)](const ContactPatch& penetration, const PlaneArea& area) {
-    const auto of = std::ranges::min_element(elements, {}, [&](const PatchElements& one) {
-      return std::abs(one.mean_y - penetration.mean_y);
-    });
-    return grid_with_sizes(area, of->lateral_step, of->longitudinal_step, of->middle);
-  };
+Grid GridChoice::grid_of(const ContactPatch& penetration, const PlaneArea& area) const {
+  if (elements_.empty()) {
+    return grid_over(area, counts_.lateral, counts_.longitudinal);
+  }
+  const auto nearest = std::ranges::min_element(elements_, {}, [&](const PatchElements& one) {
+    return std::abs(one.mean_y - penetration.mean_y);
+  });
+  return grid_with_sizes(area, nearest->lateral_step, nearest->longitudinal_step, nearest->middle);
 }
 
 GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                        const WheelRequest& request, double depth, const GridChoice& grid_of) {
+                        const WheelRequest& request, double depth, const GridChoice& grids) {
   GridSolution solution;
   solution.elements = request.elements;
   solution.depth = depth;
@@ -116,7 +111,7 @@ GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibr
                       ? tangent_frame(origin, penetration.angle)
                       : vertical_frame(origin, Rotation(equilibrium.pose));
     const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
-    patch.grid = grid_of(penetration, within_limits(area, penetration, rail, patch.frame));
+    patch.grid = grids.grid_of(penetration, within_limits(area, penetration, rail, patch.frame));
   }
   solution.main = found.main;
   const Vector3 main_normal = solution.patches[found.main].frame.normal;

@@ -7,7 +7,7 @@
 /// frame of the side. Thread rule: a pure function.
 #pragma once
 
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "accuracy/grid_solution.hpp"
@@ -17,17 +17,24 @@
 
 namespace wrc {
 
-/// The grid of a patch over its potential contact area.
-using GridChoice = std::function<Grid(const ContactPatch& penetration, const PlaneArea& area)>;
+/// What elements the grids of patches have.
+class GridChoice {
+public:
+  /// As many in each.
+  explicit GridChoice(const ElementCounts& counts) : counts_(counts) {}
+  /// Of the sizes of the nearest of these.
+  explicit GridChoice(std::vector<PatchElements> elements) : elements_(std::move(elements)) {}
 
-/// As many elements in each.
-GridChoice grids_with_counts(const ElementCounts& counts);
+  /// Over the potential contact area of a patch.
+  [[nodiscard]] Grid grid_of(const ContactPatch& penetration, const PlaneArea& area) const;
 
-/// Elements of the sizes of the nearest of these.
-GridChoice grids_with_elements(std::vector<PatchElements> elements);
+private:
+  ElementCounts counts_;
+  std::vector<PatchElements> elements_;
+};
 
 /// `depth` > 0: vertical, from the first touch. Nothing is sampled or solved yet.
 GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                        const WheelRequest& request, double depth, const GridChoice& grid_of);
+                        const WheelRequest& request, double depth, const GridChoice& grids);
 
 } // namespace wrc

@@ -77,8 +77,8 @@ private:
   [[nodiscard]] double tolerance() const;
   /// `coarse`: what shows how fine they must be; not asked with a grid given by hand.
   [[nodiscard]] GridChoice final_grids(const std::optional<GridSolution>& coarse) const {
-    return request_.grid ? grids_with_counts({(*request_.grid)[0], (*request_.grid)[1]})
-                         : grids_with_elements(final_elements(coarse.value(), goal_));
+    return request_.grid ? GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]})
+                         : GridChoice(final_elements(coarse.value(), goal_));
   }
   GridSolution solve_coarsely(double depth);
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
@@ -206,7 +206,7 @@ GridSolution WheelSolver::solve_coarsely(double depth) {
   std::optional<GridSolution> before;
   for (int attempt = 1;; ++attempt) {
     GridSolution solution =
-        solve_at(depth, grids_with_counts(counts), coarse_tolerance, before ? &*before : nullptr);
+        solve_at(depth, GridChoice(counts), coarse_tolerance, before ? &*before : nullptr);
     if (solution.no_contact()) {
       if (counts.lateral >= max_coarse_rows) {
         if (request_.position_is_prescribed()) {
@@ -279,7 +279,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     if (error.total() <= request_.accuracy || request_.grid || finer || of_forces) {
       return solution;
     }
-    grids = grids_with_elements(finer_elements(solution, error, goal_));
+    grids = GridChoice(finer_elements(solution, error, goal_));
     finer = true;
     iteration = {};
     depth = found;
@@ -382,7 +382,7 @@ void WheelSolver::publish(GridSolution solution) {
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
   const GridSolution penetration =
-      plan_grids(rail_, equilibrium_, request_, depth, grids_with_counts(coarse_counts()));
+      plan_grids(rail_, equilibrium_, request_, depth, GridChoice(coarse_counts()));
   GridSolution solution = sample(depth, final_grids(penetration));
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);

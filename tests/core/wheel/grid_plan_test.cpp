@@ -30,7 +30,7 @@ TEST(GridPlan, SpansThePenetrationWithALittleRoom) {
   const Touching pair(cylindrical_wheel(), 0.0);
   constexpr double depth = 0.05;
   const GridSolution plan =
-      plan_grids(pair.rail, pair.side, {}, depth, grids_with_counts({40, 18}));
+      plan_grids(pair.rail, pair.side, {}, depth, GridChoice(ElementCounts{40, 18}));
   ASSERT_EQ(plan.patches.size(), 1u);
   const Grid& grid = plan.patches[0].grid;
   EXPECT_EQ(plan.depth, depth);
@@ -48,13 +48,12 @@ TEST(GridPlan, SpansThePenetrationWithALittleRoom) {
 TEST(GridPlan, ElementsAreThoseOfTheNearestPatch) {
   const Touching corner(wheel_with_flank(), -1.35);
   const GridSolution counted =
-      plan_grids(corner.rail, corner.side, {}, 0.12, grids_with_counts({20, 10}));
+      plan_grids(corner.rail, corner.side, {}, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(counted.patches.size(), 2u);
   const double y = counted.patches[0].penetration.mean_y;
-  const GridSolution chosen =
-      plan_grids(corner.rail, corner.side, {}, 0.12,
-                 grids_with_elements(
-                     {{y + 100.0, 0.5, 0.9}, {y + 1.0, 0.02, 0.07, 0.3}, {y - 50.0, 0.3, 0.3}}));
+  const GridSolution chosen = plan_grids(
+      corner.rail, corner.side, {}, 0.12,
+      GridChoice({{y + 100.0, 0.5, 0.9}, {y + 1.0, 0.02, 0.07, 0.3}, {y - 50.0, 0.3, 0.3}}));
   const Grid& before = counted.patches[0].grid;
   const Grid& grid = chosen.patches[0].grid;
   EXPECT_EQ(grid.lateral_step, 0.02);
@@ -68,7 +67,7 @@ TEST(GridPlan, ElementsAreThoseOfTheNearestPatch) {
 TEST(GridPlan, PatchesHavePlanesOfTheirOwnAndTheirShareOfTheApproach) {
   const Touching corner(wheel_with_flank(), -1.35);
   const GridSolution plan =
-      plan_grids(corner.rail, corner.side, {}, 0.12, grids_with_counts({20, 10}));
+      plan_grids(corner.rail, corner.side, {}, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(plan.patches.size(), 2u);
   EXPECT_EQ(plan.main, 1u);
   for (const Patch& patch : plan.patches) {
@@ -78,7 +77,7 @@ TEST(GridPlan, PatchesHavePlanesOfTheirOwnAndTheirShareOfTheApproach) {
   WheelRequest normal;
   normal.normal_load = 1e4;
   const GridSolution along =
-      plan_grids(corner.rail, corner.side, normal, 0.12, grids_with_counts({20, 10}));
+      plan_grids(corner.rail, corner.side, normal, 0.12, GridChoice(ElementCounts{20, 10}));
   EXPECT_EQ(along.patches[along.main].approach_cosine, 1.0);
 }
 
@@ -87,7 +86,7 @@ TEST(GridPlan, OnRequestAllPatchesInteract) {
   WheelRequest request;
   request.interaction = true;
   const GridSolution plan =
-      plan_grids(corner.rail, corner.side, request, 0.12, grids_with_counts({20, 10}));
+      plan_grids(corner.rail, corner.side, request, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_TRUE(plan.interaction);
   EXPECT_EQ(plan.patches[0].coupling_weight, 1.0);
   const Vector3 apart = plan.patches[1].frame.origin - plan.patches[0].frame.origin;
@@ -99,7 +98,7 @@ TEST(GridPlan, TheVerticalConventionHasOnePlaneAndTellsWhatItLeavesOut) {
   WheelRequest request;
   request.gap = GapConvention::vertical;
   const GridSolution plan =
-      plan_grids(corner.rail, corner.side, request, 0.12, grids_with_counts({20, 10}));
+      plan_grids(corner.rail, corner.side, request, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(plan.patches.size(), 1u);
   EXPECT_EQ(plan.patches[0].approach_cosine, 1.0);
   ASSERT_TRUE(plan.left_out_s);
