@@ -34,6 +34,14 @@ double stepped_up(double factor) {
   return std::exp2(0.5 * std::ceil(2.0 * std::log2(std::max(factor, 1.0))));
 }
 
+/// Of so many elements over a contact, a number of them in the whole grid that seldom changes:
+/// creep forces are to have smooth slopes, and sizes that follow the contact's scale would show in
+/// them.
+double size_in(double whole, double contact, double count) {
+  const double stepped = std::exp2(0.5 * std::round(2.0 * std::log2(whole / contact)));
+  return whole / static_cast<double>(even_count(stepped * count));
+}
+
 ContactScale scale_of(const Patch& patch) {
   if (!patch.no_contact()) {
     return contact_scale(patch.grid, patch.pressure);
@@ -72,17 +80,24 @@ std::vector<PatchElements> final_elements(const GridSolution& coarse, const Accu
   std::vector<PatchElements> elements;
   for (const Patch& patch : coarse.patches) {
     const ContactScale scale = scale_of(patch);
-    double rows = for_forces;
-    double columns = columns_by_rows * rows;
-    if (goal.creep_forces) {
-      const double accuracy =
-          goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
-      const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
-      rows = std::max(rows, std::sqrt(creep_row_law / accuracy));
-      columns = std::max(columns, growth * std::sqrt(creep_column_law / accuracy));
+    const double columns = columns_by_rows * for_forces;
+    if (!goal.creep_forces) {
+      elements.push_back({patch.penetration.mean_y, scale.across / for_forces,
+                          scale.along / static_cast<double>(even_count(columns)),
+                          middle_of(patch)});
+      continue;
     }
-    elements.push_back({patch.penetration.mean_y, scale.across / rows,
-                        scale.along / static_cast<double>(even_count(columns)), middle_of(patch)});
+    const double accuracy =
+        goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
+    const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
+    const Grid& grid = patch.grid;
+    elements.push_back(
+        {patch.penetration.mean_y,
+         size_in(static_cast<double>(grid.lateral_count) * grid.lateral_step, scale.across,
+                 std::max(for_forces, std::sqrt(creep_row_law / accuracy))),
+         size_in(static_cast<double>(grid.longitudinal_count) * grid.longitudinal_step, scale.along,
+                 std::max(columns, growth * std::sqrt(creep_column_law / accuracy))),
+         0.5});
   }
   return elements;
 }
