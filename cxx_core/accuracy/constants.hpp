@@ -11,8 +11,9 @@
 namespace wrc {
 
 /// Elements over the penetration of coarse solutions; an odd number, so that a narrow contact in
-/// the middle is met. origin: measured (wrc_tradeoff): with 12 rows forces of 1e-2 are met by 99.3
-/// instead of 99.9 % of wheels, with 24 by as many for 5 to 30 % more time.
+/// the middle is met.
+/// origin: measured (wrc_tradeoff): with 12 rows forces of 1e-2 are met by 99.3 instead of 99.9 %
+/// of wheels, with 24 by as many for 5 to 30 % more time.
 inline constexpr std::size_t coarse_rows = 17;
 
 /// origin: measured: see coarse_rows.
@@ -44,8 +45,8 @@ inline constexpr double columns_by_rows = 0.64;
 inline constexpr double force_by_depth = 1.5;
 
 /// Rows of pressures that creep forces are computed from: their square times the accuracy.
-/// origin: measured (wrc_tradeoff --creep 500, 1e-2): with 2 it is met on 99.0 % of patches, with 3
-/// on 99.7 %, with 5 on 99.8 %.
+/// origin: measured (wrc_tradeoff --creep 500, 1e-2, sizes by the scale): with 2 it is met on 99.0
+/// % of patches, with 3 on 99.7 %, with 5 on 99.8 %.
 inline constexpr double creep_row_law = 3.0;
 
 /// The same for columns over a contact as long as wide.

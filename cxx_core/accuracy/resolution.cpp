@@ -1,5 +1,6 @@
 #include "accuracy/resolution.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -38,8 +39,7 @@ double stepped_up(double factor) {
 /// creep forces are to have smooth slopes, and sizes that follow the contact's scale would show in
 /// them.
 double size_in(double whole, double contact, double count) {
-  const double stepped = std::exp2(0.5 * std::round(2.0 * std::log2(whole / contact)));
-  return whole / static_cast<double>(even_count(stepped * count));
+  return whole / static_cast<double>(even_count(stepped(whole / contact) * count));
 }
 
 ContactScale scale_of(const Patch& patch) {
@@ -52,21 +52,14 @@ ContactScale scale_of(const Patch& patch) {
           usual_share_of_row * columns * patch.grid.longitudinal_step};
 }
 
+/// Of the forces across the rail, as a share of the grid's width.
 double middle_of(const Patch& patch) {
   if (patch.no_contact()) {
     return 0.5;
   }
   const Grid& grid = patch.grid;
-  double force = 0.0;
-  double moment = 0.0;
-  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
-      const double pressure = patch.pressure[row * grid.longitudinal_count + column];
-      force += pressure;
-      moment += pressure * (static_cast<double>(row) + 0.5);
-    }
-  }
-  return moment / (force * static_cast<double>(grid.lateral_count));
+  const double rows = (patch.contact.centroid_lateral - grid.lateral_first) / grid.lateral_step;
+  return (rows + 0.5) / static_cast<double>(grid.lateral_count);
 }
 
 } // namespace

@@ -18,7 +18,6 @@
 /// and crests that the coarse solution does not show.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "patches/plane_area.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wrc {
@@ -22,6 +23,10 @@ Grid grid_over(const PlaneArea& area, std::size_t lateral_count, std::size_t lon
 
 std::size_t even_count(double count) {
   return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
+}
+
+double stepped(double factor) {
+  return std::exp2(0.5 * std::round(2.0 * std::log2(factor)));
 }
 
 Grid grid_with_sizes(const PlaneArea& area, double lateral_step, double longitudinal_step,

@@ -9,14 +9,6 @@
 #include "wheel/constants.hpp"
 
 namespace wrc {
-namespace {
-
-/// The nearest power of the square root of 2: numbers of elements change seldom.
-double stepped(double factor) {
-  return std::exp2(0.5 * std::round(2.0 * std::log2(factor)));
-}
-
-} // namespace
 
 CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
   const auto along = pressures.smooth.longitudinal_extent();

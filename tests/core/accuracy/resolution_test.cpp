@@ -14,8 +14,8 @@ namespace {
 constexpr double rounding = 1e-12;
 
 /// A patch of 40 x 20 elements of 0.2 x 0.5 mm under even pressure from row 10 to 29 and from
-/// column 5 to 14: its rows have a total variation of 4 p/0.2 mm, so that its scale is sqrt(24 x
-/// 20/4) rows wide and sqrt(20 x 100/12) columns long.
+/// column 5 to 14: second differences over two of its rows have a total variation of 2 p/0.2 mm, so
+/// that its scale is sqrt(24 x 20/2) rows wide and sqrt(20 x 100/12) columns long.
 GridSolution block_contact() {
   GridSolution solution;
   Patch& patch = solution.patches.emplace_back();
@@ -25,8 +25,7 @@ GridSolution block_contact() {
   for (std::size_t row = 10; row < 30; ++row) {
     std::fill_n(patch.pressure.begin() + static_cast<std::ptrdiff_t>(20 * row + 5), 10, 1000.0);
   }
-  patch.contact.element_count = 200;
-  patch.contact.peak_pressure = 1000.0;
+  patch.contact = summarise_pressure(patch.grid, patch.pressure);
   return solution;
 }
 const double rows_across = std::sqrt(240.0);
@@ -86,6 +85,7 @@ TEST(Resolution, TellsTheMiddleOfTheContact) {
   GridSolution moved = block_contact();
   std::rotate(moved.patches[0].pressure.begin(), moved.patches[0].pressure.begin() + 80,
               moved.patches[0].pressure.end()); // four rows
+  moved.patches[0].contact = summarise_pressure(moved.patches[0].grid, moved.patches[0].pressure);
   EXPECT_NEAR(final_elements(moved, {}).front().middle, 0.4, rounding);
 }
 

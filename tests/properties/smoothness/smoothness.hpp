@@ -23,8 +23,7 @@ struct Options {
   int threads = 1;
   int fresh = 0;               ///< not 0: each scene by itself instead of through one solver
   int list = 20;               ///< lines of each list, at most
-  double limit = 1e-6;         ///< of forces, relative
-  double event_share = 0.5;    ///< the same where results name an event, relative to the accuracy
+  double limit = 1e-6;         ///< of forces; in part 4 of depth, too; relative
   double pressure_share = 0.1; ///< limit of pmax, relative to the accuracy
   double scene_share = 0.999;  ///< least share of the scenes within both
   int newton = 4;              ///< most iterations

@@ -116,21 +116,6 @@ std::string changes(const Facts& before, const Facts& after) {
   return line.empty() ? "nothing told" : line;
 }
 
-bool is_event(const Facts& before, const Facts& after) {
-  const auto counts = [](const Facts& facts) {
-    std::string all;
-    for (const auto& [name, value] : facts) {
-      if (name == "patches" || name.ends_with("parts") || name.ends_with(" lobes")) {
-        all += value + ' ';
-      } else if (name.ends_with(" grid")) {
-        all += value.substr(0, value.find('x')) + ' ';
-      }
-    }
-    return all;
-  };
-  return counts(before) != counts(after);
-}
-
 Line::Line(std::string side, std::vector<std::string> judged, std::vector<std::string> others)
     : side_(std::move(side)), judged_(std::move(judged)) {
   for (const auto* list : {&judged_, &others}) {
@@ -177,10 +162,7 @@ std::vector<Flag> Line::flags(double force, double limit, const std::string& pla
   for (auto& [step, flag] : found) {
     if (flag.deviation > 0.0) {
       flag.where = side_ + ", " + place + ", step " + std::to_string(step);
-      const Facts& before = facts_[step + window];
-      const Facts& after = facts_[step + window + 1];
-      flag.changed = changes(before, after);
-      flag.event = is_event(before, after);
+      flag.changed = changes(facts_[step + window], facts_[step + window + 1]);
       made.push_back(flag);
     }
   }

@@ -26,8 +26,6 @@ using Facts = std::map<std::string, std::string>;
 Facts facts_of(const wrcontact::Scene& scene, const std::string& side);
 /// What differs, in one line.
 std::string changes(const Facts& before, const Facts& after);
-/// Whether patches, lobes or rows of a patch differ: the results name such an event.
-bool is_event(const Facts& before, const Facts& after);
 
 /// Beyond the limit: one step of one side.
 struct Flag {
@@ -35,7 +33,6 @@ struct Flag {
   std::string quantity; ///< the one that deviates most
   double deviation = 0.0;
   std::string changed;
-  bool event = false;
 };
 
 /// A side's results along the line.
