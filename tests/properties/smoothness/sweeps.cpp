@@ -53,9 +53,9 @@ Swept sweep_laterally(const Options& options, std::size_t pair, double lateral) 
   Solving solving(options);
   std::vector<Line> lines;
   for (const char* side : {"left", "right"}) {
-    lines.emplace_back(
-        side, std::vector<std::string>{"vertical_force", "lateral_force", "normal_force"},
-        std::vector<std::string>{"depth", "pmax", "area"});
+    lines.emplace_back(side,
+                       std::vector<std::string>{"vertical_force", "lateral_force", "normal_force"},
+                       std::vector<std::string>{"depth", "pmax", "area"});
   }
   sweep(options, solving, scene, "pose.lateral", lateral, lateral_step, lines);
   for (const Line& line : lines) {
