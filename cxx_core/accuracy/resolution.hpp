@@ -18,6 +18,7 @@
 /// and crests that the coarse solution does not show.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -59,7 +60,10 @@ struct ErrorEstimate {
   double elements = 0.0;  ///< by the law
   double iteration = 0.0; ///< what it has left
   double crest = 0.0;     ///< what a section has not resolved
-  [[nodiscard]] double total() const { return elements + iteration + crest; }
+  /// What the iteration has left is independent of the rest.
+  [[nodiscard]] double total() const { return std::hypot(elements + crest, iteration); }
+  /// Should all go the same way.
+  [[nodiscard]] double sum() const { return elements + iteration + crest; }
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 

@@ -81,6 +81,7 @@ private:
                          : GridChoice(final_elements(coarse.value(), goal_));
   }
   GridSolution solve_coarsely(double depth);
+  [[nodiscard]] double share_to_follow(const std::optional<GridSolution>& coarse) const;
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
@@ -248,25 +249,45 @@ void WheelSolver::find_peaks(GridSolution& solution) {
   result_.times.mechanics += watch.seconds();
 }
 
-/// At the depth found, on more elements where the estimate asks for them.
+/// How far the planes are to follow from the depth of the coarse solution to the one found: not at
+/// all where wheels hardly slide along them, in full where they slide twice as much, or on a grid
+/// given by hand, whose errors the accuracy says nothing of.
+double WheelSolver::share_to_follow(const std::optional<GridSolution>& coarse) const {
+  if (request_.position_is_prescribed()) {
+    return 0.0;
+  }
+  if (request_.grid) {
+    return 1.0;
+  }
+  return std::clamp(sliding(coarse.value()) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);
+}
+
+/// Near the depth found, on more elements where the estimate asks for them.
 GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
   const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
   GridChoice grids = final_grids(before);
   bool finer = false;
+  const double follows = share_to_follow(before);
+  const double planes_begin = depth;
+  bool shows_depth_only = follows > 0.0 && !request_.grid && tolerance() < depth_tolerance;
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
-    GridSolution solution = solve_at(depth, grids, tolerance(), before ? &*before : nullptr);
+    GridSolution solution =
+        solve_at(depth, grids, shows_depth_only ? depth_tolerance : tolerance(),
+                 before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
     }
-    const double found = depth_found(solution);
+    const double found = planes_begin + follows * (depth_found(solution) - planes_begin);
     const double change = std::abs(found / depth - 1.0) * sliding(solution);
     const double limit = of_forces ? max_change
                          : finer   ? max_change_for_crests
                                    : max_change_for_pressures;
-    if (const auto next = iteration.next(depth, found, change / (limit * request_.accuracy))) {
-      depth = *next;
+    const auto next = iteration.next(depth, found, change / (limit * request_.accuracy));
+    if (next || shows_depth_only) {
+      depth = next.value_or(depth);
+      shows_depth_only = false;
       before = std::move(solution);
       continue;
     }
@@ -276,7 +297,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
     // Forces stay as they are: a second grid would be no continuous function of the scene.
-    if (error.total() <= request_.accuracy || request_.grid || finer || of_forces) {
+    if (error.sum() <= request_.accuracy || request_.grid || finer || of_forces) {
       return solution;
     }
     grids = GridChoice(finer_elements(solution, error, goal_));
