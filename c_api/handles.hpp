@@ -60,10 +60,12 @@ struct ProfileObject {
 
 /// The problem last solved by a wrc_normal, and its solution.
 struct NormalResult {
-  std::shared_ptr<const std::vector<double>> distance; ///< what the problem's span refers to
+  std::shared_ptr<const std::vector<double>> distance; ///< what the patch's span refers to
+  std::vector<PatchGap> patches;                       ///< one: what the problem's span refers to
   NormalProblem problem;
-  NormalSolution solution; ///< displacement: empty until requested
+  NormalSolution solution;
   PressureRegion summary;
+  std::vector<double> displacement; ///< mm; empty until requested
   std::optional<Residuals> residuals;
 };
 
@@ -73,6 +75,7 @@ struct NormalObject {
     problem.combined_modulus = combined_modulus(steel, steel);
   }
 
+  Grid grid;
   std::shared_ptr<const std::vector<double>> distance;
   NormalProblem problem; ///< its span is set at each solve
   bool paper_method = false;

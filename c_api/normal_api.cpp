@@ -21,14 +21,14 @@ constexpr auto normal_number_keys = std::to_array<wrc::NumberKey<NormalProblem>>
      [](NormalProblem& problem, double value) { problem.combined_modulus = value; }},
     {"normal_load", 1e-60, 1e60, "allowed is 0, or 1e-60 to 1e60 N",
      [](NormalProblem& problem, double value) {
-       problem.normal_load = value;
+       problem.load = value;
        problem.approach.reset();
      },
      false, true},
     {"approach", -1e60, 1e60, "allowed is -1e60 to 1e60 mm",
      [](NormalProblem& problem, double value) {
        problem.approach = value;
-       problem.normal_load.reset();
+       problem.load.reset();
      }},
     {"tolerance", 1e-13, 0.1, "allowed is 1e-13 to 0.1",
      [](NormalProblem& problem, double value) { problem.tolerance = value; }},
@@ -74,21 +74,29 @@ constexpr auto normal_text_keys = std::to_array<wrc::TextKey<NormalObject>>({
      }},
 });
 
+const wrc::Grid& grid_of(const NormalResult& result) {
+  return result.patches.front().grid;
+}
+
+const std::vector<double>& pressure_of(const NormalResult& result) {
+  return result.solution.patches.front().pressure;
+}
+
 const std::vector<double>& displacement_of(NormalResult& result) {
-  if (result.solution.displacement.empty()) {
-    std::vector<double> displacement(result.solution.pressure.size());
-    wrc::DisplacementOperator(result.problem.grid, result.problem.combined_modulus,
+  if (result.displacement.empty()) {
+    std::vector<double> displacement(pressure_of(result).size());
+    wrc::DisplacementOperator(grid_of(result), result.problem.combined_modulus,
                               result.problem.elements)
-        .apply(result.solution.pressure, displacement);
-    result.solution.displacement.swap(displacement);
+        .apply(pressure_of(result), displacement);
+    result.displacement.swap(displacement);
   }
-  return result.solution.displacement;
+  return result.displacement;
 }
 
 const wrc::Residuals& residuals_of(NormalResult& result) {
   if (!result.residuals) {
     result.residuals =
-        wrc::compute_residuals(result.problem, result.solution.pressure, result.solution.approach);
+        wrc::compute_residuals(result.problem, pressure_of(result), result.solution.approach);
   }
   return *result.residuals;
 }
@@ -100,17 +108,16 @@ struct NormalNumber {
 
 constexpr auto normal_numbers = std::to_array<NormalNumber>({
     {"approach", [](NormalResult& result) { return result.solution.approach; }},
-    {"normal_force", [](NormalResult& result) { return result.solution.normal_force; }},
+    {"normal_force",
+     [](NormalResult& result) { return result.solution.patches.front().normal_force; }},
     {"pmax", [](NormalResult& result) { return result.summary.peak_pressure; }},
     {"pmax_element", [](NormalResult& result) { return result.summary.largest_element_pressure; }},
     {"area",
-     [](NormalResult& result) {
-       return wrc::contact_area(result.problem.grid, result.solution.pressure);
-     }},
+     [](NormalResult& result) { return wrc::contact_area(grid_of(result), pressure_of(result)); }},
     {"fill",
      [](NormalResult& result) {
        return static_cast<double>(result.summary.element_count) /
-              static_cast<double>(result.problem.grid.element_count());
+              static_cast<double>(grid_of(result).element_count());
      }},
     {"iterations", [](NormalResult& result) { return double(result.solution.iterations); }},
     {"residuals.load_balance",
@@ -140,7 +147,7 @@ wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count,
                                int64_t longitudinal_count, double lateral_step,
                                double longitudinal_step) {
   return wrc::guard(normal, [&](NormalObject& object) {
-    object.problem.grid =
+    object.grid =
         wrc::checked_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step);
     return WRC_OK;
   });
@@ -173,17 +180,22 @@ wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* 
 
 wrc_status wrc_normal_solve(wrc_normal* normal) {
   return wrc::guard(normal, [&](NormalObject& object) -> wrc_status {
-    if (object.problem.grid.element_count() == 0) {
+    if (object.grid.element_count() == 0) {
       wrc::throw_invalid_argument("grid", "none", "wrc_normal_set_grid must be called first");
     }
     if (!object.distance) {
       wrc::throw_invalid_argument("undeformed_distance", "none",
                                   "wrc_normal_set_distance must be called first");
     }
+    if (!object.problem.load && !object.problem.approach) {
+      wrc::throw_invalid_argument("normal_load and approach", "none set",
+                                  "exactly one of the two must be set");
+    }
     NormalResult result;
     result.distance = object.distance;
+    result.patches.push_back({object.grid, *result.distance});
     result.problem = object.problem;
-    result.problem.undeformed_distance = *result.distance;
+    result.problem.patches = result.patches;
     result.problem.elements = object.elements.value_or(object.paper_method ? wrc::Elements::constant
                                                                            : wrc::Elements::smooth);
     if (object.paper_method) {
@@ -193,8 +205,10 @@ wrc_status wrc_normal_solve(wrc_normal* normal) {
         object.solver.emplace(object.rigor, object.precision);
       }
       result.solution = object.solver->solve(result.problem);
+      double& force = result.solution.patches.front().normal_force;
+      force = result.problem.load.value_or(force); // without the rounding of the sum
     }
-    result.summary = wrc::summarise_pressure(result.problem.grid, result.solution.pressure);
+    result.summary = wrc::summarise_pressure(grid_of(result), pressure_of(result));
     const bool converged = result.solution.stop_reason == wrc::StopReason::tolerance_met;
     std::string error = converged ? "" : "not converged: see stop_reason";
     // From here on nothing fails: the handle has the old results or all of the new ones.
@@ -234,8 +248,8 @@ wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double* values
     if (requested != "pressure" && requested != "displacement") {
       wrc::refuse_name("field", normal_contact, name, "pressure, displacement");
     }
-    const std::size_t length = result.solution.pressure.size();
-    const double* from = result.solution.pressure.data();
+    const std::size_t length = pressure_of(result).size();
+    const double* from = pressure_of(result).data();
     if (requested == "displacement" && capacity >= static_cast<int64_t>(length)) {
       from = displacement_of(result).data();
     }

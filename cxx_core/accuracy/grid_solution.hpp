@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanics/joint_contact.hpp"
+#include "mechanics/normal_contact.hpp"
 #include "patches/contact_frame.hpp"
 #include "patches/contact_patches.hpp"
 #include "pressure/pressure_field.hpp"
@@ -53,7 +53,7 @@ struct GridSolution {
   std::vector<Patch> patches; ///< ordered by y
   std::vector<double> links;  ///< coupling weight of each patch and the next
   std::size_t main = 0;       ///< the patch that holds the first contact
-  double approach = 0.0;      ///< answer to the joint problem, from that depth
+  double approach = 0.0;      ///< answer to the normal problem, from that depth
   double depth_found = 0.0;   ///< the depth that the solution asks for
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;

@@ -1,6 +1,6 @@
-/// The influence of the patches of a joint problem on each other, for its stiffness and residuals.
+/// The influence of the patches of a normal problem on each other, for its stiffness and residuals.
 ///
-/// The same operator as in the solution (joint_contact.hpp, patch_coupling.hpp): all patches in
+/// The same operator as in the solution (normal_contact.hpp, patch_coupling.hpp): all patches in
 /// their mean plane, each pair counted with its coupling weight; on boxes around the pressures.
 /// With rates of coupling weight in its place it is the rate of that operator. Units mm, MPa.
 /// Thread rule: one object serves one thread at a time.
@@ -12,7 +12,7 @@
 #include "half_space/patch_coupling.hpp"
 #include "mechanics/cascade.hpp"
 #include "mechanics/contact_stiffness.hpp"
-#include "mechanics/joint_contact.hpp"
+#include "mechanics/normal_contact.hpp"
 
 namespace wrc {
 

@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "base/reductions.hpp"
 #include "half_space/displacement_operator.hpp"
-#include "mechanics/joint_contact.hpp"
 
 namespace wrc {
 
@@ -87,17 +86,38 @@ void check_distances(std::span<const double> distance, const Grid& grid) {
   }
 }
 
-/// What holds for any problem, whatever it calls the load.
-template <typename Problem>
-void check_request(const Problem& problem, const std::optional<double>& load,
-                   const std::string& load_name) {
+void check_interaction(const PatchInteraction& interaction, std::size_t count) {
+  check_entries("interaction.places", interaction.places.size(), count);
+  check_entries("interaction.closeness", interaction.coupling_weight.size(), count * count);
+  for (const double coupling_weight : interaction.coupling_weight) {
+    if (!(coupling_weight >= 0.0 && coupling_weight <= 1.0)) {
+      throw_invalid_argument("interaction.closeness", coupling_weight, "must lie in 0 to 1");
+    }
+  }
+}
+
+} // namespace
+
+void check_problem(const NormalProblem& problem) {
+  if (problem.patches.empty()) {
+    throw_invalid_argument("patches.size", 0.0, "must be at least 1");
+  }
+  for (const PatchGap& patch : problem.patches) {
+    check_grid(patch.grid);
+    check_distances(patch.undeformed_distance, patch.grid);
+    if (!(patch.approach_cosine > 0.0 && patch.approach_cosine <= 1.0)) {
+      throw_invalid_argument("approach_cosine", patch.approach_cosine,
+                             "must be greater than 0 and at most 1");
+    }
+  }
   check_scale("combined_modulus", problem.combined_modulus);
+  const std::optional<double>& load = problem.load;
   if (load.has_value() == problem.approach.has_value()) {
-    throw_invalid_argument(load_name + " and approach", load.has_value() ? "both set" : "none set",
+    throw_invalid_argument("load and approach", load.has_value() ? "both set" : "none set",
                            "exactly one of the two must be set");
   }
   if (load && *load != 0.0 && !(*load >= min_load && *load <= max_load)) {
-    throw_invalid_argument(load_name, *load, "must be 0 or lie in 1e-60 to 1e60");
+    throw_invalid_argument("load", *load, "must be 0 or lie in 1e-60 to 1e60");
   }
   if (problem.approach && !(std::abs(*problem.approach) <= max_load)) {
     throw_invalid_argument("approach", *problem.approach, "must lie in -1e60 to 1e60");
@@ -110,64 +130,43 @@ void check_request(const Problem& problem, const std::optional<double>& load,
     throw_invalid_argument("maximum_iterations", static_cast<double>(problem.maximum_iterations),
                            "must be at least 1");
   }
-}
-
-} // namespace
-
-void check_problem(const NormalProblem& problem) {
-  check_grid(problem.grid);
-  check_distances(problem.undeformed_distance, problem.grid);
-  check_request(problem, problem.normal_load, "normal_load");
-}
-
-void check_problem(const JointProblem& problem) {
-  if (problem.patches.empty()) {
-    throw_invalid_argument("patches.size", 0.0, "must be at least 1");
-  }
-  for (const PatchGap& patch : problem.patches) {
-    check_grid(patch.grid);
-    check_distances(patch.undeformed_distance, patch.grid);
-    if (!(patch.approach_cosine > 0.0 && patch.approach_cosine <= 1.0)) {
-      throw_invalid_argument("approach_cosine", patch.approach_cosine,
-                             "must be greater than 0 and at most 1");
-    }
-  }
-  check_request(problem, problem.load, "load");
   if (problem.interaction != nullptr) {
-    const std::size_t count = problem.patches.size();
-    check_entries("interaction.places", problem.interaction->places.size(), count);
-    check_entries("interaction.closeness", problem.interaction->coupling_weight.size(),
-                  count * count);
-    for (const double coupling_weight : problem.interaction->coupling_weight) {
-      if (!(coupling_weight >= 0.0 && coupling_weight <= 1.0)) {
-        throw_invalid_argument("interaction.closeness", coupling_weight, "must lie in 0 to 1");
-      }
-    }
+    check_interaction(*problem.interaction, problem.patches.size());
   }
+}
+
+const PatchGap& single_patch(const NormalProblem& problem) {
+  check_problem(problem);
+  if (problem.patches.size() > 1) {
+    throw_invalid_argument("patches.size", static_cast<double>(problem.patches.size()),
+                           "must be 1");
+  }
+  return problem.patches.front();
 }
 
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             double approach) {
-  check_problem(problem);
-  std::vector<double> displacement(problem.grid.element_count());
-  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
+  const PatchGap& patch = single_patch(problem);
+  std::vector<double> displacement(patch.grid.element_count());
+  DisplacementOperator(patch.grid, problem.combined_modulus, problem.elements)
       .apply(pressure, displacement);
   return compute_residuals(problem, pressure, displacement, approach);
 }
 
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach) {
-  check_problem(problem);
-  check_entries("pressure", pressure.size(), problem.grid.element_count());
-  check_entries("displacement", displacement.size(), problem.grid.element_count());
-  const std::span<const double> distance = problem.undeformed_distance;
+  const PatchGap& patch = single_patch(problem);
+  check_entries("pressure", pressure.size(), patch.grid.element_count());
+  check_entries("displacement", displacement.size(), patch.grid.element_count());
+  const std::span<const double> distance = patch.undeformed_distance;
+  const double normal_approach = patch.approach_cosine * approach;
   double pressure_sum = 0.0;
   double largest_displacement = 0.0;
   double largest_contact_gap = 0.0;
   double least_outside_gap = std::numeric_limits<double>::infinity();
   for (std::size_t index = 0; index < pressure.size(); ++index) {
     // Distance and approach first: they are close to each other where it matters.
-    const double gap = (distance[index] - approach) + displacement[index];
+    const double gap = (distance[index] - normal_approach) + displacement[index];
     if (pressure[index] > 0.0) {
       largest_contact_gap = std::max(largest_contact_gap, std::abs(gap));
     } else {
@@ -180,16 +179,16 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
   double scale = largest_displacement;
   if (scale == 0.0) {
     const double least_distance = *std::min_element(distance.begin(), distance.end());
-    scale = std::abs(approach - least_distance);
+    scale = std::abs(normal_approach - least_distance);
   }
   const auto relative = [scale](double gap) { return gap == 0.0 ? 0.0 : gap / scale; };
   Residuals residuals;
   residuals.complementarity = relative(largest_contact_gap);
   residuals.least_gap = std::isfinite(least_outside_gap) ? relative(least_outside_gap) : 0.0;
-  if (problem.normal_load) {
-    const double imbalance =
-        std::abs(pressure_sum * problem.grid.element_area() - *problem.normal_load);
-    residuals.load_balance = imbalance == 0.0 ? 0.0 : imbalance / *problem.normal_load;
+  if (problem.load) {
+    const double force = pressure_sum * patch.grid.element_area();
+    const double imbalance = std::abs(patch.approach_cosine * force - *problem.load);
+    residuals.load_balance = imbalance == 0.0 ? 0.0 : imbalance / *problem.load;
   }
   return residuals;
 }

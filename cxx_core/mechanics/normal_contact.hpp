@@ -1,10 +1,18 @@
-/// The frictionless normal contact problem on a grid, and what a solver answers.
+/// The frictionless normal contact problem of two bodies, and what a solver answers.
 ///
-/// Find pressures p >= 0 with, for each element,
-///   g = h + u - approach >= 0,  p g = 0,  u = A p  (half-space, see influence_coefficients.hpp),
-/// and either the prescribed normal load, sum p a b = Q, or the prescribed approach
-/// (Johnson, Contact Mechanics, 1985; the paper's equations 9.1 to 9.6).
+/// One or several patches share the approach delta of the bodies. Each patch k has a plane, a grid
+/// and undeformed distances of its own. Find pressures p >= 0 with, for each element of patch k,
+///   g = h + u - s_k delta >= 0,  p g = 0,
+/// and either the prescribed load, sum_k s_k sum p a b = F, or the prescribed approach
+/// (Johnson, Contact Mechanics, 1985; the paper's equations 9.1 to 9.6). s_k is the share of the
+/// approach that acts along the patch's normal: the cosine of its angle, if delta is the vertical
+/// approach and F the vertical load. The conditions are those of least energy, so the shares in
+/// gap and load are the same.
+/// Patches are half-spaces of their own, u = A_k p (influence_coefficients.hpp). With `interaction`
+/// they also lie in one mean plane, and u_k gains coupling_weight[k, l] times what the pressures of
+/// patch l cause there (patch_coupling.hpp).
 /// Units mm, N, MPa. Pressures are positive in compression, distances positive when apart.
+/// Thread rule: plain values.
 #pragma once
 
 #include <cstddef>
@@ -18,39 +26,63 @@
 
 namespace wrc {
 
-struct NormalProblem {
+struct PatchGap {
   Grid grid;
   /// Undeformed distance h per element centre, mm; may be negative. Finite.
   std::span<const double> undeformed_distance;
-  double combined_modulus = 0.0; ///< E*, MPa (half_space/material.hpp)
+  double approach_cosine = 1.0;       ///< s, in (0, 1]
+  std::span<const double> start = {}; ///< pressures to start from, MPa; none: by itself
+};
+
+/// Where the patches lie in their mean plane, and how much of their interaction counts.
+struct PatchInteraction {
+  struct Place {
+    double lateral = 0.0; ///< of the origin of the patch's grid, mm
+    double longitudinal = 0.0;
+  };
+  std::vector<Place> places;
+  std::vector<double>
+      coupling_weight; ///< count x count, symmetric, 0 to 1; the diagonal is not used
+};
+
+struct NormalProblem {
+  std::span<const PatchGap> patches; ///< at least one
+  double combined_modulus = 0.0;     ///< E*, MPa (half_space/material.hpp)
   /// Exactly one of these two is set.
-  std::optional<double> normal_load; ///< Q in N, >= 0
-  std::optional<double> approach;    ///< mm
-  double tolerance = 1e-6;           ///< relative, > 0
+  std::optional<double> load;     ///< F in N, >= 0
+  std::optional<double> approach; ///< delta in mm
+  double tolerance = 1e-6;        ///< > 0; of pressures, relative to the largest one of all patches
+  /// Share of the tolerance by which rounding in single precision may change the pressures, and
+  /// results thus differ between instruction sets.
+  double rounding_share = 0.1;
   int maximum_iterations = 5000;
   Elements elements = Elements::constant;
+  const PatchInteraction* interaction = nullptr; ///< none: the patches do not interact
 };
 
 enum class StopReason { tolerance_met, iteration_limit, stagnation };
 std::string_view name_of(StopReason reason);
 
-/// Recomputed from the final pressures in double precision, after the iteration has ended.
-struct Residuals {
-  double load_balance = 0.0;    ///< |sum p a b - Q| / Q; 0 for a prescribed approach
-  double least_gap = 0.0;       ///< min g over elements without pressure / largest u; < 0: overlap
-  double complementarity = 0.0; ///< max |g| over elements with pressure / largest u
-};
-
 struct NormalSolution {
-  std::vector<double> pressure;     ///< per element, MPa
-  std::vector<double> displacement; ///< u per element, both bodies together, mm; may be left empty
-  double approach = 0.0;            ///< mm
-  double normal_force = 0.0;        ///< sum p a b, N
+  struct Patch {
+    std::vector<double> pressure; ///< per element, MPa
+    double normal_force = 0.0;    ///< sum p a b, N
+  };
+  std::vector<Patch> patches;
+  double approach = 0.0; ///< mm
   int iterations = 0;
+  /// Applications of the influence coefficients to a field over all boxes, on all grids.
+  int convolutions = 0;
   StopReason stop_reason = StopReason::tolerance_met;
   /// Estimate of what the iteration left: largest error of p relative to the largest p.
   double pressure_error = 0.0;
-  Residuals residuals; ///< filled together with the displacement
+};
+
+/// How well pressures and approach solve the problem of one patch, in double precision.
+struct Residuals {
+  double load_balance = 0.0;    ///< |s sum p a b - F| / F; 0 for a prescribed approach
+  double least_gap = 0.0;       ///< min g over elements without pressure / largest u; < 0: overlap
+  double complementarity = 0.0; ///< max |g| over elements with pressure / largest u
 };
 
 /// Largest number of elements a problem may have: a permitted range, not a tuning constant.
@@ -62,11 +94,15 @@ void check_grid(const Grid& grid);
 /// Throws Error(invalid_argument) for a problem outside its permitted ranges; names the argument.
 void check_problem(const NormalProblem& problem);
 
-/// How well these pressures and this approach solve the problem, from a convolution of its own.
-/// Any solver's answer can be judged with it. When nothing is displaced (no pressure at all), gaps
-/// are taken relative to the distance between the approach and the least undeformed distance. A
-/// least gap of 0 is reported when every element bears pressure.
-/// Throws Error(invalid_argument) like check_problem, and for a pressure span of another size.
+/// The patch of a problem of one patch. Throws Error(invalid_argument) like check_problem, and for
+/// several patches.
+const PatchGap& single_patch(const NormalProblem& problem);
+
+/// Of the pressures of a single patch, from a convolution of its own. Any solver's answer can be
+/// judged with it. When nothing is displaced (no pressure at all), gaps are taken relative to the
+/// distance between the approach and the least undeformed distance. A least gap of 0 is reported
+/// when every element bears pressure.
+/// Throws Error(invalid_argument) like single_patch, and for a pressure span of another size.
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             double approach);
 
@@ -74,8 +110,9 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             std::span<const double> displacement, double approach);
 
-/// The paper's method: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT convolution.
-/// Throws Error(invalid_argument) on sizes, values or tolerances outside their range.
+/// The paper's method for a single patch: Polonsky & Keer, Wear 231 (1999) 206-219, with DC-FFT
+/// convolution. The tolerance is that of its gaps (polonsky_keer.cpp), and nothing is started from.
+/// Throws Error(invalid_argument) like single_patch.
 NormalSolution solve_with_polonsky_keer(const NormalProblem& problem);
 
 } // namespace wrc

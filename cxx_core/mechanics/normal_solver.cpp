@@ -77,10 +77,10 @@ struct NormalSolver::State {
 
   void refine(std::size_t index, bool started);
   IterationOutcome solve_level(std::size_t index, const IterationRequest& limits,
-                               JointSolution& solution);
+                               NormalSolution& solution);
   /// `permitted_error`: of pressures left out, relative to the largest one.
   bool enlarge_boxes(const IterationOutcome& outcome, double permitted_error);
-  JointSolution solve(const JointProblem& problem);
+  NormalSolution solve(const NormalProblem& problem);
 
   Precision precision;
   InfluenceCache cache;
@@ -119,7 +119,7 @@ void NormalSolver::State::refine(std::size_t index, bool started) {
 
 /// Iterates on the boxes until contact keeps off their open sides; writes the pressures back.
 IterationOutcome NormalSolver::State::solve_level(std::size_t index, const IterationRequest& limits,
-                                                  JointSolution& solution) {
+                                                  NormalSolution& solution) {
   while (true) {
     boxes.resize(scaled.count);
     std::vector<Grid> coupled;
@@ -176,9 +176,9 @@ bool NormalSolver::State::enlarge_boxes(const IterationOutcome& outcome, double 
   return missed;
 }
 
-JointSolution NormalSolver::State::solve(const JointProblem& problem) {
+NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
   const std::size_t count = problem.patches.size();
-  JointSolution solution;
+  NormalSolution solution;
   solution.patches.resize(count);
   const double first_touch = ScaledProblem::first_touch(problem);
   if (problem.load ? *problem.load == 0.0 : *problem.approach <= first_touch) {
@@ -211,7 +211,7 @@ JointSolution NormalSolver::State::solve(const JointProblem& problem) {
   solution.pressure_error = outcome.error / stop_share;
   for (std::size_t k = 0; k < count; ++k) {
     const Grid& grid = problem.patches[k].grid;
-    JointSolution::Patch& patch = solution.patches[k];
+    NormalSolution::Patch& patch = solution.patches[k];
     patch.pressure.resize(grid.element_count());
     const std::vector<double>& pressure = scaled.cascades[k].finest().pressure;
     std::transform(pressure.begin(), pressure.end(), patch.pressure.begin(),
@@ -232,31 +232,9 @@ NormalSolver::~NormalSolver() = default;
 NormalSolver::NormalSolver(NormalSolver&&) noexcept = default;
 NormalSolver& NormalSolver::operator=(NormalSolver&&) noexcept = default;
 
-JointSolution NormalSolver::solve(const JointProblem& problem) {
-  check_problem(problem);
-  return state_->solve(problem);
-}
-
 NormalSolution NormalSolver::solve(const NormalProblem& problem) {
   check_problem(problem);
-  const PatchGap patch{problem.grid, problem.undeformed_distance, 1.0};
-  JointProblem joint;
-  joint.patches = {&patch, 1};
-  joint.combined_modulus = problem.combined_modulus;
-  joint.load = problem.normal_load;
-  joint.approach = problem.approach;
-  joint.tolerance = problem.tolerance;
-  joint.maximum_iterations = problem.maximum_iterations;
-  joint.elements = problem.elements;
-  JointSolution solved = state_->solve(joint);
-  NormalSolution solution;
-  solution.pressure = std::move(solved.patches.front().pressure);
-  solution.approach = solved.approach;
-  solution.normal_force = problem.normal_load.value_or(solved.patches.front().normal_force);
-  solution.iterations = solved.iterations;
-  solution.stop_reason = solved.stop_reason;
-  solution.pressure_error = solved.pressure_error;
-  return solution;
+  return state_->solve(problem);
 }
 
 } // namespace wrc

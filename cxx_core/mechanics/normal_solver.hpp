@@ -9,14 +9,13 @@
 ///     tolerance: overlap there enlarges the rectangle and the iteration goes on.
 /// `tolerance` bounds the largest error of p relative to the largest p, against the exact solution
 /// on the same grid; it holds by measurement (docs/method.md), not by proof.
-/// Units mm, N, MPa (mechanics/normal_contact.hpp, mechanics/joint_contact.hpp). Thread rule: one
-/// object serves one thread at a time; different objects are independent.
+/// Units mm, N, MPa (mechanics/normal_contact.hpp). Thread rule: one object serves one thread at a
+/// time; different objects are independent.
 #pragma once
 
 #include <memory>
 
 #include "half_space/influence_cache.hpp"
-#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 
 namespace wrc {
@@ -36,9 +35,7 @@ public:
 
   /// Throws Error(invalid_argument) on sizes, values or tolerances outside their range. What is
   /// kept from earlier calls (plans, tables, memory) changes no bit of the answer.
-  /// `displacement` and `residuals` of the solution are left empty: see complete_solution.
   NormalSolution solve(const NormalProblem& problem);
-  JointSolution solve(const JointProblem& problem);
 
 private:
   struct State;

@@ -17,12 +17,12 @@
 /// Inside, lengths are counted in longitudinal steps, the modulus is 1 and pressures are of the
 /// order of 1, so that the units and the size of a problem do not matter.
 
-#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "half_space/displacement_operator.hpp"
 #include "mechanics/constants.hpp"
@@ -261,29 +261,30 @@ DimensionlessResult ActiveSetIteration::run(double tolerance, int maximum_iterat
   }
 }
 
-/// A problem with a contact to be found: load > 0, or approach above the least distance.
+/// A problem with a contact to be found: load > 0, or approach above the least distance. Both along
+/// the patch's normal, here and below.
 DimensionlessProblem scale_problem(const NormalProblem& problem, double least_distance) {
-  const Grid& grid = problem.grid;
+  const Grid& grid = problem.patches.front().grid;
+  const std::span<const double> distances = problem.patches.front().undeformed_distance;
   const double step = grid.longitudinal_step;
   DimensionlessProblem scaled{
       {grid.lateral_count, grid.longitudinal_count, grid.lateral_step / step, 1.0, 0.0, 0.0},
-      std::vector<double>(problem.undeformed_distance.size()),
-      problem.normal_load.has_value(),
+      std::vector<double>(distances.size()),
+      problem.load.has_value(),
       problem.elements};
   // Where the load is given, one element that carries it all has pressure 1; lengths follow from
   // u ~ p step / E*. Where the approach is given, it is the unit of normal distances.
   double normal_scale = 0.0;
   if (scaled.load_prescribed) {
     scaled.pressure_sum = 1.0;
-    scaled.pressure_scale = *problem.normal_load / step / grid.lateral_step;
+    scaled.pressure_scale = *problem.load / step / grid.lateral_step;
     normal_scale = scaled.pressure_scale / problem.combined_modulus * step;
   } else {
     normal_scale = *problem.approach - least_distance;
     scaled.approach = 1.0;
     scaled.pressure_scale = normal_scale / step * problem.combined_modulus;
   }
-  std::transform(problem.undeformed_distance.begin(), problem.undeformed_distance.end(),
-                 scaled.distance.begin(),
+  std::transform(distances.begin(), distances.end(), scaled.distance.begin(),
                  [=](double distance) { return (distance - least_distance) / normal_scale; });
   return scaled;
 }
@@ -314,12 +315,14 @@ std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
   return pressure;
 }
 
-/// Displacement, approach, force and residuals of the final pressures, from a fresh convolution.
-void finish_solution(const NormalProblem& problem, NormalSolution& solution) {
-  const std::span<const double> distance = problem.undeformed_distance;
-  solution.displacement.resize(solution.pressure.size());
-  DisplacementOperator(problem.grid, problem.combined_modulus, problem.elements)
-      .apply(solution.pressure, solution.displacement);
+/// Approach and force of the final pressures. Returns their residuals, from a fresh convolution.
+Residuals finish_solution(const NormalProblem& problem, NormalSolution& solution) {
+  const PatchGap& patch = problem.patches.front();
+  const std::span<const double> distance = patch.undeformed_distance;
+  const std::vector<double>& pressure = solution.patches.front().pressure;
+  std::vector<double> displacement(pressure.size());
+  DisplacementOperator(patch.grid, problem.combined_modulus, problem.elements)
+      .apply(pressure, displacement);
   if (problem.approach) {
     solution.approach = *problem.approach;
   } else {
@@ -327,30 +330,25 @@ void finish_solution(const NormalProblem& problem, NormalSolution& solution) {
     double sum = 0.0;
     std::size_t contact_count = 0;
     for (std::size_t index = 0; index < distance.size(); ++index) {
-      if (solution.pressure[index] > 0.0) {
-        sum += (distance[index] - least_distance) + solution.displacement[index];
+      if (pressure[index] > 0.0) {
+        sum += (distance[index] - least_distance) + displacement[index];
         ++contact_count;
       }
     }
     solution.approach =
         least_distance + (contact_count > 0 ? sum / static_cast<double>(contact_count) : 0.0);
   }
-  solution.normal_force = sum_of(solution.pressure) * problem.grid.element_area();
-  solution.residuals =
-      compute_residuals(problem, solution.pressure, solution.displacement, solution.approach);
+  solution.patches.front().normal_force = sum_of(pressure) * patch.grid.element_area();
+  return compute_residuals(problem, pressure, displacement, solution.approach);
 }
 
-} // namespace
-
-NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
-  check_problem(problem);
-  const double least_distance =
-      *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
+NormalSolution solve_along_normal(const NormalProblem& problem) {
+  const std::span<const double> distance = problem.patches.front().undeformed_distance;
+  const double least_distance = *std::min_element(distance.begin(), distance.end());
   NormalSolution solution;
-  const bool apart =
-      problem.normal_load ? *problem.normal_load == 0.0 : *problem.approach <= least_distance;
-  if (apart) {
-    solution.pressure.assign(problem.grid.element_count(), 0.0);
+  std::vector<double>& pressure = solution.patches.emplace_back().pressure;
+  if (problem.load ? *problem.load == 0.0 : *problem.approach <= least_distance) {
+    pressure.assign(distance.size(), 0.0);
     finish_solution(problem, solution);
     return solution;
   }
@@ -358,14 +356,14 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
   const DimensionlessProblem scaled = scale_problem(problem, least_distance);
   DimensionlessResult result = ActiveSetIteration(scaled, start_pressures(scaled))
                                    .run(problem.tolerance, problem.maximum_iterations);
-  solution.pressure = std::move(result.pressure);
-  for (double& value : solution.pressure) {
+  pressure = std::move(result.pressure);
+  for (double& value : pressure) {
     value *= scaled.pressure_scale;
   }
   solution.iterations = result.iterations;
+  solution.convolutions = result.iterations;
   solution.stop_reason = result.stop_reason;
-  finish_solution(problem, solution);
-  const Residuals& residuals = solution.residuals;
+  const Residuals residuals = finish_solution(problem, solution);
   const double error =
       std::max({residuals.load_balance, residuals.complementarity, -residuals.least_gap});
   solution.pressure_error = pressure_error_per_gap_error * error;
@@ -376,28 +374,20 @@ NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
   return solution;
 }
 
-JointSolution solve_with_polonsky_keer(const JointProblem& problem) {
-  const PatchGap& patch = problem.patches.front();
-  NormalProblem single;
-  single.grid = patch.grid;
-  single.undeformed_distance = patch.undeformed_distance;
-  single.combined_modulus = problem.combined_modulus;
+} // namespace
+
+NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
+  PatchGap patch = single_patch(problem);
+  const double cosine = std::exchange(patch.approach_cosine, 1.0);
+  NormalProblem along_normal = problem;
+  along_normal.patches = {&patch, 1};
   if (problem.load) {
-    single.normal_load = *problem.load / patch.approach_cosine;
+    along_normal.load = *problem.load / cosine;
   } else {
-    single.approach = *problem.approach * patch.approach_cosine;
+    along_normal.approach = *problem.approach * cosine;
   }
-  single.tolerance = problem.tolerance;
-  single.maximum_iterations = problem.maximum_iterations;
-  single.elements = problem.elements;
-  NormalSolution solved = solve_with_polonsky_keer(single);
-  JointSolution solution;
-  solution.patches.push_back({std::move(solved.pressure), solved.normal_force});
-  solution.approach = solved.approach / patch.approach_cosine;
-  solution.iterations = solved.iterations;
-  solution.convolutions = solved.iterations;
-  solution.stop_reason = solved.stop_reason;
-  solution.pressure_error = solved.pressure_error;
+  NormalSolution solution = solve_along_normal(along_normal);
+  solution.approach /= cosine;
   return solution;
 }
 

@@ -60,7 +60,7 @@ bool find_penetration_box(const Level& level, double approach, std::size_t margi
   return find_pressure_box(level.size, depth, margin, box);
 }
 
-double ScaledProblem::first_touch(const JointProblem& problem) {
+double ScaledProblem::first_touch(const NormalProblem& problem) {
   double touch = std::numeric_limits<double>::infinity();
   for (const PatchGap& patch : problem.patches) {
     const double least =
@@ -70,7 +70,7 @@ double ScaledProblem::first_touch(const JointProblem& problem) {
   return touch;
 }
 
-void ScaledProblem::set(const JointProblem& problem, InfluenceCache& cache) {
+void ScaledProblem::set(const NormalProblem& problem, InfluenceCache& cache) {
   count = problem.patches.size();
   approach = 0.0;
   interaction = problem.interaction;
@@ -91,7 +91,7 @@ void ScaledProblem::set(const JointProblem& problem, InfluenceCache& cache) {
   set_levels(problem, farthest);
 }
 
-void ScaledProblem::set_scales(const JointProblem& problem) {
+void ScaledProblem::set_scales(const NormalProblem& problem) {
   const double step = problem.patches[0].grid.longitudinal_step;
   const double area = problem.patches[0].grid.element_area();
   const double modulus = std::numbers::pi * problem.combined_modulus;
@@ -127,7 +127,7 @@ void ScaledProblem::set_scales(const JointProblem& problem) {
   }
 }
 
-void ScaledProblem::set_levels(const JointProblem& problem, double farthest) {
+void ScaledProblem::set_levels(const NormalProblem& problem, double farthest) {
   const double step = problem.patches[0].grid.longitudinal_step;
   level_count = 1;
   const std::size_t coarsest = count > 1 ? coarsest_of_several : coarsest_of_one;
@@ -191,7 +191,7 @@ void ScaledProblem::draw_pressure(std::size_t index) {
   approach = load ? height : approach;
 }
 
-bool ScaledProblem::take_start(const JointProblem& problem) {
+bool ScaledProblem::take_start(const NormalProblem& problem) {
   const bool given =
       std::all_of(problem.patches.begin(), problem.patches.end(), [](const PatchGap& patch) {
         return patch.start.size() == patch.undeformed_distance.size();

@@ -1,4 +1,4 @@
-/// The joint problem without dimensions, on a cascade of grids for each patch.
+/// The normal problem without dimensions, on a cascade of grids for each patch.
 ///
 /// Lengths are counted in longitudinal steps of each grid, so u = K p with the influence
 /// coefficients of influence_cache.hpp; the approach in that of the first patch's finest grid. Mean
@@ -13,7 +13,7 @@
 
 #include "half_space/influence_cache.hpp"
 #include "mechanics/cascade.hpp"
-#include "mechanics/joint_contact.hpp"
+#include "mechanics/normal_contact.hpp"
 
 namespace wrc {
 
@@ -46,11 +46,11 @@ struct PatchCascade {
 
 struct ScaledProblem {
   /// The approach at which the first element touches, mm; nothing else is set yet.
-  static double first_touch(const JointProblem& problem);
+  static double first_touch(const NormalProblem& problem);
   /// `problem` must make contact.
-  void set(const JointProblem& problem, InfluenceCache& cache);
+  void set(const NormalProblem& problem, InfluenceCache& cache);
   /// Takes pressures to start from onto the finest grids; false if not all patches have some.
-  bool take_start(const JointProblem& problem);
+  bool take_start(const NormalProblem& problem);
   /// First pressures on grid `index` of all patches. With the approach given there are none: the
   /// first residual tells where contact is.
   void draw_pressure(std::size_t index);
@@ -66,8 +66,8 @@ struct ScaledProblem {
   double least_approach = 0.0; ///< mm, see first_touch
 
 private:
-  void set_scales(const JointProblem& problem);
-  void set_levels(const JointProblem& problem, double farthest);
+  void set_scales(const NormalProblem& problem);
+  void set_levels(const NormalProblem& problem, double farthest);
 };
 
 /// The box around all that overlaps at an approach: contact cannot lie outside. False if nothing

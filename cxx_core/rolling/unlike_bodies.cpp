@@ -76,20 +76,21 @@ UnlikeSolution solve_unlike(const RollingProblem& problem, std::span<const doubl
   const double area = problem.grid.element_area();
   const double load = area * std::accumulate(problem.pressure.begin(), problem.pressure.end(), 0.0);
   std::vector<double> opened(distance.begin(), distance.end());
+  const PatchGap patch{problem.grid, opened};
   NormalProblem normal;
-  normal.grid = problem.grid;
-  normal.undeformed_distance = opened;
+  normal.patches = {&patch, 1};
   normal.combined_modulus = combined_modulus;
-  normal.normal_load = load;
+  normal.load = load;
   normal.tolerance = std::min(tolerance, unlike_normal_tolerance);
   normal.elements = Elements::smooth;
   NormalSolver solver;
-  const std::vector<double> without = solver.solve(normal).pressure;
+  const std::vector<double> without = solver.solve(normal).patches.front().pressure;
   while (result.alternations < alternation_limit && !result.converged) {
     ++result.alternations;
     std::transform(distance.begin(), distance.end(), result.rolling.normal_displacement.begin(),
                    opened.begin(), std::plus<>());
-    add_change(problem.pressure, without, solver.solve(normal).pressure, result.pressure);
+    add_change(problem.pressure, without, solver.solve(normal).patches.front().pressure,
+               result.pressure);
     RollingSolution next = rolling.solve(tangential);
     const double moved = std::hypot(next.longitudinal_force - result.rolling.longitudinal_force,
                                     next.lateral_force - result.rolling.lateral_force);

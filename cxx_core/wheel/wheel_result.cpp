@@ -269,15 +269,14 @@ const Residuals& residuals_of(WheelResult& side) {
   double load = 0.0;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
+    // Along its normal by itself.
+    const PatchGap gap{patch.grid, patch.undeformed_distance};
     NormalProblem problem;
-    problem.grid = patch.grid;
-    problem.undeformed_distance = patch.undeformed_distance;
+    problem.patches = {&gap, 1};
     problem.combined_modulus = side.details.combined_modulus;
-    problem.elements = side.details.elements;
-    const double approach = patch.approach_cosine * side.details.problem_approach;
-    problem.approach = approach;
+    problem.approach = patch.approach_cosine * side.details.problem_approach;
     const Residuals residuals =
-        compute_residuals(problem, patch.pressure, displacements[k], approach);
+        compute_residuals(problem, patch.pressure, displacements[k], *problem.approach);
     worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
     worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
     load += patch.approach_cosine * patch.normal_force;

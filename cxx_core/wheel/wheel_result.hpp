@@ -66,7 +66,7 @@ struct WheelDetails {
   Elements elements = Elements::constant;
   std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
   double joining_distance = 0.0;               ///< of the patches, mm
-  std::optional<double> load;                  ///< of the joint problem; or approach 0 is given
+  std::optional<double> load;                  ///< of the normal problem; or approach 0 is given
   double problem_approach = 0.0;               ///< answer to that problem
   GapConvention gap = GapConvention::tangent;
   std::optional<WheelsetMotion> motion; ///< from which creepages follow, left-hand frame

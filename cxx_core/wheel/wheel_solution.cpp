@@ -142,7 +142,7 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     }
     gaps.push_back({patch.grid, patch.undeformed_distance, patch.approach_cosine, patch.pressure});
   }
-  JointProblem problem;
+  NormalProblem problem;
   problem.patches = gaps;
   problem.combined_modulus = request_.combined_modulus;
   if (request_.position_is_prescribed()) {
@@ -158,22 +158,22 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   problem.elements = request_.elements;
   problem.interaction = solution.interaction ? &*solution.interaction : nullptr;
   ++result_.solutions;
-  JointSolution joint = request_.solver == SolverChoice::paper && problem.patches.size() == 1
-                            ? solve_with_polonsky_keer(problem)
-                            : solver_.solve(problem);
+  NormalSolution solved = request_.solver == SolverChoice::paper && problem.patches.size() == 1
+                              ? solve_with_polonsky_keer(problem)
+                              : solver_.solve(problem);
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
-    patch.pressure = std::move(joint.patches[k].pressure);
-    patch.normal_force = joint.patches[k].normal_force;
+    patch.pressure = std::move(solved.patches[k].pressure);
+    patch.normal_force = solved.patches[k].normal_force;
     patch.contact = summarise_pressure(patch.grid, patch.pressure);
   }
-  result_.iterations += joint.iterations;
-  result_.convolutions += joint.convolutions;
-  solution.approach = joint.approach;
-  solution.stop_reason = joint.stop_reason;
-  solution.pressure_error = joint.pressure_error;
+  result_.iterations += solved.iterations;
+  result_.convolutions += solved.convolutions;
+  solution.approach = solved.approach;
+  solution.stop_reason = solved.stop_reason;
+  solution.pressure_error = solved.pressure_error;
   const double main_cosine = solution.patches[solution.main].frame.normal.z;
-  solution.depth_found = depth + joint.approach / (request_.normal_load ? main_cosine : 1.0);
+  solution.depth_found = depth + solved.approach / (request_.normal_load ? main_cosine : 1.0);
   result_.times.mechanics += watch.seconds();
   check_found_depth(request_, solution.depth_found); // before planes are turned there
   return solution;
@@ -272,9 +272,8 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
   bool shows_depth_only = follows > 0.0 && !request_.grid && tolerance() < depth_tolerance;
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
-    GridSolution solution =
-        solve_at(depth, grids, shows_depth_only ? depth_tolerance : tolerance(),
-                 before ? &*before : nullptr);
+    GridSolution solution = solve_at(depth, grids, shows_depth_only ? depth_tolerance : tolerance(),
+                                     before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;

@@ -5,7 +5,7 @@
 ///     prescribed);
 ///  2. the patches of penetration at that depth (patches/contact_patches.hpp), each with a plane,
 ///  an
-///     area and a grid of its own, are solved together (mechanics/joint_contact.hpp) on few
+///     area and a grid of its own, are solved together (mechanics/normal_contact.hpp) on few
 ///     elements: this coarse solution finds the depth;
 ///  3. planes, grids and undeformed distance at the depth found (not at the first touch: under a
 ///     contact angle a sinking wheel also slides along the tangent), and the final solution on as
@@ -35,7 +35,6 @@
 
 #include "accuracy/grid_solution.hpp"
 #include "geometry/wheelset_equilibrium.hpp"
-#include "mechanics/joint_contact.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "patches/contact_frame.hpp"
 #include "patches/contact_patches.hpp"
@@ -58,9 +57,9 @@ struct WheelSolution {
   std::vector<Patch> patches;
   double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
   double depth = 0.0;         ///< vertical, from the first touch to that height
-  double approach = 0.0;      ///< answer to the joint problem, from that height
+  double approach = 0.0;      ///< answer to the normal problem, from that height
   double depth_found = 0.0;   ///< vertical, from the first touch to the height solved for
-  std::optional<double> load; ///< of the joint problem; or the approach was prescribed
+  std::optional<double> load; ///< of the normal problem; or the approach was prescribed
   double combined_modulus = 0.0;
   Elements elements = Elements::constant;
   GapConvention gap = GapConvention::tangent;
@@ -72,7 +71,7 @@ struct WheelSolution {
   StopReason stop_reason = StopReason::tolerance_met;
   int iterations = 0;   ///< of all solutions together
   int convolutions = 0; ///< likewise: applications of the influence coefficients
-  int solutions = 0;    ///< joint problems solved
+  int solutions = 0;    ///< normal problems solved
   StageTimes times;
   std::vector<std::string> warnings;
 };

@@ -11,6 +11,7 @@
 #include "damage/subsurface_stress.hpp"
 #include "evidence/random_wheels.hpp"
 #include "mechanics/normal_solver.hpp"
+#include "support/patch_problem.hpp"
 
 namespace {
 
@@ -31,9 +32,9 @@ template <class Work> double median_ms(int repeats, Work work) {
 struct Contact {
   Grid grid{32, 64, 0.0375, 0.03125, -0.58125, -0.984375};
   std::vector<double> distance;
-  NormalProblem problem;
+  PatchProblem problem{grid, {}, 1e5};
   NormalSolver solver;
-  NormalSolution solution;
+  PatchSolution solution;
 
   explicit Contact(double fill) {
     for (std::size_t i = 0; i < grid.element_count(); ++i) {
@@ -41,14 +42,12 @@ struct Contact {
       const double y = grid.lateral(i / 64);
       distance.push_back(x * x / 1000.0 + y * y / 500.0);
     }
-    problem.grid = grid;
-    problem.undeformed_distance = distance;
-    problem.combined_modulus = 1e5;
+    problem.patch.undeformed_distance = distance;
     problem.tolerance = 1e-4;
-    problem.normal_load = 1.0;
+    problem.load = 1.0;
     double filled = 0.0;
     while (filled < 0.785 * fill * fill) {
-      problem.normal_load = *problem.normal_load * 1.05;
+      problem.load = *problem.load * 1.05;
       solution = solver.solve(problem);
       filled = 1.0 - static_cast<double>(
                          std::count(solution.pressure.begin(), solution.pressure.end(), 0.0)) /

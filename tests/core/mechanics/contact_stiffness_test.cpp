@@ -174,7 +174,7 @@ protected:
 TEST_F(ContactStiffnessTest, IsThatOfDenseElimination) {
   for (const double aspect : {0.05, 0.4, 1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(23, 17, 1.0 / aspect)) {
-      const NormalSolution solution =
+      const PatchSolution solution =
           solve_exactly(with_load(example.grid, example.distance, case_load / aspect, 1e-11));
       const std::vector<SolvedPatch> patches{{example.grid, solution.pressure}};
       stiffness.set_contact(patches, steel_modulus);
@@ -193,7 +193,7 @@ TEST_F(ContactStiffnessTest, ToleranceBoundsTheErrorOfForces) {
   constexpr double slack = 2.0;
   for (const double aspect : {0.2, 1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(60, 44, aspect)) {
-      const NormalSolution solution =
+      const PatchSolution solution =
           solve_exactly(with_load(example.grid, example.distance, case_load * aspect, 1e-11));
       std::vector<double> slope(example.grid.element_count());
       for (std::size_t i = 0; i < slope.size(); ++i) {
@@ -227,7 +227,7 @@ TEST_F(ContactStiffnessTest, IsTheDerivativeOfTheContactProblem) {
   int unchanged = 0;
   for (const double aspect : {0.05, 1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(40, 36, 1.0 / aspect)) {
-      const NormalSolution middle =
+      const PatchSolution middle =
           solve_exactly(with_load(example.grid, example.distance, case_load / aspect, 1e-11));
       // The derivative at an answer to a prescribed approach.
       const double step = 1e-5 * std::abs(middle.approach);
@@ -239,8 +239,8 @@ TEST_F(ContactStiffnessTest, IsTheDerivativeOfTheContactProblem) {
         }
         return solve_exactly(with_approach(example.grid, distance, middle.approach, 1e-11));
       };
-      const NormalSolution ahead = solve_at(step);
-      const NormalSolution behind = solve_at(-step);
+      const PatchSolution ahead = solve_at(step);
+      const PatchSolution behind = solve_at(-step);
       bool same = true;
       std::vector<double> difference(change.size());
       for (std::size_t i = 0; i < change.size(); ++i) {
@@ -280,7 +280,7 @@ TEST_F(ContactStiffnessTest, HertzInTheLimit) {
         const Grid grid = centred_grid(count, count, 2.0 * room * hertz.semi_axis_lateral / n,
                                        2.0 * room * hertz.semi_axis_longitudinal / n);
         const std::vector<double> distance = hertz_gap(grid, 1.0 / 460.0, curvature);
-        const NormalSolution solution =
+        const PatchSolution solution =
             solve_exactly(with_approach(grid, distance, hertz.approach, 1e-9));
         set_contact(grid, solution.pressure);
         const Fields one{std::vector<double>(grid.element_count(), 1.0)};
@@ -350,7 +350,7 @@ TEST_F(ContactStiffnessTest, TouchingWithoutPressureIsNoContact) {
     std::vector<double> moved = distance;
     moved[2] -= by;
     moved[3] -= by;
-    const NormalSolution solution = solve_exactly(with_approach(grid, moved, 0.0, 1e-11));
+    const PatchSolution solution = solve_exactly(with_approach(grid, moved, 0.0, 1e-11));
     const double rate = (solution.pressure[2] - 5.0) / by;
     if (by > 0.0) {
       EXPECT_NEAR(rate, answer[0][2], 1e-4 * rate) << "it parts";

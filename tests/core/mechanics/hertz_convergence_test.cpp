@@ -7,10 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/normal_contact.hpp"
 #include "models/hertz.hpp"
 #include "pressure/pressure_field.hpp"
-#include "support/contact_cases.hpp"
+#include "support/patch_problem.hpp"
 
 namespace wrc::test::hertz_convergence_test {
 namespace {
@@ -46,8 +45,8 @@ Errors mean_errors(double longitudinal_curvature, double lateral_curvature, std:
     grid.longitudinal_first += step_x * (0.2 * shift - 0.5);
     grid.lateral_first += step_y * (std::fmod(0.4 * shift, 1.0) - 0.5);
     const std::vector<double> distance = hertz_gap(grid, longitudinal_curvature, lateral_curvature);
-    const NormalSolution solution =
-        solve_with_polonsky_keer({grid, distance, steel_modulus, load, {}, solver_tolerance});
+    const PatchSolution solution =
+        solve_with_polonsky_keer(with_load(grid, distance, load, solver_tolerance));
     EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met);
     EXPECT_FALSE(summarise_pressure(grid, solution.pressure).touches_edge.any());
     mean.peak += (peak_pressure(grid, solution.pressure) / exact.peak_pressure - 1.0) / shifts;

@@ -55,8 +55,8 @@ public:
   RandomPatches(const RandomPatches&) = delete;
   RandomPatches& operator=(const RandomPatches&) = delete;
 
-  [[nodiscard]] JointProblem problem() const {
-    JointProblem problem = problem_;
+  [[nodiscard]] NormalProblem problem() const {
+    NormalProblem problem = problem_;
     problem.patches = gaps_;
     return problem;
   }
@@ -86,12 +86,12 @@ private:
   std::vector<std::vector<double>> distances_;
   std::vector<PatchGap> gaps_;
   PatchInteraction interaction_;
-  JointProblem problem_;
+  NormalProblem problem_;
 };
 
-std::vector<double> pressures_of(const JointSolution& solution) {
+std::vector<double> pressures_of(const NormalSolution& solution) {
   std::vector<double> all;
-  for (const JointSolution::Patch& patch : solution.patches) {
+  for (const NormalSolution::Patch& patch : solution.patches) {
     all.insert(all.end(), patch.pressure.begin(), patch.pressure.end());
   }
   return all;
@@ -103,12 +103,12 @@ TEST(JointContactRandom, MeetsTheToleranceAsked) {
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE(seed);
     const RandomPatches patches(seed);
-    JointProblem exact = patches.problem();
+    NormalProblem exact = patches.problem();
     exact.tolerance = exact_tolerance;
     const std::vector<double> expected =
         pressures_of(NormalSolver(PlannerRigor::estimate, Precision::double_only).solve(exact));
-    const JointProblem problem = patches.problem();
-    const JointSolution found = solver.solve(problem);
+    const NormalProblem problem = patches.problem();
+    const NormalSolution found = solver.solve(problem);
     const std::vector<double> pressures = pressures_of(found);
     EXPECT_EQ(found.stop_reason, StopReason::tolerance_met);
     EXPECT_TRUE(std::isfinite(found.approach));

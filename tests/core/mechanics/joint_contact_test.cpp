@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "half_space/displacement_operator.hpp"
 #include "half_space/patch_coupling.hpp"
-#include "mechanics/joint_contact.hpp"
 #include "support/errors.hpp"
 #include "support/solver_checks.hpp"
 
@@ -53,8 +52,8 @@ std::vector<PatchGap> gaps_of(const std::vector<OwnedPatch>& patches) {
   return gaps;
 }
 
-JointProblem joint_with_load(const std::vector<PatchGap>& gaps, double load, double tolerance) {
-  JointProblem problem;
+NormalProblem joint_with_load(const std::vector<PatchGap>& gaps, double load, double tolerance) {
+  NormalProblem problem;
   problem.patches = gaps;
   problem.combined_modulus = steel_modulus;
   problem.load = load;
@@ -64,20 +63,17 @@ JointProblem joint_with_load(const std::vector<PatchGap>& gaps, double load, dou
 
 /// Pressures of a joint solution against those of each patch alone at the approach found, and the
 /// load they make.
-void expect_each_patch_solved(const JointProblem& problem, const JointSolution& solution,
+void expect_each_patch_solved(const NormalProblem& problem, const NormalSolution& solution,
                               const std::string& name) {
   EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met) << name;
   double largest = 0.0;
   double load = 0.0;
-  std::vector<NormalSolution> alone;
+  std::vector<PatchSolution> alone;
   for (std::size_t k = 0; k < problem.patches.size(); ++k) {
     const PatchGap& patch = problem.patches[k];
-    alone.push_back(solve_exactly({patch.grid,
-                                   patch.undeformed_distance,
-                                   problem.combined_modulus,
-                                   {},
-                                   solution.approach * patch.approach_cosine,
-                                   exact_tolerance}));
+    PatchProblem one(patch.grid, patch.undeformed_distance, problem.combined_modulus);
+    one.approach = solution.approach * patch.approach_cosine;
+    alone.push_back(solve_exactly(one));
     largest =
         std::max(largest, *std::max_element(alone[k].pressure.begin(), alone[k].pressure.end()));
     load += patch.approach_cosine * solution.patches[k].normal_force;
@@ -103,12 +99,12 @@ TEST(JointContact, EachPatchIsSolvedAndTheLoadAddsUp) {
     // From one patch in contact to all three.
     for (const double load : {50.0, 5e3, 4e4}) {
       for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
-        const JointProblem problem = joint_with_load(gaps, load, tolerance);
+        const NormalProblem problem = joint_with_load(gaps, load, tolerance);
         const std::string name =
             std::to_string(load) + " N, tolerance " + std::to_string(tolerance);
-        const JointSolution solution = solver.solve(problem);
+        const NormalSolution solution = solver.solve(problem);
         expect_each_patch_solved(problem, solution, name);
-        JointProblem by_approach = problem;
+        NormalProblem by_approach = problem;
         by_approach.load.reset();
         by_approach.approach = solution.approach;
         expect_each_patch_solved(by_approach, solver.solve(by_approach), name + " by approach");
@@ -122,25 +118,13 @@ TEST(JointContact, OrderOfPatchesDoesNotMatter) {
   const double tolerance = 1e-8;
   NormalSolver solver;
   const std::vector<PatchGap> gaps = gaps_of(patches);
-  const JointSolution forward = solver.solve(joint_with_load(gaps, 2e4, tolerance));
+  const NormalSolution forward = solver.solve(joint_with_load(gaps, 2e4, tolerance));
   const std::vector<PatchGap> reversed(gaps.rbegin(), gaps.rend());
-  const JointSolution backward = solver.solve(joint_with_load(reversed, 2e4, tolerance));
+  const NormalSolution backward = solver.solve(joint_with_load(reversed, 2e4, tolerance));
   EXPECT_NEAR(forward.approach, backward.approach, tolerance * forward.approach);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(forward.patches[k].normal_force, backward.patches[2 - k].normal_force,
                 10.0 * tolerance * 2e4);
-  }
-}
-
-TEST(JointContact, OnePatchIsTheSingleProblem) {
-  NormalSolver solver;
-  for (const ContactCase& example : contact_cases(50, 40, 1.0)) {
-    const NormalSolution single =
-        solver.solve(with_load(example.grid, example.distance, case_load, 1e-6));
-    const PatchGap gap{example.grid, example.distance, 1.0};
-    const JointSolution joint = solver.solve(joint_with_load({gap}, case_load, 1e-6));
-    EXPECT_EQ(single.pressure, joint.patches[0].pressure) << example.name;
-    EXPECT_EQ(single.approach, joint.approach) << example.name;
   }
 }
 
@@ -149,14 +133,15 @@ TEST(JointContact, SharedApproachCostsFewMoreConvolutions) {
   // as one of them alone on the same grids.
   const OwnedPatch patch = hertz_patch(128, 64, 0.1, 0.2, 300.0, 0.0, 1.0);
   NormalSolver solver;
-  const JointSolution alike = solver.solve(joint_with_load({patch.gap(), patch.gap()}, 4e4, 1e-5));
+  const NormalSolution alike = solver.solve(joint_with_load({patch.gap(), patch.gap()}, 4e4, 1e-5));
   const OwnedPatch other = hertz_patch(120, 60, 0.1, 0.2, 250.0, 0.004, std::cos(0.4));
-  const JointSolution both = solver.solve(joint_with_load({patch.gap(), other.gap()}, 3.5e4, 1e-5));
+  const NormalSolution both =
+      solver.solve(joint_with_load({patch.gap(), other.gap()}, 3.5e4, 1e-5));
   EXPECT_LE(both.convolutions, 1.3 * alike.convolutions + 1.0)
       << alike.convolutions << " and " << both.convolutions;
   // A patch with a hundredth of the load: one step length for all would serve the larger one.
   const OwnedPatch small = hertz_patch(40, 64, 0.05, 0.1, 300.0, 0.0395, 1.0);
-  const JointSolution unequal =
+  const NormalSolution unequal =
       solver.solve(joint_with_load({patch.gap(), small.gap()}, 2e4, 1e-5));
   EXPECT_GT(unequal.patches[1].normal_force, 0.0);
   EXPECT_LT(unequal.patches[1].normal_force, 0.02 * unequal.patches[0].normal_force);
@@ -168,7 +153,7 @@ TEST(JointContact, ALoadOfNothingPressesNothing) {
   const std::vector<OwnedPatch> patches = tread_and_flange();
   const std::vector<PatchGap> gaps = gaps_of(patches);
   NormalSolver solver;
-  const JointSolution solution = solver.solve(joint_with_load(gaps, 0.0, 1e-5));
+  const NormalSolution solution = solver.solve(joint_with_load(gaps, 0.0, 1e-5));
   EXPECT_NEAR(solution.approach,
               *std::min_element(patches[0].distance.begin(), patches[0].distance.end()) /
                   patches[0].share,
@@ -213,8 +198,8 @@ CutPlane cut_plane() {
 
 /// Both ways to solve a cut plane.
 struct CutPlaneSolutions {
-  NormalSolution whole;
-  JointSolution joint;
+  PatchSolution whole;
+  NormalSolution joint;
 };
 
 CutPlaneSolutions solve_both_ways(const CutPlane& plane, double load) {
@@ -223,7 +208,7 @@ CutPlaneSolutions solve_both_ways(const CutPlane& plane, double load) {
   CutPlaneSolutions found;
   found.whole = solver.solve(with_load(plane.whole.grid, plane.whole.distance, load, tolerance));
   const std::vector<PatchGap> gaps = gaps_of(plane.parts);
-  JointProblem problem = joint_with_load(gaps, load, tolerance);
+  NormalProblem problem = joint_with_load(gaps, load, tolerance);
   problem.interaction = &plane.interaction;
   found.joint = solver.solve(problem);
   return found;
@@ -279,7 +264,7 @@ TEST(JointContact, FindsWhatCoarseGridsMissInBothPatchesThatInteract) {
 TEST(JointContact, InteractionGrowsWithCloseness) {
   CutPlane plane = cut_plane();
   const std::vector<PatchGap> gaps = gaps_of(plane.parts);
-  JointProblem problem = joint_with_load(gaps, 1e4, 1e-6);
+  NormalProblem problem = joint_with_load(gaps, 1e4, 1e-6);
   NormalSolver solver;
   double last = solver.solve(problem).approach;
   problem.interaction = &plane.interaction;
@@ -434,10 +419,10 @@ TEST(PatchCoupling, KeepsTheErrorAskedForOnBoxesApart) {
   }
 }
 
-TEST(JointProblem, WhatIsWrongIsNamed) {
+TEST(JointContact, WhatIsWrongIsNamed) {
   const OwnedPatch patch = hertz_patch(8, 8, 1.0, 1.0, 300.0, 0.0, 1.0);
   NormalSolver solver;
-  const auto expect_named = [&solver](const JointProblem& problem, const char* name) {
+  const auto expect_named = [&solver](const NormalProblem& problem, const char* name) {
     expect_error(
         ErrorCode::invalid_argument, [&] { solver.solve(problem); }, name);
   };
@@ -445,11 +430,11 @@ TEST(JointProblem, WhatIsWrongIsNamed) {
   expect_named(joint_with_load(gaps, 1.0, 1e-3), "patches");
   gaps.push_back(patch.gap());
   expect_named(joint_with_load(gaps, -1.0, 1e-3), "load");
-  JointProblem both = joint_with_load(gaps, 1.0, 1e-3);
+  NormalProblem both = joint_with_load(gaps, 1.0, 1e-3);
   both.approach = 1.0;
   expect_named(both, "approach");
   PatchInteraction interaction;
-  JointProblem coupled = joint_with_load(gaps, 1.0, 1e-3);
+  NormalProblem coupled = joint_with_load(gaps, 1.0, 1e-3);
   coupled.interaction = &interaction;
   expect_named(coupled, "interaction.places");
   interaction.places.resize(1);

@@ -18,8 +18,8 @@ using Place = std::pair<std::size_t, std::size_t>;
 class LoneSphere {
 public:
   explicit LoneSphere(double load_on_it = 50.0) : load(load_on_it) {
-    const NormalProblem problem = with_load(grid, distance, load, exact_tolerance);
-    const NormalSolution alone = solve_exactly(problem);
+    const PatchProblem problem = with_load(grid, distance, load, exact_tolerance);
+    const PatchSolution alone = solve_exactly(problem);
     approach = alone.approach;
     displacement.resize(grid.element_count());
     DisplacementOperator(grid, steel_modulus).apply(alone.pressure, displacement);
@@ -50,10 +50,10 @@ void expect_found(NormalSolver& solver, const LoneSphere& sphere,
                   const std::string& name) {
   for (const double tolerance : {0.1 * share, 1e-6}) {
     for (const bool by_load : {true, false}) {
-      const NormalProblem problem =
+      const PatchProblem problem =
           by_load ? with_load(sphere.grid, distance, sphere.load, tolerance)
                   : with_approach(sphere.grid, distance, sphere.approach, tolerance);
-      const NormalSolution solution = solver.solve(problem);
+      const PatchSolution solution = solver.solve(problem);
       const std::string text = name + " pressed in by " + std::to_string(share) + " at row " +
                                std::to_string(place.first) + ", column " +
                                std::to_string(place.second) + (by_load ? ", load" : ", approach");
@@ -127,12 +127,12 @@ TEST(ExteriorCheck, LeavesSeparateBodiesAlone) {
   const LoneSphere sphere;
   NormalSolver solver;
   constexpr double tolerance = 1e-6;
-  const NormalSolution alone =
+  const PatchSolution alone =
       solver.solve(with_load(sphere.grid, sphere.distance, sphere.load, tolerance));
   for (const Place& place : {Place{0, 0}, {200, 17}, {101, 126}}) {
     std::vector<double> distance = sphere.distance;
     sphere.press_in(distance, place, -1e-5);
-    const NormalSolution solution =
+    const PatchSolution solution =
         solver.solve(with_load(sphere.grid, distance, sphere.load, tolerance));
     EXPECT_EQ(solution.pressure[sphere.index_of(place)], 0.0);
     EXPECT_LE(pressure_error(solution.pressure, alone.pressure), 2.0 * tolerance);

@@ -16,7 +16,7 @@ constexpr double fine_tolerance = 1e-9;
 /// Errors of Polonsky & Keer's pressures over the tolerance of its gaps: up to 70 seen.
 constexpr double paper_amplification = 150.0;
 
-void expect_same_bits(const NormalSolution& left, const NormalSolution& right,
+void expect_same_bits(const PatchSolution& left, const PatchSolution& right,
                       const std::string& name) {
   EXPECT_EQ(left.pressure, right.pressure) << name;
   EXPECT_EQ(left.approach, right.approach) << name;
@@ -35,12 +35,12 @@ TEST(NormalSolver, WhatIsKeptChangesNoBit) {
         for (const double aspect : {1.0, 1.0 / 30.0}) {
           for (const ContactCase& example : contact_cases(rows, columns, aspect)) {
             const double tolerance = round == 0 ? 1e-3 : 1e-7;
-            const NormalProblem by_load =
+            const PatchProblem by_load =
                 with_load(example.grid, example.distance, case_load * aspect, tolerance);
-            const NormalSolution loaded = warm.solve(by_load);
+            const PatchSolution loaded = warm.solve(by_load);
             expect_same_bits(loaded, NormalSolver(PlannerRigor::estimate, precision).solve(by_load),
                              example.name);
-            const NormalProblem by_approach =
+            const PatchProblem by_approach =
                 with_approach(example.grid, example.distance, loaded.approach, tolerance);
             expect_same_bits(warm.solve(by_approach),
                              NormalSolver(PlannerRigor::estimate, precision).solve(by_approach),
@@ -55,9 +55,9 @@ TEST(NormalSolver, WhatIsKeptChangesNoBit) {
 TEST(NormalSolver, MovedObjectsSolve) {
   const Grid grid = centred_grid(40, 30, 0.2, 0.2);
   const std::vector<double> distance = hertz_gap(grid, 1e-2, 1e-2);
-  const NormalProblem problem = with_load(grid, distance, 1000.0, 1e-6);
+  const PatchProblem problem = with_load(grid, distance, 1000.0, 1e-6);
   NormalSolver first;
-  const NormalSolution expected = first.solve(problem);
+  const PatchSolution expected = first.solve(problem);
   NormalSolver second(std::move(first));
   expect_same_bits(second.solve(problem), expected, "moved into a new one");
   NormalSolver third(PlannerRigor::estimate, Precision::double_only);
@@ -70,9 +70,9 @@ TEST(NormalSolver, PrecisionsAgree) {
   NormalSolver precise(PlannerRigor::estimate, Precision::double_only);
   for (const ContactCase& example : contact_cases(64, 50, 1.0)) {
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
-      const NormalProblem problem = with_load(example.grid, example.distance, case_load, tolerance);
-      const NormalSolution left = mixed.solve(problem);
-      const NormalSolution right = precise.solve(problem);
+      const PatchProblem problem = with_load(example.grid, example.distance, case_load, tolerance);
+      const PatchSolution left = mixed.solve(problem);
+      const PatchSolution right = precise.solve(problem);
       EXPECT_LE(pressure_error(left.pressure, right.pressure) / tolerance, 2.0)
           << example.name << " " << tolerance;
       // The approach is a mean over contact: far better than the largest error of p.
@@ -85,18 +85,19 @@ TEST(NormalSolver, MethodsAgree) {
   NormalSolver solver;
   for (const double aspect : {1.0, 6.0}) {
     for (const ContactCase& example : contact_cases(41, 37, aspect)) {
-      const NormalProblem by_load =
+      const PatchProblem by_load =
           with_load(example.grid, example.distance, case_load * aspect, fine_tolerance);
-      const NormalSolution paper = solve_with_polonsky_keer(by_load);
-      const NormalSolution loaded = solver.solve(by_load);
+      const PatchSolution paper = solve_with_polonsky_keer(by_load);
+      const PatchSolution loaded = solver.solve(by_load);
       EXPECT_LE(pressure_error(loaded.pressure, paper.pressure),
                 paper_amplification * fine_tolerance)
           << example.name;
       EXPECT_NEAR(loaded.approach / paper.approach, 1.0, paper_amplification * fine_tolerance);
-      const NormalProblem by_approach =
+      const PatchProblem by_approach =
           with_approach(example.grid, example.distance, paper.approach, fine_tolerance);
-      EXPECT_LE(pressure_error(solver.solve(by_approach).pressure,
-                               solve_with_polonsky_keer(by_approach).pressure),
+      const PatchSolution pressed = solver.solve(by_approach);
+      EXPECT_LE(pressure_error(pressed.pressure,
+                               PatchSolution(solve_with_polonsky_keer(by_approach)).pressure),
                 paper_amplification * fine_tolerance)
           << example.name << ", approach";
     }
@@ -106,7 +107,7 @@ TEST(NormalSolver, MethodsAgree) {
 /// What holds for the default method and for that of Polonsky & Keer.
 class EachMethod : public testing::TestWithParam<bool> {
 protected:
-  NormalSolution solve(const NormalProblem& problem) {
+  PatchSolution solve(const PatchProblem& problem) {
     return is_paper ? solve_with_polonsky_keer(problem) : solver_.solve(problem);
   }
   const bool is_paper = GetParam();
@@ -136,13 +137,13 @@ std::vector<double> mirror(const Grid& grid, const std::vector<double>& values, 
 TEST_P(EachMethod, MirroredGapGivesMirroredPressure) {
   for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{24, 19}, {70, 45}}) {
     for (const ContactCase& example : contact_cases(rows, columns, 1.0)) {
-      const NormalSolution straight =
+      const PatchSolution straight =
           solve(with_load(example.grid, example.distance, case_load, fine_tolerance));
       for (const auto& [flip_rows, flip_columns] :
            {std::pair{true, false}, {false, true}, {true, true}}) {
         const std::vector<double> mirrored =
             mirror(example.grid, example.distance, flip_rows, flip_columns);
-        const NormalSolution reflected =
+        const PatchSolution reflected =
             solve(with_load(example.grid, mirrored, case_load, fine_tolerance));
         EXPECT_LE(pressure_error(mirror(example.grid, reflected.pressure, flip_rows, flip_columns),
                                  straight.pressure),
@@ -166,9 +167,9 @@ TEST_P(EachMethod, TransposedGapGivesTransposedPressure) {
       return result;
     };
     const std::vector<double> distance = transpose(example.distance, grid.longitudinal_count);
-    const NormalSolution straight =
+    const PatchSolution straight =
         solve(with_load(grid, example.distance, 3.0 * case_load, fine_tolerance));
-    const NormalSolution across =
+    const PatchSolution across =
         solve(with_load(turned, distance, 3.0 * case_load, fine_tolerance));
     EXPECT_LE(
         pressure_error(transpose(across.pressure, turned.longitudinal_count), straight.pressure),
@@ -184,8 +185,8 @@ TEST_P(EachMethod, ShiftByOneElementShiftsThePressure) {
   moved.longitudinal_first += grid.longitudinal_step;
   const std::vector<double> first = hertz_gap(grid, 1.0 / 400.0, 1.0 / 100.0);
   const std::vector<double> second = hertz_gap(moved, 1.0 / 400.0, 1.0 / 100.0);
-  const NormalSolution before = solve(with_load(grid, first, 2000.0, fine_tolerance));
-  const NormalSolution after = solve(with_load(moved, second, 2000.0, fine_tolerance));
+  const PatchSolution before = solve(with_load(grid, first, 2000.0, fine_tolerance));
+  const PatchSolution after = solve(with_load(moved, second, 2000.0, fine_tolerance));
   std::vector<double> shifted(before.pressure.size(), 0.0);
   for (std::size_t row = 1; row < grid.lateral_count; ++row) {
     std::copy_n(before.pressure.data() + row * 58 + 1, 57, shifted.data() + (row - 1) * 58);
@@ -196,7 +197,7 @@ TEST_P(EachMethod, ShiftByOneElementShiftsThePressure) {
 TEST(NormalSolver, UnitsInPowersOfTwoChangeNoBit) {
   NormalSolver solver;
   for (const ContactCase& example : contact_cases(45, 50, 2.0)) {
-    const NormalSolution expected =
+    const PatchSolution expected =
         solver.solve(with_load(example.grid, example.distance, case_load, 1e-6));
     for (const double length : {0x1p-40, 0x1p20}) {
       for (const double stress : {0x1p-20, 0x1p30}) {
@@ -207,12 +208,10 @@ TEST(NormalSolver, UnitsInPowersOfTwoChangeNoBit) {
         for (double& value : distance) {
           value *= length;
         }
-        NormalSolution solution = solver.solve({grid,
-                                                distance,
-                                                steel_modulus * stress,
-                                                case_load * stress * length * length,
-                                                {},
-                                                1e-6});
+        PatchProblem problem =
+            with_load(grid, distance, case_load * stress * length * length, 1e-6);
+        problem.combined_modulus *= stress;
+        PatchSolution solution = solver.solve(problem);
         for (double& value : solution.pressure) {
           value /= stress;
         }
@@ -226,10 +225,10 @@ TEST(NormalSolver, UnitsInPowersOfTwoChangeNoBit) {
 TEST_P(EachMethod, PressuresOfAPunchAreProportionalToTheLoad) {
   const Grid grid = centred_grid(40, 62, 0.2, 0.1);
   const std::vector<double> flat(grid.element_count(), 0.0);
-  const NormalSolution unit = solve(with_load(grid, flat, 1.0, fine_tolerance));
+  const PatchSolution unit = solve(with_load(grid, flat, 1.0, fine_tolerance));
   EXPECT_GT(*std::min_element(unit.pressure.begin(), unit.pressure.end()), 0.0);
   for (const double load : {1e-9, 3.0, 1e12}) {
-    NormalSolution scaled = solve(with_load(grid, flat, load, fine_tolerance));
+    PatchSolution scaled = solve(with_load(grid, flat, load, fine_tolerance));
     for (double& value : scaled.pressure) {
       value /= load;
     }
@@ -241,11 +240,11 @@ TEST_P(EachMethod, PressuresOfAPunchAreProportionalToTheLoad) {
 TEST_P(EachMethod, AddedHeightMovesTheApproachOnly) {
   const Grid grid = centred_grid(50, 40, 0.2, 0.2);
   std::vector<double> distance = hertz_gap(grid, 1.0 / 128.0, 1.0 / 64.0);
-  const NormalSolution low = solve(with_load(grid, distance, 3000.0, fine_tolerance));
+  const PatchSolution low = solve(with_load(grid, distance, 3000.0, fine_tolerance));
   for (double& value : distance) {
     value -= 0.5;
   }
-  const NormalSolution high = solve(with_load(grid, distance, 3000.0, fine_tolerance));
+  const PatchSolution high = solve(with_load(grid, distance, 3000.0, fine_tolerance));
   EXPECT_LE(pressure_error(high.pressure, low.pressure), same_answer);
   EXPECT_NEAR(high.approach, low.approach - 0.5, load_rounding);
 }
@@ -254,16 +253,12 @@ TEST_P(EachMethod, NothingPressedNothingIsSolved) {
   const Grid grid = centred_grid(4, 5, 1.0, 1.0);
   std::vector<double> distance(20, 1e3);
   distance[7] = -0.25;
-  const NormalSolution unloaded = solve(with_load(grid, distance, 0.0, 1e-6));
+  const PatchSolution unloaded = solve(with_load(grid, distance, 0.0, 1e-6));
   EXPECT_EQ(unloaded.approach, -0.25);
-  const NormalSolution apart = solve(with_approach(grid, distance, -0.3, 1e-6));
+  const PatchSolution apart = solve(with_approach(grid, distance, -0.3, 1e-6));
   EXPECT_EQ(apart.approach, -0.3);
-  const NormalSolution touching = solve(with_approach(grid, distance, -0.25, 1e-6));
-  if (is_paper) { // which recomputes its residuals
-    EXPECT_DOUBLE_EQ(apart.residuals.least_gap, 1.0);
-    EXPECT_EQ(apart.displacement, std::vector<double>(20, 0.0));
-  }
-  for (const NormalSolution& solution : {unloaded, apart, touching}) {
+  const PatchSolution touching = solve(with_approach(grid, distance, -0.25, 1e-6));
+  for (const PatchSolution& solution : {unloaded, apart, touching}) {
     EXPECT_EQ(solution.pressure, std::vector<double>(20, 0.0));
     EXPECT_EQ(solution.normal_force, 0.0);
     EXPECT_EQ(solution.iterations, 0);
@@ -280,19 +275,19 @@ TEST_P(EachMethod, NothingPressedNothingIsSolved) {
 TEST(NormalSolver, StopsAreNamedAndBadToleranceIsRefused) {
   const Grid grid = centred_grid(40, 24, 0.2, 0.2);
   const std::vector<double> distance = hertz_gap(grid, 1.0 / 300.0, 1.0 / 300.0);
-  NormalProblem problem = with_load(grid, distance, 4000.0, 1e-8);
+  PatchProblem problem = with_load(grid, distance, 4000.0, 1e-8);
   for (const Precision precision : {Precision::mixed, Precision::double_only}) {
     NormalSolver solver(PlannerRigor::estimate, precision);
     problem.maximum_iterations = 2;
     problem.tolerance = 1e-8;
-    const NormalSolution early = solver.solve(problem);
+    const PatchSolution early = solver.solve(problem);
     EXPECT_EQ(early.stop_reason, StopReason::iteration_limit);
     EXPECT_LE(compute_residuals(problem, early.pressure, early.approach).load_balance,
               load_rounding);
     problem.maximum_iterations = 5000;
     // Out of reach: the answer is as good as rounding allows, and the iteration ends.
     problem.tolerance = 1e-17;
-    const NormalSolution floor = solver.solve(problem);
+    const PatchSolution floor = solver.solve(problem);
     EXPECT_NE(floor.stop_reason, StopReason::iteration_limit);
     EXPECT_LE(compute_residuals(problem, floor.pressure, floor.approach).complementarity, 1e-12);
     // A refused problem leaves the object usable.

@@ -69,10 +69,10 @@ TEST(RandomProblems, AreSolved) {
   for (int number = 0; number < problem_count; ++number) {
     const RandomProblem random = draw(generator);
     const std::string name = "problem " + std::to_string(number);
-    NormalProblem problem =
+    PatchProblem problem =
         with_approach(random.grid, random.distance, random.approach, exact_tolerance);
     problem.elements = number % 4 < 2 ? Elements::constant : Elements::smooth;
-    NormalSolution exact = solve_exactly(problem);
+    PatchSolution exact = solve_exactly(problem);
     if (number % 2 == 1) {
       const Elements elements = problem.elements;
       problem = with_load(random.grid, random.distance, exact.normal_force, exact_tolerance);

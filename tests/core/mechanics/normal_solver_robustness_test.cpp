@@ -20,11 +20,11 @@ namespace {
 constexpr double dense_agreement = 1e-10;
 
 void expect_dense_answer(const Grid& grid, const std::vector<double>& distance,
-                         const NormalSolution& solution, const std::string& name) {
-  const NormalProblem by_load = with_load(grid, distance, solution.normal_force, exact_tolerance);
+                         const PatchSolution& solution, const std::string& name) {
+  const PatchProblem by_load = with_load(grid, distance, solution.normal_force, exact_tolerance);
   EXPECT_LE(pressure_error(solution.pressure, solve_densely(by_load).pressure), dense_agreement)
       << name;
-  const NormalProblem by_approach =
+  const PatchProblem by_approach =
       with_approach(grid, distance, solution.approach, exact_tolerance);
   EXPECT_LE(
       pressure_error(solve_exactly(by_approach).pressure, solve_densely(by_approach).pressure),
@@ -47,7 +47,7 @@ TEST(NormalSolverRobustness, LeastGrids) {
                                  std::to_string(mean_pressure);
         for (const double curvature : {0.0, 1.0 / 200.0}) {
           std::vector<double> distance = hertz_gap(grid, curvature, curvature);
-          const NormalSolution exact =
+          const PatchSolution exact =
               expect_solved(solver, grid, distance, mean_pressure * area, name);
           expect_dense_answer(grid, distance, exact, name);
         }
@@ -73,7 +73,7 @@ TEST(NormalSolverRobustness, OneElementInContact) {
   std::vector<double> distance = hertz_gap(small, 1.0, 1.0);
   const std::size_t place = 5 * 13 + 4;
   distance[place] = -0.01;
-  const NormalSolution single = expect_solved(solver, small, distance, 1.0, "small grid");
+  const PatchSolution single = expect_solved(solver, small, distance, 1.0, "small grid");
   EXPECT_DOUBLE_EQ(single.pressure[place], 100.0);
   EXPECT_EQ(std::count(single.pressure.begin(), single.pressure.end(), 0.0), 15 * 13 - 1);
   expect_dense_answer(small, distance, single, "small grid");
@@ -106,8 +106,8 @@ TEST(NormalSolverRobustness, LeastLoads) {
   for (const double aspect : {1.0 / 200.0, 1.0, 100.0}) {
     for (const ContactCase& example : contact_cases(41, 37, aspect)) {
       const double load = case_load * aspect * 1e-9;
-      NormalProblem problem = with_load(example.grid, example.distance, load, exact_tolerance);
-      const NormalSolution exact = solve_exactly(problem);
+      PatchProblem problem = with_load(example.grid, example.distance, load, exact_tolerance);
+      const PatchSolution exact = solve_exactly(problem);
       for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
         problem.tolerance = tolerance;
         expect_answer(problem, solver.solve(problem), exact.pressure, example.name);
@@ -146,7 +146,7 @@ TEST(NormalSolverRobustness, AwkwardSizes) {
     }
   }
   for (const ContactCase& example : contact_cases(300, 150, 1.0)) {
-    const NormalProblem problem = with_load(example.grid, example.distance, case_load, 1e-6);
+    const PatchProblem problem = with_load(example.grid, example.distance, case_load, 1e-6);
     expect_answer(problem, solver.solve(problem), solve_exactly(problem).pressure,
                   example.name + ", 300 x 150");
   }
@@ -157,7 +157,7 @@ class TwoContacts {
 public:
   TwoContacts() {
     const std::vector<double> alone = gap_with(1.0);
-    const NormalSolution first = solve_exactly(with_load(grid, alone, load, exact_tolerance));
+    const PatchSolution first = solve_exactly(with_load(grid, alone, load, exact_tolerance));
     std::vector<double> displacement(grid.element_count());
     DisplacementOperator(grid, steel_modulus).apply(first.pressure, displacement);
     room_ = first.approach - displacement[place];
@@ -192,7 +192,7 @@ TEST(NormalSolverRobustness, SecondContactBarelyPressedIn) {
   for (const double share : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
     const std::vector<double> distance = bodies.pressed_in(share);
     const std::string name = "pressed in by " + std::to_string(share);
-    const NormalSolution exact =
+    const PatchSolution exact =
         expect_solved(solver, bodies.grid, distance, TwoContacts::load, name);
     EXPECT_EQ(pressure_regions(bodies.grid, exact.pressure).size(), 2U) << name;
   }
@@ -204,8 +204,8 @@ TEST(NormalSolverRobustness, SecondContactBelowTheRoundingOfSinglePrecision) {
   NormalSolver solver;
   for (const double share : {1e-6, 1e-7}) {
     const std::vector<double> distance = bodies.pressed_in(share);
-    NormalProblem problem = with_load(bodies.grid, distance, TwoContacts::load, 1e-9);
-    const NormalSolution exact = solve_with_polonsky_keer(problem);
+    PatchProblem problem = with_load(bodies.grid, distance, TwoContacts::load, 1e-9);
+    const PatchSolution exact = solve_with_polonsky_keer(problem);
     EXPECT_EQ(pressure_regions(bodies.grid, exact.pressure).size(), 2U);
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8}) {
       problem.tolerance = tolerance;

@@ -33,19 +33,19 @@ void sweep(std::size_t rows, std::size_t columns, int per_decade) {
   NormalSolver mixed;
   NormalSolver precise(PlannerRigor::estimate, Precision::double_only);
   for (const ContactCase& example : sweep_cases(rows, columns)) {
-    NormalProblem by_load = with_load(example.grid, example.distance, case_load, exact_tolerance);
-    const NormalSolution loaded = solve_exactly(by_load);
-    NormalProblem by_approach =
+    PatchProblem by_load = with_load(example.grid, example.distance, case_load, exact_tolerance);
+    const PatchSolution loaded = solve_exactly(by_load);
+    PatchProblem by_approach =
         with_approach(example.grid, example.distance, loaded.approach, exact_tolerance);
-    const NormalSolution pressed = solve_exactly(by_approach);
+    const PatchSolution pressed = solve_exactly(by_approach);
     const int count =
         static_cast<int>(std::lround(std::log10(greatest_tolerance / min_tolerance))) * per_decade;
     for (int step = 0; step <= count; ++step) {
       const double tolerance = greatest_tolerance * std::pow(10.0, -1.0 * step / per_decade);
       NormalSolver& solver = step % 4 < 2 ? mixed : precise;
-      NormalProblem& problem = step % 2 == 0 ? by_load : by_approach;
+      PatchProblem& problem = step % 2 == 0 ? by_load : by_approach;
       problem.tolerance = tolerance;
-      const NormalSolution solution = solver.solve(problem);
+      const PatchSolution solution = solver.solve(problem);
       EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met);
       EXPECT_LE(
           pressure_error(solution.pressure, step % 2 == 0 ? loaded.pressure : pressed.pressure) /

@@ -19,14 +19,9 @@ constexpr double modulus = 115000.0; // MPa
 constexpr double length = 8.0;       // mm
 
 /// As a problem of one column, for the reference.
-NormalProblem column_of(const StripProblem& strips) {
-  NormalProblem problem;
-  problem.grid.lateral_count = strips.undeformed_distance.size();
-  problem.grid.longitudinal_count = 1;
-  problem.grid.lateral_step = strips.step;
-  problem.grid.longitudinal_step = strips.length;
-  problem.undeformed_distance = strips.undeformed_distance;
-  problem.combined_modulus = strips.combined_modulus;
+PatchProblem column_of(const StripProblem& strips) {
+  const Grid grid{strips.undeformed_distance.size(), 1, strips.step, strips.length, 0.0, 0.0};
+  PatchProblem problem(grid, strips.undeformed_distance, strips.combined_modulus);
   problem.approach = strips.approach;
   return problem;
 }

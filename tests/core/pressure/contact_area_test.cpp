@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "models/hertz.hpp"
+#include "support/patch_problem.hpp"
 
 namespace wrc::test::contact_area_test {
 namespace {
@@ -51,13 +52,10 @@ struct Case {
   [[nodiscard]] std::vector<double> solved(NormalSolver& solver) const {
     const std::vector<double> gap = sample(
         [&](double x, double y) { return 0.5 * (curvature_x * x * x + curvature_y * y * y); });
-    NormalProblem problem;
-    problem.grid = grid;
-    problem.undeformed_distance = gap;
-    problem.combined_modulus = modulus;
-    problem.normal_load = contact.normal_force;
+    PatchProblem problem(grid, gap, modulus);
+    problem.load = contact.normal_force;
     problem.tolerance = 1e-5;
-    return solver.solve(problem).pressure;
+    return PatchSolution(solver.solve(problem)).pressure;
   }
 };
 

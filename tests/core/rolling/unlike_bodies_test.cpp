@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "half_space/material.hpp"
 #include "half_space/traction_convolution.hpp"
+#include "support/patch_problem.hpp"
 
 namespace wrc::test::unlike_bodies_test {
 namespace {
@@ -39,13 +40,10 @@ struct Spheres {
         distance.push_back(0.5 * curvature * (x * x + y * y));
       }
     }
-    NormalProblem normal;
-    normal.grid = problem.grid;
-    normal.undeformed_distance = distance;
-    normal.combined_modulus = modulus;
-    normal.normal_load = load;
+    PatchProblem normal(problem.grid, distance, modulus);
+    normal.load = load;
     normal.elements = Elements::smooth;
-    pressure = NormalSolver().solve(normal).pressure;
+    pressure = PatchSolution(NormalSolver().solve(normal)).pressure;
     problem.pressure = pressure;
     const ShearConstants shear = shear_constants(wheel, rail);
     problem.shear_modulus = shear.modulus;

@@ -88,12 +88,12 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     gaps[k].undeformed_distance = distances[k];
   }
-  JointProblem problem;
+  NormalProblem problem;
   problem.patches = gaps;
   problem.combined_modulus = details.combined_modulus;
   problem.load = load;
   problem.interaction = details.interaction ? &*details.interaction : nullptr;
-  const JointSolution solution = NormalSolver().solve(problem);
+  const NormalSolution solution = NormalSolver().solve(problem);
   std::vector<Told> told;
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const std::vector<double>& pressure = solution.patches[k].pressure;

@@ -165,7 +165,7 @@ TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
     return std::pair(grid, distance);
   };
   const auto solve = [&](std::span<const PatchGap> patches, double load) {
-    JointProblem problem;
+    NormalProblem problem;
     problem.patches = patches;
     problem.combined_modulus = modulus;
     problem.load = load;
@@ -176,8 +176,8 @@ TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
   const auto [large_grid, large] = paraboloid(180, 180, 300.0);
   const std::array one{PatchGap{large_grid, large}};
   const std::array two{PatchGap{small_grid, small, 1.0}, PatchGap{small_grid, small, 0.95}};
-  const JointSolution single = solve(one, 30e3);
-  const JointSolution both = solve(two, 60e3);
+  const NormalSolution single = solve(one, 30e3);
+  const NormalSolution both = solve(two, 60e3);
   // A convolution goes over all boxes: as many elements in both.
   EXPECT_LE(both.convolutions, 1.3 * single.convolutions);
 }

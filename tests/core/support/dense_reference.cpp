@@ -30,9 +30,9 @@ std::vector<double> influence_matrix(const Grid& grid, double combined_modulus, 
 }
 
 /// Pressures on the active elements, and the approach, for a given contact set.
-DenseSolution solve_on(const std::vector<std::size_t>& active, const NormalProblem& problem,
+DenseSolution solve_on(const std::vector<std::size_t>& active, const PatchProblem& problem,
                        const std::vector<double>& matrix) {
-  const std::size_t count = problem.grid.element_count();
+  const std::size_t count = problem.patch.grid.element_count();
   const std::size_t size = active.size();
   std::vector<double> reduced(size * size);
   // First column: answer to one unit of approach; second: to the undeformed distance.
@@ -42,7 +42,7 @@ DenseSolution solve_on(const std::vector<std::size_t>& active, const NormalProbl
       reduced[i * size + j] = matrix[active[i] * count + active[j]];
     }
     values[i] = 1.0;
-    values[size + i] = problem.undeformed_distance[active[i]];
+    values[size + i] = problem.patch.undeformed_distance[active[i]];
   }
   const int order = static_cast<int>(size);
   const int right_sides = 2;
@@ -61,7 +61,7 @@ DenseSolution solve_on(const std::vector<std::size_t>& active, const NormalProbl
   solution.approach =
       problem.approach
           ? *problem.approach
-          : (*problem.normal_load / problem.grid.element_area() + distance_sum) / unit_sum;
+          : (*problem.load / problem.patch.grid.element_area() + distance_sum) / unit_sum;
   for (std::size_t i = 0; i < size; ++i) {
     solution.pressure[active[i]] = solution.approach * values[i] - values[size + i];
   }
@@ -70,11 +70,11 @@ DenseSolution solve_on(const std::vector<std::size_t>& active, const NormalProbl
 
 } // namespace
 
-DenseSolution solve_densely(const NormalProblem& problem) {
-  const std::size_t count = problem.grid.element_count();
+DenseSolution solve_densely(const PatchProblem& problem) {
+  const std::size_t count = problem.patch.grid.element_count();
   const std::vector<double> matrix =
-      influence_matrix(problem.grid, problem.combined_modulus, problem.elements);
-  const std::span<const double> distance = problem.undeformed_distance;
+      influence_matrix(problem.patch.grid, problem.combined_modulus, problem.elements);
+  const std::span<const double> distance = problem.patch.undeformed_distance;
   const double least = *std::min_element(distance.begin(), distance.end());
   std::vector<bool> active(count);
   for (std::size_t index = 0; index < count; ++index) {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "mechanics/normal_contact.hpp"
+#include "support/patch_problem.hpp"
 
 namespace wrc::test {
 
@@ -18,6 +18,6 @@ struct DenseSolution {
 };
 
 /// Throws std::runtime_error when LAPACK fails or the exchange does not end.
-DenseSolution solve_densely(const NormalProblem& problem);
+DenseSolution solve_densely(const PatchProblem& problem);
 
 } // namespace wrc::test

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/normal_contact.hpp"
-#include "support/contact_cases.hpp"
 #include "support/dense_reference.hpp"
 
 namespace wrc::test::dense_reference_test {
@@ -16,9 +14,9 @@ namespace {
 constexpr double solver_tolerance = 1e-11;
 constexpr double pressure_tolerance = 1e-8;
 
-void expect_same(const NormalProblem& problem, const std::string& name) {
+void expect_same(const PatchProblem& problem, const std::string& name) {
   const DenseSolution expected = solve_densely(problem);
-  const NormalSolution found = solve_with_polonsky_keer(problem);
+  const PatchSolution found = solve_with_polonsky_keer(problem);
   EXPECT_EQ(found.stop_reason, StopReason::tolerance_met) << name;
   const double largest = *std::max_element(expected.pressure.begin(), expected.pressure.end());
   std::size_t different_elements = 0;
@@ -36,12 +34,7 @@ class DenseComparison : public testing::TestWithParam<double> {};
 
 TEST_P(DenseComparison, PrescribedLoad) {
   for (const ContactCase& example : contact_cases(19, 17, GetParam())) {
-    expect_same({example.grid,
-                 example.distance,
-                 steel_modulus,
-                 case_load * GetParam(),
-                 {},
-                 solver_tolerance},
+    expect_same(with_load(example.grid, example.distance, case_load * GetParam(), solver_tolerance),
                 example.name);
   }
 }
@@ -50,9 +43,8 @@ TEST_P(DenseComparison, PrescribedApproach) {
   for (const ContactCase& example : contact_cases(17, 19, GetParam())) {
     const double least = *std::min_element(example.distance.begin(), example.distance.end());
     for (const double depth : {0.002, 0.02}) {
-      expect_same(
-          {example.grid, example.distance, steel_modulus, {}, least + depth, solver_tolerance},
-          example.name);
+      expect_same(with_approach(example.grid, example.distance, least + depth, solver_tolerance),
+                  example.name);
     }
   }
 }

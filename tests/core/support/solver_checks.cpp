@@ -7,10 +7,10 @@
 
 namespace wrc::test {
 
-NormalSolution solve_exactly(NormalProblem problem) {
+PatchSolution solve_exactly(PatchProblem problem) {
   static NormalSolver solver(PlannerRigor::estimate, Precision::double_only);
   problem.tolerance = exact_tolerance;
-  NormalSolution solution = solver.solve(problem);
+  PatchSolution solution = solver.solve(problem);
   EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met) << "exact answer";
   return solution;
 }
@@ -24,10 +24,10 @@ double pressure_error(const std::vector<double>& pressure, const std::vector<dou
   return worst == 0.0 ? 0.0 : worst / largest;
 }
 
-void expect_answer(const NormalProblem& problem, const NormalSolution& solution,
+void expect_answer(const PatchProblem& problem, const PatchSolution& solution,
                    const std::vector<double>& exact, const std::string& name) {
-  const std::string text = name + (problem.normal_load ? ", load" : ", approach") +
-                           ", tolerance 10^" + std::to_string(std::log10(problem.tolerance));
+  const std::string text = name + (problem.load ? ", load" : ", approach") + ", tolerance 10^" +
+                           std::to_string(std::log10(problem.tolerance));
   EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met) << text;
   EXPECT_GE(*std::min_element(solution.pressure.begin(), solution.pressure.end()), 0.0) << text;
   const Residuals residuals = compute_residuals(problem, solution.pressure, solution.approach);
@@ -37,13 +37,13 @@ void expect_answer(const NormalProblem& problem, const NormalSolution& solution,
   EXPECT_LE(pressure_error(solution.pressure, exact) / problem.tolerance, 1.0) << text;
 }
 
-NormalSolution expect_solved(NormalSolver& solver, const Grid& grid,
-                             const std::vector<double>& distance, double load,
-                             const std::string& name) {
-  NormalProblem by_load = with_load(grid, distance, load, exact_tolerance);
-  NormalSolution loaded = solve_exactly(by_load);
-  NormalProblem by_approach = with_approach(grid, distance, loaded.approach, exact_tolerance);
-  const NormalSolution pressed = solve_exactly(by_approach);
+PatchSolution expect_solved(NormalSolver& solver, const Grid& grid,
+                            const std::vector<double>& distance, double load,
+                            const std::string& name) {
+  PatchProblem by_load = with_load(grid, distance, load, exact_tolerance);
+  PatchSolution loaded = solve_exactly(by_load);
+  PatchProblem by_approach = with_approach(grid, distance, loaded.approach, exact_tolerance);
+  const PatchSolution pressed = solve_exactly(by_approach);
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
     by_load.tolerance = tolerance;
     expect_answer(by_load, solver.solve(by_load), loaded.pressure, name);

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/normal_contact.hpp"
 #include "mechanics/normal_solver.hpp"
-#include "support/contact_cases.hpp"
+#include "support/patch_problem.hpp"
 
 namespace wrc::test {
 
@@ -22,33 +21,21 @@ inline constexpr double gap_share = 1.5;
 /// Sum of some ten thousand pressures against the load.
 inline constexpr double load_rounding = 1e-12;
 
-inline NormalProblem with_load(const Grid& grid, const std::vector<double>& distance, double load,
-                               double tolerance) {
-  return {grid, distance, steel_modulus, load, {}, tolerance};
-}
-inline NormalProblem with_approach(const Grid& grid, const std::vector<double>& distance,
-                                   double approach, double tolerance) {
-  return {grid, distance, steel_modulus, {}, approach, tolerance};
-}
-/// Problems do not own their distances.
-NormalProblem with_load(const Grid&, std::vector<double>&&, double, double) = delete;
-NormalProblem with_approach(const Grid&, std::vector<double>&&, double, double) = delete;
-
 /// The same problem in double precision with `exact_tolerance`.
-NormalSolution solve_exactly(NormalProblem problem);
+PatchSolution solve_exactly(PatchProblem problem);
 
 /// Largest difference of pressures relative to the largest exact one.
 double pressure_error(const std::vector<double>& pressure, const std::vector<double>& exact);
 
 /// p >= 0, gaps, load and the error of p, all within what the problem's tolerance promises.
-void expect_answer(const NormalProblem& problem, const NormalSolution& solution,
+void expect_answer(const PatchProblem& problem, const PatchSolution& solution,
                    const std::vector<double>& exact, const std::string& name);
 
 /// Solves for this load, then for the approach that belongs to it, at 1e-2, 1e-4, 1e-6 and 1e-8,
 /// and expects every answer to be right. Returns the exact answer for the load.
-NormalSolution expect_solved(NormalSolver& solver, const Grid& grid,
-                             const std::vector<double>& distance, double load,
-                             const std::string& name);
+PatchSolution expect_solved(NormalSolver& solver, const Grid& grid,
+                            const std::vector<double>& distance, double load,
+                            const std::string& name);
 
 /// Uniform in 0 to 1, the same on every platform.
 template <typename Generator> double uniform(Generator& generator) {

@@ -13,6 +13,7 @@
 #include "mechanics/normal_solver.hpp"
 #include "profile/standard_profiles.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "support/patch_problem.hpp"
 #include "wheel/wheel_solution.hpp"
 
 namespace wrc::test::sensitivities_test {
@@ -100,13 +101,10 @@ public:
     for (const LoadedPatch& patch : patches) {
       const auto distance =
           sample_undeformed_distance({wheel_, rail_, at, height}, patch.frame, patch.grid);
-      NormalProblem problem;
-      problem.grid = patch.grid;
-      problem.undeformed_distance = distance;
-      problem.combined_modulus = modulus;
+      PatchProblem problem(patch.grid, distance, modulus);
       problem.approach = 0.0;
       problem.tolerance = solver_tolerance;
-      NormalSolution solution = solver.solve(problem);
+      PatchSolution solution = solver.solve(problem);
       EXPECT_EQ(solution.stop_reason, StopReason::tolerance_met);
       result.push_back(std::move(solution.pressure));
     }

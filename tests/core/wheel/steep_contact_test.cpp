@@ -8,6 +8,7 @@
 #include "half_space/material.hpp"
 #include "patches/plane_area.hpp"
 #include "pressure/contact_area.hpp"
+#include "support/patch_problem.hpp"
 #include "support/simple_profiles.hpp"
 #include "wheel/wheel_solution.hpp"
 
@@ -92,17 +93,14 @@ TEST(SteepContact, DistancesAndPressuresInThePlanesOwnFrame) {
     const Vector3 origin{0.0, made.middle.y - slide * std::cos(made.angle),
                          made.middle.z - slide * std::sin(made.angle)};
     const PosedPair pair{made.wheel, made.rail, made.equilibrium.pose, made.pressed_in()};
-    NormalProblem problem;
-    problem.grid = grid_over({-6.0, 6.0, -6.0, 6.0}, 64, 64);
-    const auto distance =
-        sample_undeformed_distance(pair, tangent_frame(origin, made.angle), problem.grid);
-    problem.undeformed_distance = distance;
-    problem.combined_modulus = modulus;
+    const Grid grid = grid_over({-6.0, 6.0, -6.0, 6.0}, 64, 64);
+    const auto distance = sample_undeformed_distance(pair, tangent_frame(origin, made.angle), grid);
+    PatchProblem problem(grid, distance, modulus);
     problem.approach = 0.0;
     problem.tolerance = 1e-9;
-    const NormalSolution solution = NormalSolver().solve(problem);
-    const Answer answer{solution.normal_force, peak_pressure(problem.grid, solution.pressure),
-                        contact_area(problem.grid, solution.pressure), problem.grid.lateral_step};
+    const PatchSolution solution = NormalSolver().solve(problem);
+    const Answer answer{solution.normal_force, peak_pressure(grid, solution.pressure),
+                        contact_area(grid, solution.pressure), grid.lateral_step};
     if (degrees == 0.0) {
       level = answer;
     }
