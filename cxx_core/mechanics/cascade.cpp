@@ -46,8 +46,8 @@ Neighbours neighbours_of(double steps, std::size_t count) {
 
 } // namespace
 
-bool can_coarsen(const LevelSize& size, std::size_t coarsest) {
-  return std::max(size.rows, size.columns) > coarsest &&
+bool can_coarsen(const LevelSize& size) {
+  return std::max(size.rows, size.columns) > max_coarsest_side &&
          std::min(size.rows, size.columns) >= 2 * min_level_side;
 }
 

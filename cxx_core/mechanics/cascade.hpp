@@ -18,7 +18,7 @@ namespace wrc {
 
 /// Whether one side is longer than that of the coarsest grid and the other not yet too short to
 /// halve.
-bool can_coarsen(const LevelSize& size, std::size_t coarsest);
+bool can_coarsen(const LevelSize& size);
 LevelSize coarser_size(const LevelSize& size);
 
 /// Means over 2 x 2 elements, in the coarser grid's own unit of length (twice the finer one's). A

@@ -13,8 +13,6 @@ void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const in
 
 namespace wrc {
 
-namespace {} // namespace
-
 void JointStep::begin(std::size_t boxes) {
   boxes_ = boxes;
   energy_.assign(order() * order(), 0.0);

@@ -17,8 +17,8 @@ namespace {
 
 /// Moves the sides that contact has reached outwards.
 ElementBox grown(const ElementBox& box, const ReachedSides& reached, const LevelSize& size) {
-  const std::size_t by_rows = std::max(min_box_growth, box.rows() / box_growth_divisor);
-  const std::size_t by_columns = std::max(min_box_growth, box.columns() / box_growth_divisor);
+  const std::size_t by_rows = box.rows() / box_growth_divisor + 1;
+  const std::size_t by_columns = box.columns() / box_growth_divisor + 1;
   ElementBox larger = box;
   if (reached.first_row) {
     larger.first_row -= std::min(larger.first_row, by_rows);

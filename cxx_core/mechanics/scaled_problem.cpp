@@ -25,20 +25,14 @@ double start_height(const Level& level) {
 }
 
 /// Pressures like Hertz's over the elements below a height; even ones where nothing lies below it
-/// (a punch). Between patches they go like E* sqrt(height * curvature).
+/// (a punch).
 void draw_pressure_below(Level& level, double height) {
   const double limit = height * level.share;
-  double inside = 0.0;
   double deepest = 0.0;
   for (std::size_t i = 0; i < level.pressure.size(); ++i) {
     const double depth = std::max(0.0, limit - level.distance[i]);
     level.pressure[i] = std::sqrt(depth);
-    inside += depth > 0.0 ? 1.0 : 0.0;
     deepest = std::max(deepest, depth);
-  }
-  const double curvature = std::sqrt(deepest / std::max(1.0, inside));
-  for (double& value : level.pressure) {
-    value *= curvature;
   }
   if (deepest == 0.0) {
     for (std::size_t i = 0; i < level.pressure.size(); ++i) {
@@ -130,13 +124,12 @@ void ScaledProblem::set_scales(const NormalProblem& problem) {
 void ScaledProblem::set_levels(const NormalProblem& problem, double farthest) {
   const double step = problem.patches[0].grid.longitudinal_step;
   level_count = 1;
-  const std::size_t coarsest = count > 1 ? coarsest_of_several : coarsest_of_one;
   for (std::size_t k = 0; k < count; ++k) {
     const PatchGap& patch = problem.patches[k];
     PatchCascade& cascade = cascades[k];
     cascade.level_count = 1;
-    for (LevelSize size{patch.grid.lateral_count, patch.grid.longitudinal_count};
-         can_coarsen(size, coarsest); size = coarser_size(size)) {
+    for (LevelSize size{patch.grid.lateral_count, patch.grid.longitudinal_count}; can_coarsen(size);
+         size = coarser_size(size)) {
       ++cascade.level_count;
     }
     level_count = std::max(level_count, cascade.level_count);

@@ -75,10 +75,6 @@ inline constexpr double min_load_power = 1.0;
 /// origin: derived: the least normal number is 2e-308.
 inline constexpr double min_searched_depth = 1e-300;
 
-/// Greatest factor between two depths of that search.
-/// origin: reasoned: any load is bracketed in some eighty steps.
-inline constexpr double max_depth_factor = 1e4;
-
 /// Steps of that search.
 /// origin: reasoned: a bound.
 inline constexpr int depth_iterations = 400;

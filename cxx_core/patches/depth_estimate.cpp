@@ -50,8 +50,7 @@ double estimate_depth(const ContactScan& scan, double combined_modulus, double l
   double excess = excess_at(depth);
   double power = load_power;
   for (int step = 1; step <= depth_iterations && excess != 0.0; ++step) {
-    const double factor = std::exp(-excess / power);
-    const double next = depth * std::clamp(factor, 1.0 / max_depth_factor, max_depth_factor);
+    const double next = depth * std::exp(-excess / power);
     if (next >= max_depth || next <= min_searched_depth) {
       return std::clamp(next, min_searched_depth, max_depth);
     }

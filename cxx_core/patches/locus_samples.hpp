@@ -1,7 +1,7 @@
 /// Samples of the contact locus where wheel and rail may interpenetrate.
 ///
-/// Nodes of the scan, its locally least distances (tops, which are known better than nodes tell),
-/// and the tops of parabolas through three nodes; penetration between two samples is a parabola.
+/// Nodes of the scan and its locally least distances: tops, which are known better than nodes tell.
+/// Penetration between two samples is a parabola.
 /// For plain numbers and for numbers with rates (base/value_with_rates.hpp).
 /// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).
 /// Thread rule: one object, one thread.
@@ -193,42 +193,13 @@ private:
         collect_top(*top);
         is_node = is_node || samples_[i].wheel.lateral - top->contact->wheel.lateral <= same_place;
       }
-      if (is_node) {
-        continue;
-      }
-      places_.push_back(source_.place_of(samples_[i], limit_));
-      if (places_.size() >= from + 3) {
-        add_top();
+      if (!is_node) {
+        places_.push_back(source_.place_of(samples_[i], limit_));
       }
     }
     for (std::size_t i = from + 1; i + 1 < places_.size(); ++i) {
       set_second(places_[i - 1], places_[i], places_[i + 1]);
     }
-  }
-
-  /// The top of the parabola through the last three places, if the middle one is the highest.
-  void add_top() {
-    const auto middle = places_.end() - 2;
-    const LocusSample<Real> before = *(middle - 1);
-    const LocusSample<Real> here = *middle;
-    const LocusSample<Real> after = *(middle + 1);
-    const Real length_before = here.y - before.y;
-    const Real length_after = after.y - here.y;
-    if (here.top || here.penetration < before.penetration ||
-        here.penetration <= after.penetration || !(length_before > 0.0 && length_after > 0.0)) {
-      return;
-    }
-    const Real slope_before = (here.penetration - before.penetration) / length_before;
-    const Real slope_after = (after.penetration - here.penetration) / length_after;
-    const Real length = length_before + length_after;
-    const Real slope = (slope_before * length_after + slope_after * length_before) / length;
-    const Real way = 0.5 * slope * length / (slope_before - slope_after);
-    LocusSample<Real> top = way < 0.0 ? between(here, before, -way / length_before)
-                                      : between(here, after, way / length_after);
-    // No place is deeper than the first contact.
-    top.penetration = std::min<Real>(here.penetration + 0.5 * slope * way, Real(depth_));
-    top.top = true;
-    places_.insert(way < 0.0 ? middle : middle + 1, top);
   }
 
   const std::vector<DistanceSample>& samples_;

@@ -6,7 +6,6 @@
 #include "remesh/constants.hpp"
 
 namespace wrc {
-namespace {} // namespace
 
 RailRay::RailRay(const RailSurface& rail, const ContactFrame& frame)
     : graph_(rail.graph()), frame_(frame) {
