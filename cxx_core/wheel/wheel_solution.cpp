@@ -269,11 +269,12 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
   bool finer = false;
   const double follows = share_to_follow(before);
   const double planes_begin = depth;
-  bool shows_depth_only = follows > 0.0 && !request_.grid && tolerance() < depth_tolerance;
+  bool shows_depth_only = follows > 0.0 && !request_.grid && tolerance() < coarse_tolerance;
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
-    GridSolution solution = solve_at(depth, grids, shows_depth_only ? depth_tolerance : tolerance(),
-                                     before ? &*before : nullptr);
+    GridSolution solution =
+        solve_at(depth, grids, shows_depth_only ? coarse_tolerance : tolerance(),
+                 before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
