@@ -68,6 +68,10 @@ inline constexpr double stress_accuracy_factor = 3.0;
 /// origin: measured (wrc_tradeoff --elements constant).
 inline constexpr double constant_elements_error = 3.0;
 
+/// Share of its penetration that contact takes each way as a rule.
+/// origin: derived: sqrt(0.5), Hertz: contact is half of the penetration.
+inline constexpr double usual_share_of_row = 0.7;
+
 /// Rows over the penetration that a crest takes at most.
 /// origin: reasoned: at a kink no number of rows resolves it.
 inline constexpr double max_crest_rows = 160.0;

@@ -42,13 +42,14 @@ double size_in(double whole, double contact, double count) {
   return whole / static_cast<double>(even_count(stepped(whole / contact) * count));
 }
 
-/// That of the whole grid where nothing is in contact.
 ContactScale scale_of(const Patch& patch) {
   if (!patch.no_contact()) {
     return contact_scale(patch.grid, patch.pressure);
   }
-  return {static_cast<double>(patch.grid.lateral_count) * patch.grid.lateral_step,
-          static_cast<double>(patch.grid.longitudinal_count) * patch.grid.longitudinal_step};
+  const double rows = static_cast<double>(patch.grid.lateral_count);
+  const double columns = static_cast<double>(patch.grid.longitudinal_count);
+  return {usual_share_of_row * rows * patch.grid.lateral_step,
+          usual_share_of_row * columns * patch.grid.longitudinal_step};
 }
 
 /// Of the forces across the rail, as a share of the grid's width.

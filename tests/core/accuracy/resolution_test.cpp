@@ -90,12 +90,12 @@ TEST(Resolution, TellsTheMiddleOfTheContact) {
 }
 
 /// As if contact took 0.7 of its grid each way.
-TEST(Resolution, WithoutPressuresContactIsTakenForTheWholeGrid) {
+TEST(Resolution, WithoutPressuresContactIsTakenForTheUsual) {
   GridSolution solution = block_contact();
   solution.patches[0].contact.element_count = 0;
   const PatchElements elements = final_elements(solution, {}).front();
-  EXPECT_NEAR(law(40.0 * 0.2 / elements.lateral_step), 0.55e-3, rounding);
-  EXPECT_NEAR(20.0 * 0.5 / elements.longitudinal_step, 14.0, 1e-9);
+  EXPECT_NEAR(law(0.7 * 40.0 * 0.2 / elements.lateral_step), 0.55e-3, rounding);
+  EXPECT_NEAR(0.7 * 20.0 * 0.5 / elements.longitudinal_step, 14.0, 1e-9);
   EXPECT_EQ(elements.middle, 0.5);
 }
 
