@@ -184,7 +184,7 @@ private:
 
   void collect_run(std::size_t first, std::size_t last) {
     const std::size_t from = places_.size();
-    places_.reserve(from + last - first + 1 + 2 * tops_.size());
+    places_.reserve(from + last - first + 1 + tops_.size());
     auto top = std::find_if(tops_.begin(), tops_.end(),
                             [first](const Top& one) { return one.after >= first; });
     for (std::size_t i = first; i <= last; ++i) {

@@ -4,18 +4,18 @@
 ///  1. the depth to which the wheel sinks is estimated from the virtual penetration (with the load
 ///     prescribed);
 ///  2. the patches of penetration at that depth (patches/contact_patches.hpp), each with a plane,
-///  an
-///     area and a grid of its own, are solved together (mechanics/normal_contact.hpp) on few
+///     an area and a grid of its own, are solved together (mechanics/normal_contact.hpp) on few
 ///     elements: this coarse solution finds the depth;
 ///  3. planes, grids and undeformed distance at the depth found (not at the first touch: under a
 ///     contact angle a sinking wheel also slides along the tangent), and the final solution on as
 ///     many elements as the accuracy takes (accuracy/resolution.hpp);
 ///  4. with accuracy of pressures, the largest one from a finer section
-///  (accuracy/peak_section.hpp).
+///     (accuracy/peak_section.hpp).
 /// Nothing is kept from one solution to the next, so the result depends on the scene alone. Grids
 /// span the penetration, which contact cannot leave. Two exceptions cost another final solution
-/// each: a depth so different that the slide it makes, or planes of close patches, count; and a
-/// crest that the section has not resolved. `solutions` counts them all.
+/// each: planes that follow to the depth that the final solution finds, where the wheel slides
+/// along them or close patches' planes turn; and a crest that the section has not resolved.
+/// `solutions` counts them all.
 /// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
 /// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
 /// patch. Patches that are close turn their planes towards each other and interact in part
