@@ -250,13 +250,14 @@ void WheelSolver::find_peaks(GridSolution& solution) {
 }
 
 /// How far the planes are to follow from the depth of the coarse solution to the one found: not at
-/// all where wheels hardly slide along them, in full where they slide twice as much, or on a grid
-/// given by hand, whose errors the accuracy says nothing of.
+/// all where wheels hardly slide along them, in full where they slide twice as much. In full, too,
+/// for creep forces, to which the shape of the contact counts, and on a grid given by hand, whose
+/// errors the accuracy says nothing of.
 double WheelSolver::share_to_follow(const std::optional<GridSolution>& coarse) const {
   if (request_.position_is_prescribed()) {
     return 0.0;
   }
-  if (request_.grid) {
+  if (request_.grid || request_.creep_forces) {
     return 1.0;
   }
   return std::clamp(sliding(coarse.value()) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);

@@ -134,6 +134,24 @@ TEST(WheelSolution, PositionThatALoadGaveGivesTheLoadBack) {
   }
 }
 
+// The shape of a contact follows from its planes, and creep forces from its shape: where those stay
+// at the coarse solution's depth, 98.8 instead of 99.2 of 100 patches meet 1e-3.
+TEST(WheelSolution, PlanesFollowTheDepthForCreepForces) {
+  const Fixture made = s1002(1.0);
+  WheelRequest request;
+  request.combined_modulus = modulus;
+  request.vertical_load = 60000.0;
+  request.accuracy = 1e-3;
+  request.accuracy_of = AccuracyOf::forces;
+  const auto left_of_depth = [&] {
+    const WheelSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
+    return std::abs(solution.depth_found / solution.depth - 1.0);
+  };
+  const double without = left_of_depth();
+  request.creep_forces = true;
+  EXPECT_LT(left_of_depth(), 0.1 * without);
+}
+
 TEST(WheelSolution, WheelAboveTheRailBearsNothing) {
   const Fixture made = s1002(0.0);
   WheelRequest request;
