@@ -148,14 +148,14 @@ private:
     bool open = false;
     bool falling = false;
     for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+      if (places_[i].penetration <= 0.0 && places_[i + 1].penetration <= 0.0) {
+        open = false;
+        continue;
+      }
       LocusSample<Real> from = places_[i];
       LocusSample<Real> to = places_[i + 1];
       Real bulge = bulge_between(from, to);
       Real length = abs(to.y - from.y);
-      if (from.penetration <= 0.0 && to.penetration <= 0.0) {
-        open = false;
-        continue;
-      }
       const bool rising = to.penetration > from.penetration;
       bool ends = false;
       if (from.penetration <= 0.0) {

@@ -91,8 +91,8 @@ Grid GridChoice::grid_of(const ContactPatch& penetration, const PlaneArea& area)
   return grid_with_sizes(area, nearest->lateral_step, nearest->longitudinal_step, nearest->middle);
 }
 
-GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                        const WheelRequest& request, double depth, const GridChoice& grids) {
+GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
+                          const WheelRequest& request, double depth) {
   GridSolution solution;
   solution.elements = request.elements;
   solution.depth = depth;
@@ -109,8 +109,6 @@ GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibr
     patch.frame = request.gap == GapConvention::tangent
                       ? tangent_frame(origin, penetration.angle)
                       : vertical_frame(origin, Rotation(equilibrium.pose));
-    const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
-    patch.grid = grids.grid_of(penetration, within_limits(area, penetration, rail, patch.frame));
   }
   solution.main = found.main;
   const Vector3 main_normal = solution.patches[found.main].frame.normal;
@@ -123,6 +121,14 @@ GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibr
   set_interaction(solution, found, request.interaction);
   solution.links = std::move(found.links);
   return solution;
+}
+
+void set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids) {
+  for (Patch& patch : solution.patches) {
+    const ContactPatch& penetration = patch.penetration;
+    const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
+    patch.grid = grids.grid_of(penetration, within_limits(area, penetration, rail, patch.frame));
+  }
 }
 
 } // namespace wrc

@@ -33,8 +33,11 @@ private:
   std::vector<PatchElements> elements_;
 };
 
-/// `depth` > 0: vertical, from the first touch. Nothing is sampled or solved yet.
-GridSolution plan_grids(const RailSurface& rail, const SideEquilibrium& equilibrium,
-                        const WheelRequest& request, double depth, const GridChoice& grids);
+/// The patches and their planes, without grids. `depth` > 0: vertical, from the first touch.
+GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
+                          const WheelRequest& request, double depth);
+
+/// Their grids. Nothing is sampled or solved yet.
+void set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids);
 
 } // namespace wrc

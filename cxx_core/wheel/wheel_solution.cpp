@@ -62,6 +62,7 @@ public:
 
 private:
   [[nodiscard]] double first_depth() const;
+  const GridSolution& patches_at(double depth);
   GridSolution sample(double depth, const GridChoice& grids);
   /// Starting from the pressures of `before`, if that has as many patches.
   GridSolution solve_at(double depth, const GridChoice& grids, double tolerance,
@@ -94,6 +95,7 @@ private:
   const WheelRequest& request_;
   NormalSolver& solver_;
   AccuracyGoal goal_;
+  std::optional<GridSolution> patches_; ///< at the depth asked for last
   WheelSolution result_;
 };
 
@@ -117,10 +119,20 @@ double WheelSolver::tolerance() const {
          (request_.position_is_prescribed() ? smooth_position_share : smooth_load_share);
 }
 
+/// The patches at a depth, without grids: with a position prescribed, and for a second grid, all
+/// solutions are at the same.
+const GridSolution& WheelSolver::patches_at(double depth) {
+  if (!patches_ || patches_->depth != depth) {
+    patches_ = plan_patches(rail_, equilibrium_, request_, depth);
+  }
+  return *patches_;
+}
+
 /// The grids at a depth, with undeformed distances.
 GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
-  GridSolution solution = plan_grids(rail_, equilibrium_, request_, depth, grids);
+  GridSolution solution = patches_at(depth);
+  set_grids(solution, rail_, grids);
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
   for (Patch& patch : solution.patches) {
     patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
@@ -403,8 +415,8 @@ void WheelSolver::publish(GridSolution solution) {
 
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
-  const GridSolution penetration =
-      plan_grids(rail_, equilibrium_, request_, depth, GridChoice(coarse_counts()));
+  GridSolution penetration = patches_at(depth);
+  set_grids(penetration, rail_, GridChoice(coarse_counts()));
   GridSolution solution = sample(depth, final_grids(penetration));
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);

@@ -25,12 +25,18 @@ struct Touching {
   SideEquilibrium side;
 };
 
+GridSolution plan_grids(const Touching& pair, const WheelRequest& request, double depth,
+                        const GridChoice& grids) {
+  GridSolution plan = plan_patches(pair.rail, pair.side, request, depth);
+  set_grids(plan, pair.rail, grids);
+  return plan;
+}
+
 /// Where they overlap by d: half of it sqrt(2 R d) each way, and 5 % of the whole on each side.
 TEST(GridPlan, SpansThePenetrationWithALittleRoom) {
   const Touching pair(cylindrical_wheel(), 0.0);
   constexpr double depth = 0.05;
-  const GridSolution plan =
-      plan_grids(pair.rail, pair.side, {}, depth, GridChoice(ElementCounts{40, 18}));
+  const GridSolution plan = plan_grids(pair, {}, depth, GridChoice(ElementCounts{40, 18}));
   ASSERT_EQ(plan.patches.size(), 1u);
   const Grid& grid = plan.patches[0].grid;
   EXPECT_EQ(plan.depth, depth);
@@ -47,12 +53,11 @@ TEST(GridPlan, SpansThePenetrationWithALittleRoom) {
 /// Those of the nearest patch, whatever the number of patches.
 TEST(GridPlan, ElementsAreThoseOfTheNearestPatch) {
   const Touching corner(wheel_with_flank(), -1.35);
-  const GridSolution counted =
-      plan_grids(corner.rail, corner.side, {}, 0.12, GridChoice(ElementCounts{20, 10}));
+  const GridSolution counted = plan_grids(corner, {}, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(counted.patches.size(), 2u);
   const double y = counted.patches[0].penetration.mean_y;
   const GridSolution chosen = plan_grids(
-      corner.rail, corner.side, {}, 0.12,
+      corner, {}, 0.12,
       GridChoice({{y + 100.0, 0.5, 0.9}, {y + 1.0, 0.02, 0.07, 0.3}, {y - 50.0, 0.3, 0.3}}));
   const Grid& before = counted.patches[0].grid;
   const Grid& grid = chosen.patches[0].grid;
@@ -66,8 +71,7 @@ TEST(GridPlan, ElementsAreThoseOfTheNearestPatch) {
 /// Crown and a flank of 60 degrees, which touches 0.06 mm later; planes are the rail's.
 TEST(GridPlan, PatchesHavePlanesOfTheirOwnAndTheirShareOfTheApproach) {
   const Touching corner(wheel_with_flank(), -1.35);
-  const GridSolution plan =
-      plan_grids(corner.rail, corner.side, {}, 0.12, GridChoice(ElementCounts{20, 10}));
+  const GridSolution plan = plan_grids(corner, {}, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(plan.patches.size(), 2u);
   EXPECT_EQ(plan.main, 1u);
   for (const Patch& patch : plan.patches) {
@@ -76,8 +80,7 @@ TEST(GridPlan, PatchesHavePlanesOfTheirOwnAndTheirShareOfTheApproach) {
   EXPECT_LT(plan.patches[0].approach_cosine, 0.995);
   WheelRequest normal;
   normal.normal_load = 1e4;
-  const GridSolution along =
-      plan_grids(corner.rail, corner.side, normal, 0.12, GridChoice(ElementCounts{20, 10}));
+  const GridSolution along = plan_grids(corner, normal, 0.12, GridChoice(ElementCounts{20, 10}));
   EXPECT_EQ(along.patches[along.main].approach_cosine, 1.0);
 }
 
@@ -85,8 +88,7 @@ TEST(GridPlan, OnRequestAllPatchesInteract) {
   const Touching corner(wheel_with_flank(), -1.35);
   WheelRequest request;
   request.interaction = true;
-  const GridSolution plan =
-      plan_grids(corner.rail, corner.side, request, 0.12, GridChoice(ElementCounts{20, 10}));
+  const GridSolution plan = plan_grids(corner, request, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_TRUE(plan.interaction);
   EXPECT_EQ(plan.patches[0].coupling_weight, 1.0);
   const Vector3 apart = plan.patches[1].frame.origin - plan.patches[0].frame.origin;
@@ -97,8 +99,7 @@ TEST(GridPlan, TheVerticalConventionHasOnePlaneAndTellsWhatItLeavesOut) {
   const Touching corner(wheel_with_flank(), -1.35);
   WheelRequest request;
   request.gap = GapConvention::vertical;
-  const GridSolution plan =
-      plan_grids(corner.rail, corner.side, request, 0.12, GridChoice(ElementCounts{20, 10}));
+  const GridSolution plan = plan_grids(corner, request, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(plan.patches.size(), 1u);
   EXPECT_EQ(plan.patches[0].approach_cosine, 1.0);
   ASSERT_TRUE(plan.left_out_s);
