@@ -4,7 +4,7 @@
 /// patch's penetration with a little room, within its lateral limits: contact cannot leave the
 /// penetration, whose ends the scan knows by parabolas between its nodes. In the vertical
 /// convention all patches near the main one share one plane and grid. Units mm and rad; left-hand
-/// frame of the side. Thread rule: a pure function.
+/// frame of the side. Thread rule: pure functions.
 #pragma once
 
 #include <utility>

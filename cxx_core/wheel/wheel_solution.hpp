@@ -14,8 +14,8 @@
 /// Nothing is kept from one solution to the next, so the result depends on the scene alone. Grids
 /// span the penetration, which contact cannot leave. Two exceptions cost another final solution
 /// each: planes that follow to the depth that the final solution finds, where the wheel slides
-/// along them or close patches' planes turn; and a crest that the section has not resolved.
-/// `solutions` counts them all.
+/// along them or close patches' planes turn, for creep forces and on a grid by hand; and a crest
+/// that the section has not resolved. `solutions` counts them all.
 /// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
 /// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
 /// patch. Patches that are close turn their planes towards each other and interact in part
