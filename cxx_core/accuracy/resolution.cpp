@@ -35,31 +35,10 @@ double stepped_up(double factor) {
   return std::exp2(0.5 * std::ceil(2.0 * std::log2(std::max(factor, 1.0))));
 }
 
-/// Of so many elements over a contact, a number of them in the whole grid that seldom changes:
-/// creep forces are to have smooth slopes, and sizes that follow the contact's scale would show in
-/// them.
+/// With so many over a contact, an even number of elements in the whole grid: edges then keep their
+/// places between elements, which shows in the slopes of creep forces.
 double size_in(double whole, double contact, double count) {
-  return whole / static_cast<double>(even_count(stepped(whole / contact) * count));
-}
-
-ContactScale scale_of(const Patch& patch) {
-  if (!patch.no_contact()) {
-    return contact_scale(patch.grid, patch.pressure);
-  }
-  const double rows = static_cast<double>(patch.grid.lateral_count);
-  const double columns = static_cast<double>(patch.grid.longitudinal_count);
-  return {usual_share_of_row * rows * patch.grid.lateral_step,
-          usual_share_of_row * columns * patch.grid.longitudinal_step};
-}
-
-/// Of the forces across the rail, as a share of the grid's width.
-double middle_of(const Patch& patch) {
-  if (patch.no_contact()) {
-    return 0.5;
-  }
-  const Grid& grid = patch.grid;
-  const double rows = (patch.contact.centroid_lateral - grid.lateral_first) / grid.lateral_step;
-  return (rows + 0.5) / static_cast<double>(grid.lateral_count);
+  return whole / static_cast<double>(even_count(whole / contact * count));
 }
 
 } // namespace
@@ -68,29 +47,27 @@ ElementCounts coarse_counts() {
   return {coarse_rows, coarse_columns};
 }
 
-std::vector<PatchElements> final_elements(const GridSolution& coarse, const AccuracyGoal& goal) {
+std::vector<PatchElements> final_elements(std::span<const ExpectedContact> contacts,
+                                          const AccuracyGoal& goal) {
   const double for_forces = std::max(rows_for(share_of_law * goal.accuracy, goal), min_rows);
+  const double columns = columns_by_rows * for_forces;
   std::vector<PatchElements> elements;
-  for (const Patch& patch : coarse.patches) {
-    const ContactScale scale = scale_of(patch);
-    const double columns = columns_by_rows * for_forces;
+  for (const ExpectedContact& contact : contacts) {
+    const ContactScale& scale = contact.scale;
     if (!goal.creep_forces) {
-      elements.push_back({patch.penetration.mean_y, scale.across / for_forces,
-                          scale.along / static_cast<double>(even_count(columns)),
-                          middle_of(patch)});
+      elements.push_back({contact.mean_y, scale.across / for_forces,
+                          scale.along / static_cast<double>(even_count(columns)), contact.middle});
       continue;
     }
     const double accuracy =
         goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
     const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
-    const Grid& grid = patch.grid;
-    elements.push_back(
-        {patch.penetration.mean_y,
-         size_in(static_cast<double>(grid.lateral_count) * grid.lateral_step, scale.across,
-                 std::max(for_forces, std::sqrt(creep_row_law / accuracy))),
-         size_in(static_cast<double>(grid.longitudinal_count) * grid.longitudinal_step, scale.along,
-                 std::max(columns, growth * std::sqrt(creep_column_law / accuracy))),
-         0.5});
+    elements.push_back({contact.mean_y,
+                        size_in(contact.width, scale.across,
+                                std::max(for_forces, std::sqrt(creep_row_law / accuracy))),
+                        size_in(contact.length, scale.along,
+                                std::max(columns, growth * std::sqrt(creep_column_law / accuracy))),
+                        0.5});
   }
   return elements;
 }
@@ -119,8 +96,14 @@ std::vector<PatchElements> finer_elements(const GridSolution& solution, const Er
   std::vector<PatchElements> elements;
   for (const Patch& patch : solution.patches) {
     const Grid& grid = patch.grid;
-    const ContactScale scale = scale_of(patch);
+    if (patch.no_contact()) {
+      elements.push_back(
+          {patch.penetration.mean_y, grid.lateral_step, grid.longitudinal_step, 0.5});
+      continue;
+    }
+    const ContactScale scale = contact_scale(grid, patch.pressure);
     const double rows = static_cast<double>(grid.lateral_count);
+    const double middle = (patch.contact.centroid_lateral - grid.lateral_first) / grid.lateral_step;
     // Errors of crests fall more slowly than rows grow: one step more.
     const double times = stepped_up(std::max(wanted * grid.lateral_step / scale.across,
                                              std::numbers::sqrt2 * error.crest / for_crest));
@@ -128,7 +111,7 @@ std::vector<PatchElements> finer_elements(const GridSolution& solution, const Er
                         grid.lateral_step / std::min(times, std::max(max_crest_rows / rows, 1.0)),
                         grid.longitudinal_step / stepped_up(wanted * columns_by_rows *
                                                             grid.longitudinal_step / scale.along),
-                        middle_of(patch)});
+                        (middle + 0.5) / rows});
   }
   return elements;
 }

@@ -3,25 +3,27 @@
 /// Elements are counted by the contact's own scale (pressure/contact_scale.hpp): with n rows over
 /// its width and 0.64 n columns over its length, depth, forces and centre of pressure have an error
 /// below 0.23/n^2 + 11/n^4 in 97 of 100 wheels; the force at a prescribed position 1.5 times as
-/// much, since it goes with the depth to the power of 1.5. A coarse solution over the penetration
-/// shows the scale, so that the same accuracy takes the same n whatever the contact looks like: one
-/// that fills a fifth of its penetration, lobes, or contact askew in its grid. Columns are an even
-/// number, the same for all contacts: the longest line begins and ends between elements, where an
-/// edge leaves the smallest error. Sizes are real numbers, continuous in the scene, and elements
-/// keep their places about the middle of the forces, so that those at the edges move least. The
-/// largest pressure, taken from a finer section (peak_section.hpp), has the same error and that of
-/// its crest besides. The area of contact is not counted: it is right to about forty accuracies.
-/// Creep forces need more elements than normal ones, by a law of their own: they follow from the
-/// shape of the contact, whose errors average out in normal forces, and a long contact needs more
-/// elements along it.
-/// Units mm. Thread rule: pure functions. Not known here: errors of planes and of the half-space,
-/// and crests that the coarse solution does not show.
+/// much, since it goes with the depth to the power of 1.5. The penetration shows the scale before
+/// anything is solved (expected_contact.hpp), so that the same accuracy takes the same n whatever
+/// the contact looks like: one that fills a fifth of its penetration, lobes, or contact askew in
+/// its grid. Columns are an even number, the same for all contacts: the longest line begins and
+/// ends between elements, where an edge leaves the smallest error. Sizes are real numbers,
+/// continuous in the scene, and elements keep their places about the middle of the forces, so that
+/// those at the edges move least. The largest pressure, taken from a finer section
+/// (peak_section.hpp), has the same error and that of its crest besides. The area of contact is not
+/// counted: it is right to about forty accuracies. Creep forces need more elements than normal
+/// ones, by a law of their own: they follow from the shape of the contact, whose errors average out
+/// in normal forces, and a long contact needs more elements along it. Units mm. Thread rule: pure
+/// functions. Not known here: errors of planes and of the half-space, and crests that the
+/// penetration does not show.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "accuracy/expected_contact.hpp"
 #include "accuracy/grid_solution.hpp"
 
 namespace wrc {
@@ -40,7 +42,7 @@ struct ElementCounts {
   std::size_t longitudinal = 0;
 };
 
-/// Of the solution before the final one, over the penetration of each patch.
+/// Of solutions that find the depth of a load, over the penetration of each patch.
 ElementCounts coarse_counts();
 
 /// Sizes of a patch's elements, and between which of them the contact has its middle.
@@ -51,9 +53,9 @@ struct PatchElements {
   double middle = 0.5; ///< of the forces across the rail, as a share of the grid's width
 };
 
-/// For the accuracy, by what a coarse solution shows of its patches, or without pressures by what
-/// contact is like in such a penetration as a rule.
-std::vector<PatchElements> final_elements(const GridSolution& coarse, const AccuracyGoal& goal);
+/// For the accuracy, by the contacts that are to be expected.
+std::vector<PatchElements> final_elements(std::span<const ExpectedContact> contacts,
+                                          const AccuracyGoal& goal);
 
 /// Relative errors of what the accuracy is of.
 struct ErrorEstimate {
@@ -62,8 +64,6 @@ struct ErrorEstimate {
   double crest = 0.0;     ///< what a section has not resolved
   /// What the iteration has left is independent of the rest.
   [[nodiscard]] double total() const { return std::hypot(elements + crest, iteration); }
-  /// Should all go the same way.
-  [[nodiscard]] double sum() const { return elements + iteration + crest; }
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 

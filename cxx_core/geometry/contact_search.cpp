@@ -294,6 +294,7 @@ ContactCandidate SideSearch::candidate(const LocusSpot& spot) const {
 
 ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples) {
   ContactScan scan;
+  scan.yaw_tangent = search.yaw_tangent();
   for (const LocusSpot& spot : search.least_spots(near_tolerance)) {
     scan.candidates.push_back(search.candidate(spot));
   }

@@ -42,6 +42,7 @@ struct DistanceSample {
 struct ContactScan {
   std::vector<DistanceSample> samples;      ///< over the rail only, from flange to field side
   std::vector<ContactCandidate> candidates; ///< least distance first
+  double yaw_tangent = 0.0;                 ///< of the pose
 };
 
 /// A place between the nodes of the wheel's profile.
@@ -70,6 +71,9 @@ public:
   /// if that leaves the profile or the rail.
   std::optional<LocusSpot> follow(const Pose& pose, const LocusSpot& from);
 
+  [[nodiscard]] double yaw_tangent() const {
+    return pose_.rotation.sin_yaw / pose_.rotation.cos_yaw;
+  }
   /// All that is known of a spot, at the pose of the last scan or follow.
   [[nodiscard]] ContactCandidate candidate(const LocusSpot& spot) const;
 

@@ -9,9 +9,14 @@ namespace wrc {
 namespace {
 
 /// Places as the scan has them.
-struct PlainPlaces {
+class PlainPlaces {
+public:
   using Real = double;
   using Place = patch_finding::LocusSample<double>;
+
+  explicit PlainPlaces(const ContactScan& scan) : yaw_tangent_(scan.yaw_tangent) {}
+
+  [[nodiscard]] double yaw_tangent() const { return yaw_tangent_; }
 
   [[nodiscard]] Place place_of(const DistanceSample& sample, double limit) const {
     const Vector3& at = sample.wheel.position;
@@ -37,6 +42,9 @@ struct PlainPlaces {
             true,
             0.0};
   }
+
+private:
+  double yaw_tangent_;
 };
 
 /// The lateral coordinate of the rail's surface at a place of the track.
@@ -57,8 +65,13 @@ double ContactPatches::coupling_weight(std::size_t i, std::size_t j) const {
 
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
                                     double joining_distance) {
-  const PlainPlaces places;
+  const PlainPlaces places(scan);
   return patch_finding::PatchFinder(scan, depth, joining_distance, places).find();
+}
+
+std::vector<patch_finding::LocusSample<double>> locus_samples(const ContactScan& scan,
+                                                              double depth) {
+  return patch_finding::LocusSampler(scan, depth, PlainPlaces(scan)).samples();
 }
 
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame) {

@@ -48,6 +48,7 @@
 
 #include "geometry/contact_search.hpp"
 #include "patches/contact_frame.hpp"
+#include "patches/locus_samples.hpp"
 #include "patches/plane_area.hpp"
 
 namespace wrc {
@@ -102,6 +103,10 @@ struct ContactPatches {
 /// patches are close by their own widths alone.
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
                                     double joining_distance = 0.0);
+
+/// What these are found from.
+std::vector<patch_finding::LocusSample<double>> locus_samples(const ContactScan& scan,
+                                                              double depth);
 
 /// The rectangle that holds a patch's penetration, seen along the frame's normal.
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame);

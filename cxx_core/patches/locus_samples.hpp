@@ -37,10 +37,23 @@ template <class Real> struct LocusSample {
   Real s;
   Real penetration;  ///< vertical, < 0 outside
   Real slope;        ///< of the rail
-  Real curvature;    ///< of the wheel in rolling direction
+  Real curvature;    ///< of the wheel in rolling direction; LocusSampler: along the rail
   bool top;          ///< a local maximum: a parabola to both sides
   Real second = 0.0; ///< derivative of the penetration
 };
+
+/// From the curvature in rolling direction to that of distances along the rail. With yaw these
+/// cross the profile: where z = x'^2/(2 R) + f(y') is turned by the yaw, it follows from dz/dx = 0
+/// along the locus that the curvature is k/(1 - tan(yaw) dx/dy) on it.
+template <class Real>
+void turn_curvature(const LocusSample<Real>& before, LocusSample<Real>& here,
+                    const LocusSample<Real>& after, const Real& yaw_tangent) {
+  const Real length = after.y - before.y;
+  if (abs(length) > same_place) {
+    const Real turn = 1.0 - yaw_tangent * (after.x - before.x) / length;
+    here.curvature = here.curvature / std::clamp<Real>(turn, 1.0 / max_turn, max_turn);
+  }
+}
 
 /// By how much penetration half way between two places exceeds their mean, times four: that of a
 /// parabola with the lesser curvature of the two, without a top of its own in between.
@@ -104,7 +117,8 @@ void set_second(const LocusSample<Real>& before, LocusSample<Real>& here,
 ///   LocusSample<Real> place_of(const DistanceSample&, double limit): of a node, penetration =
 ///   limit - distance;
 ///   LocusSample<Real> place_of(const ContactCandidate&, double penetration): of a locally least
-///   distance.
+///   distance;
+///   Real yaw_tangent().
 template <class Source> class LocusSampler {
 public:
   using Real = typename Source::Real;
@@ -197,8 +211,11 @@ private:
         places_.push_back(source_.place_of(samples_[i], limit_));
       }
     }
-    for (std::size_t i = from + 1; i + 1 < places_.size(); ++i) {
-      set_second(places_[i - 1], places_[i], places_[i + 1]);
+    for (std::size_t i = from; i < places_.size(); ++i) {
+      const LocusSample<Real>& before = places_[std::max(i, from + 1) - 1];
+      const LocusSample<Real>& after = places_[std::min(i + 1, places_.size() - 1)];
+      set_second(before, places_[i], after);
+      turn_curvature<Real>(before, places_[i], after, source_.yaw_tangent());
     }
   }
 

@@ -25,10 +25,6 @@ std::size_t even_count(double count) {
   return 2 * static_cast<std::size_t>(std::ceil(0.5 * count));
 }
 
-double stepped(double factor) {
-  return std::exp2(0.5 * std::round(2.0 * std::log2(factor)));
-}
-
 Grid grid_with_sizes(const PlaneArea& area, double lateral_step, double longitudinal_step,
                      double share_of_width) {
   const auto count = [](double length, double step) {

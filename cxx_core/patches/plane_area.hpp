@@ -50,9 +50,6 @@ Grid grid_over(const PlaneArea& area, std::size_t lateral_count, std::size_t lon
 /// The next even number: elements around a middle stay where they are while it grows.
 std::size_t even_count(double count);
 
-/// The nearest power of the root of 2: numbers of elements that are multiplied by it change seldom.
-double stepped(double factor);
-
 /// Elements of given sizes, as many as have their centres in an area and at least one each side of
 /// its middle along the rail, and across it of the place that is a share of the width from its
 /// edge.

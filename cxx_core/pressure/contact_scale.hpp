@@ -10,7 +10,7 @@
 /// is the squared semi-axis of an ellipse (Hertz). Lines that are staggered, as in a contact with
 /// yaw, are shorter than the contact, and count as shorter again by that ratio.
 ///
-/// Both are continuous functions of the pressures. Units mm. Thread rule: a pure function. Not
+/// Both are continuous functions of the rows. Units mm. Thread rule: a pure function. Not
 /// known here: crests narrower than a row.
 #pragma once
 
@@ -24,6 +24,16 @@ struct ContactScale {
   double across = 0.0;
   double along = 0.0;
 };
+
+/// What a row of elements bears.
+struct ContactRow {
+  double force = 0.0;
+  double middle = 0.0;   ///< of it, along the rail
+  double variance = 0.0; ///< about that
+};
+
+/// Rows of one height; second differences reach over `span` of them.
+ContactScale contact_scale(std::span<const ContactRow> rows, double height, std::size_t span);
 
 /// `pressure`: of the grid's elements, not negative, some of them positive.
 ContactScale contact_scale(const Grid& grid, std::span<const double> pressure);

@@ -57,6 +57,8 @@ public:
     return place;
   }
 
+  [[nodiscard]] Rated yaw_tangent() const { return rated(sin_yaw_) / rated(cos_yaw_); }
+
 private:
   /// Wheel and rail at a place of the profile.
   struct Meeting {
@@ -116,6 +118,13 @@ private:
             moved(meeting.curvature),
             false,
             0.0};
+  }
+
+  /// Of what is the same all along the profile.
+  static Rated rated(const ByPlace& number) {
+    Rated result(number.value);
+    std::copy_n(number.rates.begin(), motion_count, result.rates.begin());
+    return result;
   }
 
   /// To the last bit those of the scan, so that patches are the same.

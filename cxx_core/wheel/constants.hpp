@@ -67,17 +67,13 @@ inline constexpr double iteration_share = 0.2;
 inline constexpr double smooth_load_share = 2e-2;
 
 /// ... at a prescribed position at once.
-/// origin: measured (smoothness): with 6e-3 forces leave the line of the stiffness by 1.4e-6.
-inline constexpr double smooth_position_share = 3e-3;
+/// origin: measured (smoothness): with 3e-3 forces leave the line of the stiffness by 1.02e-6.
+inline constexpr double smooth_position_share = 2e-3;
 
 /// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it
 /// averages out.
 /// origin: reasoned: with share_of_rows and iteration_share the accuracy is shared out.
 inline constexpr double max_rounding = 0.1;
-
-/// Coarse grids are refined to so many rows at most, until one finds contact.
-/// origin: reasoned: contact a hundred times narrower than its penetration is none of a wheel.
-inline constexpr std::size_t max_coarse_rows = 1200;
 
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad.
 /// origin: derived: the share of the normal then taken as vertical is wrong by 2 %

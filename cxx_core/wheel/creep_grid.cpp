@@ -18,10 +18,9 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
   }
   const PlaneArea area{across->first, across->last, along->first, along->last};
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
-  const double crests =
-      stepped(area.width() / contact_scale(pressures.grid, pressures.values).across);
+  const double crests = area.width() / contact_scale(pressures.grid, pressures.values).across;
   const double by_sides =
-      stepped(std::pow(crests * along->longest / across->longest, columns_by_sides_exponent));
+      std::pow(crests * along->longest / across->longest, columns_by_sides_exponent);
   // As many of the longest lines as the rectangle is long and wide.
   const double times_along = area.length() / along->longest;
   const double times_across = crests * area.width() / across->longest;

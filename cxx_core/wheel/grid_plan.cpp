@@ -79,6 +79,11 @@ void set_interaction(GridSolution& solution, const ContactPatches& found, bool a
   }
 }
 
+PlaneArea potential_area(const Patch& patch, const RailSurface& rail) {
+  const PlaneArea area = area_of(patch.penetration, rail, patch.frame).widened(penetration_margin);
+  return within_limits(area, patch.penetration, rail, patch.frame);
+}
+
 } // namespace
 
 Grid GridChoice::grid_of(const ContactPatch& penetration, const PlaneArea& area) const {
@@ -123,11 +128,20 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
   return solution;
 }
 
+std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
+                                               const ContactScan& scan) {
+  const auto samples = locus_samples(scan, patches.depth);
+  std::vector<ExpectedContact> contacts;
+  for (const Patch& patch : patches.patches) {
+    contacts.push_back(
+        expected_contact(patch.penetration, patch.frame, potential_area(patch, rail), samples));
+  }
+  return contacts;
+}
+
 void set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids) {
   for (Patch& patch : solution.patches) {
-    const ContactPatch& penetration = patch.penetration;
-    const PlaneArea area = area_of(penetration, rail, patch.frame).widened(penetration_margin);
-    patch.grid = grids.grid_of(penetration, within_limits(area, penetration, rail, patch.frame));
+    patch.grid = grids.grid_of(patch.penetration, potential_area(patch, rail));
   }
 }
 

@@ -37,6 +37,10 @@ private:
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
                           const WheelRequest& request, double depth);
 
+/// What contacts patches with planes lead to.
+std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
+                                               const ContactScan& scan);
+
 /// Their grids. Nothing is sampled or solved yet.
 void set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids);
 

@@ -76,13 +76,9 @@ private:
                : std::max(solution.depth_found, min_depth_ratio * solution.depth);
   }
   [[nodiscard]] double tolerance() const;
-  /// `coarse`: what shows how fine they must be; not asked with a grid given by hand.
-  [[nodiscard]] GridChoice final_grids(const std::optional<GridSolution>& coarse) const {
-    return request_.grid ? GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]})
-                         : GridChoice(final_elements(coarse.value(), goal_));
-  }
+  GridChoice final_grids(double depth);
   GridSolution solve_coarsely(double depth);
-  [[nodiscard]] double share_to_follow(const std::optional<GridSolution>& coarse) const;
+  [[nodiscard]] double share_to_follow(const GridSolution& patches) const;
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
@@ -119,13 +115,20 @@ double WheelSolver::tolerance() const {
          (request_.position_is_prescribed() ? smooth_position_share : smooth_load_share);
 }
 
-/// The patches at a depth, without grids: with a position prescribed, and for a second grid, all
-/// solutions are at the same.
+/// Without grids. Several are sampled at a depth one after another.
 const GridSolution& WheelSolver::patches_at(double depth) {
   if (!patches_ || patches_->depth != depth) {
     patches_ = plan_patches(rail_, equilibrium_, request_, depth);
   }
   return *patches_;
+}
+
+GridChoice WheelSolver::final_grids(double depth) {
+  if (request_.grid) {
+    return GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]});
+  }
+  return GridChoice(
+      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_.scan), goal_));
 }
 
 /// The grids at a depth, with undeformed distances.
@@ -211,25 +214,15 @@ double WheelSolver::sliding(const GridSolution& solution) const {
   return most;
 }
 
-/// Finds the depth for the load, and what the final grid must resolve, by solutions on few
-/// elements, on more only where contact falls between them.
+/// Finds the depth for the load by solutions on few elements.
 GridSolution WheelSolver::solve_coarsely(double depth) {
-  ElementCounts counts = coarse_counts();
   DepthIteration iteration;
   std::optional<GridSolution> before;
   for (int attempt = 1;; ++attempt) {
     GridSolution solution =
-        solve_at(depth, GridChoice(counts), coarse_tolerance, before ? &*before : nullptr);
+        solve_at(depth, GridChoice(coarse_counts()), coarse_tolerance, before ? &*before : nullptr);
     if (solution.no_contact()) {
-      if (counts.lateral >= max_coarse_rows) {
-        if (request_.position_is_prescribed()) {
-          return solution;
-        }
-        throw Error(ErrorCode::internal,
-                    "no contact found at a depth of " + text_of(depth) + " mm");
-      }
-      counts = {2 * counts.lateral, 2 * counts.longitudinal};
-      continue;
+      throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
     }
     const double found = depth_found(solution);
     const double left = std::abs(found / depth - 1.0) * std::pow(sliding(solution), 2);
@@ -265,22 +258,39 @@ void WheelSolver::find_peaks(GridSolution& solution) {
 /// all where wheels hardly slide along them, in full where they slide twice as much. In full, too,
 /// for creep forces, to which the shape of the contact counts, and on a grid given by hand, whose
 /// errors the accuracy says nothing of.
-double WheelSolver::share_to_follow(const std::optional<GridSolution>& coarse) const {
+double WheelSolver::share_to_follow(const GridSolution& patches) const {
   if (request_.position_is_prescribed()) {
     return 0.0;
   }
   if (request_.grid || request_.creep_forces) {
     return 1.0;
   }
-  return std::clamp(sliding(coarse.value()) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);
+  return std::clamp(sliding(patches) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);
+}
+
+/// Contact on the last elements, which a neighbour is next to.
+bool reaches_neighbour(const Patch& patch) {
+  const ContactPatch& penetration = patch.penetration;
+  const EdgeContact& edge = patch.contact.touches_edge;
+  const double room = penetration_margin * (penetration.y_last - penetration.y_first);
+  return (edge.lateral_first && penetration.y_first - penetration.limit_first <= room) ||
+         (edge.lateral_last && penetration.limit_last - penetration.y_last <= room);
+}
+
+/// A patch just born: its penetration at a depth less than the one found is too small for it.
+bool outgrows_grid(const GridSolution& solution) {
+  return std::ranges::any_of(solution.patches, [](const Patch& patch) {
+    return patch.contact.touches_edge.any() && !reaches_neighbour(patch);
+  });
 }
 
 /// Near the depth found, on more elements where the estimate asks for them.
 GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
   const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
-  GridChoice grids = final_grids(before);
+  GridChoice grids = final_grids(depth);
   bool finer = false;
-  const double follows = share_to_follow(before);
+  const bool may_grow = !of_forces && !request_.position_is_prescribed();
+  double follows = share_to_follow(patches_at(depth));
   const double planes_begin = depth;
   bool shows_depth_only = follows > 0.0 && !request_.grid && tolerance() < coarse_tolerance;
   DepthIteration iteration;
@@ -291,6 +301,13 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
+    }
+    if (may_grow && attempt == 1 && outgrows_grid(solution)) {
+      depth = depth_found(solution);
+      grids = final_grids(depth);
+      follows = 1.0;
+      before = std::move(solution);
+      continue;
     }
     const double found = planes_begin + follows * (depth_found(solution) - planes_begin);
     const double change = std::abs(found / depth - 1.0) * sliding(solution);
@@ -310,7 +327,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
     // Forces stay as they are: a second grid would be no continuous function of the scene.
-    if (error.sum() <= request_.accuracy || request_.grid || finer || of_forces) {
+    if (error.total() <= request_.accuracy || request_.grid || finer || of_forces) {
       return solution;
     }
     grids = GridChoice(finer_elements(solution, error, goal_));
@@ -322,10 +339,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
 }
 
 std::string edge_warning(const Patch& patch) {
-  const EdgeContact& edge = patch.contact.touches_edge;
-  const bool at_neighbour = (edge.lateral_first && std::isfinite(patch.penetration.limit_first)) ||
-                            (edge.lateral_last && std::isfinite(patch.penetration.limit_last));
-  return at_neighbour
+  return reaches_neighbour(patch)
              ? "contact reaches the boundary to the neighbouring patch"
              : "contact touches the edge of the grid: elements too large, or a patch just born";
 }
@@ -415,9 +429,7 @@ void WheelSolver::publish(GridSolution solution) {
 
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
-  GridSolution penetration = patches_at(depth);
-  set_grids(penetration, rail_, GridChoice(coarse_counts()));
-  GridSolution solution = sample(depth, final_grids(penetration));
+  GridSolution solution = sample(depth, final_grids(depth));
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }
@@ -445,7 +457,7 @@ WheelSolution WheelSolver::solve() {
     return std::move(result_);
   }
   std::optional<GridSolution> coarse;
-  if (!request_.position_is_prescribed() || !request_.grid) {
+  if (!request_.position_is_prescribed()) {
     coarse = solve_coarsely(depth);
   }
   const double found = coarse ? depth_found(*coarse) : depth;

@@ -5,7 +5,7 @@
 !>   --acceleration 0    m/s2, from the time 0 on
 !>   --seconds 1         length of the run
 !>   --step 1e-3         s
-!>   --accuracy 1e-2     solve.accuracy; with --critical 3e-3, since slopes of forces need more
+!>   --accuracy 1e-2     solve.accuracy; with --critical 3e-4, since slopes of forces need more
 !>   --creep fastsim     solve.creep
 !>   --threads 2         for the wheelsets; results do not depend on it
 !>   --jacobian library  or differences
@@ -26,7 +26,7 @@ program bogie_program
   type(bogie) :: vehicle
   type(history) :: past
   real(real64) :: seconds = 1, h = 1.0e-3_real64, accuracy = 1.0e-2_real64
-  real(real64) :: critical_accuracy = 3.0e-3_real64
+  real(real64) :: critical_accuracy = 3.0e-4_real64
   real(real64) :: lateral = 0, lateral_speed = 0, roll = 0
   character(200) :: creep = 'fastsim', jacobian = 'library', data = '', save_to = '', restart = ''
   character(200) :: critical = ''

@@ -29,10 +29,11 @@ runs() {
   }
   expect "2*$(value first.txt evaluations) <= $(value differences.txt evaluations)" \
     "half of the evaluations at most with the library's Jacobian"
-  # Both solve the same equations to the tolerance of Newton's iteration.
+  # Both solve the same equations to the tolerance of Newton's iteration: 1e-8 m and 1e-5 m/s.
   paste <(grep '^state' first.txt | tr ' ' '\n' | grep E) \
     <(grep '^state' differences.txt | tr ' ' '\n' | grep E) |
-    awk '{ d = $1 - $2; if (d > 1e-6 || d < -1e-6) bad = 1 } END { exit bad || NR != 28 }' || {
+    awk '{ d = $1 - $2; limit = NR <= 13 ? 1e-8 : 1e-5; if (d > limit || d < -limit) bad = 1 }
+      END { exit bad || NR != 28 }' || {
     echo "other results with a Jacobian from differences"
     exit 1
   }
@@ -45,9 +46,9 @@ runs() {
 }
 
 # By eigenvalues of the library's Jacobian and in time within 2 %. At 1e-2 the speed in time is 2.7 % off
-# that of the finer accuracies itself, as forces are.
+# that of the finer accuracies itself; at 3e-4, the default here, the two are 0.6 % apart.
 critical() {
-  "$bogie" --critical yes --accuracy 3e-3 --seconds 0.2 --step 2e-3 >found.txt
+  "$bogie" --critical yes --seconds 0.2 --step 2e-3 >found.txt
   local by_eigenvalues in_time
   by_eigenvalues=$(value found.txt 'critical speed by') in_time=$(value found.txt 'critical speed in')
   expect "$by_eigenvalues > 60 && $by_eigenvalues < 90" "of a coach"

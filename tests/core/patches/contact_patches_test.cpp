@@ -11,6 +11,7 @@
 
 #include "geometry/wheelset_equilibrium.hpp"
 #include "patches/patch_finder.hpp"
+#include "remesh/undeformed_distance.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::contact_patches_test {
@@ -451,6 +452,26 @@ TEST(ContactPatches, PlanesOfAnIndependentProgram) {
       EXPECT_EQ(found.coupling_weight(0, 1), 0.0);
       EXPECT_NEAR(found.patches[0].mean_y, -second.at("y_track_mm").get<double>(), place_tolerance);
     }
+  }
+}
+
+/// Second differences of distances along the rail, through the locus at the root of the flange:
+/// with 50 mrad of yaw they are an eighth less than the curvature in rolling direction.
+TEST(LocusSamples, CurvatureIsThatAlongTheRail) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, wheel_radius});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  constexpr double depth = 0.1;
+  for (const double yaw : {0.0, 0.05, -0.05}) {
+    const SideEquilibrium side = equilibrium_of(wheel, rail, 6.5, yaw);
+    const ContactPatches found = find_contact_patches(side.scan, depth);
+    const ContactPatch& patch = found.patches[found.main];
+    const auto samples = locus_samples(side.scan, depth);
+    const auto at = std::ranges::min_element(
+        samples, {}, [&](const auto& sample) { return std::abs(sample.y - patch.mean_y); });
+    const ContactFrame frame = tangent_frame({at->x, at->y, at->z}, std::atan(at->slope));
+    const std::vector<double> distance = sample_undeformed_distance(
+        {wheel, rail, side.pose, side.vertical - depth}, frame, {1, 3, 1.0, 1.0, 0.0, -1.0});
+    EXPECT_NEAR(at->curvature, distance[0] - 2.0 * distance[1] + distance[2], 0.05 * at->curvature);
   }
 }
 

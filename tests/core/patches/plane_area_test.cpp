@@ -1,7 +1,5 @@
 #include "patches/plane_area.hpp"
 
-#include <numbers>
-
 #include <gtest/gtest.h>
 
 namespace wrc::test::plane_area_test {
@@ -37,12 +35,6 @@ TEST(PlaneArea, LargeElementsStillHaveOneOnEachSide) {
   const Grid grid = grid_with_sizes({-3.0, 5.0, 1.0, 2.0}, 100.0, 100.0, 0.25);
   EXPECT_EQ(grid.lateral_count, 2u);
   EXPECT_EQ(grid.longitudinal_count, 2u);
-}
-
-TEST(PlaneArea, NearestPowerOfTheRootOfTwo) {
-  EXPECT_DOUBLE_EQ(stepped(1.15), 1.0);
-  EXPECT_DOUBLE_EQ(stepped(1.25), std::numbers::sqrt2);
-  EXPECT_DOUBLE_EQ(stepped(0.4), 0.5 / std::numbers::sqrt2);
 }
 
 TEST(PlaneArea, NextEvenNumber) {
