@@ -45,11 +45,14 @@ ExpectedContact expected_contact(const ContactPatch& penetration, const ContactF
     }
     const double from = row_at(samples[i]);
     const double to = row_at(samples[i + 1]);
-    const auto [first, last] = std::minmax(from, to);
-    const double end = std::min(last, static_cast<double>(rows.size()));
-    for (double row = std::max(std::ceil(first), 0.0); row < end; ++row) {
-      rows[static_cast<std::size_t>(row)] =
-          row_between(samples[i], samples[i + 1], (row - from) / (to - from), level);
+    const auto count = static_cast<double>(rows.size());
+    const auto first =
+        static_cast<std::size_t>(std::clamp(std::ceil(std::min(from, to)), 0.0, count));
+    const auto end =
+        static_cast<std::size_t>(std::clamp(std::ceil(std::max(from, to)), 0.0, count));
+    for (std::size_t row = first; row < end; ++row) {
+      rows[row] = row_between(samples[i], samples[i + 1],
+                              (static_cast<double>(row) - from) / (to - from), level);
     }
   }
   ExpectedContact contact;

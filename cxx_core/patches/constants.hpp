@@ -61,11 +61,7 @@ inline constexpr double estimated_depth_accuracy = 1e-6;
 /// Product of the last two relative errors of the load from which on a secant step ends that
 /// search.
 /// origin: measured (wrc_benchmark --case service): such a step leaves 0.04 of it.
-inline constexpr double settled_excesses = 1e-5;
-
-/// First depth of that search, mm.
-/// origin: reasoned: that of an ordinary wheel load.
-inline constexpr double first_searched_depth = 0.05;
+inline constexpr double settled_excesses = 1e-4;
 
 /// Power of the depth with which a load grows, at the start of that search, ...
 /// origin: source: Hertz, 1882.

@@ -24,6 +24,11 @@ double load_of(const ContactPatch& patch, double combined_modulus) {
          std::comp_ellint_1(modulus);
 }
 
+/// Of a ball with the wheel's curvature on a plane (Hertz, 1882). `load`: over the modulus, mm^2.
+double depth_of_ball(double curvature, double load) {
+  return std::cbrt(9.0 / 16.0 * curvature) * std::pow(std::cbrt(load), 2);
+}
+
 } // namespace
 
 double estimate_load(const ContactScan& scan, double combined_modulus, double depth,
@@ -46,7 +51,10 @@ double estimate_depth(const ContactScan& scan, double combined_modulus, double l
         std::log(estimate_load(scan, combined_modulus, depth, direction) / load_sought);
     return std::abs(excess) <= estimated_depth_accuracy ? 0.0 : excess;
   };
-  double depth = first_searched_depth;
+  // Not so small that the load there is nothing.
+  double depth = std::clamp(
+      depth_of_ball(scan.candidates.front().wheel.normal_curvature, load_sought / combined_modulus),
+      std::sqrt(min_searched_depth), max_depth);
   double excess = excess_at(depth);
   double power = load_power;
   for (int step = 1; step <= depth_iterations && excess != 0.0; ++step) {

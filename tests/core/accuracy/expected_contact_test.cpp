@@ -18,10 +18,10 @@ constexpr double half_width = 8.0; ///< of the penetration
 /// A locus along y at height 0, nodes every 0.5 mm, a wheel with a curvature of 1/460 mm.
 template <class Penetration> std::vector<Sample> samples_of(const Penetration& penetration) {
   std::vector<Sample> samples;
-  for (double y = -10.0; y <= 10.0; y += 0.5) {
+  for (int i = -20; i <= 20; ++i) {
     Sample& sample = samples.emplace_back();
-    sample.y = y;
-    sample.penetration = penetration(y);
+    sample.y = 0.5 * i;
+    sample.penetration = penetration(sample.y);
     sample.curvature = 1.0 / 460.0;
   }
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
