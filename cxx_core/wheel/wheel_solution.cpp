@@ -76,7 +76,7 @@ private:
                : std::max(solution.depth_found, min_depth_ratio * solution.depth);
   }
   [[nodiscard]] double tolerance() const;
-  GridChoice final_grids(double depth);
+  GridChoice final_grids(double depth, const AccuracyGoal& goal);
   GridSolution solve_coarsely(double depth);
   [[nodiscard]] double share_to_follow(const GridSolution& patches) const;
   GridSolution solve_finally(double depth, std::optional<GridSolution> before);
@@ -123,12 +123,12 @@ const GridSolution& WheelSolver::patches_at(double depth) {
   return *patches_;
 }
 
-GridChoice WheelSolver::final_grids(double depth) {
+GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
   if (request_.grid) {
     return GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]});
   }
   return GridChoice(
-      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_.scan), goal_));
+      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_.scan), goal));
 }
 
 /// The grids at a depth, with undeformed distances.
@@ -256,13 +256,12 @@ void WheelSolver::find_peaks(GridSolution& solution) {
 
 /// How far the planes are to follow from the depth of the coarse solution to the one found: not at
 /// all where wheels hardly slide along them, in full where they slide twice as much. In full, too,
-/// for creep forces, to which the shape of the contact counts, and on a grid given by hand, whose
-/// errors the accuracy says nothing of.
+/// on a grid given by hand, whose errors the accuracy says nothing of.
 double WheelSolver::share_to_follow(const GridSolution& patches) const {
   if (request_.position_is_prescribed()) {
     return 0.0;
   }
-  if (request_.grid || request_.creep_forces) {
+  if (request_.grid) {
     return 1.0;
   }
   return std::clamp(sliding(patches) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);
@@ -287,7 +286,7 @@ bool outgrows_grid(const GridSolution& solution) {
 /// Near the depth found, on more elements where the estimate asks for them.
 GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
   const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
-  GridChoice grids = final_grids(depth);
+  GridChoice grids = final_grids(depth, goal_);
   bool finer = false;
   const bool may_grow = !of_forces && !request_.position_is_prescribed();
   double follows = share_to_follow(patches_at(depth));
@@ -304,7 +303,7 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     if (may_grow && attempt == 1 && outgrows_grid(solution)) {
       depth = depth_found(solution);
-      grids = final_grids(depth);
+      grids = final_grids(depth, goal_);
       follows = 1.0;
       before = std::move(solution);
       continue;
@@ -429,7 +428,7 @@ void WheelSolver::publish(GridSolution solution) {
 
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
-  GridSolution solution = sample(depth, final_grids(depth));
+  GridSolution solution = sample(depth, final_grids(depth, goal_));
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }
@@ -447,8 +446,7 @@ WheelSolution WheelSolver::solve() {
   if (request_.until == Module::geometry) {
     return std::move(result_);
   }
-  const double depth =
-      request_.position_is_prescribed() || request_.load() > 0.0 ? first_depth() : 0.0;
+  double depth = request_.position_is_prescribed() || request_.load() > 0.0 ? first_depth() : 0.0;
   if (!is_in_contact(request_, depth, result_.warnings)) {
     return std::move(result_);
   }
@@ -459,9 +457,16 @@ WheelSolution WheelSolver::solve() {
   std::optional<GridSolution> coarse;
   if (!request_.position_is_prescribed()) {
     coarse = solve_coarsely(depth);
+    depth = depth_found(*coarse);
+    if (request_.creep_forces && !request_.grid && tolerance() < coarse_tolerance) {
+      // To creep forces the shape of the contact counts: its planes are to be as accurate.
+      AccuracyGoal goal = goal_;
+      goal.creep_forces = false;
+      coarse = solve_at(depth, final_grids(depth, goal), coarse_tolerance, &*coarse);
+      depth = depth_found(*coarse);
+    }
   }
-  const double found = coarse ? depth_found(*coarse) : depth;
-  GridSolution solution = solve_finally(found, std::move(coarse));
+  GridSolution solution = solve_finally(depth, std::move(coarse));
   warn_about(solution);
   publish(std::move(solution));
   return std::move(result_);
