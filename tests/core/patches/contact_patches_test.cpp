@@ -475,5 +475,22 @@ TEST(LocusSamples, CurvatureIsThatAlongTheRail) {
   }
 }
 
+/// At kinks differences say anything: 100 times the curvature in rolling direction, or a hundredth.
+TEST(LocusSamples, CurvatureIsBounded) {
+  patch_finding::LocusSample<double> before{};
+  patch_finding::LocusSample<double> after{};
+  after.y = 1.0;
+  const auto turned = [&](double x) {
+    patch_finding::LocusSample<double> here{};
+    here.curvature = 1.0;
+    after.x = x;
+    turn_curvature(before, here, after, 0.1);
+    return here.curvature;
+  };
+  EXPECT_DOUBLE_EQ(turned(-10.0), 0.5);
+  EXPECT_DOUBLE_EQ(turned(20.0), 100.0);
+  EXPECT_DOUBLE_EQ(turned(-1e4), 0.01);
+}
+
 } // namespace
 } // namespace wrc::test::contact_patches_test
