@@ -88,10 +88,10 @@ void check_distances(std::span<const double> distance, const Grid& grid) {
 
 void check_interaction(const PatchInteraction& interaction, std::size_t count) {
   check_entries("interaction.places", interaction.places.size(), count);
-  check_entries("interaction.closeness", interaction.coupling_weight.size(), count * count);
+  check_entries("interaction.coupling_weight", interaction.coupling_weight.size(), count * count);
   for (const double coupling_weight : interaction.coupling_weight) {
     if (!(coupling_weight >= 0.0 && coupling_weight <= 1.0)) {
-      throw_invalid_argument("interaction.closeness", coupling_weight, "must lie in 0 to 1");
+      throw_invalid_argument("interaction.coupling_weight", coupling_weight, "must lie in 0 to 1");
     }
   }
 }

@@ -16,9 +16,9 @@
 /// Separation of two neighbours, without dimension:
 ///   D = gap / larger width                                 if they are apart,
 ///   D = -(least penetration between) / (deepest of the shallower one)      if they are connected.
-/// Closeness w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall as the
-/// planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned towards each
-/// other by the share w, so that nothing jumps on the way from two patches to one.
+/// Coupling weight w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall
+/// as the planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned
+/// towards each other by the share w, so that nothing jumps on the way from two patches to one.
 ///
 /// Where planes differ little, the distance d of the penetrations in the cross-section counts, too,
 /// with a joining distance d_j in mm, as in CONTACT (Vollebregt, User guide for CONTACT, where d_j,

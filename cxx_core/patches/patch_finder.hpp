@@ -83,7 +83,7 @@ public:
   }
 
   // Of the patches found, in their order.
-  /// Closeness of a patch and the next.
+  /// Coupling weight of a patch and the next.
   [[nodiscard]] const Real& link(std::size_t patch) const { return links_[patch]; }
   [[nodiscard]] const Real& angle(std::size_t patch) const { return angles_[patch]; }
   [[nodiscard]] const Moments<Real>& moments(std::size_t patch) const {
@@ -116,7 +116,7 @@ private:
     return sqrt(across * across + up * up);
   }
 
-  /// Closeness of a patch and the next, and how far their planes turn towards each other.
+  /// Coupling weight of a patch and the next, and how far their planes turn towards each other.
   void link_with_next(std::size_t lobe) {
     Real link = smoothstep(affinities_[lobe]);
     Real turn = link;

@@ -154,7 +154,7 @@ ByMotion<double> by_motion(const Rated& number) {
 
 } // namespace
 
-ByMotion<double> MovingPatches::closeness_rate(std::size_t i, std::size_t j) const {
+ByMotion<double> MovingPatches::coupling_weight_rate(std::size_t i, std::size_t j) const {
   double least = 1.0;
   ByMotion<double> rate;
   for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) {

@@ -42,7 +42,7 @@ struct MovingPatches {
   std::vector<ByMotion<double>> link_rates; ///< of `found.links`
 
   /// Of found.coupling_weight(i, j).
-  [[nodiscard]] ByMotion<double> closeness_rate(std::size_t i, std::size_t j) const;
+  [[nodiscard]] ByMotion<double> coupling_weight_rate(std::size_t i, std::size_t j) const;
 };
 
 /// `scan` is that of the pair's pose; `depth` leads from the first touch to the pair's height,

@@ -58,7 +58,7 @@ void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteracti
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t l = 0; l < count; ++l) {
       double& rate = interaction.coupling_weight[k * count + l];
-      rate = planes.moving.closeness_rate(planes.index[k], planes.index[l]).*motion;
+      rate = planes.moving.coupling_weight_rate(planes.index[k], planes.index[l]).*motion;
       any = any || rate != 0.0;
     }
   }

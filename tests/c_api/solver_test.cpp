@@ -120,7 +120,7 @@ TEST(Solver, IsASceneByItselfOnTheFlangeAndBack) {
 }
 
 TEST(Solver, GoesOnAfterAStepThatDidNotSettle) {
-  // Two patches about to join at an accuracy that is hardly within reach: depth and closeness chase
+  // Two patches about to join at an accuracy that is hardly within reach: depth and coupling chase
   // each other, and the number of patches changes from step to step.
   SolverPointer solver = make_solver();
   for (const double load : {23474.0, 24200.0, 24926.0, 24200.0}) {

@@ -261,7 +261,7 @@ TEST(JointContact, FindsWhatCoarseGridsMissInBothPatchesThatInteract) {
   }
 }
 
-TEST(JointContact, InteractionGrowsWithCloseness) {
+TEST(JointContact, InteractionGrowsWithTheCouplingWeight) {
   CutPlane plane = cut_plane();
   const std::vector<PatchGap> gaps = gaps_of(plane.parts);
   NormalProblem problem = joint_with_load(gaps, 1e4, 1e-6);
@@ -439,7 +439,7 @@ TEST(JointContact, WhatIsWrongIsNamed) {
   expect_named(coupled, "interaction.places");
   interaction.places.resize(1);
   interaction.coupling_weight = {2.0};
-  expect_named(coupled, "interaction.closeness");
+  expect_named(coupled, "interaction.coupling_weight");
   gaps[0].approach_cosine = 0.0;
   expect_named(joint_with_load(gaps, 1.0, 1e-3), "approach_cosine");
 }

@@ -18,7 +18,7 @@ namespace wrc::test::contact_patches_test {
 namespace {
 
 /// Of two lobes or patches: signed separation and the difference of their angles.
-double closeness_of(double separation, double angle_difference) {
+double coupling_weight_of(double separation, double angle_difference) {
   return patch_finding::smoothstep(patch_finding::affinity(separation, angle_difference));
 }
 
@@ -234,7 +234,7 @@ TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
     EXPECT_FALSE(found.patches[0].shares_plane_with_previous);
     EXPECT_EQ(found.patches[0].angle, found.patches[1].angle);
     const double apart = found.patches[1].y_first - found.patches[0].y_last;
-    const double by_width = closeness_of(apart / 8.0, 0.1);
+    const double by_width = coupling_weight_of(apart / 8.0, 0.1);
     EXPECT_NEAR(found.coupling_weight(0, 1),
                 std::max(by_width, std::clamp(2.0 - apart / joining_distance, 0.0, 1.0)), 0.03);
   }
@@ -277,7 +277,7 @@ TEST(ContactPatches, LobesInDifferentPlanesStayApart) {
   EXPECT_NEAR(deep.patches[0].deepest_s, -31.15, 0.5);
 }
 
-TEST(ContactPatches, ClosenessOfAChainIsThatOfItsWeakestLink) {
+TEST(ContactPatches, CouplingWeightOfAChainIsThatOfItsWeakestLink) {
   const auto curved = [](double y) { return 0.005 * y; };
   const ContactPatches found = find_contact_patches(
       bowls({{5.0, 0.0}, {15.2, 0.0}, {26.0, 0.0}}, curved), 0.08); // D = 0.28 and 0.35
@@ -310,17 +310,19 @@ TEST(ContactPatches, RoughProfileIsOnePatch) {
   }
 }
 
-TEST(ContactPatches, ClosenessFallsWithSeparationAndAngle) {
-  EXPECT_EQ(closeness_of(0.1, 0.0), 1.0);
-  EXPECT_EQ(closeness_of(0.5, 0.0), 0.0);
-  EXPECT_EQ(closeness_of(-0.8, 0.5), closeness_of(-0.8, -0.5));
-  EXPECT_LT(closeness_of(-0.8, 0.5), 1.0);
-  EXPECT_EQ(closeness_of(-1.0, 0.5), 1.0);
-  EXPECT_EQ(closeness_of(0.0, 0.5), 0.0);
+TEST(ContactPatches, CouplingWeightFallsWithSeparationAndAngle) {
+  EXPECT_EQ(coupling_weight_of(0.1, 0.0), 1.0);
+  EXPECT_EQ(coupling_weight_of(0.5, 0.0), 0.0);
+  EXPECT_EQ(coupling_weight_of(-0.8, 0.5), coupling_weight_of(-0.8, -0.5));
+  EXPECT_LT(coupling_weight_of(-0.8, 0.5), 1.0);
+  EXPECT_EQ(coupling_weight_of(-1.0, 0.5), 1.0);
+  EXPECT_EQ(coupling_weight_of(0.0, 0.5), 0.0);
   for (double separation = -1.0; separation < 1.0; separation += 0.01) {
     for (double angle = 0.0; angle < 0.5; angle += 0.01) {
-      EXPECT_LE(closeness_of(separation + 0.01, angle), closeness_of(separation, angle));
-      EXPECT_LE(closeness_of(separation, angle + 0.01), closeness_of(separation, angle));
+      EXPECT_LE(coupling_weight_of(separation + 0.01, angle),
+                coupling_weight_of(separation, angle));
+      EXPECT_LE(coupling_weight_of(separation, angle + 0.01),
+                coupling_weight_of(separation, angle));
     }
   }
 }
@@ -342,7 +344,7 @@ constexpr int cuts = 50;
 constexpr double largest_part = 0.25;
 constexpr double small_step = 0.01;
 
-TEST_P(ContinuousInDepth, AnglesAndCloseness) {
+TEST_P(ContinuousInDepth, AnglesAndCouplingWeights) {
   const DepthSweep& c = GetParam();
   const ContactScan scan = scan_of(standard_profile(c.wheel), standard_profile(c.rail), c.lateral);
   const auto link = [](const ContactPatches& found) {
