@@ -41,8 +41,8 @@ inline constexpr double outside_contact_share = 0.45;
 /// origin: derived: half a millimetre of a circle of 1 mm radius sags by less.
 inline constexpr double max_top_excess = 0.05;
 
-/// How much smaller or larger yaw makes the curvature along the rail than that in rolling
-/// direction. origin: reasoned: bounds grids by ten times the length that they have without yaw.
+/// How much yaw may change the curvature along the rail from that in rolling direction.
+/// origin: reasoned: bounds grids by ten times the length that they have without yaw.
 inline constexpr double max_turn = 100.0;
 
 /// Places of the wheel's profile that are no farther apart are one, mm.

@@ -2,8 +2,8 @@
 ///
 /// When the wheel is lowered by a depth, wheel and rail interpenetrate over stretches of the
 /// contact locus; along the rail a place with the normal penetration g reaches over x_l = sqrt(2 R
-/// g). Every local maximum of penetration is a lobe. Lobes that are close are joined, others are
-/// patches.
+/// g), 1/R the curvature there (patches/locus_samples.hpp). Every local maximum of penetration is a
+/// lobe. Lobes that are close are joined, others are patches.
 ///
 /// Plane: every place counts with the integral of the squared vertical penetration over the track
 /// plane, along the rail in closed form, W = int int g^2 dx dy = 16/15 int g^2 x_l dy. The plane's
