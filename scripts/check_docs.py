@@ -234,7 +234,10 @@ def module_rows():
 def f77_rows():
     literals = {"kind0": "KIND(0)", "one": "1.0D0"}
     lines, types, current, calls = [], {}, None, []
-    for line in text_of("fortran_bindings/wrcontact_f77.f90").lower().splitlines():
+    parts = ("scene", "profile", "contact")
+    sources = ["f77.f90", *(f"f77_{part}.inc" for part in parts)]
+    whole = "".join(text_of(f"fortran_bindings/wrcontact_{source}") for source in sources)
+    for line in whole.lower().splitlines():
         line = line.strip()
         if lines and lines[-1].endswith("&"):
             lines[-1] = lines[-1][:-1] + line

@@ -13,7 +13,7 @@ namespace {
 
 /// How much larger errors are than by the law, or must be smaller.
 double error_factor(const AccuracyGoal& goal) {
-  return (goal.position_is_prescribed ? force_by_depth : 1.0) *
+  return (goal.position_is_prescribed ? position_error_factor : 1.0) *
          (goal.stresses ? stress_accuracy_factor : 1.0) *
          (goal.elements == Elements::constant ? constant_elements_error : 1.0);
 }
@@ -43,13 +43,17 @@ double size_in(double whole, double contact, double count) {
 
 } // namespace
 
+double AccuracyGoal::of_contact() const {
+  return std::min(accuracy, coarsest_accuracy);
+}
+
 ElementCounts coarse_counts() {
   return {coarse_rows, coarse_columns};
 }
 
 std::vector<PatchElements> final_elements(std::span<const ExpectedContact> contacts,
                                           const AccuracyGoal& goal) {
-  const double for_forces = std::max(rows_for(share_of_law * goal.accuracy, goal), min_rows);
+  const double for_forces = rows_for(share_of_law * goal.of_contact(), goal);
   const double columns = columns_by_rows * for_forces;
   std::vector<PatchElements> elements;
   for (const ExpectedContact& contact : contacts) {

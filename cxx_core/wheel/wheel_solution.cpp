@@ -109,9 +109,9 @@ double WheelSolver::tolerance() const {
     return request_.tolerance;
   }
   if (request_.accuracy_of == AccuracyOf::pressures) {
-    return iteration_share * request_.accuracy;
+    return iteration_share * goal_.of_contact();
   }
-  return request_.accuracy *
+  return goal_.of_contact() *
          (request_.position_is_prescribed() ? smooth_position_share : smooth_load_share);
 }
 

@@ -65,6 +65,24 @@ TEST_F(WrcTradeoff, SolvesRandomScenesForOneMeaning) {
   }
 }
 
+/// Then the depth is given, and forces are off instead.
+TEST_F(WrcTradeoff, PrescribesPositions) {
+  const Outcome outcome =
+      run("--scenes 2 --position --accuracy-of forces --repeats 1 --json t.json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  for (const json& scene : json::parse(read("t.json")).at("scenes")) {
+    for (const json& each : scene.at("runs")) {
+      if (each.at("way") == "forces") {
+        for (const json& error : each.at("errors")) {
+          EXPECT_LT(error.at("depth"), 1e-12);
+          EXPECT_GT(error.at("normal_force"), 1e-6);
+          EXPECT_LT(error.at("normal_force"), each.at("accuracy").get<double>());
+        }
+      }
+    }
+  }
+}
+
 TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
   NEEDS_GNUPLOT();
   const Outcome outcome = run("--creep 2 --repeats 1 --threads 2 --json t.json "
@@ -104,6 +122,7 @@ TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
   run("--random 2 --scenes 2").expect_refusal({"--random"});
   run("--creep 0").expect_refusal({"--creep"});
   run("--creep 2 --random 2").expect_refusal({"--creep"});
+  run("--creep 2 --position").expect_refusal({"--creep"});
   run("--accuracy-of area").expect_refusal({"--accuracy-of"});
   run("--pictures nowhere").expect_refusal({"nowhere"});
 }

@@ -103,7 +103,7 @@ WheelError error_of(const Figures& found, const Figures& truth) {
   set(Quantity::depth, relative(found.depth, truth.depth));
   set(Quantity::area, relative(found.area, truth.area));
   set(Quantity::normal_force, relative(found.normal_force, truth.normal_force));
-  set(Quantity::lateral_force, std::abs(found.force[1] - truth.force[1]) / truth.force[2]);
+  set(Quantity::lateral_force, std::abs(found.force[1] - truth.force[1]) / truth.normal_force);
   set(Quantity::centre_longitudinal,
       std::abs(found.centre[0] - truth.centre[0]) / truth.semi_axis_along);
   set(Quantity::centre_lateral,

@@ -20,6 +20,7 @@ struct Options {
   std::size_t random = 0; ///< instead of the family
   std::size_t creep = 0;  ///< models of creep forces, instead of all others
   std::string accuracy_of = "both";
+  bool position = false;
   int threads = 1;
   int repeats = 15;
   std::string json, pictures;
@@ -66,7 +67,7 @@ std::vector<Measured> measure_all(const Options& options) {
                                                  ? tradeoff::make_random(options.random)
                                                  : tradeoff::make_family(options.scenes);
   return measure_scenes(family.size(), options, [&](std::size_t i) {
-    return tradeoff::measure(family[i], {labels_of(options, i), options.repeats});
+    return tradeoff::measure(family[i], {labels_of(options, i), options.repeats, options.position});
   });
 }
 
@@ -114,13 +115,17 @@ int main(int argc, char** argv) {
   auto* accuracy_of = app.add_option("--accuracy-of", options.accuracy_of, "what accuracies are of")
                           ->check(CLI::IsMember({"forces", "pressures", "both"}))
                           ->capture_default_str();
+  auto* position =
+      app.add_flag("--position", options.position,
+                   "prescribe the position of each wheel, to what the load gave, instead of loads");
   app.add_option("--creep", options.creep,
                  "instead of all else: the models of creep forces on so many scenes, with 0.1 to "
                  "10 times the creepages of saturation")
       ->check(CLI::Range(1, 100000))
       ->excludes(scenes)
       ->excludes(random)
-      ->excludes(accuracy_of);
+      ->excludes(accuracy_of)
+      ->excludes(position);
   app.add_option("--threads", options.threads, "scenes solved at once; times depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -136,6 +141,7 @@ int main(int argc, char** argv) {
   app.footer("\nExamples:\n"
              "  wrc_tradeoff --threads 2 --json tradeoff.json --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
+             "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n");
   return driver::run_program(app, argc, argv, [&options] {
     if (options.creep > 0) {

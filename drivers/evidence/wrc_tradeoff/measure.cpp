@@ -32,6 +32,10 @@ class Measurer {
 public:
   Measurer(const Case& made, const MeasureOptions& options) : options_(options) {
     result_.scene = made;
+    settings_.resize(options.position ? 2 : 1, made.settings);
+    if (options.position) {
+      prescribe_position();
+    }
   }
 
   Measured measure() {
@@ -43,18 +47,52 @@ public:
   }
 
 private:
-  std::array<Figures, 2> solve_on_grid(double share) {
-    driver::Scene scene;
-    result_.scene.settings.apply(scene);
-    scene.set("solve.grid", std::vector<double>{share * truth_grid[0], share * truth_grid[1]});
-    scene.set("solve.tolerance", 1e-8);
-    scene.set("solve.precision", "double");
-    driver::Solver solver;
-    solver.solve(scene);
-    for (std::size_t side = 0; side < 2; ++side) {
-      result_.patches[side] = scene.count_of(std::string(driver::side_names[side]) + ".patches");
+  /// Where the load presses each wheel, which becomes a scene of its own: depths differ.
+  void prescribe_position() {
+    driver::Scene loaded;
+    settings_.front().apply(loaded);
+    solver_.solve(loaded);
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+      const std::string side = driver::side_names[i];
+      settings_[i].texts.emplace_back("solve.side", side);
+      settings_[i].set("pose.roll", loaded.number("roll"));
+      settings_[i].set("pose.vertical",
+                       loaded.number(side + ".vertical") - loaded.number(side + ".depth"));
     }
-    return {figures_of(scene, "left"), figures_of(scene, "right")};
+  }
+
+  template <class Set> std::vector<driver::Scene> scenes_with(Set set) const {
+    std::vector<driver::Scene> scenes(settings_.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      settings_[i].apply(scenes[i]);
+      set(scenes[i]);
+    }
+    return scenes;
+  }
+  static void solve(driver::Solver& solver, std::vector<driver::Scene>& scenes) {
+    for (driver::Scene& scene : scenes) {
+      solver.solve(scene);
+    }
+  }
+  static const driver::Scene& scene_of(const std::vector<driver::Scene>& scenes, std::size_t side) {
+    return scenes[std::min(side, scenes.size() - 1)];
+  }
+
+  std::array<Figures, 2> solve_on_grid(double share) {
+    std::vector<driver::Scene> scenes = scenes_with([share](driver::Scene& scene) {
+      scene.set("solve.grid", std::vector<double>{share * truth_grid[0], share * truth_grid[1]});
+      scene.set("solve.tolerance", 1e-8);
+      scene.set("solve.precision", "double");
+    });
+    driver::Solver solver;
+    solve(solver, scenes);
+    std::array<Figures, 2> figures;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const driver::Scene& scene = scene_of(scenes, side);
+      result_.patches[side] = scene.count_of(std::string(driver::side_names[side]) + ".patches");
+      figures[side] = figures_of(scene, driver::side_names[side]);
+    }
+    return figures;
   }
 
   void find_truth() {
@@ -67,27 +105,29 @@ private:
   }
 
   Run run(const Way& way) {
-    driver::Scene scene;
-    result_.scene.settings.apply(scene);
-    set_way(scene, way);
+    std::vector<driver::Scene> scenes =
+        scenes_with([&way](driver::Scene& scene) { set_way(scene, way); });
     Run made;
     made.way = way;
-    solver_.solve(scene); // plans
+    solve(solver_, scenes); // plans
     std::vector<double> times;
     for (double spent = 0.0;
          times.empty() || (spent < budget_ms && std::ssize(times) < options_.repeats);) {
       driver::Stopwatch watch;
-      solver_.solve(scene);
+      solve(solver_, scenes);
       times.push_back(watch.lap());
       spent += times.back();
     }
     made.time_ms = median(times);
-    made.errors = {error_of(scene, "left", truth_[0]), error_of(scene, "right", truth_[1])};
+    for (std::size_t side = 0; side < 2; ++side) {
+      made.errors[side] = error_of(scene_of(scenes, side), driver::side_names[side], truth_[side]);
+    }
     return made;
   }
 
   MeasureOptions options_;
   driver::Solver solver_;
+  std::vector<driver::Settings> settings_; ///< of both wheels, or one for each
   std::array<Figures, 2> truth_{};
   Measured result_;
 };

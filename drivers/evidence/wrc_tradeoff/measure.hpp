@@ -18,7 +18,7 @@ namespace tradeoff {
 
 /// Errors that are measured, each relative:
 ///   pmax, depth, normal_force, area   to themselves
-///   lateral_force                     to the vertical force
+///   lateral_force                     to the normal force
 ///   centre_lateral                    distance of the centres of pressure in the y-z plane, to the
 ///                                     contact's semi-axis across the rail
 ///   centre_longitudinal               their distance along x, to the semi-axis along the rail
@@ -126,6 +126,7 @@ struct Measured {
 struct MeasureOptions {
   std::vector<std::string> labels; ///< of the ways
   int repeats = 15;                ///< timed, at most
+  bool position = false;           ///< prescribed, to what the load gave
 };
 
 /// All ways with these labels.

@@ -126,6 +126,11 @@ double carter_error(std::size_t count, double shift, bool edges) {
   problem.tolerance = 1e-6;
   problem.creepages.longitudinal = -share * 2.0 * (1.0 - problem.poisson);
   const RollingSolution solution = RollingSolver().solve(problem);
+  LinePlans plans;
+  const TangentialResiduals residuals =
+      compute_residuals(problem, solution.traction_x, solution.traction_y, plans);
+  EXPECT_LT(residuals.natural, 3.0 * problem.tolerance);
+  EXPECT_LT(residuals.excess, problem.tolerance);
   return solution.longitudinal_force / (0.5 * std::numbers::pi * width) -
          (1.0 - (1.0 - share) * (1.0 - share));
 }

@@ -298,6 +298,9 @@ TEST(RollingContact, RefusesWhatIsOutsideItsRanges) {
     }
   };
   const std::vector<double> few(3, 1.0);
+  const std::vector<double> shares(good.pressure.size(), 1.5);
+  const std::vector<double> negative(good.pressure.size(), -1.0);
+  const std::vector<double> infinite(good.pressure.size(), INFINITY);
   refused([](RollingProblem& p) { p.friction = -0.1; }, "friction");
   refused([](RollingProblem& p) { p.shear_modulus = 0.0; }, "shear_modulus");
   refused([](RollingProblem& p) { p.poisson = 0.6; }, "poisson");
@@ -306,6 +309,10 @@ TEST(RollingContact, RefusesWhatIsOutsideItsRanges) {
   refused([](RollingProblem& p) { p.creepages.spin = NAN; }, "spin_creepage");
   refused([&](RollingProblem& p) { p.pressure = few; }, "pressure.size");
   refused([&](RollingProblem& p) { p.previous_x = few; }, "previous_x.size");
+  refused([&](RollingProblem& p) { p.pressure = negative; }, "pressure[0] = -1");
+  refused([&](RollingProblem& p) { p.covered = few; }, "covered.size");
+  refused([&](RollingProblem& p) { p.covered = shares; }, "covered[0] = 1.5");
+  refused([&](RollingProblem& p) { p.previous_x = p.previous_y = infinite; }, "previous_x");
 }
 
 } // namespace

@@ -49,7 +49,7 @@ Scene scene_of(const Case& c) {
   Scene scene;
   scene.lateral = c.lateral;
   scene.yaw = c.yaw;
-  scene.accuracy = 7e-4;
+  scene.accuracy = 6e-4;
   scene.accuracy_of = AccuracyOf::forces;
   scene.creep = c.model;
   scene.left.friction = scene.right.friction = c.friction;
