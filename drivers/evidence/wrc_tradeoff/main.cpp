@@ -117,7 +117,8 @@ int main(int argc, char** argv) {
                           ->capture_default_str();
   auto* position =
       app.add_flag("--position", options.position,
-                   "prescribe the position of each wheel, to what the load gave, instead of loads");
+                   "prescribe the position of each wheel, to what the load gave, instead of loads; "
+                   "misses are told with the loads");
   app.add_option("--creep", options.creep,
                  "instead of all else: the models of creep forces on so many scenes, with 0.1 to "
                  "10 times the creepages of saturation")
