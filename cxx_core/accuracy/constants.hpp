@@ -63,7 +63,7 @@ inline constexpr double creep_column_law = 0.7;
 inline constexpr double columns_by_sides_exponent = 0.35;
 
 /// How much better pressures must be that stresses are computed from.
-/// origin: measured (compare_stress 100 7): 98 to 100 of 100 wheels meet 1e-1 to 1e-3 below the
+/// origin: measured (compare_stress 100 7): 96 to 100 of 100 wheels meet 1e-1 to 1e-3 below the
 /// surface.
 inline constexpr double stress_accuracy_factor = 3.0;
 

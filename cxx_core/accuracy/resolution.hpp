@@ -36,7 +36,7 @@ struct AccuracyGoal {
   bool creep_forces = false; ///< whether pressures are to serve these, too
   bool stresses = false;     ///< likewise
 
-  /// That of its normal contact: coarse ones are those of 1e-2.
+  /// That its normal contact is solved to: coarsest_accuracy where less is requested.
   [[nodiscard]] double of_contact() const;
 };
 

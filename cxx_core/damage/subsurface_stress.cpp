@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "base/vector_clones.hpp"
@@ -142,7 +143,8 @@ void add_interpolated(const std::vector<Stress>& row, double place, Stress& stre
   }
 }
 
-/// Which of some rising depths are a share of themselves apart, with the first and the last.
+/// Which of some rising depths are a share of themselves apart, with the first and the last; all
+/// where these are too few for cubics between them.
 std::vector<std::size_t> depths_to_compute(std::span<const double> depths) {
   std::vector<std::size_t> computed;
   for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -150,6 +152,10 @@ std::vector<std::size_t> depths_to_compute(std::span<const double> depths) {
         depths[i + 1] - depths[computed.back()] > depth_spacing * depths[i]) {
       computed.push_back(i);
     }
+  }
+  if (computed.size() < 4) {
+    computed.resize(depths.size());
+    std::iota(computed.begin(), computed.end(), std::size_t{0});
   }
   return computed;
 }

@@ -234,6 +234,24 @@ TEST(SubsurfaceStress, AgreesWithContact) {
   EXPECT_GE(count, 2);
 }
 
+/// Depths of which fewer than four are far enough apart for cubics between them.
+TEST(SubsurfaceStress, FewDepthsCloseTogetherAreAllComputed) {
+  const Loads loads = hertz(1.0, 0.6, 24, 16);
+  const SubsurfaceStress stress(loads.surface(), 0.28);
+  const double y = loads.grid.lateral(7);
+  const std::vector<double> x{-0.5, 0.0, 0.5};
+  const std::vector<double> depths{0.0, 1.0, 1.01, 1.02};
+  const StressSection section = stress.along(x, y, depths);
+  for (std::size_t i = 1; i < depths.size(); ++i) {
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      const Stress exact = stress.at(x[j], y, depths[i]);
+      for (std::size_t c = 0; c < 6; ++c) {
+        EXPECT_NEAR(section.stresses[i * x.size() + j][c], exact[c], 2e-3) << depths[i];
+      }
+    }
+  }
+}
+
 TEST(SubsurfaceStress, CoarserElementsWillDoBelow) {
   const Loads loads = hertz(1.0, 0.6, 64, 32, 0.25, 0.1);
   const SubsurfaceStress stress(loads.surface(), 0.28);
