@@ -1,6 +1,7 @@
 #include "geometry/contact_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "base/root_bracket.hpp"
@@ -19,6 +20,9 @@ constexpr double place_tolerance = 1e-12;
 /// Contacts within this distance of the end of a profile, mm of arc, get a warning.
 /// origin: reasoned: far above place_tolerance and far below any element.
 constexpr double end_tolerance = 1e-6;
+/// Samples along a ridge under yaw.
+/// origin: reasoned: distances are a parabola there, as between any two samples.
+constexpr int ridge_samples = 8;
 
 } // namespace
 
@@ -253,14 +257,43 @@ DistanceSample SideSearch::sample(const LocusSpot& spot) const {
   return {whole.wheel, whole.distance, std::tan(whole.rail_angle)};
 }
 
+/// The places of a ridge between those of its flanks.
+void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const {
+  const ProfileNodes& nodes = wheel_.nodes();
+  const double rho = wheel_.radius() + nodes.height[ridge.node];
+  const double across = wheel_.taping_line() + nodes.lateral[ridge.node];
+  for (int i = 0; i < ridge_samples; ++i) {
+    const double share = static_cast<double>(i) / ridge_samples;
+    const double slope = std::lerp(ridge.slope_before, nodes.slope[ridge.node], share);
+    bool exists = false;
+    const LocusAngle angle = pose_.angle_at(slope, exists);
+    Vector3 place = pose_.rotation.to_track({rho * angle.sine, across, -rho * angle.cosine});
+    place.y += pose_.lateral;
+    if (exists && rail_.covers(place.y)) {
+      const HeightPoint rail = rail_.at(place.y);
+      samples.push_back(
+          {{place, nodes.lateral[ridge.node], 1.0 / (rho * std::sqrt(1.0 + slope * slope))},
+           place.z - rail.height,
+           rail.slope});
+    }
+  }
+}
+
 std::vector<DistanceSample> SideSearch::samples() const {
   std::vector<DistanceSample> samples;
-  samples.reserve(scan_.last() - scan_.first() + edges_.size());
+  samples.reserve(scan_.last() - scan_.first() + edges_.size() +
+                  ridge_samples * wheel_.ridges().size());
   const ProfileNodes& nodes = wheel_.nodes();
   auto edge = edges_.begin();
+  auto ridge = wheel_.ridges().begin();
   for (std::size_t node = scan_.first(); node < scan_.last(); ++node) {
     for (; edge != edges_.end() && edge->spot.piece < node; ++edge) {
       samples.push_back(sample(edge->spot));
+    }
+    for (; ridge != wheel_.ridges().end() && ridge->node <= node; ++ridge) {
+      if (ridge->node == node && yaw_tangent() != 0.0) {
+        add_ridge(*ridge, samples);
+      }
     }
     if (scan_.over_rail(node)) {
       const double slope = nodes.slope[node];

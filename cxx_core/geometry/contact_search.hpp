@@ -64,7 +64,8 @@ public:
   /// All locally least places of the pose scanned last that exceed the least one by no more than
   /// `near_tolerance` (mm, >= 0), least first.
   [[nodiscard]] std::vector<LocusSpot> least_spots(double near_tolerance) const;
-  /// All nodes over the rail and the ends of the rail, at the pose scanned last.
+  /// All nodes over the rail, places of ridges under yaw and the ends of the rail, at the pose
+  /// scanned last.
   [[nodiscard]] std::vector<DistanceSample> samples() const;
 
   /// Goes to another pose without a scan, and from a spot down to the nearest least distance; none
@@ -100,6 +101,7 @@ private:
   void find_edges();
   [[nodiscard]] const Edge* edge_at(std::size_t node, std::size_t piece) const;
   [[nodiscard]] DistanceSample sample(const LocusSpot& spot) const;
+  void add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const;
 
   const WheelSurface& wheel_;
   const HeightFunction& rail_;

@@ -13,8 +13,8 @@
 ///   sin t = (a c + b r) / D, cos t = (a r - b c) / D,
 /// so that no angle has to be known; c^2 >= D is a wheel too steep for this yaw.
 /// Units mm and rad; track frame of geometry/frames.hpp. Thread rule: immutable, safe to share.
-/// Not known here: at a ridge of the profile the locus jumps under yaw, from the angle t of one
-/// flank to that of the other; places of the ridge between the two are left out.
+/// At a ridge of the profile the locus runs along it under yaw, from the angle t of one flank to
+/// that of the other: it is a place with all slopes in between.
 #pragma once
 
 #include <cmath>
@@ -85,6 +85,12 @@ struct ProfileNodes {
   std::vector<double> slope;   ///< w', towards the field side
 };
 
+/// A node at which the profile turns away from the rail.
+struct Ridge {
+  std::size_t node = 0;
+  double slope_before = 0.0; ///< w' of the flank on its flange side
+};
+
 class WheelSurface {
 public:
   /// Throws Error(invalid_argument) if the dimensions and the profile give radii that are not
@@ -103,6 +109,8 @@ public:
                                  const LocusPose& pose) const;
   /// The nodes of the graph: piece i of the graph runs from node i to node i + 1.
   [[nodiscard]] const ProfileNodes& nodes() const { return nodes_; }
+  /// From flange to field side.
+  [[nodiscard]] const std::vector<Ridge>& ridges() const { return ridges_; }
   /// Largest radius of the graph's nodes.
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
 
@@ -112,6 +120,7 @@ private:
   double radius_;
   double largest_radius_ = 0.0;
   ProfileNodes nodes_;
+  std::vector<Ridge> ridges_;
 };
 
 } // namespace wrc

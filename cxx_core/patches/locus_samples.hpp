@@ -151,12 +151,18 @@ private:
   };
 
   [[nodiscard]] std::size_t node_after(const ContactCandidate& contact) const {
-    const double s = contact.wheel.lateral;
-    const auto after =
-        std::lower_bound(samples_.begin(), samples_.end(), s, [](const auto& sample, double at) {
-          return sample.wheel.lateral < at - same_place;
+    const auto after = std::partition_point(
+        samples_.begin(), samples_.end(), [&contact](const DistanceSample& sample) {
+          const double s = sample.wheel.lateral - contact.wheel.lateral;
+          const double y = sample.wheel.position.y - contact.wheel.position.y;
+          return s < -same_place || (s <= same_place && y < -same_place); // several on a ridge
         });
     return static_cast<std::size_t>(after - samples_.begin());
+  }
+
+  static bool is_same(const LocusPlace& one, const LocusPlace& other) {
+    return std::abs(one.lateral - other.lateral) <= same_place &&
+           std::abs(one.position.y - other.position.y) <= same_place;
   }
 
   void collect_top(const Top& top) {
@@ -205,7 +211,7 @@ private:
       bool is_node = false;
       for (; top != tops_.end() && top->after == i; ++top) {
         collect_top(*top);
-        is_node = is_node || samples_[i].wheel.lateral - top->contact->wheel.lateral <= same_place;
+        is_node = is_node || is_same(samples_[i].wheel, top->contact->wheel);
       }
       if (!is_node) {
         places_.push_back(source_.place_of(samples_[i], limit_));

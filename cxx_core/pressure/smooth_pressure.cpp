@@ -171,6 +171,10 @@ void SmoothPressure::fill_in_ring(const std::vector<double>& given) {
     std::array<double, 3> weights{};
     std::array<double, 3> known{};
     for (const auto& [step, length] : directions) {
+      const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) + step);
+      if (next >= known_.size() || known_[next] == 0.0) {
+        continue;
+      }
       const Continuation one = continuation(at, step);
       // Where p^2 falls inwards a direction counts only if there is no other.
       const double least = std::numeric_limits<double>::epsilon() * std::abs(one.values[0]);

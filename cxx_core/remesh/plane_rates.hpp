@@ -12,7 +12,7 @@
 /// discrete planes until a patch is born, joined or lost, or a node enters. Units mm and rad (rates
 /// per mm or per rad); track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
 /// functions. Not known here: at a kink of a profile the first contact is taken to stay at its
-/// place of the wheel.
+/// place of the wheel; places along a ridge under yaw have the rates of its field side.
 #pragma once
 
 #include <cstddef>

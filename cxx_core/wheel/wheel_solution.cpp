@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/constants.hpp"
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"
 #include "base/error.hpp"
@@ -78,8 +79,9 @@ private:
   [[nodiscard]] double tolerance() const;
   GridChoice final_grids(double depth, const AccuracyGoal& goal);
   GridSolution solve_coarsely(double depth);
+  void settle_planes(GridSolution& solution);
   [[nodiscard]] double share_to_follow(const GridSolution& patches) const;
-  GridSolution solve_finally(double depth, std::optional<GridSolution> before);
+  GridSolution solve_finally(double depth, double follows, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
@@ -214,25 +216,13 @@ double WheelSolver::sliding(const GridSolution& solution) const {
   return most;
 }
 
-/// Finds the depth for the load by solutions on few elements.
+/// Shows the depth for the load on few elements.
 GridSolution WheelSolver::solve_coarsely(double depth) {
-  DepthIteration iteration;
-  std::optional<GridSolution> before;
-  for (int attempt = 1;; ++attempt) {
-    GridSolution solution =
-        solve_at(depth, GridChoice(coarse_counts()), coarse_tolerance, before ? &*before : nullptr);
-    if (solution.no_contact()) {
-      throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
-    }
-    const double found = depth_found(solution);
-    const double left = std::abs(found / depth - 1.0) * std::pow(sliding(solution), 2);
-    const auto next = iteration.next(depth, found, left / (max_coarse_change * request_.accuracy));
-    if (!next || attempt >= max_attempts) {
-      return solution;
-    }
-    depth = *next;
-    before = std::move(solution);
+  GridSolution solution = solve_at(depth, GridChoice(coarse_counts()), coarse_tolerance, nullptr);
+  if (solution.no_contact()) {
+    throw Error(ErrorCode::internal, "no contact found at a depth of " + text_of(depth) + " mm");
   }
+  return solution;
 }
 
 /// Largest pressures between the elements of a solution.
@@ -258,13 +248,26 @@ void WheelSolver::find_peaks(GridSolution& solution) {
 /// all where wheels hardly slide along them, in full where they slide twice as much. In full, too,
 /// on a grid given by hand, whose errors the accuracy says nothing of.
 double WheelSolver::share_to_follow(const GridSolution& patches) const {
-  if (request_.position_is_prescribed()) {
-    return 0.0;
-  }
   if (request_.grid) {
     return 1.0;
   }
   return std::clamp(sliding(patches) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);
+}
+
+/// To creep forces the shape of the contact counts: a depth for their planes from the elements of
+/// normal forces, from two solutions where planes follow.
+void WheelSolver::settle_planes(GridSolution& solution) {
+  AccuracyGoal goal = goal_;
+  goal.creep_forces = false;
+  const auto solve_again = [&](double share) {
+    const double depth = depth_found(solution);
+    solution = solve_at(depth, final_grids(depth, goal), coarse_tolerance, &solution);
+    solution.depth_found = depth + share * (depth_found(solution) - depth);
+  };
+  solve_again(1.0);
+  if (const double follows = share_to_follow(solution); follows > 0.0) {
+    solve_again(follows);
+  }
 }
 
 /// Contact on the last elements, which a neighbour is next to.
@@ -284,19 +287,21 @@ bool outgrows_grid(const GridSolution& solution) {
 }
 
 /// Near the depth found, on more elements where the estimate asks for them.
-GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
+GridSolution WheelSolver::solve_finally(double depth, double follows,
+                                        std::optional<GridSolution> before) {
   const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
   GridChoice grids = final_grids(depth, goal_);
   bool finer = false;
   const bool may_grow = !of_forces && !request_.position_is_prescribed();
-  double follows = share_to_follow(patches_at(depth));
   const double planes_begin = depth;
-  bool shows_depth_only = follows > 0.0 && !request_.grid && tolerance() < coarse_tolerance;
+  // Always one more where planes follow: forces are to be smooth, and it leaves 1e-5 of distances.
+  bool shows_depth_only =
+      follows > 0.0 && !request_.grid && request_.accuracy_of == AccuracyOf::forces;
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
+    const double coarser = shows_depth_only ? coarse_tolerance : 0.0;
     GridSolution solution =
-        solve_at(depth, grids, shows_depth_only ? coarse_tolerance : tolerance(),
-                 before ? &*before : nullptr);
+        solve_at(depth, grids, std::max(coarser, tolerance()), before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
@@ -310,12 +315,12 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     const double found = planes_begin + follows * (depth_found(solution) - planes_begin);
     const double change = std::abs(found / depth - 1.0) * sliding(solution);
-    const double limit = of_forces ? max_change
-                         : finer   ? max_change_for_crests
-                                   : max_change_for_pressures;
-    const auto next = iteration.next(depth, found, change / (limit * request_.accuracy));
-    if (next || shows_depth_only) {
-      depth = next.value_or(depth);
+    const double limit = finer ? max_change_for_crests : max_change;
+    const std::optional<double> next =
+        shows_depth_only ? found
+                         : iteration.next(depth, found, change / (limit * request_.accuracy));
+    if (next) {
+      depth = *next;
       shows_depth_only = false;
       before = std::move(solution);
       continue;
@@ -454,19 +459,18 @@ WheelSolution WheelSolver::solve() {
     publish(sample_only(depth));
     return std::move(result_);
   }
+  double follows = 0.0;
   std::optional<GridSolution> coarse;
   if (!request_.position_is_prescribed()) {
     coarse = solve_coarsely(depth);
-    depth = depth_found(*coarse);
-    if (request_.creep_forces && !request_.grid && tolerance() < coarse_tolerance) {
-      // To creep forces the shape of the contact counts: its planes are to be as accurate.
-      AccuracyGoal goal = goal_;
-      goal.creep_forces = false;
-      coarse = solve_at(depth, final_grids(depth, goal), coarse_tolerance, &*coarse);
-      depth = depth_found(*coarse);
+    if (request_.creep_forces && !request_.grid && request_.accuracy < coarsest_accuracy) {
+      settle_planes(*coarse);
+    } else {
+      follows = share_to_follow(patches_at(depth_found(*coarse)));
     }
+    depth = depth_found(*coarse);
   }
-  GridSolution solution = solve_finally(depth, std::move(coarse));
+  GridSolution solution = solve_finally(depth, follows, std::move(coarse));
   warn_about(solution);
   publish(std::move(solution));
   return std::move(result_);

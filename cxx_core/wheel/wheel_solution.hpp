@@ -15,8 +15,9 @@
 /// span the penetration, which contact cannot leave. Exceptions cost another solution each: planes
 /// that follow to the depth that the final solution finds, where the wheel slides along them or
 /// close patches' planes turn, and on a grid by hand; planes for creep forces, whose depth is found
-/// on the elements of normal forces; with pressures, a patch just born whose contact outgrows its
-/// penetration; and a crest that the section has not resolved. `solutions` counts them all.
+/// on the elements of normal forces instead; with pressures, a patch just born whose contact
+/// outgrows its penetration; and a crest that the section has not resolved. `solutions` counts them
+/// all.
 /// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
 /// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
 /// patch. Patches that are close turn their planes towards each other and interact in part

@@ -330,13 +330,17 @@ ScenePointer wedged_scene(double wider, double lateral) {
   return scene;
 }
 
-/// Half of these scenes do not settle; which ones, rounding decides.
+/// Half of these scenes do not settle, and some lose wheel and rail; which ones, rounding decides.
 TEST(CertifiedRanges, PlanesThatDoNotSettleAreNotConverged) {
   int not_settled = 0;
   for (int step = 0; step <= 20; ++step) {
     const double lateral = 3.3 + 0.04 * step;
     const ScenePointer scene = wedged_scene(1.002, lateral);
     const wrc_status status = wrc_scene_solve(scene.get());
+    if (status == WRC_NO_CONTACT) {
+      EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "allowed is less than 50 mm"));
+      continue;
+    }
     const bool told = contains(warnings_of(scene.get()), "not settled");
     EXPECT_EQ(status, told ? WRC_NOT_CONVERGED : WRC_OK)
         << lateral << ": " << warnings_of(scene.get());

@@ -148,5 +148,43 @@ TEST(ContactSearchEnds, FlangeTipOnTheRailIsNotAProfileEnd) {
               -55.0 + 12.0 * std::sin(climbing.candidates.front().rail_angle), 1e-6);
 }
 
+// With yaw the locus runs along the edge of the chamfer, which is a circle about the axle, for 36
+// mm.
+TEST(ContactSamples, RunAlongARidgeUnderYaw) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
+  ASSERT_EQ(wheel.ridges().size(), 1U);
+  const std::size_t node = wheel.ridges()[0].node;
+  const double s = wheel.nodes().lateral[node];
+  const double rho = wheel.radius() + wheel.nodes().height[node];
+  EXPECT_NEAR(s, 60.0, 1e-9);
+  const Pose pose{-20.0, 0.08, 0.0};
+  std::vector<Vector3> on_ridge;
+  for (const DistanceSample& sample : search_contacts(wheel, rail, pose, 0.0, true).samples) {
+    if (std::abs(sample.wheel.lateral - s) < 1e-9) {
+      on_ridge.push_back(sample.wheel.position);
+    }
+  }
+  ASSERT_GT(on_ridge.size(), 4U);
+  EXPECT_GT(std::abs(on_ridge.back().x - on_ridge.front().x), 30.0);
+  for (const Vector3& place : on_ridge) {
+    const double y = place.y - pose.lateral;
+    const double forward = std::cos(pose.yaw) * place.x + std::sin(pose.yaw) * y;
+    const double across = std::cos(pose.yaw) * y - std::sin(pose.yaw) * place.x;
+    EXPECT_NEAR(across, wheel.taping_line() + s, 1e-9);
+    EXPECT_NEAR(std::hypot(forward, place.z), rho, 1e-9);
+  }
+  for (std::size_t i = 1; i < on_ridge.size(); ++i) {
+    EXPECT_LT(std::abs(on_ridge[i].x - on_ridge[i - 1].x), 6.0);
+    EXPECT_GT(on_ridge[i].y, on_ridge[i - 1].y);
+  }
+  const auto level = search_contacts(wheel, rail, {-20.0, 0.0, 0.0}, 0.0, true).samples;
+  EXPECT_EQ(std::count_if(level.begin(), level.end(),
+                          [s](const DistanceSample& sample) {
+                            return std::abs(sample.wheel.lateral - s) < 1e-9;
+                          }),
+            1);
+}
+
 } // namespace
 } // namespace wrc::test::contact_search_test

@@ -106,6 +106,22 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
   }
 }
 
+// Under yaw the edge of the chamfer crosses the rows, and the penetration is wider than the
+// tread's.
+TEST(WheelSolution, ContactUpToARidgeKeepsOffTheEdgesOfItsGrid) {
+  const Fixture made =
+      fixture(standard_profile("S1002"), standard_profile("60E1"), -48.0, 0.08, std::atan(0.08));
+  WheelRequest request;
+  request.combined_modulus = modulus;
+  request.vertical_load = 80000.0;
+  request.accuracy = 1e-3;
+  request.accuracy_of = AccuracyOf::forces;
+  const WheelSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
+  const Patch& main = solution.patches.front();
+  EXPECT_GT(main.penetration.deepest_s, 50.0);
+  EXPECT_FALSE(main.contact.touches_edge.any());
+}
+
 double vertical_force_of(const WheelSolution& solution) {
   double force = 0.0;
   for (const Patch& patch : solution.patches) {
