@@ -144,6 +144,10 @@ void add_encodings(std::vector<Variant>& all) {
     add("utf16_little", utf16(text, true, true));
     add("utf16_big", utf16(text, false, true));
     add("utf16_without_mark", utf16(text, true, false));
+    add("utf16_big_without_mark", utf16(text, false, false));
+    // A heading with the euro's sign and a character of two halves.
+    add("utf16_heading",
+        std::string("\xFE\xFF\0#\x20\xAC\xD8\x3D\xDE\x83\0\n", 12) + utf16(text, false, false));
     add("typographic_minus", replaced(text, "-", "\xE2\x88\x92"));
     add("hard_spaces", replaced(rows(standard_points(kind)), " ", "\xC2\xA0"));
     add("end_mark", text + "\x1A");

@@ -113,6 +113,26 @@ TEST(SceneKeys, LaterCallsReplaceEarlierOnesOfTheSameSubject) {
   EXPECT_FALSE(scene.roll);
 }
 
+TEST(SceneKeys, FrictionByPlaceIsPairsOfRisingPlaces) {
+  Scene scene;
+  const std::vector<double> pairs{-25.0, 0.1, -10.0, 0.4};
+  set_numbers(scene, "friction.left_places", pairs);
+  EXPECT_EQ(std::get<std::vector<double>>(key_value(scene, "friction.left_places")), pairs);
+  EXPECT_EQ(scene.right.friction.places.size(), 0U);
+  EXPECT_EQ(key_value(scene, "friction.places").index(), 0U); // not the same on both sides
+  set_numbers(scene, "friction.places", pairs);
+  EXPECT_EQ(std::get<std::vector<double>>(key_value(scene, "friction.right_places")), pairs);
+  for (const std::vector<double>& wrong :
+       {std::vector{-25.0}, std::vector{-10.0, 0.1, -25.0, 0.4}, std::vector{0.0, -0.1},
+        std::vector{0.0, 10.5}, std::vector{-201.0, 0.3}}) {
+    error_text([&] { set_numbers(scene, "friction.places", wrong); }, ErrorCode::invalid_argument);
+  }
+  EXPECT_EQ(scene.left.friction.places.size(), 2U);
+  set_text(scene, "friction.places", "none");
+  EXPECT_EQ(scene.left.friction.places.size(), 0U);
+  EXPECT_EQ(std::get<std::string>(key_value(scene, "friction.places")), "none");
+}
+
 TEST(SceneKeys, GridCountsAreWholeNumbers) {
   Scene scene;
   for (const auto& wrong : {std::array{0.0, 4.0}, std::array{2.5, 4.0}, std::array{4.0, 1e9}}) {

@@ -33,6 +33,28 @@ WheelSolution solve_crossed_cylinders(ApproximateModel model, double load, doubl
       wheel, rail, *find_equilibrium({wheel, rail}, {wheel, rail}, request).left, side, model);
 }
 
+// Where wheel and rail are straight across there is no lateral curvature at the deepest place: that
+// of an ellipse as wide as the virtual penetration stands for it.
+TEST(ApproximateWheel, HertzOnAStraightStretchIsAsWideAsTheVirtualPenetration) {
+  const WheelSurface wheel(cylindrical_wheel(), {1360.0, 70.0, 460.0});
+  const RailSurface rail(inclined_rail(0.0), {1435.0, 14.0, 0.0});
+  EquilibriumRequest request;
+  request.roll = 0.0;
+  request.right = false;
+  WheelRequest side;
+  side.combined_modulus = modulus;
+  side.vertical_load = 8e4;
+  const WheelSolution solution = solve_wheel_approximately(
+      wheel, rail, *find_equilibrium({wheel, rail}, {wheel, rail}, request).left, side,
+      ApproximateModel::hertz);
+  const Patch& patch = solution.patches.at(0);
+  EXPECT_NEAR(patch.normal_force, 8e4, 1e-4);
+  const double width = patch.penetration.contact_last - patch.penetration.contact_first;
+  EXPECT_GT(width, 20.0);
+  EXPECT_GT(patch.contact.semi_axis_lateral, 0.3 * width);
+  EXPECT_LT(patch.contact.semi_axis_lateral, width);
+}
+
 SceneResult solve_with(const std::string& model, Scene scene) {
   set_text(scene, "solve.model", model);
   return solve_scene(scene);
