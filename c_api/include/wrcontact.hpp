@@ -390,6 +390,7 @@ public:
 inline std::vector<wrc_status> solve_batch(const std::vector<Scene*>& scenes,
                                            std::int32_t threads) {
   std::vector<wrc_scene*> handles;
+  handles.reserve(scenes.size());
   for (const Scene* scene : scenes) {
     handles.push_back(scene->handle());
   }
