@@ -15,7 +15,7 @@ namespace wrc {
 inline constexpr double coarse_tolerance = 3e-4;
 
 /// Solutions at other depths or on finer grids before it gives up.
-/// origin: measured (wrc_benchmark --case service): 6 at most are taken.
+/// origin: measured (wrc_benchmark --case service): 7 at most are taken.
 inline constexpr int max_attempts = 20;
 
 /// The least that a step leaves of the depth.
