@@ -3,7 +3,7 @@
 /// Elements are counted by the contact's own scale (pressure/contact_scale.hpp): with n rows over
 /// its width and 0.64 n columns over its length, depth, forces and centre of pressure have an error
 /// below 0.23/n^2 + 12.5/n^4 in 97 of 100 wheels; with the position prescribed, where a force goes
-/// with the depth to the power of 1.5, 1.3 times as much. The penetration shows the scale before
+/// with the depth to the power of 1.5, 1.25 times as much. The penetration shows the scale before
 /// anything is solved (expected_contact.hpp), so that the same accuracy takes the same n whatever
 /// the contact looks like: one that fills a fifth of its penetration, lobes, or contact askew in
 /// its grid. Columns are an even number, the same for all contacts: the longest line begins and

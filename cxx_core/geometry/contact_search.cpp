@@ -259,22 +259,18 @@ DistanceSample SideSearch::sample(const LocusSpot& spot) const {
 
 /// The places of a ridge between those of its flanks.
 void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const {
-  const ProfileNodes& nodes = wheel_.nodes();
-  const double rho = wheel_.radius() + nodes.height[ridge.node];
-  const double across = wheel_.taping_line() + nodes.lateral[ridge.node];
+  CurvePoint edge = profile_at(ridge.node, 0.0);
+  const double slope_after = edge.slope();
   for (int i = 0; i < ridge_samples; ++i) {
     const double share = static_cast<double>(i) / ridge_samples;
-    const double slope = std::lerp(ridge.slope_before, nodes.slope[ridge.node], share);
+    const double slope = std::lerp(ridge.slope_before, slope_after, share);
+    edge.tangent_lateral = 1.0 / std::sqrt(1.0 + slope * slope);
+    edge.tangent_height = slope * edge.tangent_lateral;
     bool exists = false;
-    const LocusAngle angle = pose_.angle_at(slope, exists);
-    Vector3 place = pose_.rotation.to_track({rho * angle.sine, across, -rho * angle.cosine});
-    place.y += pose_.lateral;
-    if (exists && rail_.covers(place.y)) {
-      const HeightPoint rail = rail_.at(place.y);
-      samples.push_back(
-          {{place, nodes.lateral[ridge.node], 1.0 / (rho * std::sqrt(1.0 + slope * slope))},
-           place.z - rail.height,
-           rail.slope});
+    const LocusPoint place = wheel_.locus(edge, pose_.angle_at(slope, exists), pose_);
+    if (exists && rail_.covers(place.position.y)) {
+      const HeightPoint rail = rail_.at(place.position.y);
+      samples.push_back({place, place.position.z - rail.height, rail.slope});
     }
   }
 }
