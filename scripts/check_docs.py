@@ -4,7 +4,7 @@
 Usage: scripts/check_docs.py [--update]
 
  * links lead somewhere, paths in code spans exist, docs/index.md knows every page;
- * the tables between <!-- f77 --> or <!-- module --> and <!-- end --> in docs/fortran.md hold every
+ * the tables between <!-- f77 --> or <!-- module --> and <!-- end --> in docs/fortran-calls.md hold every
    subroutine and procedure with its arguments (--update rewrites them; what they do is kept);
  * docs/build.md holds every build option with its default, and every preset;
  * the rooms of docs/architecture.md include what scripts/check_layers.sh lets them; what it says to
@@ -266,7 +266,7 @@ def f77_rows():
 
 def check_tables(update):
     """Each table of a mark: rows in the order of the source, with what they do from the page."""
-    page = "docs/fortran.md"
+    page = "docs/fortran-calls.md"
     text = text_of(page)
     sources = {"module": module_rows(), "f77": f77_rows()}
     marks = re.compile(r"(<!-- (module|f77) (\w+) -->\n)(.*?)(<!-- end -->)", re.S)

@@ -255,8 +255,8 @@ void write_timing(const std::filesystem::path& folder, std::ostream& out) {
            "the "
            "paper's method (Polonsky & Keer with DC-FFT, double precision) in this library, so "
            "that "
-           "its ratio to `default` is of methods, not of machines. docs/performance.md explains "
-           "the "
+           "its ratio to `default` is of methods, not of machines. docs/performance-measured.md "
+           "explains the "
            "columns.\n\n| method | state | set-up | geometry | remesh | mechanics | total | "
            "iterations | error of p | error of pmax | of 8.25 s |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|\n";
