@@ -7,8 +7,8 @@ Usage: scripts/check_docs.py [--update]
  * the tables between <!-- f77 --> or <!-- module --> and <!-- end --> in docs/fortran-calls.md hold every
    subroutine and procedure with its arguments (--update rewrites them; what they do is kept);
  * docs/build.md holds every build option with its default, and every preset;
- * the rooms of docs/architecture.md include what scripts/check_layers.sh lets them; what it says to
-   stand in a file stands there, and members it names are those of their struct.
+ * the rooms of docs/architecture.md include what scripts/check_layers.sh lets them; what it and
+   docs/extending.md say to stand in a file stands there, and members are those of their struct.
 """
 import json
 import re
@@ -81,13 +81,13 @@ def check_rooms():
                  f"{sorted(allowed)}, the table says {sorted(told.get(name, []))}")
 
 
-def check_places():
-    page = text_of("docs/architecture.md")
+def check_places(name_of_page):
+    page = text_of(name_of_page)
     for name, path in re.findall(r"`([\w:]+)` in `([\w./]+\.(?:cpp|hpp))`", page):
         file = PROJECT / path
         if file.exists() and not re.search(rf"\b{name.split('::')[-1]}\b",
                                            file.read_text(encoding="utf-8")):
-            fail("docs/architecture.md", f"{name} is not in {path}")
+            fail(name_of_page, f"{name} is not in {path}")
     headers = [path.read_text(encoding="utf-8") for path in (PROJECT / "cxx_core").glob("*/*.hpp")]
     for struct, member in set(re.findall(r"`([A-Z]\w+)::(\w+)`", page)):
         bodies = [match.group(1) for text in headers for match in re.finditer(
@@ -97,7 +97,7 @@ def check_places():
         bodies += [match.group(1) for base in inherited for text in headers for match in re.finditer(
             rf"^struct {base}\b[^;]*?\{{\n(.*?)^\}};", text, re.M | re.S)]
         if not any(re.search(rf"\b{member}\b", body) for body in bodies):
-            fail("docs/architecture.md", f"{struct} has no {member}")
+            fail(name_of_page, f"{struct} has no {member}")
 
 
 def check_build_options():
@@ -318,7 +318,8 @@ def main():
     check_links()
     check_index()
     check_rooms()
-    check_places()
+    check_places("docs/architecture.md")
+    check_places("docs/extending.md")
     check_build_options()
     print("\n".join(failures), end="\n" if failures else "")
     return 1 if failures else 0
