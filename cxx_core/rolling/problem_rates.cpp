@@ -25,6 +25,7 @@ TractionTable table_by_aspect(double aspect, const TractionShape& shape) {
 struct MovingElement {
   std::size_t index;
   double x, y, by_x, by_y;
+  double lever_share;
 };
 
 template <typename Real> class Rates {
@@ -82,9 +83,9 @@ public:
       const double y = sum(size + at);
       forces[0] += x;
       forces[1] += y;
-      forces[2] += element.x * y - element.y * x +
-                   mean * (element.by_x * static_cast<double>(q[size + at]) -
-                           element.by_y * static_cast<double>(q[at]));
+      forces[2] +=
+          element.x * y + mean * element.by_x * static_cast<double>(q[size + at]) -
+          element.lever_share * (element.y * x + mean * element.by_y * static_cast<double>(q[at]));
     });
     for (double& force : forces) {
       force *= scaled_.bound() * grid.element_area();
@@ -134,7 +135,8 @@ private:
                 MovingElement{index, grid.longitudinal(i), grid.lateral(j),
                               rate.longitudinal_first +
                                   static_cast<double>(i) * rate.longitudinal_step,
-                              rate.lateral_first + static_cast<double>(j) * rate.lateral_step});
+                              rate.lateral_first + static_cast<double>(j) * rate.lateral_step,
+                              lever_share(problem_, j)});
         }
       }
     }

@@ -61,7 +61,8 @@ struct RollingProblem {
   Grid grid;
   std::span<const double> pressure; ///< MPa per element, >= 0
   /// Share of each element along x that is in contact, 0 to 1, where pressures are means over
-  /// elements; empty: contact ends between elements. Of steady rolling (leading_edge.hpp).
+  /// elements along x, and contact ends at the grid's lateral edges; empty: contact ends between
+  /// elements. Of steady rolling (leading_edge.hpp).
   std::span<const double> covered;
   double friction = 0.3;      ///< mu, >= 0
   double shear_modulus = 0.0; ///< G, MPa: 1/G = (1/G1 + 1/G2)/2

@@ -105,7 +105,8 @@ TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
     const std::vector<double> rms = row.at("rms");
     const double largest = *std::max_element(rms.begin(), rms.end());
     if (full) {
-      EXPECT_LT(largest, before) << "no less than with the accuracy before: " << row;
+      // 1e-1 and 3e-2 have the fewest elements, both.
+      EXPECT_LT(largest, 1.1 * before) << "no less than with the accuracy before: " << row;
       before = largest;
     }
   }

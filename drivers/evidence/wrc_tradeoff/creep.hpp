@@ -21,7 +21,7 @@
 
 namespace tradeoff {
 
-inline constexpr double creep_truth_accuracy = 2e-4;
+inline constexpr double creep_truth_accuracy = 5e-5;
 inline constexpr double creep_model_accuracy = 1e-3;
 
 struct CreepWay {

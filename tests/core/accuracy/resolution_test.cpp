@@ -79,7 +79,7 @@ TEST(Resolution, ForcesAtAPositionConstantElementsAndStressesTakeMoreRows) {
 TEST(Resolution, CreepForcesTakeMoreElements) {
   const PatchElements elements = elements_for({.accuracy = 1e-2, .creep_forces = true});
   EXPECT_NEAR(elements.lateral_step, 8.0 / 48.0, rounding);       // 46.2
-  EXPECT_NEAR(elements.longitudinal_step, 10.0 / 18.0, rounding); // 17.8
+  EXPECT_NEAR(elements.longitudinal_step, 10.0 / 20.0, rounding); // 19.7
   EXPECT_EQ(elements.middle, 0.5);
 }
 
