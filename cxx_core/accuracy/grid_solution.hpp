@@ -25,10 +25,11 @@ struct Patch {
   std::vector<double> undeformed_distance;
   std::vector<double> pressure; ///< empty: not solved yet
   double normal_force = 0.0;
-  PressureRegion contact;     ///< all elements under pressure together
-  double peak_error = 0.0;    ///< of a peak from a section (peak_section.hpp), MPa
-  std::size_t plane = 0;      ///< patches of the same one are one contact
-  double approach = 0.0;      ///< deepest overlap of the undeformed bodies along the normal
+  PressureRegion contact;  ///< all elements under pressure together
+  double peak_error = 0.0; ///< of a peak from a section (peak_section.hpp), MPa
+  double ridge = 0.0;      ///< under its pressures (peak_section.hpp), rad; with accuracy of forces
+  std::size_t plane = 0;   ///< patches of the same one are one contact
+  double approach = 0.0;   ///< deepest overlap of the undeformed bodies along the normal
   std::optional<double> area; ///< of an approximate model, in closed form
 
   [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }

@@ -68,20 +68,8 @@ double top_of_row(const Patch& patch, std::size_t row) {
 }
 
 /// What a ridge of the profiles adds to the largest pressure with every strip e times narrower
-/// (Johnson, Contact Mechanics, 1985, eq. 5.28: a wedge's pressure has no limit), where it lies
-/// under the pressures or within two rows of them.
-double growth_at_ridge(const Patch& patch, const PosedPair& pair, double combined_modulus,
-                       double lateral_first, double lateral_last) {
-  const auto y = [&](double lateral) {
-    return patch.frame.origin.y + patch.frame.lateral.y * lateral;
-  };
-  const auto s = [&](double lateral) {
-    return patch.penetration.deepest_s +
-           (y(lateral) - patch.penetration.deepest_y) / std::cos(pair.pose.roll);
-  };
-  const double angle =
-      std::max(pair.rail.graph().sharpest_ridge(y(lateral_first), y(lateral_last)),
-               pair.wheel.graph().sharpest_ridge(s(lateral_first), s(lateral_last)));
+/// (Johnson, Contact Mechanics, 1985, eq. 5.28: a wedge's pressure has no limit).
+double growth_at_ridge(double angle, double combined_modulus) {
   return combined_modulus * angle / (2.0 * std::numbers::pi);
 }
 
@@ -104,6 +92,23 @@ PeakInSection highest_of(const std::vector<double>& pressure) {
 }
 
 } // namespace
+
+double ridge_under(const Patch& patch, const PosedPair& pair) {
+  constexpr double rows = 2.0;
+  const Grid& grid = patch.grid;
+  const double room = rows * grid.lateral_step;
+  const double first = grid.lateral(patch.contact.box.lateral_first) - room;
+  const double last = grid.lateral(patch.contact.box.lateral_last) + room;
+  const auto y = [&](double lateral) {
+    return patch.frame.origin.y + patch.frame.lateral.y * lateral;
+  };
+  const auto s = [&](double lateral) {
+    return patch.penetration.deepest_s +
+           (y(lateral) - patch.penetration.deepest_y) / std::cos(pair.pose.roll);
+  };
+  return std::max(pair.rail.graph().sharpest_ridge(y(first), y(last)),
+                  pair.wheel.graph().sharpest_ridge(s(first), s(last)));
+}
 
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
                               double approach, double combined_modulus, double tolerance) {
@@ -154,8 +159,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
       solve_strips({strips.lateral_step, length, combined_modulus, approach, distance, tolerance},
                    std::move(fine));
   PeakInSection peak = highest_of(fine);
-  peak.error += growth_at_ridge(patch, pair, combined_modulus, begin - grid.lateral_step,
-                                begin + width + grid.lateral_step);
+  peak.error += growth_at_ridge(ridge_under(patch, pair), combined_modulus);
   // No strip in contact: the overlap is lost in rounding.
   return peak.pressure > 0.0 ? peak : PeakInSection{patch.contact.peak_pressure, 0.0};
 }

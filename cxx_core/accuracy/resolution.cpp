@@ -41,6 +41,13 @@ double size_in(double whole, double contact, double count) {
   return whole / static_cast<double>(even_count(whole / contact * count));
 }
 
+/// Of a force where a profile turns at once under the pressures, to first order in the rows.
+double error_at_ridge(const Patch& patch, double approach) {
+  return patch.ridge > 0.0
+             ? error_by_ridge * patch.ridge * patch.grid.lateral_step / patch.overlap(approach)
+             : 0.0;
+}
+
 } // namespace
 
 double AccuracyGoal::of_contact() const {
@@ -85,6 +92,7 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
       error.elements = std::max(error.elements, error_of(rows, goal));
+      error.ridge = std::max(error.ridge, error_at_ridge(patch, solution.approach));
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }

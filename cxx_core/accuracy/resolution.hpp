@@ -10,12 +10,13 @@
 /// ends between elements, where an edge leaves the smallest error. Sizes are real numbers,
 /// continuous in the scene, and elements keep their places about the middle of the forces, so that
 /// those at the edges move least. The largest pressure, taken from a finer section
-/// (peak_section.hpp), has the same error and that of its crest besides. The area of contact is not
-/// counted: it is right to about forty accuracies. Creep forces need more elements than normal
-/// ones, by a law of their own: they follow from the shape of the contact, whose errors average out
-/// in normal forces, and a long contact needs more elements along it. Units mm. Thread rule: pure
-/// functions. Not known here: errors of planes and of the half-space, and crests that the
-/// penetration does not show.
+/// (peak_section.hpp), has the same error and that of its crest besides. Where a profile turns at
+/// once under the pressures, forces have an error of first order in the rows besides. The area of
+/// contact is not counted: it is right to about forty accuracies. Creep forces need more elements
+/// than normal ones, by a law of their own: they follow from the shape of the contact, whose errors
+/// average out in normal forces, and a long contact needs more elements along it. Units mm. Thread
+/// rule: pure functions. Not known here: errors of planes and of the half-space, and crests that
+/// the penetration does not show.
 #pragma once
 
 #include <cmath>
@@ -65,8 +66,9 @@ struct ErrorEstimate {
   double elements = 0.0;  ///< by the law
   double iteration = 0.0; ///< what it has left
   double crest = 0.0;     ///< what a section has not resolved
+  double ridge = 0.0;     ///< what a profile that turns at once leaves of a force
   /// What the iteration has left is independent of the rest.
-  [[nodiscard]] double total() const { return std::hypot(elements + crest, iteration); }
+  [[nodiscard]] double total() const { return std::hypot(elements + crest + ridge, iteration); }
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 

@@ -92,11 +92,10 @@ CurvePoint CurveGraph::at_lateral(double lateral, double& arc) const {
 
 double CurveGraph::sharpest_ridge(double lateral_first, double lateral_last) const {
   double sharpest = 0.0;
-  for (std::size_t node = 1; node < piece_count(); ++node) {
-    if (laterals_[node] < lateral_first || laterals_[node] > lateral_last) {
-      continue;
-    }
-    const std::size_t piece = pieces_.first + node;
+  const auto nodes = laterals_.begin() + 1;
+  const auto first = std::lower_bound(nodes, laterals_.end() - 1, lateral_first);
+  for (auto node = first; node != laterals_.end() - 1 && *node <= lateral_last; ++node) {
+    const std::size_t piece = pieces_.first + static_cast<std::size_t>(node - laterals_.begin());
     const CurvePoint before =
         curve_.at(piece - 1, curve_.starts()[piece] - curve_.starts()[piece - 1]);
     const CurvePoint after = curve_.at(piece, 0.0);

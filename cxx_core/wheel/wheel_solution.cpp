@@ -83,6 +83,7 @@ private:
   [[nodiscard]] double share_to_follow(const GridSolution& patches) const;
   GridSolution solve_finally(double depth, double follows, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
+  void find_ridges(GridSolution& solution);
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
   void publish(GridSolution solution);
@@ -244,6 +245,22 @@ void WheelSolver::find_peaks(GridSolution& solution) {
   result_.times.mechanics += watch.seconds();
 }
 
+double sharpest_ridge(const GridSolution& solution) {
+  double sharpest = 0.0;
+  for (const Patch& patch : solution.patches) {
+    sharpest = std::max(sharpest, patch.ridge);
+  }
+  return sharpest;
+}
+
+/// Where forces converge more slowly.
+void WheelSolver::find_ridges(GridSolution& solution) {
+  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
+  for (Patch& patch : solution.patches) {
+    patch.ridge = patch.no_contact() ? 0.0 : ridge_under(patch, pair);
+  }
+}
+
 /// How far the planes are to follow from the depth of the coarse solution to the one found: not at
 /// all where wheels hardly slide along them, in full where they slide twice as much. In full, too,
 /// on a grid given by hand, whose errors the accuracy says nothing of.
@@ -325,11 +342,17 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
       before = std::move(solution);
       continue;
     }
-    if (!of_forces) {
+    if (of_forces) {
+      find_ridges(solution);
+    } else {
       find_peaks(solution);
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
+    if (error.ridge > request_.accuracy) {
+      result_.warnings.push_back("a profile turns by " + short_text_of(sharpest_ridge(solution)) +
+                                 " rad at once under the pressures: forces converge slowly");
+    }
     // Forces stay as they are: a second grid would be no continuous function of the scene.
     if (error.total() <= request_.accuracy || request_.grid || finer || of_forces) {
       return solution;

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "accuracy/constants.hpp"
+
 namespace wrc::test::resolution_test {
 namespace {
 
@@ -106,6 +108,18 @@ TEST(Resolution, ErrorsFollowTheFewerElements) {
     std::fill_n(patch.pressure.begin() + static_cast<std::ptrdiff_t>(20 * row + 5), 10, 1000.0);
   }
   EXPECT_NEAR(estimate_error(solution, {}).elements, law(columns_along / 0.64), rounding);
+}
+
+/// In proportion to the angle and the width of a row, over the overlap of 0.05 mm.
+TEST(Resolution, WhereAProfileTurnsAtOnceForcesHaveAnErrorOfFirstOrder) {
+  GridSolution solution = block_contact();
+  solution.patches[0].undeformed_distance.assign(800, 0.0);
+  solution.approach = 0.05;
+  const double smooth = estimate_error(solution, {}).total();
+  EXPECT_EQ(estimate_error(solution, {}).ridge, 0.0);
+  solution.patches[0].ridge = 0.5;
+  EXPECT_NEAR(estimate_error(solution, {}).ridge, error_by_ridge * 0.5 * 0.2 / 0.05, rounding);
+  EXPECT_NEAR(estimate_error(solution, {}).total(), smooth + error_by_ridge * 2.0, rounding);
 }
 
 /// Only what may exceed the largest pressure of all is an error of it.

@@ -1,4 +1,4 @@
-// Scenes whose largest pressure was once further off than asked without a word.
+// Scenes that were once further off than requested without a word.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -99,6 +99,30 @@ TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
     for (const double accuracy : {1e-2, 1e-3}) {
       expect_pmax_within_accuracy(scene, accuracy, truth, 2.0);
     }
+  }
+}
+
+/// Wheels of more than 2 m on canted rails stand on the edge of their chamfer, which turns by 45
+/// degrees. Their forces once missed accuracies by up to 26 times without a word.
+TEST(Accuracy, ForcesOnTheEdgeOfAChamferSaySo) {
+  Scene scene;
+  scene.side = SideChoice::left;
+  scene.left.rail.name = scene.right.rail.name = "49E1";
+  scene.left.radius = scene.right.radius = 2175.0;
+  scene.track.cant = 0.138;
+  scene.lateral = -7.9;
+  scene.left.load = 368e3;
+  scene.accuracy_of = AccuracyOf::forces;
+  const WheelResult truth = solve_finely(scene);
+  for (const double accuracy : {1e-2, 1e-3}) {
+    scene.accuracy = accuracy;
+    const WheelResult found = *solve_scene(scene).left;
+    ASSERT_TRUE(found.error_estimate);
+    EXPECT_GT(std::abs(found.depth / truth.depth - 1.0), 0.2 * accuracy);
+    EXPECT_LT(std::abs(found.depth / truth.depth - 1.0), *found.error_estimate);
+    EXPECT_GT(*found.error_estimate, accuracy);
+    EXPECT_NE(found.warnings.at(0).find(" rad at once under the pressures"), std::string::npos)
+        << found.warnings.at(0);
   }
 }
 
