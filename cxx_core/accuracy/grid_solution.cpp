@@ -44,6 +44,14 @@ double GridSolution::peak_pressure() const {
   return peak;
 }
 
+double GridSolution::sharpest_ridge() const {
+  double sharpest = 0.0;
+  for (const Patch& patch : patches) {
+    sharpest = std::max(sharpest, patch.ridge);
+  }
+  return sharpest;
+}
+
 std::vector<PlanePatches> GridSolution::patches_by_plane(bool solved) const {
   std::vector<PlanePatches> planes;
   bool begins = true;

@@ -64,6 +64,7 @@ struct GridSolution {
 
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] double peak_pressure() const;
+  [[nodiscard]] double sharpest_ridge() const;
   /// Largest normal force first; without the patches that do not touch, if there are pressures.
   [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;
 };

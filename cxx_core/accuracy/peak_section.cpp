@@ -67,6 +67,23 @@ double top_of_row(const Patch& patch, std::size_t row) {
   return *top + (inside ? above_value(*(top - 1), *top, *(top + 1)) : 0.0);
 }
 
+double ridge_under(const Patch& patch, const PosedPair& pair) {
+  constexpr double rows = 2.0;
+  const Grid& grid = patch.grid;
+  const double room = rows * grid.lateral_step;
+  const double first = grid.lateral(patch.contact.box.lateral_first) - room;
+  const double last = grid.lateral(patch.contact.box.lateral_last) + room;
+  const auto y = [&](double lateral) {
+    return patch.frame.origin.y + patch.frame.lateral.y * lateral;
+  };
+  const auto s = [&](double lateral) {
+    return patch.penetration.deepest_s +
+           (y(lateral) - patch.penetration.deepest_y) / std::cos(pair.pose.roll);
+  };
+  return std::max(pair.rail.graph().sharpest_ridge(y(first), y(last)),
+                  pair.wheel.graph().sharpest_ridge(s(first), s(last)));
+}
+
 /// What a ridge of the profiles adds to the largest pressure with every strip e times narrower
 /// (Johnson, Contact Mechanics, 1985, eq. 5.28: a wedge's pressure has no limit).
 double growth_at_ridge(double angle, double combined_modulus) {
@@ -93,21 +110,10 @@ PeakInSection highest_of(const std::vector<double>& pressure) {
 
 } // namespace
 
-double ridge_under(const Patch& patch, const PosedPair& pair) {
-  constexpr double rows = 2.0;
-  const Grid& grid = patch.grid;
-  const double room = rows * grid.lateral_step;
-  const double first = grid.lateral(patch.contact.box.lateral_first) - room;
-  const double last = grid.lateral(patch.contact.box.lateral_last) + room;
-  const auto y = [&](double lateral) {
-    return patch.frame.origin.y + patch.frame.lateral.y * lateral;
-  };
-  const auto s = [&](double lateral) {
-    return patch.penetration.deepest_s +
-           (y(lateral) - patch.penetration.deepest_y) / std::cos(pair.pose.roll);
-  };
-  return std::max(pair.rail.graph().sharpest_ridge(y(first), y(last)),
-                  pair.wheel.graph().sharpest_ridge(s(first), s(last)));
+void find_ridges(GridSolution& solution, const PosedPair& pair) {
+  for (Patch& patch : solution.patches) {
+    patch.ridge = patch.no_contact() ? 0.0 : ridge_under(patch, pair);
+  }
 }
 
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,

@@ -28,9 +28,9 @@ struct PeakInSection {
   double error = 0.0;    ///< estimate of what the strips do not resolve, MPa
 };
 
-/// The largest angle by which a profile turns at once under the pressures of a patch in contact or
-/// within two rows of them, rad; 0: none.
-double ridge_under(const Patch& patch, const PosedPair& pair);
+/// Finds Patch::ridge of all patches: the largest angle by which a profile turns at once under the
+/// pressures or within two rows of them.
+void find_ridges(GridSolution& solution, const PosedPair& pair);
 
 /// Of a patch in contact. `approach`: along the normal, from the position sampled; `tolerance`: of
 /// the pressures, relative.

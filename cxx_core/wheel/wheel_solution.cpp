@@ -83,7 +83,9 @@ private:
   [[nodiscard]] double share_to_follow(const GridSolution& patches) const;
   GridSolution solve_finally(double depth, double follows, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
-  void find_ridges(GridSolution& solution);
+  [[nodiscard]] PosedPair posed(double depth) const {
+    return {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
+  }
   GridSolution sample_only(double depth);
   void warn_about(const GridSolution& solution);
   void publish(GridSolution solution);
@@ -139,7 +141,7 @@ GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
   GridSolution solution = patches_at(depth);
   set_grids(solution, rail_, grids);
-  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
+  const PosedPair pair = posed(depth);
   for (Patch& patch : solution.patches) {
     patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
   }
@@ -229,7 +231,7 @@ GridSolution WheelSolver::solve_coarsely(double depth) {
 /// Largest pressures between the elements of a solution.
 void WheelSolver::find_peaks(GridSolution& solution) {
   const Stopwatch watch;
-  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
+  const PosedPair pair = posed(solution.depth);
   for (Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
       const PeakInSection peak =
@@ -243,22 +245,6 @@ void WheelSolver::find_peaks(GridSolution& solution) {
     }
   }
   result_.times.mechanics += watch.seconds();
-}
-
-double sharpest_ridge(const GridSolution& solution) {
-  double sharpest = 0.0;
-  for (const Patch& patch : solution.patches) {
-    sharpest = std::max(sharpest, patch.ridge);
-  }
-  return sharpest;
-}
-
-/// Where forces converge more slowly.
-void WheelSolver::find_ridges(GridSolution& solution) {
-  const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - solution.depth};
-  for (Patch& patch : solution.patches) {
-    patch.ridge = patch.no_contact() ? 0.0 : ridge_under(patch, pair);
-  }
 }
 
 /// How far the planes are to follow from the depth of the coarse solution to the one found: not at
@@ -343,14 +329,14 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
       continue;
     }
     if (of_forces) {
-      find_ridges(solution);
+      find_ridges(solution, posed(solution.depth));
     } else {
       find_peaks(solution);
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
     if (error.ridge > request_.accuracy) {
-      result_.warnings.push_back("a profile turns by " + short_text_of(sharpest_ridge(solution)) +
+      result_.warnings.push_back("a profile turns by " + short_text_of(solution.sharpest_ridge()) +
                                  " rad at once under the pressures: forces converge slowly");
     }
     // Forces stay as they are: a second grid would be no continuous function of the scene.
