@@ -24,8 +24,8 @@ TractionTable table_by_aspect(double aspect, const TractionShape& shape) {
 /// Where an element is, and how it moves.
 struct MovingElement {
   std::size_t index;
-  double x, y, by_x, by_y;
-  double lever_share;
+  double x, by_x, by_y;
+  double lever, by_lever; ///< of longitudinal tractions
 };
 
 template <typename Real> class Rates {
@@ -83,9 +83,8 @@ public:
       const double y = sum(size + at);
       forces[0] += x;
       forces[1] += y;
-      forces[2] +=
-          element.x * y + mean * element.by_x * static_cast<double>(q[size + at]) -
-          element.lever_share * (element.y * x + mean * element.by_y * static_cast<double>(q[at]));
+      forces[2] += element.x * y + mean * element.by_x * static_cast<double>(q[size + at]) -
+                   element.lever * x - mean * element.by_lever * static_cast<double>(q[at]);
     });
     for (double& force : forces) {
       force *= scaled_.bound() * grid.element_area();
@@ -132,11 +131,12 @@ private:
           const std::size_t i = index % grid.longitudinal_count;
           const std::size_t j = index / grid.longitudinal_count;
           visit(row * solved_.pitch() + column,
-                MovingElement{index, grid.longitudinal(i), grid.lateral(j),
+                MovingElement{index, grid.longitudinal(i),
                               rate.longitudinal_first +
                                   static_cast<double>(i) * rate.longitudinal_step,
                               rate.lateral_first + static_cast<double>(j) * rate.lateral_step,
-                              lever_share(problem_, j)});
+                              lever_of(problem_, j, grid.lateral_first, grid.lateral_step),
+                              lever_of(problem_, j, rate.lateral_first, rate.lateral_step)});
         }
       }
     }

@@ -198,7 +198,7 @@ std::array<double, 3> ScaledTractions::force_rates(std::size_t creepage, const R
       sums[1] += y;
       const std::size_t strip = at / grid.longitudinal_count;
       sums[2] += grid.longitudinal(at % grid.longitudinal_count) * y -
-                 lever_share(problem_, strip) * grid.lateral(strip) * x;
+                 lever_of(problem_, strip, grid.lateral_first, grid.lateral_step) * x;
     }
   }
   const double scale =
@@ -274,10 +274,14 @@ double ScaledTractions::power_of_given_slip(const RollingSolution& solution) con
   return slip_scale_ * problem_.grid.element_area() * power;
 }
 
-double lever_share(const RollingProblem& problem, std::size_t strip) {
+double lever_of(const RollingProblem& problem, std::size_t strip, double lateral_first,
+                double lateral_step) {
   constexpr double outermost = 11.0 / 12.0; // not a tuning constant
-  const bool ends = strip == 0 || strip + 1 == problem.grid.lateral_count;
-  return ends && !problem.covered.empty() ? outermost : 1.0;
+  const std::size_t last = problem.grid.lateral_count - 1;
+  const double middle = 0.5 * static_cast<double>(last);
+  const bool ends = !problem.covered.empty() && (strip == 0 || strip == last);
+  const double steps = middle + (ends ? outermost : 1.0) * (static_cast<double>(strip) - middle);
+  return lateral_first + steps * lateral_step;
 }
 
 void sum_up(const RollingProblem& problem, double given_power, RollingSolution& solution) {
@@ -287,7 +291,7 @@ void sum_up(const RollingProblem& problem, double given_power, RollingSolution& 
   std::size_t slipping = 0;
   std::size_t contacts = 0;
   for (std::size_t j = 0; j < grid.lateral_count; ++j) {
-    const double lever = lever_share(problem, j) * grid.lateral(j);
+    const double lever = lever_of(problem, j, grid.lateral_first, grid.lateral_step);
     for (std::size_t i = 0; i < grid.longitudinal_count; ++i) {
       const std::size_t at = j * grid.longitudinal_count + i;
       const double bound = problem.friction * problem.pressure[at];

@@ -30,13 +30,14 @@ SlipDifferenceWeights difference_of(const RollingProblem& problem, double times 
 double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
                        TangentialMotion motion);
 
-/// Of its lever about the x axis, what counts of a strip's longitudinal tractions in the moment,
-/// from its place in the grid. A strip stands for its middle, and sums of middles exceed the moment
-/// by h^2/24 of the slope that y Q(y) ends with, Q the strip's force: where contact ends at the
-/// grid's lateral edges, Q falling to 0, that is a twelfth of the outermost strips (midpoint rule
-/// with the end correction of Euler and Maclaurin). Forces need no such correction: in adhesion
-/// displacements that strips cause as a whole make up for it.
-double lever_share(const RollingProblem& problem, std::size_t strip);
+/// Lever of a strip's longitudinal tractions about the origin, on a grid with this first place and
+/// step. A strip stands for its middle, and sums of middles exceed the moment by h^2/24 of the
+/// slope that y Q(y) ends with, Q the strip's force: where contact ends at the grid's lateral
+/// edges, Q falling to 0, that is a twelfth of the outermost strips' distances from the middle
+/// (midpoint rule with the end correction of Euler and Maclaurin). Forces need no such correction:
+/// in adhesion displacements that strips cause as a whole make up for it.
+double lever_of(const RollingProblem& problem, std::size_t strip, double lateral_first,
+                double lateral_step);
 
 /// Forces, areas and power from tractions and slips of the whole grid; `given_power`: of slips that
 /// neither creepages nor tractions cause, N.
