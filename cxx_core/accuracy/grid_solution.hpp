@@ -27,7 +27,8 @@ struct Patch {
   double normal_force = 0.0;
   PressureRegion contact;  ///< all elements under pressure together
   double peak_error = 0.0; ///< of a peak from a section (peak_section.hpp), MPa
-  double ridge = 0.0;      ///< under its pressures (peak_section.hpp), rad; with accuracy of forces
+  double ridge = 0.0;      ///< under its pressures (peak_section.hpp), rad
+  double growth = 0.0;     ///< of the peak at that ridge with every element e times narrower, MPa
   std::size_t plane = 0;   ///< patches of the same one are one contact
   double approach = 0.0;   ///< deepest overlap of the undeformed bodies along the normal
   std::optional<double> area; ///< of an approximate model, in closed form

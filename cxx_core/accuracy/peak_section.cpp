@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "accuracy/constants.hpp"
@@ -67,27 +68,34 @@ double top_of_row(const Patch& patch, std::size_t row) {
   return *top + (inside ? above_value(*(top - 1), *top, *(top + 1)) : 0.0);
 }
 
+/// Elements under pressure, from their places in the patch's plane to those on the profiles: yaw
+/// turns rows across the wheel's profile.
 double ridge_under(const Patch& patch, const PosedPair& pair) {
   constexpr double rows = 2.0;
   const Grid& grid = patch.grid;
+  const IndexBox& box = patch.contact.box;
+  const double across = std::cos(pair.pose.yaw) * patch.frame.lateral.y / std::cos(pair.pose.roll);
+  const double along = -std::sin(pair.pose.yaw) / std::cos(pair.pose.roll);
+  double s_first = std::numeric_limits<double>::infinity();
+  double s_last = -s_first;
+  for (std::size_t row = box.lateral_first; row <= box.lateral_last; ++row) {
+    for (std::size_t column = box.longitudinal_first; column <= box.longitudinal_last; ++column) {
+      if (patch.pressure[row * grid.longitudinal_count + column] > 0.0) {
+        const double s = across * grid.lateral(row) + along * grid.longitudinal(column);
+        s_first = std::min(s_first, s);
+        s_last = std::max(s_last, s);
+      }
+    }
+  }
   const double room = rows * grid.lateral_step;
-  const double first = grid.lateral(patch.contact.box.lateral_first) - room;
-  const double last = grid.lateral(patch.contact.box.lateral_last) + room;
   const auto y = [&](double lateral) {
     return patch.frame.origin.y + patch.frame.lateral.y * lateral;
   };
-  const auto s = [&](double lateral) {
-    return patch.penetration.deepest_s +
-           (y(lateral) - patch.penetration.deepest_y) / std::cos(pair.pose.roll);
-  };
-  return std::max(pair.rail.graph().sharpest_ridge(y(first), y(last)),
-                  pair.wheel.graph().sharpest_ridge(s(first), s(last)));
-}
-
-/// What a ridge of the profiles adds to the largest pressure with every strip e times narrower
-/// (Johnson, Contact Mechanics, 1985, eq. 5.28: a wedge's pressure has no limit).
-double growth_at_ridge(double angle, double combined_modulus) {
-  return combined_modulus * angle / (2.0 * std::numbers::pi);
+  const double s_middle = patch.penetration.mean_s;
+  return std::max(
+      pair.rail.graph().sharpest_ridge(y(grid.lateral(box.lateral_first) - room),
+                                       y(grid.lateral(box.lateral_last) + room)),
+      pair.wheel.graph().sharpest_ridge(s_middle + s_first - room, s_middle + s_last + room));
 }
 
 PeakInSection highest_of(const std::vector<double>& pressure) {
@@ -109,6 +117,10 @@ PeakInSection highest_of(const std::vector<double>& pressure) {
 }
 
 } // namespace
+
+double growth_at_ridge(double angle, double combined_modulus) {
+  return combined_modulus * angle / (2.0 * std::numbers::pi);
+}
 
 void find_ridges(GridSolution& solution, const PosedPair& pair) {
   for (Patch& patch : solution.patches) {
@@ -164,8 +176,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
   fine =
       solve_strips({strips.lateral_step, length, combined_modulus, approach, distance, tolerance},
                    std::move(fine));
-  PeakInSection peak = highest_of(fine);
-  peak.error += growth_at_ridge(ridge_under(patch, pair), combined_modulus);
+  const PeakInSection peak = highest_of(fine);
   // No strip in contact: the overlap is lost in rounding.
   return peak.pressure > 0.0 ? peak : PeakInSection{patch.contact.peak_pressure, 0.0};
 }

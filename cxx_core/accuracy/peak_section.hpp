@@ -32,6 +32,10 @@ struct PeakInSection {
 /// pressures or within two rows of them.
 void find_ridges(GridSolution& solution, const PosedPair& pair);
 
+/// What a ridge adds to the largest pressure with every strip e times narrower (Johnson, Contact
+/// Mechanics, 1985, eq. 5.28: a wedge's pressure has no bound).
+double growth_at_ridge(double angle, double combined_modulus);
+
 /// Of a patch in contact. `approach`: along the normal, from the position sampled; `tolerance`: of
 /// the pressures, relative.
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,

@@ -92,7 +92,8 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
       error.elements = std::max(error.elements, error_of(rows, goal));
-      error.ridge = std::max(error.ridge, error_at_ridge(patch, solution.approach));
+      error.ridge = std::max({error.ridge, error_at_ridge(patch, solution.approach),
+                              patch.growth / solution.peak_pressure()});
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }

@@ -2,17 +2,17 @@
 ///
 /// Elements are counted by the contact's own scale (pressure/contact_scale.hpp): with n rows over
 /// its width and 0.64 n columns over its length, depth, forces and centre of pressure have an error
-/// below 0.23/n^2 + 12.5/n^4 in 97 of 100 wheels; with the position prescribed, where a force goes
-/// with the depth to the power of 1.5, 1.25 times as much. The penetration shows the scale before
-/// anything is solved (expected_contact.hpp), so that the same accuracy takes the same n whatever
-/// the contact looks like: one that fills a fifth of its penetration, lobes, or contact askew in
-/// its grid. Columns are an even number, the same for all contacts: the longest line begins and
-/// ends between elements, where an edge leaves the smallest error. Sizes are real numbers,
-/// continuous in the scene, and elements keep their places about the middle of the forces, so that
-/// those at the edges move least. The largest pressure, taken from a finer section
+/// below 0.2231/n^2 + 12.125/n^4 in 97 of 100 wheels; with the position prescribed, where a force
+/// goes with the depth to the power of 1.5, 1.25 times as much. The penetration shows the scale
+/// before anything is solved (expected_contact.hpp), so that the same accuracy takes the same n
+/// whatever the contact looks like: one that fills a fifth of its penetration, lobes, or contact
+/// askew in its grid. Columns are an even number, the same for all contacts: the longest line
+/// begins and ends between elements, where an edge leaves the smallest error. Sizes are real
+/// numbers, continuous in the scene, and elements keep their places about the middle of the forces,
+/// so that those at the edges move least. The largest pressure, taken from a finer section
 /// (peak_section.hpp), has the same error and that of its crest besides. Where a profile turns at
 /// once under the pressures, forces have an error of first order in the rows besides. The area of
-/// contact is not counted: it is right to about forty accuracies. Creep forces need more elements
+/// contact is not counted: it is right to about twenty accuracies. Creep forces need more elements
 /// than normal ones, by a law of their own: they follow from the shape of the contact, whose errors
 /// average out in normal forces, and a long contact needs more elements along it. Units mm. Thread
 /// rule: pure functions. Not known here: errors of planes and of the half-space, and crests that
@@ -66,9 +66,11 @@ struct ErrorEstimate {
   double elements = 0.0;  ///< by the law
   double iteration = 0.0; ///< what it has left
   double crest = 0.0;     ///< what a section has not resolved
-  double ridge = 0.0;     ///< what a profile that turns at once leaves of a force
+  double ridge = 0.0; ///< what a profile that turns at once leaves, at most by any number of rows
   /// What the iteration has left is independent of the rest.
   [[nodiscard]] double total() const { return std::hypot(elements + crest + ridge, iteration); }
+  /// What more elements lessen.
+  [[nodiscard]] double reducible() const { return std::hypot(elements + crest, iteration); }
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 

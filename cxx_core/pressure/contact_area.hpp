@@ -7,14 +7,13 @@
 ///
 /// Relative error against Hertz, n elements across the shorter axis, axis ratios 1/5 to 5, any
 /// orientation and shift; root mean square over the cases, the largest is 2 to 4 times that:
-///   pressures solved on the grid, constant elements: 15 % at n = 2, 4 % at 4, below 2/n^2 for
-///   n = 6 to 48; beyond, a remainder of about -0.06/n shows (3/n^2 at 64, 8/n^2 at 128), since the
-///   pressures of the outermost elements keep a relative error however fine the grid;
-///   solved on the grid, smooth elements: 5 % at n = 4, 2.6/n^2 at the most for n = 6 to 96, too
-///   large below n = 48; pressures sampled from the closed form: below 4.3/n^2, order two.
+///   pressures solved on the grid, smooth elements: 5 % at n = 3, 0.5/n^2 for n = 6 to 24, 1.4/n^2
+///   at 96; constant elements: 8 % at n = 3, 1/n^2 for n = 6 to 24, 3.2/n^2 at 96, where a
+///   remainder of -0.03/n shows, since the pressures of their outermost elements are smaller still
+///   than edge_beyond_pressures says; pressures sampled from the closed form, which are not too
+///   small there: too large by 0.07/n.
 /// Counting elements is +0.38/n too large with pressures of constant elements, +0.55/n of smooth
-/// ones, and worse at every n from 2 on. (With sampled ones, which no solver gives, it is unbiased
-/// and better below n = 16.)
+/// ones, and worse at every n from 2 on.
 /// Where pressures do not fall to 0 at the edge (punches) the area is the counted one but for
 /// rounded corners of a quarter of an element at the most; a single element counts two thirds.
 /// When contact moves across the grid the area jumps by 0.4 of an element with 6 elements across,

@@ -1,16 +1,30 @@
 #include "pressure/squared_pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "pressure/constants.hpp"
 
 namespace wrc {
 
 namespace {
 
-/// p^2 at one and at two steps in one direction; whether the grid reaches as far.
+/// p^2 at one, two and three steps in one direction; whether the grid reaches as far as two.
 struct Direction {
   double near;
   double far;
+  double farther;
   bool far_is_known;
+
+  /// Steps from the first of them to the edge: the root of their parabola, a little farther out.
+  /// Past the centre without pressure it comes back with the slope of p^2.
+  [[nodiscard]] double edge() const {
+    const double bend = std::clamp(2.0 * far - near - farther, 0.0, farther);
+    const double slope = far - near + 0.5 * bend;
+    const double root = 2.0 * near / (slope + std::sqrt(slope * slope + 2.0 * bend * near));
+    return root < 1.0 ? std::min(root + edge_beyond_pressures, 1.0)
+                      : std::max(1.5 - 0.5 * root, 0.5);
+  }
 };
 
 /// Calls visit(direction) for every direction that has pressure at one step.
@@ -23,6 +37,9 @@ void for_each_direction(const LevelSize& size, std::span<const double> pressure,
     return i >= 0 && i < rows && j >= 0 && j < columns;
   };
   const auto square_at = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
+    if (!inside(i, j)) {
+      return 0.0;
+    }
     const double p = scale * pressure[static_cast<std::size_t>(i * columns + j)];
     return p > 0.0 ? p * p : 0.0;
   };
@@ -30,10 +47,10 @@ void for_each_direction(const LevelSize& size, std::span<const double> pressure,
   const auto j = static_cast<std::ptrdiff_t>(column);
   for (std::ptrdiff_t di = -1; di <= 1; ++di) {
     for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
-      const double near = inside(i + di, j + dj) ? square_at(i + di, j + dj) : 0.0;
+      const double near = square_at(i + di, j + dj);
       if (near > 0.0) {
-        const bool known = inside(i + 2 * di, j + 2 * dj);
-        visit(Direction{near, known ? square_at(i + 2 * di, j + 2 * dj) : 0.0, known});
+        visit(Direction{near, square_at(i + 2 * di, j + 2 * dj), square_at(i + 3 * di, j + 3 * dj),
+                        inside(i + 2 * di, j + 2 * dj)});
       }
     }
   }
@@ -76,13 +93,8 @@ double edge_square(const LevelSize& size, std::span<const double> pressure, doub
       unknown_weight += near;
       return;
     }
-    double continued = 2.0 * near - one.far;
-    if (continued > 0.0) {
-      // Edge at a share of the step: 1 at far = 2 near, 1/2 from far = near down.
-      const double share = 0.5 * std::max(1.0, one.far / near);
-      continued = -near * (1.0 - share) / share;
-    }
-    sum += near * continued;
+    const double edge = one.edge();
+    sum -= near * near * (1.0 - edge) / edge;
     weight += near;
   });
   if (weight > 0.0) {

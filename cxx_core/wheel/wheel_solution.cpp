@@ -97,6 +97,7 @@ private:
   NormalSolver& solver_;
   AccuracyGoal goal_;
   std::optional<GridSolution> patches_; ///< at the depth asked for last
+  double ridge_error_ = 0.0;
   WheelSolution result_;
 };
 
@@ -242,6 +243,7 @@ void WheelSolver::find_peaks(GridSolution& solution) {
       patch.peak_error =
           std::max(peak.error, request_.stresses ? stress_error_by_crest * missing : 0.0);
       patch.contact.peak_pressure = peak.pressure;
+      patch.growth = growth_at_ridge(patch.ridge, request_.combined_modulus);
     }
   }
   result_.times.mechanics += watch.seconds();
@@ -328,19 +330,15 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
       before = std::move(solution);
       continue;
     }
-    if (of_forces) {
-      find_ridges(solution, posed(solution.depth));
-    } else {
+    find_ridges(solution, posed(solution.depth));
+    if (!of_forces) {
       find_peaks(solution);
     }
     const ErrorEstimate error = estimate_error(solution, goal_);
     result_.error_estimate = error.total();
-    if (error.ridge > request_.accuracy) {
-      result_.warnings.push_back("a profile turns by " + short_text_of(solution.sharpest_ridge()) +
-                                 " rad at once under the pressures: forces converge slowly");
-    }
+    ridge_error_ = error.ridge;
     // Forces stay as they are: a second grid would be no continuous function of the scene.
-    if (error.total() <= request_.accuracy || request_.grid || finer || of_forces) {
+    if (error.reducible() <= request_.accuracy || request_.grid || finer || of_forces) {
       return solution;
     }
     grids = GridChoice(finer_elements(solution, error, goal_));
@@ -387,6 +385,11 @@ void WheelSolver::warn_about(const GridSolution& solution) {
                          " rad within a patch (a plane is good up to " + text_of(planar_limit) +
                          ")");
     }
+  }
+  if (ridge_error_ > request_.accuracy) {
+    warnings.push_back("a profile turns by " + short_text_of(solution.sharpest_ridge()) +
+                       " rad at once under the pressures: they have no bound there, and forces "
+                       "converge slowly");
   }
   if (!request_.grid && (!result_.error_estimate || *result_.error_estimate > request_.accuracy)) {
     warnings.push_back("accuracy " + text_of(request_.accuracy) + " not reached" +

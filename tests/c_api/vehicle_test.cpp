@@ -353,5 +353,17 @@ TEST(Tables, AreRefusedBeforeTheFirstSolution) {
   EXPECT_TRUE(std::isnan(scene.tabulate({{"track.gauge", {600}}}, {"left.pmax"}).at(0)));
 }
 
+TEST(Tables, TellTheCauseOfWhatOnlyASolutionRefuses) {
+  Scene scene;
+  scene.set("pose.roll", 0.0);
+  try {
+    scene.tabulate({{"pose.vertical", {459.9, 380.0}}}, {"left.pmax"}, 2);
+    FAIL() << "accepted";
+  } catch (const wrcontact::Error& error) {
+    EXPECT_STREQ(error.what(), "pose.vertical = 380: wheel and rail would overlap by 79.82 mm or "
+                               "more; allowed is less than 50 mm");
+  }
+}
+
 } // namespace
 } // namespace vehicle_test

@@ -8,7 +8,7 @@
 namespace tradeoff {
 namespace {
 
-constexpr double looser_area = 40.0; // what an accuracy means for the area, in accuracies
+constexpr double looser_area = 22.0; // what an accuracy means for the area, in accuracies
 
 using Vector = std::array<double, 3>;
 

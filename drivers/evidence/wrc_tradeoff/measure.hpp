@@ -50,7 +50,7 @@ struct WheelError {
   [[nodiscard]] double of(Quantity quantity) const {
     return values[static_cast<std::size_t>(quantity)];
   }
-  /// As it counts against an accuracy: a fortieth of the area's, infinite if it is no number.
+  /// As it counts against an accuracy: a 22nd of the area's, infinite if it is no number.
   [[nodiscard]] double counted(Quantity quantity) const;
   /// The quantity that is furthest off among those that an accuracy of this meaning, "forces" or
   /// another way's, is of: all but pmax, or all.
@@ -120,6 +120,7 @@ struct Measured {
   std::array<double, 2> truth_pmax{};
   std::array<WheelError, 2> truth_uncertainty;
   std::array<int, 2> patches{};
+  std::array<bool, 2> on_ridge{}; ///< a warning tells so: pressures have no bound there
   std::vector<Run> runs;
 };
 

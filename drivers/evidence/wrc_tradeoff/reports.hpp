@@ -33,7 +33,9 @@ struct AskedRow {
   std::string label; ///< of the way
   double asked = 0.0;
   int samples = 0;
-  double met = 0.0; ///< share with all that the accuracy is of within it
+  int on_ridges = 0;
+  double met = 0.0;            ///< share with all that the accuracy is of within it
+  double met_off_ridges = 0.0; ///< the same of the others
   double median_error = 0.0;
   double error_95 = 0.0;
   double error_99 = 0.0;

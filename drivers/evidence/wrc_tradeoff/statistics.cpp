@@ -34,6 +34,7 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
   std::vector<double> ratios;
   std::vector<double> times;
   double met = 0.0;
+  double met_off_ridges = 0.0;
   double bounded = 0.0;
   double told = 0.0;
   for_each_wheel(
@@ -45,8 +46,10 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
         ratios.push_back(estimate / error);
         times.push_back(run.time_ms);
         bounded += estimate >= error ? 1.0 : 0.0;
+        row.on_ridges += measured.on_ridge[side] ? 1 : 0;
         if (error <= asked) {
           met += 1.0;
+          met_off_ridges += measured.on_ridge[side] ? 0.0 : 1.0;
           return;
         }
         told += estimate > asked ? 1.0 : 0.0;
@@ -56,6 +59,7 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
   const auto count = static_cast<double>(errors.size());
   row.samples = static_cast<int>(errors.size());
   row.met = share(met, count);
+  row.met_off_ridges = share(met_off_ridges, count - row.on_ridges);
   row.median_error = median(errors);
   row.error_95 = quantile(errors, 0.95);
   row.error_99 = quantile(errors, 0.99);
@@ -84,7 +88,7 @@ std::vector<AskedRow> asked_rows(const std::vector<Measured>& all) {
 
 std::string name_of(Quantity quantity) {
   const std::string name = quantity_names[static_cast<std::size_t>(quantity)];
-  return quantity == Quantity::area ? "a fortieth of " + name : name;
+  return quantity == Quantity::area ? "a 22nd of " + name : name;
 }
 
 double counted_95(const std::vector<Measured>& all, const AskedRow& row, Quantity quantity) {

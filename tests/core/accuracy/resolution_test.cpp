@@ -34,7 +34,7 @@ const double rows_across = std::sqrt(240.0);
 const double columns_along = std::sqrt(20.0 * 100.0 / 12.0);
 
 double law(double rows) {
-  return 0.23 / (rows * rows) + 12.5 / (rows * rows * rows * rows);
+  return 0.2231 / (rows * rows) + 12.125 / (rows * rows * rows * rows);
 }
 
 /// In a potential contact area of 8 x 10 mm.
@@ -56,7 +56,7 @@ double columns_of(const AccuracyGoal& goal) {
 
 TEST(Resolution, RowsKeepTheLawToItsShareOfTheAccuracy) {
   for (const double accuracy : {1e-2, 1e-3, 1e-4}) {
-    EXPECT_NEAR(law(rows_of({.accuracy = accuracy})), 0.55 * accuracy, rounding);
+    EXPECT_NEAR(law(rows_of({.accuracy = accuracy})), 0.5335 * accuracy, rounding);
   }
   EXPECT_NEAR(rows_of({.accuracy = 0.1}), rows_of({.accuracy = 1e-2}), 1e-9);
 }
@@ -70,9 +70,9 @@ TEST(Resolution, ColumnsAreAnEvenNumber) {
 
 /// As for an accuracy that is 1.25, or 3 times as fine.
 TEST(Resolution, ForcesAtAPositionConstantElementsAndStressesTakeMoreRows) {
-  EXPECT_NEAR(1.25 * law(rows_of({.position_is_prescribed = true})), 0.55e-3, rounding);
-  EXPECT_NEAR(3.0 * law(rows_of({.elements = Elements::constant})), 0.55e-3, rounding);
-  EXPECT_NEAR(3.0 * law(rows_of({.stresses = true})), 0.55e-3, rounding);
+  EXPECT_NEAR(1.25 * law(rows_of({.position_is_prescribed = true})), 0.5335e-3, rounding);
+  EXPECT_NEAR(3.0 * law(rows_of({.elements = Elements::constant})), 0.5335e-3, rounding);
+  EXPECT_NEAR(3.0 * law(rows_of({.stresses = true})), 0.5335e-3, rounding);
 }
 
 /// By laws of their own: sqrt(3/1e-2) over the contact and sqrt(0.7/1e-2) along it, the latter
@@ -120,6 +120,17 @@ TEST(Resolution, WhereAProfileTurnsAtOnceForcesHaveAnErrorOfFirstOrder) {
   solution.patches[0].ridge = 0.5;
   EXPECT_NEAR(estimate_error(solution, {}).ridge, error_by_ridge * 0.5 * 0.2 / 0.05, rounding);
   EXPECT_NEAR(estimate_error(solution, {}).total(), smooth + error_by_ridge * 2.0, rounding);
+}
+
+/// By what a row e times as narrow would add to the largest pressure; no element lessens that.
+TEST(Resolution, WhereAProfileTurnsAtOncePressuresHaveNoBound) {
+  GridSolution solution = block_contact();
+  const double smooth = estimate_error(solution, {}).total();
+  solution.patches[0].growth = 30.0;
+  const ErrorEstimate error = estimate_error(solution, {});
+  EXPECT_NEAR(error.ridge, 0.03, rounding);
+  EXPECT_NEAR(error.total(), smooth + 0.03, rounding);
+  EXPECT_EQ(error.reducible(), smooth);
 }
 
 /// Only what may exceed the largest pressure of all is an error of it.

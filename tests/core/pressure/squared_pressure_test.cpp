@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pressure/constants.hpp"
+
 namespace wrc::test::squared_pressure_test {
 namespace {
 
@@ -52,6 +54,21 @@ TEST(SquaredPressure, EdgesStayBetweenTheCentres) {
   const std::vector<double> steep{std::sqrt(2.0), 1, 0, 0};
   EXPECT_NEAR(edge_square(size, steep, 1.0, 0, 2), 0.0, 1e-15);
   EXPECT_LE(edge_square(size, std::vector<double>{3, 1, 0, 0}, 1.0, 0, 2), 0.0);
+}
+
+TEST(SquaredPressure, EdgesAreAtTheRootOfTheParabola) {
+  // p^2 = 1 - (x/a)^2 at whole x: a line from the last pressure to the value beyond
+  // crosses 0 a little farther out than at a.
+  const LevelSize size{1, 7};
+  for (const double semi_axis : {3.2, 3.5, 3.8}) {
+    std::vector<double> pressure;
+    for (int x = 0; x < 7; ++x) {
+      pressure.push_back(std::sqrt(std::max(0.0, 1.0 - x * x / (semi_axis * semi_axis))));
+    }
+    const double near = pressure[3] * pressure[3];
+    const double edge = 3.0 + near / (near - edge_square(size, pressure, 1.0, 0, 4));
+    EXPECT_NEAR(edge, semi_axis + edge_beyond_pressures, 0.005) << semi_axis;
+  }
 }
 
 } // namespace

@@ -104,7 +104,7 @@ TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
 
 /// Wheels of more than 2 m on canted rails stand on the edge of their chamfer, which turns by 45
 /// degrees. Their forces once missed accuracies by up to 26 times without a word.
-TEST(Accuracy, ForcesOnTheEdgeOfAChamferSaySo) {
+TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
   Scene scene;
   scene.side = SideChoice::left;
   scene.left.rail.name = scene.right.rail.name = "49E1";
@@ -124,6 +124,30 @@ TEST(Accuracy, ForcesOnTheEdgeOfAChamferSaySo) {
     EXPECT_NE(found.warnings.at(0).find(" rad at once under the pressures"), std::string::npos)
         << found.warnings.at(0);
   }
+  // Pressures have no bound there, which no second grid would change.
+  scene.accuracy_of = AccuracyOf::pressures;
+  const WheelResult found = *solve_scene(scene).left;
+  EXPECT_GT(*found.error_estimate, 0.1);
+  EXPECT_NE(found.warnings.at(0).find("they have no bound there"), std::string::npos);
+  EXPECT_LE(found.solutions, 3);
+}
+
+/// Under yaw a row of elements runs across the wheel's profile, and so onto its chamfer.
+TEST(Accuracy, AChamferUnderYawIsTold) {
+  Scene scene;
+  scene.side = SideChoice::right;
+  scene.left.rail.name = scene.right.rail.name = "CHN60";
+  scene.left.radius = scene.right.radius = 2335.0;
+  scene.track.cant = 0.103;
+  scene.lateral = 7.78;
+  scene.yaw = -0.0915;
+  scene.right.load = 8743.0;
+  scene.accuracy_of = AccuracyOf::forces;
+  const WheelResult found = *solve_scene(scene).right;
+  EXPECT_GT(*found.error_estimate, 10.0 * scene.accuracy);
+  EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
+    return warning.find("turns by 0.7188 rad at once") != std::string::npos;
+  }));
 }
 
 } // namespace
