@@ -12,7 +12,7 @@
 /// so that those at the edges move least. The largest pressure, taken from a finer section
 /// (peak_section.hpp), has the same error and that of its crest besides. Where a profile turns at
 /// once under the pressures, forces have an error of first order in the rows besides. The area of
-/// contact is not counted: it is right to about twenty accuracies. Creep forces need more elements
+/// contact is not counted: it is right to 11 to 22 accuracies. Creep forces need more elements
 /// than normal ones, by a law of their own: they follow from the shape of the contact, whose errors
 /// average out in normal forces, and a long contact needs more elements along it. Units mm. Thread
 /// rule: pure functions. Not known here: errors of planes and of the half-space, and crests that

@@ -8,8 +8,6 @@
 namespace tradeoff {
 namespace {
 
-constexpr double looser_area = 22.0; // what an accuracy means for the area, in accuracies
-
 using Vector = std::array<double, 3>;
 
 Vector vector_of(const driver::Scene& scene, const std::string& before) {
@@ -62,8 +60,12 @@ void join_axes(const driver::Scene& scene, const std::string& side, Figures& fig
 
 } // namespace
 
+double area_in_accuracies(double accuracy) {
+  return 11.0 * std::pow(std::min(accuracy, 1e-2) / 1e-2, -0.2);
+}
+
 double WheelError::counted(Quantity quantity) const {
-  const double error = of(quantity) / (quantity == Quantity::area ? looser_area : 1.0);
+  const double error = of(quantity) / (quantity == Quantity::area ? area_share : 1.0);
   return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 

@@ -126,6 +126,9 @@ private:
     made.time_ms = median(times);
     for (std::size_t side = 0; side < 2; ++side) {
       made.errors[side] = error_of(scene_of(scenes, side), driver::side_names[side], truth_[side]);
+      if (way.accuracy > 0.0) {
+        made.errors[side].area_share = area_in_accuracies(way.accuracy);
+      }
     }
     return made;
   }
