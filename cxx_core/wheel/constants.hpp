@@ -28,9 +28,20 @@ inline constexpr double min_rate = -0.1;
 
 /// What may be left to be done of a relative change of distances, in accuracies.
 /// origin: measured (smoothness): with accuracies of pressures slopes of forces differ from
-/// sensitivities by 5 % under steep angles with 0.2, by 1 % with 0.02. With accuracies of forces
-/// less than that is left by the one solution more that is always made where planes follow.
+/// sensitivities by 5 % under steep angles with 0.2, by 1 % with 0.02.
 inline constexpr double max_change = 0.01;
+
+/// The same with accuracies of forces, where one solution more has shown the depth.
+/// origin: measured (smoothness, 150 positions; wrc_tradeoff): with 0.1 steps of 0.1 um leave their
+/// slope by up to 1.9e-6 of the load where one solution more is made or not, at 3 positions; with
+/// 0.3 by more than 1e-6 only where contact comes or goes, with the same errors.
+inline constexpr double max_change_of_forces = 0.3;
+
+/// How much coarser than requested the elements are of that solution.
+/// origin: measured (wrc_benchmark --case service): with 1 S1002 on 60E1 takes 8 % more time at
+/// 1e-3 and one step of 1000 takes 3.3 pairs, with 4 it takes 2.5; with 10, for 2 % less time,
+/// steps leave their slope by a fifth more.
+inline constexpr double coarser_for_depth = 4.0;
 
 /// Where the wheel slides by less than this, in accuracies, planes stay at the coarse solution's
 /// depth, which is off by up to 0.5 %.

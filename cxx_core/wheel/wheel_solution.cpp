@@ -12,33 +12,11 @@
 #include "patches/depth_estimate.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
+#include "wheel/depth_iteration.hpp"
 #include "wheel/grid_plan.hpp"
 
 namespace wrc {
 namespace {
-
-/// The depth by the secant method: along a steep tangent the steps that solutions ask for shrink to
-/// a half only. A step counts by how far what it changes exceeds a limit, from nothing at the limit
-/// to all at twice it: depths are continuous functions of the scene, whatever the number of steps.
-class DepthIteration {
-public:
-  /// `change`: in limits. None: there is nothing left to be done.
-  [[nodiscard]] std::optional<double> next(double depth, double found, double change) {
-    if (!(change > 1.0)) {
-      return std::nullopt;
-    }
-    const double step = found - depth;
-    const double rate = last_step_ != 0.0 ? (step - last_step_) / (depth - last_depth_) : -1.0;
-    last_depth_ = depth;
-    last_step_ = step;
-    const double whole = rate < min_rate ? -step / rate : step;
-    return std::max(depth + std::min(2.0 - 2.0 / change, 1.0) * whole, min_depth_ratio * depth);
-  }
-
-private:
-  double last_depth_ = 0.0;
-  double last_step_ = 0.0;
-};
 
 /// The pressures of `before` on the grid of a patch, whose plane is nearly the same.
 std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
@@ -299,14 +277,16 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
   bool finer = false;
   const bool may_grow = !of_forces && !request_.position_is_prescribed();
   const double planes_begin = depth;
-  // Always one more where planes follow: forces are to be smooth, and it leaves 1e-5 of distances.
+  // Always one more, on larger elements, where planes follow: forces are to be smooth.
   bool shows_depth_only =
       follows > 0.0 && !request_.grid && request_.accuracy_of == AccuracyOf::forces;
+  AccuracyGoal of_depth = goal_;
+  of_depth.accuracy *= coarser_for_depth;
   DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
     const double coarser = shows_depth_only ? coarse_tolerance : 0.0;
-    GridSolution solution =
-        solve_at(depth, grids, std::max(coarser, tolerance()), before ? &*before : nullptr);
+    GridSolution solution = solve_at(depth, shows_depth_only ? final_grids(depth, of_depth) : grids,
+                                     std::max(coarser, tolerance()), before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
@@ -320,7 +300,9 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
     }
     const double found = planes_begin + follows * (depth_found(solution) - planes_begin);
     const double change = std::abs(found / depth - 1.0) * sliding(solution);
-    const double limit = finer ? max_change_for_crests : max_change;
+    const double limit = finer       ? max_change_for_crests
+                         : of_forces ? max_change_of_forces
+                                     : max_change;
     const std::optional<double> next =
         shows_depth_only ? found
                          : iteration.next(depth, found, change / (limit * request_.accuracy));
