@@ -38,9 +38,9 @@ inline constexpr double error_by_fourth_powers = 12.125;
 inline constexpr double error_by_ridge = 0.03;
 
 /// Of the accuracy, what elements may leave by that law.
-/// origin: measured (wrc_tradeoff): 99.6 of 100 wheels or more meet accuracies from 1e-1 to 3e-4;
-/// of 1600 random ones (--random 800) 6 to 10 miss 3e-3 to 3e-4, with 0.58 6 to 12, with 0.52, for
-/// 9 % more time, 5 to 9.
+/// origin: measured (wrc_tradeoff): 99.5 of 100 wheels or more meet accuracies from 1e-1 to 3e-4;
+/// of 1600 random ones (--random 800) 6 to 10 miss 3e-3 to 3e-4, with 5 % more 6 to 12, with 5 %
+/// less, for 9 % more time, 5 to 9.
 inline constexpr double share_of_law = 0.5335;
 
 /// Where less is requested, contacts are solved as for this accuracy.

@@ -66,7 +66,7 @@ struct ErrorEstimate {
   double elements = 0.0;  ///< by the law
   double iteration = 0.0; ///< what it has left
   double crest = 0.0;     ///< what a section has not resolved
-  double ridge = 0.0; ///< what a profile that turns at once leaves, at most by any number of rows
+  double ridge = 0.0;     ///< what a profile that turns at once leaves on however many rows
   /// What the iteration has left is independent of the rest.
   [[nodiscard]] double total() const { return std::hypot(elements + crest + ridge, iteration); }
   /// What more elements lessen.

@@ -16,8 +16,8 @@
 /// ones, and worse at every n from 2 on.
 /// Where pressures do not fall to 0 at the edge (punches) the area is the counted one but for
 /// rounded corners of a quarter of an element at the most; a single element counts two thirds.
-/// When contact moves across the grid the area jumps by 0.4 of an element with 6 elements across,
-/// 0.2 with 12, 0.1 with 48; counted it jumps by 1 to 3.
+/// When contact moves across the grid the area jumps by 0.3 of an element with 6 elements across,
+/// 0.1 with 12, 0.02 with 24; counted it jumps by 1 to 3.
 /// Units mm, N, MPa; frame and order of elements of base/grid.hpp. Thread rule: pure functions.
 #pragma once
 

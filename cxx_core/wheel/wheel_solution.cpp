@@ -300,9 +300,9 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
     }
     const double found = planes_begin + follows * (depth_found(solution) - planes_begin);
     const double change = std::abs(found / depth - 1.0) * sliding(solution);
-    const double limit = finer       ? max_change_for_crests
-                         : of_forces ? max_change_of_forces
-                                     : max_change;
+    const double limit = finer                         ? max_change_for_crests
+                         : of_forces && !request_.grid ? max_change_of_forces
+                                                       : max_change;
     const std::optional<double> next =
         shows_depth_only ? found
                          : iteration.next(depth, found, change / (limit * request_.accuracy));

@@ -137,6 +137,18 @@ TEST_P(LateralSweep, FailsNowhere) {
   EXPECT_LE(solutions, 2.5 * 2 * (2 * half_count + 1));
 }
 
+/// A coarse one, one that shows the depth where planes follow it, and the final one.
+TEST(Sweeps, ForcesTakeThreeSolutionsWherePlanesFollow) {
+  Scene scene = scene_of("S1002", "60E1");
+  scene.accuracy_of = AccuracyOf::forces;
+  for (const double lateral : {4.5, 5.2, 5.4, 5.8}) {
+    scene.lateral = lateral;
+    const SceneResult result = solve_scene(scene);
+    EXPECT_EQ(result.left->solutions, 3) << lateral;
+    EXPECT_EQ(result.right->solutions, 2) << lateral;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, LateralSweep,
                          testing::Values(std::pair<std::string, std::string>("S1002", "60E1"),
                                          std::pair<std::string, std::string>("S1002",
