@@ -138,8 +138,8 @@ TEST(ContactArea, SolvedEllipsesAreBetterThanCounted) {
     // As documented: order two down to a remainder of the first.
     for (const auto& [elements, second, first] :
          {std::tuple{Elements::constant, 0.8, 0.03}, {Elements::smooth, 0.5, 0.013}}) {
-      const Errors errors =
-          measure_errors(across, 10, [&](const Case& one) { return one.solved(solver, elements); });
+      const Errors errors = measure_errors(
+          across, 10, [&, of = elements](const Case& one) { return one.solved(solver, of); });
       EXPECT_LT(errors.mean_square, second + first * across) << across;
       EXPECT_LT(errors.mean_square, 0.6 * errors.mean_square_counted) << across;
     }
