@@ -10,8 +10,9 @@ namespace wrc {
 
 /// Of solutions that show the depth for the next one only: it is to be a smooth function of the
 /// scene.
-/// origin: measured (smoothness): lateral forces leave their slope by 5.2e-7 of the load as with
-/// 1e-4, which takes 1.3 % more time; with 1e-3, for 1 % less time, by 8.9e-7.
+/// origin: measured (smoothness, the depth from the final elements): lateral forces leave their
+/// slope by 5.2e-7 of the load as with 1e-4, which takes 1.3 % more time; with 1e-3, for 1 % less
+/// time, by 8.9e-7.
 inline constexpr double coarse_tolerance = 3e-4;
 
 /// Solutions at other depths or on finer grids before it gives up.

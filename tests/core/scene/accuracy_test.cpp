@@ -102,17 +102,23 @@ TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
   }
 }
 
-/// Wheels of more than 2 m on canted rails stand on the edge of their chamfer, which turns by 45
-/// degrees. Their forces once missed accuracies by up to 26 times without a word.
-TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
+/// Wheels of more than 2 m on canted rails, to accuracies of forces: they may stand on the edge of
+/// their chamfer, which turns by 45 degrees.
+Scene of_large_wheel(SideChoice side, const char* rail, double radius, double cant) {
   Scene scene;
-  scene.side = SideChoice::left;
-  scene.left.rail.name = scene.right.rail.name = "49E1";
-  scene.left.radius = scene.right.radius = 2175.0;
-  scene.track.cant = 0.138;
+  scene.side = side;
+  scene.left.rail.name = scene.right.rail.name = rail;
+  scene.left.radius = scene.right.radius = radius;
+  scene.track.cant = cant;
+  scene.accuracy_of = AccuracyOf::forces;
+  return scene;
+}
+
+/// Their forces once missed accuracies by up to 26 times without a word.
+TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
+  Scene scene = of_large_wheel(SideChoice::left, "49E1", 2175.0, 0.138);
   scene.lateral = -7.9;
   scene.left.load = 368e3;
-  scene.accuracy_of = AccuracyOf::forces;
   const WheelResult truth = solve_finely(scene);
   for (const double accuracy : {1e-2, 1e-3}) {
     scene.accuracy = accuracy;
@@ -134,15 +140,10 @@ TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
 
 /// Under yaw a row of elements runs across the wheel's profile, and so onto its chamfer.
 TEST(Accuracy, AChamferUnderYawIsTold) {
-  Scene scene;
-  scene.side = SideChoice::right;
-  scene.left.rail.name = scene.right.rail.name = "CHN60";
-  scene.left.radius = scene.right.radius = 2335.0;
-  scene.track.cant = 0.103;
+  Scene scene = of_large_wheel(SideChoice::right, "CHN60", 2335.0, 0.103);
   scene.lateral = 7.78;
   scene.yaw = -0.0915;
   scene.right.load = 8743.0;
-  scene.accuracy_of = AccuracyOf::forces;
   const WheelResult found = *solve_scene(scene).right;
   EXPECT_GT(*found.error_estimate, 10.0 * scene.accuracy);
   EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
