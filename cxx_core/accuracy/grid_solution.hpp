@@ -38,6 +38,10 @@ struct Patch {
   [[nodiscard]] double columns() const {
     return static_cast<double>(contact.box.longitudinal_last - contact.box.longitudinal_first + 1);
   }
+  /// Across it.
+  [[nodiscard]] double rows() const {
+    return static_cast<double>(contact.box.lateral_last - contact.box.lateral_first + 1);
+  }
   /// Deepest overlap of the undeformed bodies along the normal at an approach from the depth
   /// sampled, by parabolas through the least distance and its neighbours.
   [[nodiscard]] double overlap(double shared_approach) const;

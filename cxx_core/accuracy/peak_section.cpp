@@ -128,6 +128,10 @@ void find_ridges(GridSolution& solution, const PosedPair& pair) {
   }
 }
 
+double strips_in_row(const Patch& patch) {
+  return std::max(strips_per_row, min_strips / patch.rows());
+}
+
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
                               double approach, double combined_modulus, double tolerance) {
   const Grid& grid = patch.grid;
@@ -161,7 +165,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
   Grid strips = grid;
   strips.longitudinal_count = 1;
   strips.longitudinal_first = grid.longitudinal(column);
-  strips.lateral_step = grid.lateral_step / strips_per_row;
+  strips.lateral_step = grid.lateral_step / strips_in_row(patch);
   const double begin = pressures.places.front() - grid.lateral_step;
   const double width = pressures.places.back() + grid.lateral_step - begin;
   strips.lateral_first = begin + 0.5 * strips.lateral_step;

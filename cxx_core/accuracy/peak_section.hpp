@@ -6,8 +6,8 @@
 /// line of strips (mechanics/strip_contact.hpp) over the column of the largest pressure. Its
 /// displacements differ from those of the patch by what is smooth:
 ///   s = approach - h - K1 p  at the grid's elements under pressure,
-/// K1 the strips of the grid's rows. Cubic interpolation takes s to strips `strips_per_row` times
-/// as narrow, undeformed distances h are sampled there, and
+/// K1 the strips of the grid's rows. Cubic interpolation takes s to narrower strips
+/// (`strips_in_row`), undeformed distances h are sampled there, and
 ///   h + s + K1 p - approach >= 0,  p >= 0,  p g = 0
 /// gives their pressures (the full approximation scheme of multigrid methods: Brandt, Math. Comp.
 /// 31 (1977) 333-390). Where the grid is fine enough nothing changes. With 21 x 10 elements the
@@ -35,6 +35,10 @@ void find_ridges(GridSolution& solution, const PosedPair& pair);
 /// What a ridge adds to the largest pressure with every strip e times narrower (Johnson, Contact
 /// Mechanics, 1985, eq. 5.28: a wedge's pressure has no bound).
 double growth_at_ridge(double angle, double combined_modulus);
+
+/// Strips of a section for each row of a patch in contact: a crest is as narrow on few rows as on
+/// many.
+double strips_in_row(const Patch& patch);
 
 /// Of a patch in contact. `approach`: along the normal, from the position sampled; `tolerance`: of
 /// the pressures, relative.

@@ -18,7 +18,7 @@ double pressure_rounding(const Patch& patch, const WheelRequest& request, double
   const double angle = patch.frame.angle();
   const double radial = rounding * wheel_radius * std::cos(angle);
   const double lateral = rounding * patch.frame.origin.y * std::sin(angle);
-  const double strips = request.accuracy_of == AccuracyOf::pressures ? strips_per_row : 1.0;
+  const double strips = request.accuracy_of == AccuracyOf::pressures ? strips_in_row(patch) : 1.0;
   const double gradient =
       std::hypot(radial / patch.grid.longitudinal_step,
                  std::hypot(radial, lateral) / (patch.grid.lateral_step / strips));

@@ -46,6 +46,22 @@ TEST(PeakSection, LeavesSmoothPressuresAsTheyAre) {
   EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), fitted, 1e-3 * fitted);
 }
 
+/// Its crest is narrower than a quarter of a row.
+TEST(PeakSection, FindsACrestAtTheEdgeOnFewRows) {
+  Scene scene;
+  scene.left.wheel.name = scene.right.wheel.name = "LMA";
+  scene.left.rail.name = scene.right.rail.name = "CHN60";
+  scene.back_to_back = 1353.0;
+  scene.left.radius = scene.right.radius = 815.4107784831;
+  scene.track.gauge_height = 16.0;
+  scene.track.cant = 0.0;
+  scene.lateral = 5.9892175406659565;
+  scene.left.load = scene.right.load = 39767.54751222384;
+  scene.accuracy = 1e-2;
+  const double truth = 686.97; // on 576 x 240 elements
+  EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), truth, 1e-2 * truth);
+}
+
 TEST(PeakSection, ServesBothKindsOfElements) {
   Scene scene = narrow_lobe();
   const double truth = truth_of(scene);

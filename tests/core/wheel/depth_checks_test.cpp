@@ -88,10 +88,10 @@ TEST(DepthChecks, RoundingIsFeltInThePressuresOfSmallElements) {
 }
 
 TEST(DepthChecks, RoundingIsFeltMoreInTheStripsOfASection) {
-  // As above, but sqrt(1 + 4^2) in place of sqrt(2).
+  // As above, but sqrt(1 + 64^2) in place of sqrt(2): at least 64 strips, here in one row.
   const AccuracyOf pressures = AccuracyOf::pressures;
-  EXPECT_TRUE((RoundedElement{.pressure = 3.81, .accuracy_of = pressures}.warned()));
-  EXPECT_FALSE((RoundedElement{.pressure = 3.83, .accuracy_of = pressures}.warned()));
+  EXPECT_TRUE((RoundedElement{.pressure = 59.2, .accuracy_of = pressures}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 59.4, .accuracy_of = pressures}.warned()));
 }
 
 TEST(DepthChecks, OnSteepContactLateralCoordinatesAreFelt) {
