@@ -123,11 +123,8 @@ public:
       }
       scaled.fill_rigid_slip(at.rigid_slip(), at.shape(), at.pitch(), level);
       const double tolerance =
-          level == 0
-              ? problem.tolerance
-              : std::clamp(10.0 * problem.tolerance, min_cascade_tolerance, max_cascade_tolerance);
-      const NewtonOutcome outcome =
-          at.solve({std::max(tolerance, problem.tolerance), problem.maximum_iterations});
+          level == 0 ? problem.tolerance : std::max(cascade_tolerance, problem.tolerance);
+      const NewtonOutcome outcome = at.solve({tolerance, problem.maximum_iterations});
       all.iterations += outcome.iterations;
       all.convolutions += outcome.convolutions;
       all.residual = outcome.residual;
