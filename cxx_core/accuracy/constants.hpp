@@ -113,7 +113,7 @@ inline constexpr double mean_over_element = 1.0 / 24.0;
 /// of 100 errors of pmax.
 inline constexpr double error_by_second_difference = 0.06;
 
-/// Strips of a section for each row.
+/// Strips of a section for each row, at least.
 /// origin: measured (600 wheels, 99 %): 8 make errors of pmax a tenth smaller, 1 is no section at
 /// all.
 inline constexpr double strips_per_row = 4.0;
