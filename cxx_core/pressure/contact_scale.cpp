@@ -57,8 +57,10 @@ ContactScale contact_scale(std::span<const ContactRow> rows, double height, std:
   of_lines /= force;
   const double middle = first / force;
   const double of_contact = of_lines + std::max(second / force - middle * middle, 0.0);
-  return {height * std::sqrt(variation_of_ellipse * force / variation_of_slope(rows, span)),
-          2.0 * std::sqrt(5.0 / of_contact) * of_lines};
+  const double narrower = std::sqrt(of_lines / of_contact);
+  return {narrower * height *
+              std::sqrt(variation_of_ellipse * force / variation_of_slope(rows, span)),
+          2.0 * std::sqrt(5.0 * of_lines)};
 }
 
 ContactScale contact_scale(const Grid& grid, std::span<const double> pressure) {

@@ -7,8 +7,10 @@
 /// which is the width of that ellipse: its rows have forces of 1 - (2 y/W)^2. Two lobes side by
 /// side, each half as wide as both together, count as half as wide.
 /// Along it, by its lines: five times the variance of the pressures about the middle of their row
-/// is the squared semi-axis of an ellipse (Hertz). Lines that are staggered, as in a contact with
-/// yaw, are shorter than the contact, and count as shorter again by that ratio.
+/// is the squared semi-axis of an ellipse (Hertz).
+/// Lines that are staggered, as in a contact with yaw, are shorter than the contact. Across the
+/// rail it is narrower by the same ratio, as an oblique ellipse is on the lines through it in both
+/// directions, compared with its extents.
 ///
 /// Both are continuous functions of the rows. Units mm. Thread rule: a pure function. Not
 /// known here: crests narrower than a row.

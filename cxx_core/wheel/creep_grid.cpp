@@ -18,12 +18,11 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
   }
   const PlaneArea area{across->first, across->last, along->first, along->last};
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
-  const double crests = area.width() / contact_scale(pressures.grid, pressures.values).across;
-  const double by_sides =
-      std::pow(crests * along->longest / across->longest, columns_by_sides_exponent);
-  // As many of the longest lines as the rectangle is long and wide.
+  const double wide = contact_scale(pressures.grid, pressures.values).across;
+  const double by_sides = std::pow(along->longest / wide, columns_by_sides_exponent);
+  // As many of these lengths as the rectangle is long and wide.
   const double times_along = area.length() / along->longest;
-  const double times_across = crests * area.width() / across->longest;
+  const double times_across = area.width() / wide;
   const double columns =
       std::max(std::min(wanted * by_sides, max_creep_columns / times_along), min_creep_columns);
   const double rows =

@@ -42,11 +42,6 @@ public:
     find_truth();
     for (const Way& way : ways_of(options_.labels)) {
       result_.runs.push_back(run(way));
-      for (std::size_t side = 0; side < 2; ++side) {
-        const std::string& warnings = result_.runs.back().errors[side].warnings;
-        result_.on_ridge[side] =
-            result_.on_ridge[side] || warnings.find(" rad at once under the") != std::string::npos;
-      }
     }
     return std::move(result_);
   }

@@ -1,8 +1,9 @@
 /// Solves a scene in all the ways that are compared, each timed beside its error.
 ///
 /// Truth: the half-space on a grid of `truth_grid`, tolerance 1e-8, in double; its own uncertainty
-/// is the difference to a grid half as fine in both directions (its error would be a third of that
-/// if errors fell with the square of the step, and less where they do not fall so fast).
+/// is the difference to a grid half as fine in both directions. Its error is a third of that where
+/// errors fall with the square of the step, and as much as that where they fall with the step, as
+/// on the edge of a chamfer; pressures there have no bound, and no truth.
 #pragma once
 
 #include <array>
@@ -125,7 +126,6 @@ struct Measured {
   std::array<double, 2> truth_pmax{};
   std::array<WheelError, 2> truth_uncertainty;
   std::array<int, 2> patches{};
-  std::array<bool, 2> on_ridge{}; ///< a warning tells so: pressures have no bound there
   std::vector<Run> runs;
 };
 

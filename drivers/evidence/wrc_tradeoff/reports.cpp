@@ -36,16 +36,15 @@ std::vector<std::string> row_of(std::vector<std::string> cells, const std::vecto
 
 void print_requested(const std::vector<Measured>& all, std::ostream& out) {
   TextTable table("lr");
-  table.add({"accuracy of", "requested", "wheels", "met %", "on", "met off", "median", "95 %",
-             "99 %", "worst/", "estimate", "", "misses", "misses", "ms"});
-  table.add({"", "", "", "", "ridges", "them %", "", "", "", "requested", "bounds %", "over error",
-             "flagged %", "doubtful", ""});
+  table.add({"accuracy of", "requested", "wheels", "truth", "met %", "median", "95 %", "99 %",
+             "worst/", "estimate", "", "misses", "ms"});
+  table.add({"", "", "", "uncertain", "", "", "", "", "requested", "bounds %", "over error",
+             "flagged %", ""});
   for (const AskedRow& row : asked_rows(all)) {
-    table.add(
-        row_of({row.label}, {row.asked, double(row.samples), 100.0 * row.met, double(row.on_ridges),
-                             100.0 * row.met_off_ridges, row.median_error, row.error_95,
-                             row.error_99, row.worst, 100.0 * row.bounded, row.median_estimate,
-                             100.0 * row.told, double(row.doubtful), row.median_ms}));
+    table.add(row_of({row.label},
+                     {row.asked, double(row.samples), double(row.left_out), 100.0 * row.met,
+                      row.median_error, row.error_95, row.error_99, row.worst, 100.0 * row.bounded,
+                      row.median_estimate, 100.0 * row.told, row.median_ms}));
   }
   out << "\nLargest error of what the accuracy is of; both wheels\n";
   table.print(out);
@@ -146,9 +145,8 @@ json json_of(const std::vector<Measured>& all) {
     whole["asked"].push_back({{"way", row.label},
                               {"asked", row.asked},
                               {"wheels", row.samples},
+                              {"truth_uncertain", row.left_out},
                               {"met", row.met},
-                              {"wheels_on_ridges", row.on_ridges},
-                              {"met_off_ridges", row.met_off_ridges},
                               {"median_error", row.median_error},
                               {"error_95", row.error_95},
                               {"error_99", row.error_99},
@@ -156,7 +154,6 @@ json json_of(const std::vector<Measured>& all) {
                               {"estimate_bounds", row.bounded},
                               {"estimate_over_error", row.median_estimate},
                               {"misses_told", row.told},
-                              {"misses_doubtful", row.doubtful},
                               {"ms", row.median_ms}});
   }
   for (const HandRow& row : hand_rows(all)) {

@@ -33,9 +33,8 @@ struct AskedRow {
   std::string label; ///< of the way
   double asked = 0.0;
   int samples = 0;
-  int on_ridges = 0;
-  double met = 0.0;            ///< share with all that the accuracy is of within it
-  double met_off_ridges = 0.0; ///< the same of the others
+  int left_out = 0; ///< wheels besides, whose truth is not good to half the accuracy
+  double met = 0.0; ///< share with all that the accuracy is of within it
   double median_error = 0.0;
   double error_95 = 0.0;
   double error_99 = 0.0;
@@ -43,7 +42,6 @@ struct AskedRow {
   double bounded = 0.0;         ///< share of estimates that are no less than the error
   double median_estimate = 0.0; ///< over the error
   double told = 0.0;            ///< share of misses of which a warning or the estimate told
-  int doubtful = 0;             ///< misses whose truth is uncertain by more than half the error
   double median_ms = 0.0;
 };
 std::vector<AskedRow> asked_rows(const std::vector<Measured>& all);

@@ -9,19 +9,33 @@
 namespace tradeoff {
 namespace {
 
-/// Calls `take(measured, run, wheel index, error)` for each wheel of a way.
+/// Whether a truth says anything of an accuracy: it must be good to half of that.
+bool judges(WheelError uncertainty, const Way& way) {
+  uncertainty.area_share = area_in_accuracies(way.accuracy);
+  return way.accuracy == 0.0 || uncertainty.controlled(way.label) <= 0.5 * way.accuracy;
+}
+
+/// Calls `take(measured, run, wheel index, error)` for each wheel of a way that can be judged, and
+/// returns how many cannot.
 template <class Take>
-void for_each_wheel(const std::vector<Measured>& all, const std::string& label, double accuracy,
-                    Take take) {
+int for_each_wheel(const std::vector<Measured>& all, const std::string& label, double accuracy,
+                   Take take) {
+  int left_out = 0;
   for (const Measured& measured : all) {
     for (const Run& run : measured.runs) {
-      if (run.way.label == label && run.way.accuracy == accuracy) {
-        for (std::size_t side = 0; side < 2; ++side) {
+      if (run.way.label != label || run.way.accuracy != accuracy) {
+        continue;
+      }
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (judges(measured.truth_uncertainty[side], run.way)) {
           take(measured, run, side, run.errors[side]);
+        } else {
+          ++left_out;
         }
       }
     }
   }
+  return left_out;
 }
 
 double share(double part, double whole) {
@@ -34,32 +48,23 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
   std::vector<double> ratios;
   std::vector<double> times;
   double met = 0.0;
-  double met_off_ridges = 0.0;
   double bounded = 0.0;
   double told = 0.0;
-  for_each_wheel(
-      all, label, asked,
-      [&](const Measured& measured, const Run& run, std::size_t side, const WheelError& wheel) {
-        const double error = wheel.controlled(label);
-        const double estimate = wheel.estimate.value_or(0.0);
-        errors.push_back(error);
-        ratios.push_back(estimate / error);
-        times.push_back(run.time_ms);
-        bounded += estimate >= error ? 1.0 : 0.0;
-        row.on_ridges += measured.on_ridge[side] ? 1 : 0;
-        if (error <= asked) {
-          met += 1.0;
-          met_off_ridges += measured.on_ridge[side] ? 0.0 : 1.0;
-          return;
-        }
-        told += estimate > asked ? 1.0 : 0.0;
-        const WheelError& doubt = measured.truth_uncertainty[side];
-        row.doubtful += doubt.counted(wheel.largest(label)) > 0.5 * error ? 1 : 0;
-      });
+  row.left_out =
+      for_each_wheel(all, label, asked,
+                     [&](const Measured&, const Run& run, std::size_t, const WheelError& wheel) {
+                       const double error = wheel.controlled(label);
+                       const double estimate = wheel.estimate.value_or(0.0);
+                       errors.push_back(error);
+                       ratios.push_back(estimate / error);
+                       times.push_back(run.time_ms);
+                       bounded += estimate >= error ? 1.0 : 0.0;
+                       met += error <= asked ? 1.0 : 0.0;
+                       told += error > asked && estimate > asked ? 1.0 : 0.0;
+                     });
   const auto count = static_cast<double>(errors.size());
   row.samples = static_cast<int>(errors.size());
   row.met = share(met, count);
-  row.met_off_ridges = share(met_off_ridges, count - row.on_ridges);
   row.median_error = median(errors);
   row.error_95 = quantile(errors, 0.95);
   row.error_99 = quantile(errors, 0.99);

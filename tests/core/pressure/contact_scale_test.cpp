@@ -62,11 +62,12 @@ TEST(ContactScale, TwoLobesCountAsWideAsOne) {
   EXPECT_NEAR(scale.along, 2.0, 0.02);
 }
 
-/// Lines of 2 mm in a contact that is sqrt(2) times as long.
-TEST(ContactScale, StaggeredLinesCountAsShorter) {
+/// Lines of 2 mm in a contact that is sqrt(2) times as long; across, lines of sqrt(2) mm in one
+/// that is 2 mm wide.
+TEST(ContactScale, OfStaggeredLinesIsThatOfTheLines) {
   const ContactScale scale = scale_of({{.skew = 1.0}});
-  EXPECT_NEAR(scale.across, 2.0, 0.08 * 2.0);
-  EXPECT_NEAR(scale.along, std::sqrt(2.0), 0.05);
+  EXPECT_NEAR(scale.across, std::sqrt(2.0), 0.09 * std::sqrt(2.0));
+  EXPECT_NEAR(scale.along, 2.0, 0.02);
 }
 
 /// A single element has its own size: sqrt(24/4) of its width, sqrt(20/12) of its length.
