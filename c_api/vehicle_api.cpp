@@ -125,8 +125,11 @@ wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_t patch,
       if (!solved.result) {
         return wrc::no_result(solved);
       }
+      if (patch < 0) {
+        wrc::throw_invalid_argument("patch", static_cast<double>(patch), "0 or more");
+      }
       const wrc::PatchCreep creep = wrc::creep_of(
-          solved.scene, *solved.result, patch < 0 ? SIZE_MAX : static_cast<std::size_t>(patch),
+          solved.scene, *solved.result, static_cast<std::size_t>(patch),
           {creepages[0], creepages[1], creepages[2]}, by_creepage != nullptr, object.solver);
       std::copy(creep.forces.begin(), creep.forces.end(), forces);
       if (by_creepage != nullptr) {
@@ -143,7 +146,9 @@ wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64_t struc
   return wrc::with_result(scene, [&](wrc::SceneObject& object) -> wrc_status {
     wrc::require_pointer(count, "count");
     // Earlier versions had no fewer members, later ones may have more.
-    if (struct_size < static_cast<int64_t>(sizeof(wrc_patch)) || struct_size % 8 != 0) {
+    constexpr int64_t most = 4096;
+    if (struct_size < static_cast<int64_t>(sizeof(wrc_patch)) || struct_size > most ||
+        struct_size % 8 != 0) {
       wrc::throw_invalid_argument("struct_size", static_cast<double>(struct_size),
                                   "sizeof(wrc_patch)");
     }

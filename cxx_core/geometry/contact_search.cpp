@@ -39,8 +39,28 @@ double SideSearch::length_of(std::size_t piece) const {
   return starts[index + 1] - starts[index];
 }
 
+/// The node of a ridge with a tangent between those of its flanks.
+CurvePoint SideSearch::on_ridge(const Ridge& ridge, double turned) const {
+  CurvePoint edge = profile_at(ridge.node, 0.0);
+  const double slope = std::lerp(ridge.slope_before, edge.slope(), turned);
+  edge.tangent_lateral = 1.0 / std::sqrt(1.0 + slope * slope);
+  edge.tangent_height = slope * edge.tangent_lateral;
+  return edge;
+}
+
+/// Of a node along which the locus runs at the pose; none elsewhere.
+const Ridge* SideSearch::ridge_at(std::size_t node) const {
+  const std::vector<Ridge>& ridges = wheel_.ridges();
+  const auto found = std::find_if(ridges.begin(), ridges.end(),
+                                  [node](const Ridge& ridge) { return ridge.node == node; });
+  return found != ridges.end() && yaw_tangent() != 0.0 ? &*found : nullptr;
+}
+
 SideSearch::Meeting SideSearch::meet(std::size_t piece, double along) const {
-  const CurvePoint point = profile_at(piece, along);
+  return meet(profile_at(piece, along));
+}
+
+SideSearch::Meeting SideSearch::meet(const CurvePoint& point) const {
   bool exists = false;
   const LocusAngle angle = pose_.angle_at(point.slope(), exists);
   const double rho = wheel_.radius() + point.height;
@@ -106,6 +126,33 @@ LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
                         : LocusSpot{piece, least.other(), above};
 }
 
+/// Between the flanks of a ridge, where the locus comes down to it from both; parts of it may be
+/// beyond the rail.
+std::optional<LocusSpot> SideSearch::least_on_ridge(std::size_t node) const {
+  const Ridge* ridge = ridge_at(node);
+  if (ridge == nullptr) {
+    return std::nullopt;
+  }
+  const auto at = [&](double turned) { return meet(on_ridge(*ridge, turned)); };
+  double share = 0.0;
+  Meeting before = at(share);
+  for (int i = 1; i <= ridge_samples; ++i) {
+    const double next = static_cast<double>(i) / ridge_samples;
+    const Meeting after = at(next);
+    if (before.exists && after.exists && before.sine < 0.0 && after.sine > 0.0) {
+      RootBracket least({share, before.sine}, {next, after.sine});
+      least.narrow(place_tolerance, [&](double turned) -> std::optional<double> {
+        const Meeting meeting = at(turned);
+        return meeting.exists ? std::optional(meeting.sine) : std::nullopt;
+      });
+      return LocusSpot{node, 0.0, at(least.one()).distance, least.one()};
+    }
+    share = next;
+    before = after;
+  }
+  return std::nullopt;
+}
+
 /// Least distances next to a node that is lower than its neighbours: to its left, to its right, or
 /// at the node itself if the profile has a kink there.
 void SideSearch::refine_around(std::size_t node, std::vector<LocusSpot>& spots) const {
@@ -137,7 +184,7 @@ void SideSearch::refine_around(std::size_t node, std::vector<LocusSpot>& spots) 
       }
     }
   }
-  if (!found) {
+  if (!found && !least_on_ridge(node)) {
     spots.push_back(here);
   }
 }
@@ -217,6 +264,11 @@ std::vector<LocusSpot> SideSearch::least_spots(double near_tolerance) const {
                                  : refine(edge.spot.piece, 0.0, edge.spot.along));
     }
   }
+  for (const Ridge& ridge : wheel_.ridges()) {
+    if (const auto spot = least_on_ridge(ridge.node)) {
+      spots.push_back(*spot);
+    }
+  }
   std::stable_sort(spots.begin(), spots.end(),
                    [](const auto& a, const auto& b) { return a.distance < b.distance; });
   const double limit = spots.front().distance + near_tolerance;
@@ -226,6 +278,9 @@ std::vector<LocusSpot> SideSearch::least_spots(double near_tolerance) const {
 
 std::optional<LocusSpot> SideSearch::follow(const Pose& pose, const LocusSpot& from) {
   pose_ = LocusPose(pose);
+  if (const auto still = from.turned < 1.0 ? least_on_ridge(from.piece) : std::nullopt) {
+    return still;
+  }
   std::size_t piece = from.piece;
   int direction = 0;
   while (true) {
@@ -241,8 +296,10 @@ std::optional<LocusSpot> SideSearch::follow(const Pose& pose, const LocusSpot& f
     const int next = begin.sine >= 0.0 ? -1 : 1;
     if (direction == -next) {
       // Down from both sides to the node between two pieces: a kink of the wheel.
-      return next < 0 ? LocusSpot{piece, 0.0, begin.distance}
-                      : LocusSpot{piece, length, end.distance};
+      const auto on_ridge = least_on_ridge(next < 0 ? piece : piece + 1);
+      return on_ridge   ? on_ridge
+             : next < 0 ? LocusSpot{piece, 0.0, begin.distance}
+                        : LocusSpot{piece, length, end.distance};
     }
     direction = next;
     if (next < 0 ? piece == 0 : piece + 1 == wheel_.graph().piece_count()) {
@@ -259,15 +316,10 @@ DistanceSample SideSearch::sample(const LocusSpot& spot) const {
 
 /// The places of a ridge between those of its flanks.
 void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const {
-  CurvePoint edge = profile_at(ridge.node, 0.0);
-  const double slope_after = edge.slope();
   for (int i = 0; i < ridge_samples; ++i) {
-    const double share = static_cast<double>(i) / ridge_samples;
-    const double slope = std::lerp(ridge.slope_before, slope_after, share);
-    edge.tangent_lateral = 1.0 / std::sqrt(1.0 + slope * slope);
-    edge.tangent_height = slope * edge.tangent_lateral;
+    const CurvePoint edge = on_ridge(ridge, static_cast<double>(i) / ridge_samples);
     bool exists = false;
-    const LocusPoint place = wheel_.locus(edge, pose_.angle_at(slope, exists), pose_);
+    const LocusPoint place = wheel_.locus(edge, pose_.angle_at(edge.slope(), exists), pose_);
     if (exists && rail_.covers(place.position.y)) {
       const HeightPoint rail = rail_.at(place.position.y);
       samples.push_back({place, place.position.z - rail.height, rail.slope});
@@ -304,7 +356,8 @@ std::vector<DistanceSample> SideSearch::samples() const {
 }
 
 ContactCandidate SideSearch::candidate(const LocusSpot& spot) const {
-  const CurvePoint profile_point = profile_at(spot.piece, spot.along);
+  const CurvePoint profile_point = spot.turned < 1.0 ? on_ridge(*ridge_at(spot.piece), spot.turned)
+                                                     : profile_at(spot.piece, spot.along);
   bool exists = false;
   ContactCandidate result;
   result.wheel = wheel_.locus(profile_point, pose_.angle_at(profile_point.slope(), exists), pose_);

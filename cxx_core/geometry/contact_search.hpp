@@ -4,12 +4,13 @@
 ///   d(s) = z_locus(s) - z_rail(y_locus(s)),
 /// is scanned over all nodes of the wheel profile (geometry/locus_scan.hpp) and where the rail
 /// begins and ends below it; each local least place is then refined to the root of the sine of the
-/// angle between wheel and rail tangent (the paper, equations 1 to 8, here one-dimensional). The
-/// scan is global: no contact is missed that is wider than the node distance of the profile curve
-/// (at most 0.5 mm). Between two scans a contact can be followed to a pose nearby, which costs
-/// little but sees nothing else.
-/// Units mm and rad; track frame, left side (geometry/frames.hpp).
-/// Thread rule: search_contacts is a pure function; one SideSearch, one thread.
+/// angle between wheel and rail tangent (the paper, equations 1 to 8, here one-dimensional). Under
+/// yaw the locus runs along a ridge of the wheel from the slope of one flank to that of the other,
+/// with a least place of its own. The scan is global: no contact is missed that is wider than the
+/// node distance of the profile curve (at most 0.5 mm). Between two scans a contact can be followed
+/// to a pose nearby, which costs little but sees nothing else. Units mm and rad; track frame, left
+/// side (geometry/frames.hpp). Thread rule: search_contacts is a pure function; one SideSearch, one
+/// thread.
 #pragma once
 
 #include <cmath>
@@ -50,6 +51,7 @@ struct LocusSpot {
   std::size_t piece = 0; ///< of the wheel's graph
   double along = 0.0;    ///< arc from the piece's begin
   double distance = std::numeric_limits<double>::infinity();
+  double turned = 1.0; ///< share of a ridge's turn at the piece's begin; 1: past it
 };
 
 class SideSearch {
@@ -92,15 +94,19 @@ private:
   };
 
   [[nodiscard]] CurvePoint profile_at(std::size_t piece, double along) const;
+  [[nodiscard]] CurvePoint on_ridge(const Ridge& ridge, double turned) const;
   [[nodiscard]] double length_of(std::size_t piece) const;
+  [[nodiscard]] Meeting meet(const CurvePoint& point) const;
   [[nodiscard]] Meeting meet(std::size_t piece, double along) const;
   [[nodiscard]] double inside_by(std::size_t piece, double along) const;
   [[nodiscard]] double edge_along(std::size_t piece, double inside, double outside) const;
   [[nodiscard]] LocusSpot refine(std::size_t piece, double low, double high) const;
+  [[nodiscard]] std::optional<LocusSpot> least_on_ridge(std::size_t node) const;
   void refine_around(std::size_t node, std::vector<LocusSpot>& spots) const;
   void find_edges();
   [[nodiscard]] const Edge* edge_at(std::size_t node, std::size_t piece) const;
   [[nodiscard]] DistanceSample sample(const LocusSpot& spot) const;
+  [[nodiscard]] const Ridge* ridge_at(std::size_t node) const;
   void add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const;
 
   const WheelSurface& wheel_;

@@ -75,14 +75,12 @@ namespace {
 
 void check_distances(std::span<const double> distance, const Grid& grid) {
   check_entries("undeformed_distance", distance.size(), grid.element_count());
-  if (all_finite(distance.data(), distance.size())) {
-    return;
-  }
-  for (std::size_t index = 0; index < distance.size(); ++index) {
-    if (!std::isfinite(distance[index])) {
-      throw_invalid_argument("undeformed_distance[" + std::to_string(index) + "]", distance[index],
-                             "must be finite");
-    }
+  const auto wrong = std::find_if(distance.begin(), distance.end(), [](double value) {
+    return !(value >= -max_load && value <= std::numeric_limits<double>::max());
+  });
+  if (wrong != distance.end()) {
+    throw_invalid_argument("undeformed_distance[" + std::to_string(wrong - distance.begin()) + "]",
+                           *wrong, "must be finite and no less than -1e60");
   }
 }
 

@@ -47,6 +47,21 @@ private:
   double yaw_tangent_;
 };
 
+/// The width that every potential contact area has, over its length.
+/// origin: reasoned: less than an element; penetration at a single place of the scan has none.
+constexpr double least_width = 1e-3;
+
+/// About its middle.
+PlaneArea widened(PlaneArea area) {
+  const double least = least_width * area.length();
+  if (area.width() < least) {
+    const double middle = 0.5 * (area.lateral_first + area.lateral_last);
+    area.lateral_first = middle - 0.5 * least;
+    area.lateral_last = middle + 0.5 * least;
+  }
+  return area;
+}
+
 /// The lateral coordinate of the rail's surface at a place of the track.
 double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) {
   const Vector3 place{frame.origin.x, y, rail.graph().heights().at(y).height};
@@ -83,28 +98,23 @@ PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const Cont
       area.include(dot(from_origin, frame.lateral), dot(from_origin, frame.longitudinal));
     }
   }
-  // Penetration at a single place of the scan has no width of its own: give it a little.
-  const double least_width = 1e-3 * area.length();
-  if (area.width() < least_width) {
-    const double middle = 0.5 * (area.lateral_first + area.lateral_last);
-    area.lateral_first = middle - 0.5 * least_width;
-    area.lateral_last = middle + 0.5 * least_width;
-  }
-  return area;
+  return widened(area);
 }
 
 PlaneArea within_limits(const PlaneArea& area, const ContactPatch& patch, const RailSurface& rail,
                         const ContactFrame& frame) {
   PlaneArea inside = area;
+  // Under yaw neighbours may overlap in y, one of them as a whole beyond the boundary of both.
+  const auto limited = [&](double limit) {
+    return std::clamp(lateral_at(limit, rail, frame), area.lateral_first, area.lateral_last);
+  };
   if (std::isfinite(patch.limit_first)) {
-    inside.lateral_first =
-        std::max(inside.lateral_first, lateral_at(patch.limit_first, rail, frame));
+    inside.lateral_first = limited(patch.limit_first);
   }
   if (std::isfinite(patch.limit_last)) {
-    inside.lateral_last = std::min(inside.lateral_last, lateral_at(patch.limit_last, rail, frame));
+    inside.lateral_last = limited(patch.limit_last);
   }
-  inside.lateral_last = std::max(inside.lateral_last, inside.lateral_first);
-  return inside;
+  return widened(inside);
 }
 
 } // namespace wrc

@@ -110,7 +110,7 @@ std::vector<patch_finding::LocusSample<double>> locus_samples(const ContactScan&
 
 /// The rectangle that holds a patch's penetration, seen along the frame's normal.
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame);
-/// The part of an area that lies in the patch's territory; never turned inside out.
+/// The part of an area that lies in the patch's territory, at least a thousandth as wide as long.
 PlaneArea within_limits(const PlaneArea& area, const ContactPatch& patch, const RailSurface& rail,
                         const ContactFrame& frame);
 

@@ -121,6 +121,18 @@ inline constexpr std::size_t flexibility_elements_across = 16;
 /// 5e-3.
 inline constexpr double flexibility_tolerance = 3e-3;
 
+/// Slip of a body over what the largest tractions displace, at most, ...
+/// origin: derived: its square is a number in single precision, and so is its ratio to least_share.
+inline constexpr double most_slip = 1e15;
+
+/// ... and bounds that count, over the largest.
+/// origin: derived: see most_slip.
+inline constexpr double least_share = 1e-20;
+
+/// Largest bound, MPa, up to which bodies count as without friction.
+/// origin: reasoned: no force; slips over it are numbers for all creepages and moduli.
+inline constexpr double least_bound = 1e-100;
+
 /// Friction under which nothing slips, for creepages of 1, G = 1 and a pressure of 1.
 /// origin: derived: tractions without slip are some tens of G times the creepage.
 inline constexpr double no_slip_friction = 1e6;

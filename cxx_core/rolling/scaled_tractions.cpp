@@ -41,7 +41,7 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
       difference_(difference_of(problem)) {
   const double largest = *std::max_element(problem.pressure.begin(), problem.pressure.end());
   bound_ = problem.friction * largest;
-  if (!(bound_ > std::numeric_limits<double>::min())) {
+  if (!(bound_ > least_bound)) {
     return;
   }
   slip_scale_ = bound_ / problem.shear_modulus;
@@ -54,6 +54,31 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
   }
   if (problem.difference_parameter != 0.0) {
     take_in_pressure(plans);
+  }
+  limit_slip();
+}
+
+/// Where bodies slide by far more than tractions displace, only the direction counts: a larger unit
+/// of slip keeps it within single precision.
+void ScaledTractions::limit_slip() {
+  const Grid& grid = problem_.grid;
+  const Creepages& creepages = problem_.creepages;
+  double largest = 0.0;
+  for (const double x : {grid.longitudinal_first, grid.longitudinal(grid.longitudinal_count - 1)}) {
+    for (const double y : {grid.lateral_first, grid.lateral(grid.lateral_count - 1)}) {
+      largest = std::max({largest, std::abs(creepages.longitudinal - creepages.spin * y),
+                          std::abs(creepages.lateral + creepages.spin * x)});
+    }
+  }
+  largest /= slip_scale_;
+  for (const double slip : given_slip_) {
+    largest = std::max(largest, std::abs(slip));
+  }
+  if (largest > most_slip) {
+    slip_scale_ *= largest / most_slip;
+    for (double& slip : given_slip_) {
+      slip *= most_slip / largest;
+    }
   }
 }
 
@@ -122,8 +147,8 @@ template <typename Real> void ScaledTractions::fill_bound(Real* bound, std::size
   const double scale = problem_.friction / bound_;
   for (std::size_t row = 0; row < box_.shape.rows; ++row) {
     for (std::size_t column = 0; column < box_.shape.columns; ++column) {
-      bound[row * pitch + column] =
-          static_cast<Real>(scale * std::max(problem_.pressure[element(row, column)], 0.0));
+      const double value = scale * problem_.pressure[element(row, column)];
+      bound[row * pitch + column] = value >= least_share ? static_cast<Real>(value) : Real{0};
     }
   }
 }

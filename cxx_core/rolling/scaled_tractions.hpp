@@ -101,6 +101,7 @@ public:
 
 private:
   void find_box();
+  void limit_slip();
   void take_in_previous(LinePlans& plans);
   void take_in_pressure(LinePlans& plans);
   [[nodiscard]] std::array<double, 2> given_slip_at(std::size_t row, std::size_t column,

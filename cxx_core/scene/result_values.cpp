@@ -148,7 +148,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }
-  if (has_creep_derivatives(side)) {
+  if (has_creep_derivatives(side) && !side.validity) {
     add_names(names, prefix + "jacobian.", jacobian_numbers);
   }
   for (std::size_t i = 0; i < side.patches.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/scene_keys.hpp"
 #include "wheel/force_jacobian.hpp"
@@ -88,6 +89,14 @@ PatchSummary summary_of(const PatchResult& patch, const Convention& convention, 
 } // namespace
 
 Scene scene_at(const Scene& scene, const VehicleState& state) {
+  if (scene.until != Module::mechanics) {
+    throw_invalid_argument("solve.until", scene.until == Module::geometry ? "geometry" : "remesh",
+                           "allowed in a step is \"mechanics\"");
+  }
+  if (state.derivatives && choose_model(scene).approximate) {
+    throw_invalid_argument("solve.model", choose_model(scene).name,
+                           "allowed in a step with derivatives are \"auto\" and \"half-space\"");
+  }
   Scene posed = scene;
   const SixNumbers& q = state.position;
   const SixNumbers& v = state.velocity;

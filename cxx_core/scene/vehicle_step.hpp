@@ -66,7 +66,7 @@ struct PatchCreep {
 };
 
 /// The scene at this state. Throws Error(invalid_argument) that names the key whose range a number
-/// is out of.
+/// is out of, or one that has no forces, or with derivatives no derivatives.
 Scene scene_at(const Scene& scene, const VehicleState& state);
 /// Left and right.
 std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& convention,

@@ -64,6 +64,21 @@ TEST(Results, EveryNameHasAValueAndIsThereOnce) {
   }
 }
 
+/// The approximate models have no sensitivities and no Jacobian.
+TEST(Results, EveryNameOfAModelWithDerivativesHasAValue) {
+  for (const char* model : {"hertz", "kik-piotrowski", "half-space"}) {
+    const ScenePointer scene = make_small_scene();
+    wrc_scene* s = scene.get();
+    set(s, {{"solve.model", model}, {"solve.derivatives", "yes"}, {"motion.speed", 2e4}});
+    solve(s);
+    for (std::int64_t i = 0; i < wrc_scene_number_count(s); ++i) {
+      double value = NAN;
+      EXPECT_EQ(wrc_scene_number(s, wrc_scene_number_name(s, i), &value), WRC_OK)
+          << model << ": " << wrc_scene_error(s);
+    }
+  }
+}
+
 TEST(Results, UnknownNamesAreRefused) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();

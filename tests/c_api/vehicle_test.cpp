@@ -159,6 +159,30 @@ TEST(Steps, ThatFailLeaveEverythingAsItWas) {
   EXPECT_STREQ(wrc_scene_error(scene.handle()), "position = NULL: a pointer must be given");
 }
 
+void expect_refused_step(Scene& scene, const std::string& text, bool derivatives) {
+  Step step;
+  try {
+    Solver().step(scene, position, velocity, step, derivatives);
+    FAIL() << text;
+  } catch (const wrcontact::Error& error) {
+    EXPECT_EQ(error.status(), WRC_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+  }
+}
+
+TEST(Steps, AreRefusedWhereThereAreNoForcesOrNoDerivatives) {
+  Scene scene = vehicle_scene();
+  for (const char* until : {"geometry", "remesh"}) {
+    scene.set("solve.until", until);
+    expect_refused_step(scene, std::string("solve.until = ") + until, false);
+  }
+  scene.set("solve.until", "mechanics");
+  for (const char* model : {"hertz", "kik-piotrowski"}) {
+    scene.set("solve.model", model);
+    expect_refused_step(scene, std::string("solve.model = ") + model, true);
+  }
+}
+
 TEST(StepBatches, HaveTheBitsOfSingleStepsForAnyNumberOfThreads) {
   constexpr std::size_t count = 5;
   std::vector<Scene> scenes;
@@ -279,6 +303,7 @@ TEST(CreepOfACaller, IsThatOfGivenCreepages) {
       }
     }
     EXPECT_THROW(solver.creep(scene, 2, {0.0, 0.0, 0.0}), wrcontact::Error);
+    EXPECT_THROW(solver.creep(scene, -1, {0.0, 0.0, 0.0}), wrcontact::Error);
     EXPECT_THROW(solver.creep(scene, 0, {NAN, 0.0, 0.0}), wrcontact::Error);
   }
 }

@@ -113,6 +113,26 @@ TEST(ContactSearchKinks, RidgeOfTheWheelIsTheContact) {
   EXPECT_NEAR(followed->distance, found.distance, 1e-12);
 }
 
+/// The locus comes down to the edge of the chamfer from both flanks, whose ends are 43 to 85 mm
+/// apart along it; with the largest yaw one of them is beyond the rail.
+TEST(ContactSearch, TouchesARidgeUnderYawBetweenItsFlanks) {
+  const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  for (const double yaw : {-0.1, 0.01, 0.1, 0.2}) {
+    const Pose pose{-84.0, yaw, 0.0};
+    const ContactScan scan = search_contacts(wheel, rail, pose, 0.0, true);
+    EXPECT_NEAR(scan.candidates.front().wheel.lateral, 60.0, 1e-9) << yaw;
+    for (const DistanceSample& sample : scan.samples) {
+      EXPECT_GE(sample.distance, scan.candidates.front().distance - 1e-9) << yaw;
+    }
+    SideSearch search(wheel, rail);
+    search.scan({-84.0, yaw, 1e-4});
+    const auto followed = search.follow(pose, search.least_spots(0.0).front());
+    ASSERT_TRUE(followed.has_value());
+    EXPECT_NEAR(followed->distance, scan.candidates.front().distance, 1e-9) << yaw;
+  }
+}
+
 TEST(ContactSearchFollow, FindsTheLeastPlaceNearbyAtAnotherPose) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});

@@ -185,7 +185,7 @@ TEST(NormalContact, RefusesBadInput) {
   for (const double bad : {-1.0, infinity, no_number}) {
     expect_refused("load", [=](auto& p) { p.load = bad; });
   }
-  for (const double bad : {infinity, -infinity, no_number}) {
+  for (const double bad : {infinity, -infinity, no_number, -1e61}) {
     std::vector<double> spoilt = distance;
     spoilt[4] = bad;
     expect_refused("undeformed_distance[4]",

@@ -388,7 +388,6 @@ TEST(ContactPatches, AreaStaysInItsTerritory) {
   const SideEquilibrium equilibrium = equilibrium_of(wheel, rail, 5.0);
   const ContactPatches found = find_contact_patches(equilibrium.scan, 0.03);
   ASSERT_EQ(found.patches.size(), 2u);
-  std::vector<PlaneArea> areas;
   for (const ContactPatch& patch : found.patches) {
     const Vector3 origin{patch.mean_x, patch.mean_y,
                          rail.graph().heights().at(patch.mean_y).height};
@@ -408,6 +407,9 @@ TEST(ContactPatches, AreaStaysInItsTerritory) {
     const Vector3 place{origin.x, first ? patch.limit_last : patch.limit_first, height};
     EXPECT_NEAR(edge, dot(place - origin, frame.lateral), 1e-9);
     EXPECT_GT(clamped.width(), area.width());
+    ContactPatch beyond = patch; // under yaw as a whole
+    beyond.limit_first = patch.y_last + 1.0;
+    EXPECT_NEAR(within_limits(area, beyond, rail, frame).width(), 1e-3 * area.length(), 1e-12);
   }
 }
 

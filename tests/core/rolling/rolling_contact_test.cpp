@@ -118,6 +118,44 @@ TEST(RollingContact, FullSlidingTransmitsAllOfTheFriction) {
   EXPECT_EQ(solution.adhesion_area, 0.0);
 }
 
+/// Slips are up to 1e50 times what tractions displace, more than single precision holds.
+TEST(RollingContact, TheLeastFrictionSlidesAsAnyOther) {
+  Ellipse ellipse;
+  RollingProblem problem = ellipse.problem({1e-3, 0.0, -6e-4});
+  problem.derivatives = true;
+  problem.friction = 1e-9;
+  const RollingSolution little = RollingSolver().solve(problem);
+  for (const double share : {1e-15, 1e-41}) {
+    RollingProblem less = problem;
+    less.friction *= share;
+    const RollingSolution found = RollingSolver().solve(less);
+    const double size = std::abs(little.longitudinal_force);
+    EXPECT_NEAR(found.longitudinal_force / share, little.longitudinal_force, 1e-5 * size);
+    EXPECT_NEAR(found.lateral_force / share, little.lateral_force, 1e-5 * size);
+    EXPECT_NEAR(found.by_creepage[0] / share, little.by_creepage[0],
+                1e-2 * std::abs(little.by_creepage[0]));
+    EXPECT_NEAR(found.slip_x[0], little.slip_x[0], 1e-6);
+  }
+}
+
+/// Pressures so small that their ratio to the largest is no number of full precision.
+TEST(RollingContact, PressuresBelowTheLeastNumberCarryNothing) {
+  const std::vector<double> pressure{1e3, 1e-320, 1e3, 1e-320, 1e3, 1e3, 1e3, 1e-320, 0.0};
+  RollingProblem problem;
+  problem.grid = {3, 3, 0.3, 0.3, 0.0, 0.0};
+  problem.pressure = pressure;
+  problem.friction = 1e-9;
+  problem.shear_modulus = 82000.0;
+  problem.poisson = 0.28;
+  problem.creepages = {1e-3, 0.0, 0.0};
+  problem.tolerance = 1e-6;
+  const RollingSolution solution = RollingSolver().solve(problem);
+  EXPECT_NEAR(solution.longitudinal_force, -5e-6 * 0.09, 1e-3 * 5e-6 * 0.09);
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    EXPECT_LE(std::abs(solution.traction_x[i]), 1.001e-9 * pressure[i]);
+  }
+}
+
 // The moment of friction that turns everywhere, of Hertz's pressures on a circle.
 TEST(RollingContact, LargeSpinOnACircle) {
   Ellipse ellipse;

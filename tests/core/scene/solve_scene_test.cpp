@@ -43,6 +43,23 @@ TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
   }
 }
 
+/// Under yaw patches of a deep penetration overlap in y: one of them lies as a whole beyond the
+/// boundary of both.
+TEST(SolveScene, PatchesBeyondTheirBoundaryHaveAGrid) {
+  Scene scene;
+  scene.side = SideChoice::right;
+  scene.right.wheel.name = "LM";
+  scene.right.rail.name = "49E1";
+  scene.lateral = -4.46664;
+  scene.vertical = 455.52916334715877;
+  scene.roll = 0.00578876;
+  scene.yaw = -0.0686492;
+  const WheelResult deep = *solve_scene(scene).right;
+  EXPECT_GT(deep.patches.size(), 1u);
+  EXPECT_GT(deep.force.z, 0.0);
+  EXPECT_TRUE(std::isfinite(deep.force.z));
+}
+
 TEST(SolveScene, DepthsThatSwingDoNotLeadAboveTheFirstTouch) {
   // Tread and flange change places from one trial to the next on this grid.
   Scene scene;
