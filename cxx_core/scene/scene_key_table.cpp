@@ -418,11 +418,11 @@ std::vector<Key> solution_keys() {
        "which patches of a wheel interact elastically: those close to each other, or all, as if "
        "in one plane"},
       {{"near", false}, {"all", true}}, &Scene::interaction));
-  keys.push_back(number_key(
-      {"solve.joining_distance", "4", "0 to 100 mm",
-       "penetrations closer than twice this distance share a plane and form one patch, unless "
-       "their angles differ greatly; 0: only their own widths decide"},
-      {0.0, 100.0}, length, &Scene::joining_distance));
+  keys.push_back(number_key({"solve.joining_distance", "4", "0 to 100 mm",
+                             "penetrations closer than twice this distance share a plane and count "
+                             "as one contact, unless "
+                             "their angles differ greatly; 0: only their own widths decide"},
+                            {0.0, 100.0}, length, &Scene::joining_distance));
   keys.push_back(number_key(
       {"solve.near_tolerance", "0.1", "0 to 10 mm",
        "further contacts are listed if their distance at first touch is smaller than this"},

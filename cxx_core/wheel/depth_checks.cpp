@@ -85,12 +85,13 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
     return;
   }
   const double error = std::max(pressure / solution.peak_pressure(), table_difference / overlap);
-  if (error > request.accuracy) {
+  const double left = told_rounding * request.accuracy;
+  if (error > left) {
     // With as many elements across, elements grow with the root of the overlap, and pressures too.
     warnings.push_back("wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +
-                       short_text_of(overlap * error / request.accuracy) +
-                       " mm the rounding of positions changes the pressures by more than the "
-                       "accuracy of " +
+                       short_text_of(overlap * error / left) +
+                       " mm the rounding of positions changes the pressures by more than elements "
+                       "leave of the accuracy of " +
                        text_of(request.accuracy));
   }
 }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "support/errors.hpp"
+#include "wheel/constants.hpp"
 
 namespace wrc::test::depth_checks_test {
 namespace {
@@ -54,7 +56,7 @@ struct RoundedElement {
   double radius = 460.0;
   double angle = 0.0;
   double overlap = 1.0;
-  double accuracy = 1e-3;
+  double left = 1e-3; ///< of the accuracy, for rounding
   AccuracyOf accuracy_of = AccuracyOf::forces;
 
   [[nodiscard]] std::vector<std::string> warnings() const {
@@ -66,7 +68,7 @@ struct RoundedElement {
     patch.contact = summarise_pressure(patch.grid, patch.pressure);
     WheelRequest request;
     request.combined_modulus = 1e5;
-    request.accuracy = accuracy;
+    request.accuracy = left / told_rounding;
     request.accuracy_of = accuracy_of;
     std::vector<std::string> warnings;
     warn_of_rounding(solution, request, radius, warnings);
@@ -79,8 +81,8 @@ TEST(DepthChecks, RoundingIsFeltInThePressuresOfSmallElements) {
   // 2 * 0.9069 * 1e5 MPa * eps / 2 * 460 mm * sqrt(2) / 1e-5 mm = 1.310e-3 MPa.
   EXPECT_TRUE((RoundedElement{.pressure = 1.30}.warned()));
   EXPECT_FALSE((RoundedElement{.pressure = 1.32}.warned()));
-  EXPECT_TRUE((RoundedElement{.pressure = 13.0, .accuracy = 1e-4}.warned()));
-  EXPECT_FALSE((RoundedElement{.pressure = 13.2, .accuracy = 1e-4}.warned()));
+  EXPECT_TRUE((RoundedElement{.pressure = 13.0, .left = 1e-4}.warned()));
+  EXPECT_FALSE((RoundedElement{.pressure = 13.2, .left = 1e-4}.warned()));
   EXPECT_TRUE((RoundedElement{.side = 1e-6, .pressure = 13.0}.warned()));
   EXPECT_FALSE((RoundedElement{.side = 1e-6, .pressure = 13.2}.warned()));
   EXPECT_TRUE((RoundedElement{.pressure = 14.1, .radius = 5000.0}.warned()));
@@ -107,7 +109,8 @@ TEST(DepthChecks, AnOverlapBelowTheToleranceOfTheTablesIsTold) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("overlap by only 1e-09 mm: below 2e-09 mm"), std::string::npos)
       << warnings[0];
-  EXPECT_NE(warnings[0].find("accuracy of 0.001"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("accuracy of " + text_of(1e-3 / told_rounding)), std::string::npos)
+      << warnings[0];
 }
 
 } // namespace
