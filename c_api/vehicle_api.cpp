@@ -126,7 +126,8 @@ wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_t patch,
         return wrc::no_result(solved);
       }
       if (patch < 0) {
-        wrc::throw_invalid_argument("patch", static_cast<double>(patch), "0 or more");
+        wrc::throw_invalid_argument("patch (counted from 0)", static_cast<double>(patch),
+                                    "allowed are the patches of the result");
       }
       const wrc::PatchCreep creep = wrc::creep_of(
           solved.scene, *solved.result, static_cast<std::size_t>(patch),

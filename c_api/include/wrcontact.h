@@ -229,7 +229,8 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
  *              nothing depends on x and the pitch angle.
  * velocity:    their rates; that of the pitch angle is positive when the axle rolls forward.
  * rails:       displacement of the left rail and of the right one, lateral, vertical, roll each
- *              (track.left.displacement): irregularities. NULL: as in the scene.
+ *              (track.left.displacement): irregularities; they stay in the scene. NULL: as
+ *              in the scene.
  * force:       12 numbers: of the left wheel force x, y, z and moment x, y, z about the wheelset's
  *              centre, then of the right wheel. Zeros without contact.
  * by_position, by_velocity: 72 numbers each, or NULL: derivatives of the left wheel's six by the

@@ -257,17 +257,17 @@ constexpr std::string_view spin_range = "-10 to 10 1/mm, or \"none\"";
 std::vector<Key> make_rolling_keys() {
   std::vector<Key> keys = friction_keys();
   std::vector<Key> others{
-      creepage_key("creepage.left",
-                   "creepages of the left wheel, wheel minus rail over the speed, in the plane of "
-                   "each patch at its reference; creep forces are computed then",
-                   &Scene::left),
-      creepage_key("creepage.right", "creepages of the right wheel", &Scene::right),
       component_key("creepage.longitudinal", creepage_range, "longitudinal creepage of both wheels",
                     pure, &Creepages::longitudinal),
       component_key("creepage.lateral", creepage_range, "lateral creepage of both wheels", turning,
                     &Creepages::lateral),
       component_key("creepage.spin", spin_range, "spin creepage of both wheels", turning_curvature,
                     &Creepages::spin),
+      creepage_key("creepage.left",
+                   "creepages of the left wheel, wheel minus rail over the speed, in the plane of "
+                   "each patch at its reference; creep forces are computed then",
+                   &Scene::left),
+      creepage_key("creepage.right", "creepages of the right wheel", &Scene::right),
       motion_key("motion.speed", speed_range,
                  "along the track, backwards below 0; any of motion.* makes creepages from the "
                  "motion where none are given, else the speed is that of the frictional power",

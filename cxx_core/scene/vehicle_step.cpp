@@ -171,8 +171,8 @@ PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t i
                     const std::array<double, 3>& creepages, bool derivatives, SceneSolver& solver) {
   const std::vector<FoundPatch> patches = ordered_patches(result);
   if (index >= patches.size()) {
-    throw_invalid_argument("patch", static_cast<double>(index),
-                           "the result has " + std::to_string(patches.size()) + ", counted from 0");
+    throw_invalid_argument("patch (counted from 0)", static_cast<double>(index),
+                           "the result has " + std::to_string(patches.size()));
   }
   const Convention& convention = scene.convention;
   const auto& columns = number_tables::creep_columns;

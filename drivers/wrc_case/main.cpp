@@ -25,8 +25,8 @@ std::string keys_text() {
   std::ostringstream text;
   text << "Keys of a scene (mm, N, MPa, rad, y left, z up unless convention says otherwise):\n";
   for (const wrcontact::SceneKey& key : wrcontact::scene_keys()) {
-    text << "  " << std::left << std::setw(30) << key.name << key.meaning << "\n"
-         << std::string(32, ' ') << "default " << key.default_value << "; allowed: " << key.allowed
+    text << "  " << std::left << std::setw(31) << key.name << key.meaning << "\n"
+         << std::string(33, ' ') << "default " << key.default_value << "; allowed: " << key.allowed
          << '\n';
   }
   return text.str();

@@ -269,7 +269,7 @@ std::vector<PatchName> all_patches(const Scene& scene) {
 }
 
 void print_table(const Scene& scene, std::ostream& out) {
-  out << "Wheelset: roll " << fixed(1e3 * scene.number("roll"), 6) << " mrad, centre "
+  out << "Wheelset: roll " << fixed(1e3 * scene.number("roll"), 6) << " mrad, first touch at "
       << fixed(scene.number("vertical"), 4) << " mm above the rail tops";
   if (scene.has_number("rolling_radius_difference")) {
     out << ", rolling radius difference " << fixed(scene.number("rolling_radius_difference"), 4)

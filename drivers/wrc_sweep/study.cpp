@@ -30,12 +30,17 @@ std::vector<std::size_t> Study::places(std::int64_t scene) const {
 }
 
 void Study::apply(std::int64_t index, Scene& scene) const {
-  Values values = fixed;
+  Values of_file = fixed;
   const std::vector<std::size_t> at = places(index);
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    values.insert_or_assign(axes[i].key, axes[i].values[at[i]]);
+    of_file.insert_or_assign(axes[i].key, axes[i].values[at[i]]);
   }
-  set_values(scene, values);
+  Values of_command_line;
+  for (const std::string& key : assigned) {
+    of_command_line.insert(of_file.extract(key));
+  }
+  set_values(scene, of_file);
+  set_values(scene, of_command_line);
 }
 
 int Study::axis_of(const std::string& key) const {

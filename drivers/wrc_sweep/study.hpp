@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,7 @@ struct Study {
   std::string name;  ///< of the output files
   std::string title; ///< what it is about
   Values fixed;
+  std::set<std::string> assigned; ///< keys of --set: set after those of the file
   std::vector<Axis> axes;
   std::vector<std::string> results; ///< scalars, as of wrc_scene_number
   std::vector<std::string> fields;  ///< of each patch, as of wrc_scene_field

@@ -90,6 +90,7 @@ public:
 
   void set_bare(const std::string& key, const std::string& value) {
     remove(key);
+    assigned_.insert(key);
     fixed_.insert_or_assign(key, Bare{value});
   }
 
@@ -99,6 +100,7 @@ public:
                        return std::tie(one.line, one.column) < std::tie(other.line, other.column);
                      });
     study.fixed = std::move(fixed_);
+    study.assigned = std::move(assigned_);
     for (PlacedAxis& axis : axes_) {
       study.axes.push_back(std::move(axis.axis));
     }
@@ -135,6 +137,9 @@ private:
   }
 
   void set(const std::string& key, const toml::node& node) {
+    if (from_command_line_) {
+      assigned_.insert(key);
+    }
     std::vector<Value> values;
     if (const toml::table* range = node.as_table()) {
       values = range_values(key, *range);
@@ -167,6 +172,7 @@ private:
   std::string path_;
   bool from_command_line_ = false;
   Values fixed_;
+  std::set<std::string> assigned_;
   std::vector<PlacedAxis> axes_;
 };
 

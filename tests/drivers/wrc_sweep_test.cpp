@@ -209,6 +209,14 @@ TEST_F(WrcSweep, AssignmentsCountMoreThanTheFile) {
   EXPECT_TRUE(lines[2].starts_with("1,0.02,"));
 }
 
+/// Of one wheel in the file, of both on the command line.
+TEST_F(WrcSweep, AssignmentsOfBothWheelsCountMoreThanOneOfTheFile) {
+  write("s.toml", "[load]\nleft = 50000.0\n[study]\nresults = [\"left.vertical_force\"]\n");
+  (void)files("s.toml --set 'load.vertical=[60000,70000]'", "o");
+  EXPECT_NEAR(std::stod(entry("o/s.csv", 0, "left.vertical_force")), 60000.0, 1e-3);
+  EXPECT_NEAR(std::stod(entry("o/s.csv", 1, "left.vertical_force")), 70000.0, 1e-3);
+}
+
 TEST_F(WrcSweep, AListThatIsOneValueDoesNotVary) {
   write("s.toml", "[solve]\ngrid = [24, 20]\n[pose]\nlateral = [0, 1]\n");
   (void)files("s.toml", "o");
