@@ -147,7 +147,7 @@ wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64_t struc
   return wrc::with_result(scene, [&](wrc::SceneObject& object) -> wrc_status {
     wrc::require_pointer(count, "count");
     // Earlier versions had no fewer members, later ones may have more.
-    constexpr int64_t most = 4096;
+    constexpr int64_t most = 4096; // of any version; more is no size of a struct
     if (struct_size < static_cast<int64_t>(sizeof(wrc_patch)) || struct_size > most ||
         struct_size % 8 != 0) {
       wrc::throw_invalid_argument("struct_size", static_cast<double>(struct_size),

@@ -154,7 +154,7 @@ std::optional<LocusSpot> SideSearch::least_on_ridge(std::size_t node) const {
 }
 
 /// Least distances next to a node that is lower than its neighbours: to its left, to its right, or
-/// at the node itself if the profile has a kink there.
+/// at the node itself if the profile has a kink there along which the locus does not run.
 void SideSearch::refine_around(std::size_t node, std::vector<LocusSpot>& spots) const {
   bool found = false;
   LocusSpot here{0, 0.0, infinity};

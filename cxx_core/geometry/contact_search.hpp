@@ -8,9 +8,10 @@
 /// yaw the locus runs along a ridge of the wheel from the slope of one flank to that of the other,
 /// with a least place of its own. The scan is global: no contact is missed that is wider than the
 /// node distance of the profile curve (at most 0.5 mm). Between two scans a contact can be followed
-/// to a pose nearby, which costs little but sees nothing else. Units mm and rad; track frame, left
-/// side (geometry/frames.hpp). Thread rule: search_contacts is a pure function; one SideSearch, one
-/// thread.
+/// to a pose nearby, which costs little but sees nothing else.
+///
+/// Units mm and rad; track frame, left side (geometry/frames.hpp).
+/// Thread rule: search_contacts is a pure function; one SideSearch, one thread.
 #pragma once
 
 #include <cmath>

@@ -420,8 +420,8 @@ std::vector<Key> solution_keys() {
       {{"near", false}, {"all", true}}, &Scene::interaction));
   keys.push_back(number_key({"solve.joining_distance", "4", "0 to 100 mm",
                              "penetrations closer than twice this distance share a plane and count "
-                             "as one contact, unless "
-                             "their angles differ greatly; 0: only their own widths decide"},
+                             "as one contact, unless their angles differ greatly; 0: only their "
+                             "own widths decide"},
                             {0.0, 100.0}, length, &Scene::joining_distance));
   keys.push_back(number_key(
       {"solve.near_tolerance", "0.1", "0 to 10 mm",

@@ -93,8 +93,8 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
     throw_invalid_argument("solve.until", scene.until == Module::geometry ? "geometry" : "remesh",
                            "allowed in a step is \"mechanics\"");
   }
-  if (state.derivatives && choose_model(scene).approximate) {
-    throw_invalid_argument("solve.model", choose_model(scene).name,
+  if (const ModelChoice model = choose_model(scene); state.derivatives && model.approximate) {
+    throw_invalid_argument("solve.model", model.name,
                            "allowed in a step with derivatives are \"auto\" and \"half-space\"");
   }
   Scene posed = scene;

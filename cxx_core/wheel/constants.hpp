@@ -6,6 +6,8 @@
 
 #include <cstddef>
 
+#include "accuracy/constants.hpp"
+
 namespace wrc {
 
 /// Of solutions that show the depth for the next one only: it is to be a smooth function of the
@@ -82,7 +84,7 @@ inline constexpr double max_rounding = 0.1;
 /// Share of the accuracy from which on the rounding of positions is told.
 /// origin: derived: what share_of_law and iteration_share leave. With the whole accuracy pmax of a
 /// flange under 1e-5 N is 1.15e-3 off without a word (wrc_extremes).
-inline constexpr double told_rounding = 0.2665;
+inline constexpr double told_rounding = 1.0 - share_of_law - iteration_share;
 
 /// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad.
 /// origin: derived: the share of the normal then taken as vertical is wrong by 2 %

@@ -1,9 +1,9 @@
 /// Elements of the tangential problem of a patch.
 ///
 /// Along the contact there are as many as the law error = c/n^2 asks for (constants.hpp), more
-/// where it is long. Across there are more where the pressures have crests, by the contact's width
-/// over its scale (pressure/contact_scale.hpp). Elements are counted along the longest lines of the
-/// contact, so that one that lies askew in its rectangle has as many.
+/// where it is long. Across there are more where the pressures have crests. Elements along are
+/// counted over the longest lines of the contact, those across over its scale
+/// (pressure/contact_scale.hpp), so that one that lies askew in its rectangle has as many.
 ///
 /// The grid reaches from edge to edge, so that the longest lines begin and end between elements;
 /// with elements of a size that follows from real numbers, so that nothing steps where a whole one

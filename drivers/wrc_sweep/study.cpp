@@ -30,17 +30,17 @@ std::vector<std::size_t> Study::places(std::int64_t scene) const {
 }
 
 void Study::apply(std::int64_t index, Scene& scene) const {
-  Values of_file = fixed;
+  Values values = fixed;
   const std::vector<std::size_t> at = places(index);
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    of_file.insert_or_assign(axes[i].key, axes[i].values[at[i]]);
+    values.insert_or_assign(axes[i].key, axes[i].values[at[i]]);
   }
-  Values of_command_line;
+  Values last;
   for (const std::string& key : assigned) {
-    of_command_line.insert(of_file.extract(key));
+    last.insert(values.extract(key));
   }
-  set_values(scene, of_file);
-  set_values(scene, of_command_line);
+  set_values(scene, values);
+  set_values(scene, last);
 }
 
 int Study::axis_of(const std::string& key) const {
@@ -114,6 +114,10 @@ std::string Study::fingerprint() const {
     for (const Value& value : axis.values) {
       text << ' ' << std::quoted(text_of(value));
     }
+  }
+  text << '\n'; // which of them count most
+  for (const std::string& key : assigned) {
+    text << key << ' ';
   }
   for (const auto* names : {&results, &fields}) {
     text << '\n';
