@@ -93,14 +93,15 @@ bool write_all(int file, const std::string& content) {
 std::filesystem::path target_of(std::filesystem::path path) {
   constexpr int most_links = 40; // origin: convention: as many as Linux follows
   std::array<char, 4096> target{};
-  for (int link = 0; link < most_links; ++link) {
+  const std::filesystem::path asked = path;
+  for (int link = 0; link <= most_links; ++link) {
     const ssize_t length = readlink(path.c_str(), target.data(), target.size());
     if (length <= 0 || length == static_cast<ssize_t>(target.size())) {
-      break;
+      return path;
     }
     path = path.parent_path() / std::string(target.data(), static_cast<std::size_t>(length));
   }
-  return path;
+  refuse(asked, "cannot be written", ELOOP); // in a circle
 }
 
 } // namespace
@@ -152,7 +153,7 @@ void write_file(const std::filesystem::path& path, const std::string& content) {
     refuse(path, fault, errno);
   }
   constexpr mode_t everybody = 0666; // origin: convention: less the user's mask
-  Descriptor file(aside, O_WRONLY | O_CREAT | O_TRUNC, everybody);
+  Descriptor file(aside, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, everybody);
   if (file.number() < 0) {
     refuse(path, fault, errno);
   }

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <fcntl.h>
 #include <limits>
 #include <unistd.h>
 
@@ -17,16 +18,6 @@ namespace {
 
 constexpr const char* aside_mark = ".part"; // then the number of the process
 
-/// Where a file stands that may be a link, or a link to one that is not there yet.
-fs::path target_of(fs::path path) {
-  constexpr int most_links = 40; // as many as Linux follows
-  std::error_code none;
-  for (int link = 0; link < most_links && fs::is_symlink(path, none); ++link) {
-    path = path.parent_path() / fs::read_symlink(path, none);
-  }
-  return path;
-}
-
 bool is_same_file(const fs::path& one, const fs::path& other) {
   std::error_code unknown;
   const fs::path whole = fs::weakly_canonical(fs::absolute(target_of(one), unknown), unknown);
@@ -35,7 +26,31 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
           whole == fs::weakly_canonical(fs::absolute(target_of(other), unknown), unknown));
 }
 
+/// Creates a new file, in place of any link of this name.
+void make_file(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);         // of a process that had our number
+  constexpr mode_t everybody = 0666; // less the user's mask
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everybody);
+  if (file >= 0) {
+    close(file);
+  }
+}
+
 } // namespace
+
+fs::path target_of(fs::path path) {
+  constexpr int most_links = 40; // as many as Linux follows
+  const fs::path asked = path;
+  std::error_code none;
+  for (int link = 0; fs::is_symlink(path, none); ++link) {
+    if (link == most_links) {
+      throw Failure("cannot write " + asked.string() + ": its symbolic links form a circle");
+    }
+    path = path.parent_path() / fs::read_symlink(path, none);
+  }
+  return path;
+}
 
 OutputFile::OutputFile(const fs::path& path) : path_(target_of(path)), aside_(path_) {
   std::error_code unknown;
@@ -48,7 +63,8 @@ OutputFile::OutputFile(const fs::path& path) : path_(target_of(path)), aside_(pa
   if (fs::exists(old) && access(path_.c_str(), W_OK) != 0) { // renaming would not ask
     throw Failure("cannot write " + path_.string() + ": it may not be written");
   }
-  stream_.open(aside_);
+  make_file(aside_);
+  stream_.open(aside_, std::ios::in | std::ios::out); // makes none
   if (!stream_) {
     throw Failure("cannot write " + path_.string() +
                   ": does the folder exist, and is it writable?");

@@ -1,5 +1,6 @@
-/// Files that are whole or not there: written aside, then renamed. Symbolic links are followed, and
-/// a file that is replaced leaves its permissions to the new one.
+/// Files that are whole or not there: written aside, then renamed. Output through a symbolic link
+/// goes to the file that the link names, which is replaced or created; the link stays. The file
+/// aside is always a new one. A file that is replaced leaves its permissions to the new one.
 #pragma once
 
 #include <filesystem>
@@ -32,6 +33,10 @@ private:
   std::ofstream stream_;
   bool committed_ = false;
 };
+
+/// Follows symbolic links to the file that they name, which need not exist. Throws Failure for
+/// links that form a circle.
+std::filesystem::path target_of(std::filesystem::path path);
 
 /// Removes what is aside of a file: of runs that have died, or of all, if others cannot be.
 enum class Runs { dead, all };

@@ -133,7 +133,7 @@ std::string header_of(const Study& study) {
 
 } // namespace
 
-Journal::Journal(fs::path path, const Study& study, Old old) : path_(std::move(path)) {
+Journal::Journal(fs::path path, const Study& study, Old old) : path_(target_of(std::move(path))) {
   places_.assign(static_cast<std::size_t>(study.scene_count()), -1);
   lengths_.assign(places_.size(), 0);
   const bool there = fs::exists(path_) && fs::file_size(path_) > 0;
