@@ -5,11 +5,23 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 #include "support/scene.hpp"
 
 namespace driver {
 namespace {
+
+/// What a spreadsheet takes for the beginning of a formula (OWASP, CSV injection), and our mark.
+constexpr std::string_view begins_formula = "=+-@\t\r\n'";
+constexpr char is_text = '\'';
+
+bool is_number(const std::string& text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  return parsed.ec == std::errc() && parsed.ptr == end && !std::isnan(number);
+}
 
 /// Entries of a line; quotes around those with commas, and doubled within.
 std::vector<std::string> entries_of(const std::string& line) {
@@ -28,6 +40,12 @@ std::vector<std::string> entries_of(const std::string& line) {
       entries.back() += letter;
     }
   }
+  for (std::string& entry : entries) {
+    if (entry.size() > 1 && entry[0] == is_text &&
+        begins_formula.find(entry[1]) != std::string_view::npos) {
+      entry.erase(0, 1);
+    }
+  }
   return entries;
 }
 
@@ -40,11 +58,14 @@ double number_of(const std::string& text) {
 } // namespace
 
 std::string csv_entry(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
+  const bool formula =
+      !text.empty() && begins_formula.find(text[0]) != std::string_view::npos && !is_number(text);
+  const std::string shown = formula ? is_text + text : text;
+  if (shown.find_first_of(",\"\n\r\t;") == std::string::npos) {
+    return shown;
   }
   std::string out = "\"";
-  for (const char letter : text) {
+  for (const char letter : shown) {
     out += letter == '"' ? "\"\"" : std::string(1, letter);
   }
   return out + '"';

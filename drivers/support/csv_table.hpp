@@ -10,7 +10,9 @@
 
 namespace driver {
 
-/// A text, in quotes where it needs some.
+/// A text, in quotes where it needs some. A text that a spreadsheet would run as a formula gets an
+/// apostrophe in front: one that begins with = + - @, a tab or a line break and is not a number. So
+/// does a text that begins with an apostrophe, which is why CsvTable reads every text as it was.
 std::string csv_entry(const std::string& text);
 
 /// One line: CsvLine(out) << "left" << 3.5 << std::nullopt; with numbers as the stream writes them.
