@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
@@ -34,8 +35,8 @@ bool is_whole(const std::filesystem::path& path, const std::string& extension) {
   return stream && last.find(end) != std::string::npos;
 }
 
-/// Has a script drawn; the text of what went wrong.
-std::string run_gnuplot(const std::string& script) {
+/// Has a script drawn, into an existing file if one is given. Returns what went wrong.
+std::string run_gnuplot(const std::string& script, const std::filesystem::path& output = {}) {
   const int file = memfd_create("gnuplot", MFD_CLOEXEC);
   if (file < 0) {
     return std::string("no room for its script: ") + std::strerror(errno);
@@ -50,8 +51,14 @@ std::string run_gnuplot(const std::string& script) {
   }
   std::string text;
   try {
-    text = in_own_process([file](int messages) {
+    text = in_own_process([&](int messages) {
+      const int picture =
+          output.empty() ? STDOUT_FILENO : open(output.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+      if (picture < 0) {
+        throw Failure("cannot write " + output.string() + ": " + std::strerror(errno));
+      }
       lseek(file, 0, SEEK_SET);
+      dup2(picture, STDOUT_FILENO);
       dup2(file, STDIN_FILENO);
       dup2(messages, STDERR_FILENO);
       execlp("gnuplot", "gnuplot", "-", static_cast<char*>(nullptr));
@@ -65,6 +72,93 @@ std::string run_gnuplot(const std::string& script) {
   return text.empty() ? text : "gnuplot: " + text;
 }
 
+constexpr std::string_view letters_of_markup = "_^{}@&~\\";
+
+/// The letter that begins at a byte, as it is drawn; moves on to the byte behind it.
+std::string_view next_letter(std::string_view text, std::size_t& at) {
+  constexpr std::string_view no_letter = "\uFFFD";
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t begin = at++;
+  const unsigned first = byte(begin);
+  const std::size_t more = first < 0x80U                      ? 0
+                           : first >= 0xC2U && first <= 0xDFU ? 1
+                           : (first & 0xF0U) == 0xE0U         ? 2
+                           : first >= 0xF0U && first <= 0xF4U ? 3
+                                                              : text.size();
+  unsigned code = more == 0 ? first : first & (0x3FU >> more);
+  if (begin + more >= text.size()) {
+    return no_letter;
+  }
+  for (std::size_t i = begin + 1; i <= begin + more; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) {
+      return no_letter;
+    }
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  const bool is_too_long = (more == 2 && code < 0x800U) || (more == 3 && code < 0x10000U);
+  const bool is_half = code >= 0xD800U && code <= 0xDFFFU; // of a pair in UTF-16
+  if (is_too_long || is_half || code > 0x10FFFFU || (code & 0xFFFEU) == 0xFFFEU) {
+    return no_letter;
+  }
+  at += more;
+  if (code < 0x20U || (code >= 0x7FU && code < 0xA0U) || code == 0x2028U || code == 0x2029U) {
+    return " "; // would end a line, or is for a terminal
+  }
+  return code == '\'' ? "\u2019" : text.substr(begin, more + 1);
+}
+
+/// The letters of a text that can be drawn, in UTF-8.
+std::string printable(std::string_view text) {
+  constexpr int most = 400; // letters: some lines of the widest picture
+  std::string out;
+  int count = 0;
+  for (std::size_t at = 0; at < text.size(); ++count) {
+    if (count == most) {
+      return out + "\u2026";
+    }
+    out += next_letter(text, at);
+  }
+  return out;
+}
+
+/// With the letters that gnuplot takes as markup drawn.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char letter : text) {
+    if (letters_of_markup.find(letter) != std::string_view::npos) {
+      out += '\\';
+    }
+    out += letter;
+  }
+  return out;
+}
+
+/// With subscripts, superscripts and groups; a backslash in front of a letter of markup draws it.
+/// Other markup of gnuplot is drawn as text: it writes the names of fonts into SVG unescaped.
+std::string with_subscripts(std::string_view text) {
+  std::string out;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    const bool is_escape = letter == '\\' && i + 1 < text.size() &&
+                           letters_of_markup.find(text[i + 1]) != std::string_view::npos;
+    if (is_escape) {
+      out += letter;
+      out += text[++i];
+    } else if (std::string_view("@&~\\").find(letter) != std::string_view::npos) {
+      out += '\\';
+      out += letter;
+    } else {
+      out += letter == '/' && out.ends_with('{') ? "\\/" : std::string(1, letter);
+      depth += letter == '{' ? 1 : letter == '}' ? -1 : 0;
+    }
+    if (depth < 0) {
+      break;
+    }
+  }
+  return depth == 0 ? out : escaped(text);
+}
+
 } // namespace
 
 void require_gnuplot() {
@@ -74,23 +168,13 @@ void require_gnuplot() {
   }
 }
 
-std::string within_quotes(const std::string& text) {
-  std::string out; // gnuplot doubles a quote within quotes
-  for (const char letter : text) {
-    out += letter == '\'' ? "''" : std::string(1, letter);
-  }
-  return out;
+std::string gnuplot_text(const std::string& text, Markup markup) {
+  const std::string shown = printable(text);
+  return '\'' + (markup == Markup::subscripts ? with_subscripts(shown) : escaped(shown)) + '\'';
 }
 
-std::string plain_within_quotes(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (std::string_view("_^{}@&~\\").find(letter) != std::string_view::npos) {
-      escaped += '\\';
-    }
-    escaped += letter;
-  }
-  return within_quotes(escaped);
+std::string without_markup(const std::string& text) {
+  return escaped(text);
 }
 
 std::string line_colour(std::size_t index, std::size_t count) {
@@ -143,12 +227,8 @@ Gnuplot::Gnuplot() {
 void Gnuplot::begin_multiplot(std::size_t rows, std::size_t columns, const std::string& title) {
   multiplot_ = true;
   script_ << "set multiplot layout " << rows << ',' << columns;
-  if (!title.empty()) {
-    std::string quoted; // double quotes, since the line below the title is empty but not nothing
-    for (const char letter : title) {
-      quoted += (letter == '"' || letter == '\\' ? "\\" : "") + std::string(1, letter);
-    }
-    script_ << " title \"" << quoted << "\\n \" font ',12'";
+  if (!title.empty()) { // the line below it is empty but not nothing
+    script_ << " title (" << gnuplot_text(title, Markup::subscripts) << ".\"\\n \") font ',12'";
   }
   script_ << '\n';
 }
@@ -189,10 +269,9 @@ void Gnuplot::draw(const std::filesystem::path& path, int width, int height) con
   OutputFile file(path);
   std::ostringstream whole;
   whole << "set terminal " << terminal << " size " << width << ',' << height
-        << " enhanced font 'DejaVu Sans,10' background rgb 'white'\n"
-        << "set output '" << within_quotes(file.aside().string()) << "'\n"
+        << " enhanced font 'DejaVu Sans,10' background rgb 'white'\nset encoding utf8\n"
         << script_.str() << (multiplot_ ? "\nunset multiplot" : "") << "\nunset output\n";
-  const std::string trouble = run_gnuplot(whole.str());
+  const std::string trouble = run_gnuplot(whole.str(), file.aside());
   if (!trouble.empty()) {
     throw Failure("--plot " + path.string() + ": " + trouble);
   }

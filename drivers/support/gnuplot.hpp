@@ -12,10 +12,19 @@ namespace driver {
 /// Throws Failure if gnuplot cannot be run.
 void require_gnuplot();
 
-/// A text for single quotes of a script.
-std::string within_quotes(const std::string& text);
-/// The same, with the letters that enhanced text takes as commands shown as they are.
-std::string plain_within_quotes(const std::string& text);
+/// Whether _ and ^ make subscripts and superscripts, of one letter or of a group in braces.
+enum class Markup { none, subscripts };
+
+/// A text as a string of a script, with its quotes. Every text that does not stand in the source of
+/// a program goes through here. It cannot end its string or its line, so gnuplot runs nothing in it
+/// and replaces nothing: single quotes become apostrophes (doubled ones, gnuplot's way to write
+/// them, end the string where they stand first or side by side), control characters become blanks,
+/// bytes that are not UTF-8 a replacement character, and texts of more than some lines are cut. The
+/// letters that gnuplot takes as markup are drawn, except for subscripts and superscripts if asked
+/// for and if the braces match.
+std::string gnuplot_text(const std::string& text, Markup markup = Markup::none);
+/// A text to be inserted into one with markup, where it is to be drawn letter by letter.
+std::string without_markup(const std::string& text);
 
 /// Colours of lines, of so many in a picture: up to six that people who see colours less well tell
 /// apart too, more along the rainbow.
@@ -44,7 +53,8 @@ public:
   /// The script so far; numbers are written with 9 digits.
   [[nodiscard]] std::ostringstream& script() { return script_; }
 
-  /// Begins a picture of several plots: its layout, and a title with room below it, if any.
+  /// Begins a picture of several plots: its layout, and a title with room below it, if any, in
+  /// which _ and ^ are markup.
   void begin_multiplot(std::size_t rows, std::size_t columns, const std::string& title = "");
   /// Adds a block of data, whose name it returns.
   std::string block(const std::string& data);
@@ -53,8 +63,9 @@ public:
   /// Draws items such as "$data1 with lines"; an empty plot if there is none.
   void plot(const std::vector<std::string>& items);
 
-  /// Runs the script with its output in a .png or .svg file of the given size in pixels. Throws
-  /// Failure if gnuplot is missing or fails, or for another extension.
+  /// Runs the script with its output in a .png or .svg file of the given size in pixels; gnuplot is
+  /// not given its name, which it might take for a command. Throws Failure if gnuplot is missing or
+  /// fails, or for another extension.
   void draw(const std::filesystem::path& path, int width, int height) const;
 
 private:

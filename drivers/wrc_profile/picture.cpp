@@ -102,7 +102,7 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
   const auto points = piece_points(profile);
   const std::string block = block_of(gnuplot, points);
   const auto titled = [](const Profile& shown) {
-    return " title '" + plain_within_quotes(shown.text("name")) + '\'';
+    return " title " + gnuplot_text(shown.text("name"));
   };
   std::vector<std::string> shapes;
   std::vector<std::string> curvatures;
@@ -135,10 +135,11 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
       << "set lmargin at screen " << left_margin / total_width << "\nset rmargin at screen "
       << (left_margin + plot_width) / total_width << "\nset multiplot\n"
       << "set tmargin at screen " << 1.0 - top_margin / total_height << "\nset bmargin at screen "
-      << 1.0 - (top_margin + profile_height) / total_height << "\nset title '"
-      << plain_within_quotes(profile.text("name")) << " (" << kind_name(profile) << ")   "
-      << plain_within_quotes(dimension_text(measures)) << "'\nset ylabel 'height, mm'\nset yrange ["
-      << measures.least_height - margin << ':' << measures.greatest_height + margin << "]\n"
+      << 1.0 - (top_margin + profile_height) / total_height << "\nset title "
+      << gnuplot_text(profile.text("name") + " (" + kind_name(profile) + ")   " +
+                      dimension_text(measures))
+      << "\nset ylabel 'height, mm'\nset yrange [" << measures.least_height - margin << ':'
+      << measures.greatest_height + margin << "]\n"
       << "set key horizontal center maxrows 1 at screen "
       << (left_margin + 0.5 * plot_width) / total_width << ", screen "
       << (bottom_margin + curvature_height + key_above) / total_height << '\n';

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fcntl.h>
 #include <filesystem>
 #include <netcdf.h>
 #include <string>
@@ -19,8 +20,12 @@ namespace {
 /// there.
 class NetcdfFile {
 public:
-  explicit NetcdfFile(const std::filesystem::path& path) : path_(path.string()) {
-    check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
+  /// The file must exist. NetCDF is given its descriptor, not its name, in which it would look for
+  /// servers (http:...), folders (\) and options (#...).
+  explicit NetcdfFile(const std::filesystem::path& path)
+      : path_(path.string()), descriptor_(open(path.c_str(), O_RDWR | O_CLOEXEC)) {
+    const std::string name = "/proc/self/fd/" + std::to_string(descriptor_);
+    check(nc_create(name.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
   }
 
   int dimension(const std::string& name, std::size_t length) {
@@ -87,6 +92,7 @@ private:
   }
 
   std::string path_;
+  int descriptor_ = -1;
   int file_ = -1;
 };
 

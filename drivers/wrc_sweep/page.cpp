@@ -119,6 +119,28 @@ json solved(const Study& study, std::int64_t index) {
   return made;
 }
 
+/// JSON for a script inside HTML, where < in a text could begin a comment or element or end the
+/// script, and the separators U+2028 and U+2029 ended a line before ECMAScript 2019. In JSON all
+/// three occur in texts only.
+std::string within_script(const json& data) {
+  const std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = std::string_view(text).substr(at);
+    const bool separates = rest.starts_with("\u2028") || rest.starts_with("\u2029");
+    if (separates) {
+      out += rest.starts_with("\u2028") ? "\\u2028" : "\\u2029";
+    } else if (rest[0] == '<') {
+      out += "\\u003c";
+    } else {
+      out += rest[0];
+    }
+    at += separates ? 3 : 1;
+  }
+  return out;
+}
+
 json json_of(const Value& value) {
   const double* number = std::get_if<double>(&value);
   return number != nullptr ? json(*number) : json(text_of(value));
@@ -146,13 +168,9 @@ void write_page(const Study& study, int threads, const std::filesystem::path& pa
     }
     data["axes"].push_back({{"key", axis.key}, {"values", std::move(values)}});
   }
-  std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace);
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) {
-    text.insert(at + 1, "\\"); // would end the script
-  }
   std::string page = page_html;
   const std::string mark = "/* scenes */ null";
-  page.replace(page.find(mark), mark.size(), text);
+  page.replace(page.find(mark), mark.size(), within_script(data));
   write_whole(path, [&](std::ostream& out) { out << page; });
 }
 

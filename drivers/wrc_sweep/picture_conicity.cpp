@@ -13,7 +13,8 @@ namespace driver {
 namespace {
 
 struct Curve {
-  std::string title;
+  std::string name;  ///< in the table
+  std::string title; ///< in the picture
   std::vector<double> lateral;
   std::vector<double> radius;
   std::vector<double> angle; ///< tan of the left contact angle minus tan of the right one
@@ -22,10 +23,8 @@ struct Curve {
 };
 
 /// The curve of one value of the series; positions without a result are left out.
-Curve curve_of(const PictureRequest& picture, const PictureData& data, const Values& where,
-               const std::string& title) {
+Curve curve_of(const PictureRequest& picture, const PictureData& data, const Values& where) {
   Curve curve;
-  curve.title = title;
   const std::vector<double> lateral = places_of(picture, data);
   const auto line = [&](const char* name) { return line_of(picture, data, where, name); };
   const std::vector<double> radius = line("rolling_radius_difference");
@@ -54,13 +53,15 @@ Curve curve_of(const PictureRequest& picture, const PictureData& data, const Val
 
 std::vector<Curve> curves_of(const PictureRequest& picture, const PictureData& data) {
   if (picture.series.empty()) {
-    return {curve_of(picture, data, picture.where, "")};
+    return {curve_of(picture, data, picture.where)};
   }
   std::vector<Curve> curves;
   for (const Value& value : data.values_of(picture.series)) {
     Values where = picture.where;
     where.insert_or_assign(picture.series, value);
-    curves.push_back(curve_of(picture, data, where, series_name(picture, value)));
+    Curve& curve = curves.emplace_back(curve_of(picture, data, where));
+    curve.name = series_name(picture, value);
+    curve.title = series_title(picture, value);
   }
   return curves;
 }
@@ -70,7 +71,7 @@ void write_table(const std::vector<Curve>& curves, const std::filesystem::path& 
   CsvLine(file.stream()).add(words("series amplitude equivalent_conicity"));
   for (const Curve& curve : curves) {
     for (std::size_t i = 0; i < curve.amplitude.size(); ++i) {
-      CsvLine(file.stream()) << curve.title << text_of(curve.amplitude[i])
+      CsvLine(file.stream()) << curve.name << text_of(curve.amplitude[i])
                              << text_of(curve.conicity[i]);
     }
   }
@@ -107,7 +108,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
         std::for_each(y.begin(), y.end(), [&range](double value) { range.include(value); });
         items.push_back(gnuplot.block(curves[i].*panel.x, y) + " with lines lw 2 dt " +
                         std::to_string(i + 1) + " lc rgb '" + line_colour(i, curves.size()) +
-                        "' title '" + within_quotes(curves[i].title) + '\'');
+                        "' title " + gnuplot_text(curves[i].title, Markup::subscripts));
       }
     }
     gnuplot.script() << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "support/gnuplot.hpp"
 #include "support/scene.hpp"
 
 namespace driver {
@@ -121,13 +122,15 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   PictureRequest picture;
   picture.file = reader.text("file", study.name + ".png");
   picture.kind = kind_of(reader, reader.text("kind", "lines"));
-  picture.title = with_values(reader.text("title", study.title), study);
+  picture.title = with_values(reader.text("title", study.title), study, without_markup);
   picture.x = reader.text("x", study.axes.empty() ? "" : study.axes.back().key);
-  picture.x_label = reader.text("x_label", picture.x);
+  picture.x_label = reader.text("x_label", without_markup(picture.x));
   picture.x_factor = reader.number("x_factor", 1.0);
   picture.series = reader.text("series", "");
   picture.series_factor = reader.number("series_factor", 1.0);
-  picture.series_label = reader.text("series_label", picture.series);
+  if (std::string label = reader.text("series_label", ""); table.contains("series_label")) {
+    picture.series_label = std::move(label);
+  }
   picture.sides = reader.texts("sides");
   picture.x_values = reader.numbers("x_values");
   picture.pressure_max = reader.number("pressure_max", 0.0);
@@ -184,15 +187,23 @@ std::string profile_title(const std::string& name) {
 
 } // namespace
 
-std::string with_values(std::string text, const Study& study) {
-  for (const auto& [key, value] : study.fixed) {
-    const std::string mark = '{' + key + '}';
-    const std::string shown = names_profile(key) ? profile_title(text_of(value)) : text_of(value);
-    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark)) {
-      text.replace(at, mark.size(), shown);
+std::string with_values(const std::string& text, const Study& study,
+                        const std::function<std::string(const std::string&)>& shown) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) { // values are not searched for keys
+    const std::size_t end = text[at] == '{' ? text.find('}', at) : std::string::npos;
+    const auto found = end == std::string::npos
+                           ? study.fixed.end()
+                           : study.fixed.find(text.substr(at + 1, end - at - 1));
+    if (found == study.fixed.end()) {
+      out += text[at++];
+      continue;
     }
+    const std::string value = text_of(found->second);
+    out += shown(names_profile(found->first) ? profile_title(value) : value);
+    at = end + 1;
   }
-  return text;
+  return out;
 }
 
 std::vector<std::string> needed_results(const PictureRequest& picture) {

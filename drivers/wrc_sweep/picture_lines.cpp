@@ -37,7 +37,7 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
     std::string name;
     if (!series.empty()) {
       where.insert_or_assign(picture.series, series[group]);
-      name = series_name(picture, series[group]);
+      name = series_title(picture, series[group]);
     }
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
       const auto y = line_of(picture, data, where, panel.lines[i].result);
@@ -67,8 +67,8 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   }
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(picture.panels.size(), 1, picture.title);
-  gnuplot.script() << line_style(most_lines) << "set xlabel '" << within_quotes(picture.x_label)
-                   << "'\n";
+  gnuplot.script() << line_style(most_lines) << "set xlabel "
+                   << gnuplot_text(picture.x_label, Markup::subscripts) << '\n';
   for (const PanelRequest& panel : picture.panels) {
     Range range;
     std::vector<std::string> items;
@@ -78,9 +78,9 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
                       std::to_string(5 + 2 * (line.mark % marks)) + " dt " +
                       std::to_string(1 + line.mark % marks) + " lc rgb '" +
                       line_colour(line.colour, picture.series.empty() ? most_lines : groups) +
-                      "' title '" + within_quotes(line.title) + '\'');
+                      "' title " + gnuplot_text(line.title, Markup::subscripts));
     }
-    gnuplot.script() << "set ylabel '" << within_quotes(panel.y_label) << "'\n"
+    gnuplot.script() << "set ylabel " << gnuplot_text(panel.y_label, Markup::subscripts) << '\n'
                      << range.command("y");
     gnuplot.plot(items);
   }

@@ -40,13 +40,13 @@ void draw_map(const PictureRequest& picture, const PictureData& data,
   gnuplot.script() << pressure_palette
                    << "set view map\nset pm3d interpolate 8,8\nset contour base\n"
                       "set cntrparam cubicspline points 8 levels auto 8\nset tics out nomirror\n"
-                      "set cntrlabel onecolor\nunset key\nset xlabel '"
-                   << within_quotes(picture.x_label) << "'\nset ylabel '"
-                   << within_quotes(picture.series_label) << "'\n";
+                      "set cntrlabel onecolor\nunset key\nset lmargin 13\nset xlabel "
+                   << gnuplot_text(picture.x_label, Markup::subscripts) << "\nset ylabel "
+                   << gnuplot_text(series_label(picture), Markup::subscripts) << '\n';
   for (const PanelRequest& panel : picture.panels) {
     const std::string block = gnuplot.block(matrix_of(picture, data, panel));
-    gnuplot.script() << "set title '" << within_quotes(panel.y_label) << "'\nsplot " << block
-                     << " nonuniform matrix with pm3d nocontour, " << block
+    gnuplot.script() << "set title " << gnuplot_text(panel.y_label, Markup::subscripts)
+                     << "\nsplot " << block << " nonuniform matrix with pm3d nocontour, " << block
                      << " nonuniform matrix with lines lw 1 lc rgb '#404040' nosurface\n";
   }
   gnuplot.draw(path, width * static_cast<int>(columns),

@@ -21,7 +21,8 @@ struct Cell {
 };
 
 struct MapRow {
-  std::string label;
+  std::string label; ///< of the value of the series; empty without a series
+  std::string side;
   std::vector<Cell> cells;
 };
 
@@ -144,11 +145,12 @@ std::vector<MapRow> rows_of(Gnuplot& gnuplot, const PictureRequest& picture,
     std::string label;
     if (!picture.series.empty()) {
       where.insert_or_assign(picture.series, value);
-      label = series_name(picture, value);
+      label = series_title(picture, value);
     }
     for (const std::string& side : picture.sides) {
       MapRow& row = rows.emplace_back();
-      row.label = label + (label.empty() ? "" : "\\n") + side + " wheel";
+      row.label = label;
+      row.side = side;
       for (const double column : columns) {
         where.insert_or_assign(picture.x, column);
         row.cells.push_back(
@@ -193,14 +195,16 @@ void write_frame(std::ostream& out, const PictureRequest& picture, const Layout&
   const double darkest = std::max(cut ? picture.pressure_max : layout.pmax, 1.0);
   constexpr double bar = 10.0;
   const double scale_y = -layout.height - 0.5 * Layout::foot;
-  out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title '"
-      << within_quotes(picture.title) << "' font ',12'\nset cblabel 'pressure, MPa"
-      << (cut ? " (darkest: this and more)" : "") << "' offset 1\nset cbtics\n"
+  out << "unset key\nunset tics\nunset border\nset size ratio -1\nset title "
+      << gnuplot_text(picture.title, Markup::subscripts)
+      << " font ',12'\nset cblabel 'pressure, MPa" << (cut ? " (darkest: this and more)" : "")
+      << "' offset 1\nset cbtics\n"
       << pressure_palette << "set xrange [" << -Layout::margin << ':' << layout.width
       << "]\nset yrange [" << -layout.height - Layout::foot << ':' << Layout::head
-      << "]\nset cbrange [0:" << darkest << "]\nset label '" << within_quotes(picture.x_label)
-      << ":' at " << -Layout::margin << ',' << 0.5 * Layout::head << "\nset arrow from 0,"
-      << scale_y << " rto " << bar << ",0 heads size 1,90 lw 1.5\n"
+      << "]\nset cbrange [0:" << darkest << "]\nset label "
+      << gnuplot_text(picture.x_label + ':', Markup::subscripts) << " at " << -Layout::margin << ','
+      << 0.5 * Layout::head << "\nset arrow from 0," << scale_y << " rto " << bar
+      << ",0 heads size 1,90 lw 1.5\n"
       << "set label '10 mm; left is left, forward is up; below each patch p_{max} in MPa' at "
       << bar + 2.0 << ',' << scale_y << '\n';
 }
@@ -225,7 +229,12 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   std::vector<std::string> items;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double y = -(static_cast<double>(i) + 0.5) * layout.cell_height;
-    out << "set label \"" << rows[i].label << "\" at " << -Layout::margin << ',' << y << '\n';
+    const std::string side = gnuplot_text(rows[i].side + " wheel");
+    out << "set label "
+        << (rows[i].label.empty()
+                ? side
+                : '(' + gnuplot_text(rows[i].label, Markup::subscripts) + ".\"\\n\"." + side + ')')
+        << " at " << -Layout::margin << ',' << y << '\n';
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Cell& cell = rows[i].cells[j];
       out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0)) << "' at "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/gnuplot.hpp"
+
 namespace driver {
 
 std::vector<Value> PictureData::values_of(const std::string& key) const {
@@ -76,11 +78,25 @@ std::vector<double> line_of(const PictureRequest& picture, const PictureData& da
   return line;
 }
 
+namespace {
+
+std::string with_value(std::string label, const std::string& value) {
+  const auto place = label.find("{}");
+  return place == std::string::npos ? label + ' ' + value : label.replace(place, 2, value);
+}
+
+} // namespace
+
 std::string series_name(const PictureRequest& picture, const Value& value) {
-  std::string name = picture.series_label;
-  const auto place = name.find("{}");
-  return place == std::string::npos ? name + ' ' + text_of(value)
-                                    : name.replace(place, 2, text_of(value));
+  return with_value(picture.series_label.value_or(picture.series), text_of(value));
+}
+
+std::string series_title(const PictureRequest& picture, const Value& value) {
+  return with_value(series_label(picture), without_markup(text_of(value)));
+}
+
+std::string series_label(const PictureRequest& picture) {
+  return picture.series_label.value_or(without_markup(picture.series));
 }
 
 int legend_width(std::size_t lines) {

@@ -41,6 +41,10 @@ std::vector<double> line_of(const PictureRequest& picture, const PictureData& da
 
 /// "cant {}" with a value in the place of {}, or behind if there is no such place.
 std::string series_name(const PictureRequest& picture, const Value& value);
+/// The same for a picture, and the label alone: the study's label may have markup, the value and
+/// the key that stands in for a missing label are drawn letter by letter.
+std::string series_title(const PictureRequest& picture, const Value& value);
+std::string series_label(const PictureRequest& picture);
 
 /// Axes, grid and legend as all pictures of lines have them; a legend of more than six lines stands
 /// beside them, and the picture needs so many pixels for it.

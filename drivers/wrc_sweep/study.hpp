@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -55,13 +56,13 @@ struct PictureRequest {
   std::string x; ///< key of the axis to the right; patches: of the columns
   std::string x_label;
   double x_factor = 1.0;
-  std::string series;         ///< key with a line, or a row of maps, for each value; map: upwards
-  std::string series_label;   ///< {} stands for the value
-  double series_factor = 1.0; ///< map
-  std::vector<std::string> sides; ///< patches, connections: "left", "right"
-  std::vector<double> x_values;   ///< those drawn; empty: all
-  double pressure_max = 0.0;      ///< patches: of the darkest colour, MPa; 0: the largest there is
-  Values where;                   ///< which scenes are drawn
+  std::string series; ///< key with a line, or a row of maps, for each value; map: upwards
+  std::optional<std::string> series_label; ///< {} stands for the value; none: the key
+  double series_factor = 1.0;              ///< map
+  std::vector<std::string> sides;          ///< patches, connections: "left", "right"
+  std::vector<double> x_values;            ///< those drawn; empty: all
+  double pressure_max = 0.0; ///< patches: of the darkest colour, MPa; 0: the largest there is
+  Values where;              ///< which scenes are drawn
   std::vector<PanelRequest> panels;
 };
 

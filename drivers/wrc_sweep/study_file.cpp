@@ -187,7 +187,7 @@ void read_study_table(const toml::table& file, Study& study) {
   }
   TableReader reader(*table, "study");
   study.name = reader.text("name", study.name);
-  study.title = with_values(reader.text("title", study.title), study);
+  study.title = reader.text("title", study.title);
   study.results = reader.texts("results");
   study.fields = reader.texts("fields");
   reader.refuse_others();
@@ -262,7 +262,8 @@ Study read_study(const std::string& path, const std::vector<std::string>& assign
   check_results(study.results);
   check_fields(study.fields);
   study.inputs = inputs_of(path, study);
-  study.pictures = read_pictures(file, study);
+  study.pictures = read_pictures(file, study); // their titles escape values of keys
+  study.title = with_values(study.title, study, std::identity());
   return study;
 }
 

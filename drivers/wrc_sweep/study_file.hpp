@@ -5,6 +5,7 @@
 /// and each [[picture]] asks for a picture.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ std::vector<PictureRequest> read_pictures(const toml::table& file, const Study& 
 /// The results that a kind of picture reads, besides those that its panels name.
 std::vector<std::string> needed_results(const PictureRequest& picture);
 
-/// A title with "{track.cant}" and so on replaced by the study's value, of keys that do not vary.
-std::string with_values(std::string text, const Study& study);
+/// A title in which "{track.cant}" and so on are replaced by the study's values of keys that do not
+/// vary, each as `shown` returns it.
+std::string with_values(const std::string& text, const Study& study,
+                        const std::function<std::string(const std::string&)>& shown);
 
 } // namespace driver

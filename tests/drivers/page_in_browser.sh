@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The page of a study in headless Chromium: its slider is moved to the end, and the table must show
-# the last scene as wrc_case solves it. Usage: page_in_browser.sh WRC_SWEEP WRC_CASE CHROMIUM [PNG]
+# the last scene as wrc_case solves it; and texts that would be elements or scripts are shown as
+# texts. Usage: page_in_browser.sh WRC_SWEEP WRC_CASE CHROMIUM [PNG]
 # With PNG also takes a picture of the page.
 set -euo pipefail
 sweep=$1 case=$2 chromium=$3 picture=${4:-}
@@ -47,6 +48,23 @@ if [[ $first != "<output>0 id=\"left.pmax\">$(pmax 0)" ]] ||
   [[ $moved != "<title>painted "*" <output>4 id=\"left.pmax\">$(pmax 4)" ]]; then
   echo "the page shows: $first"
   echo "with its slider moved: $moved"
+  exit 1
+fi
+# Names that begin and end elements and scripts: shown as they are, and nothing of them runs.
+cat >"$folder/names.toml" <<'END'
+[wheelset]
+wheel = ["evil/<img src=x onerror=document.body.id='ran'><!--\"'</script><script>document.body.id='ran'</scr.txt", "w1/x<script>document.body.id='ran'<b>.txt", "<!-- <script", "=1+1.txt"]
+[study]
+title = "</script><script>document.body.id='ran'</script> <!-- <script> {pose.yaw}"
+END
+"$sweep" "$folder/names.toml" --page "$folder/names.html" --quiet
+"$chromium" "${options[@]}" --dump-dom "file://$folder/names.html" 2>"$folder/log" >"$folder/dom"
+title="&lt;/script&gt;&lt;script&gt;document.body.id='ran'&lt;/script&gt; &lt;!-- &lt;script&gt; {pose.yaw}"
+if ! grep -qF "<h1 id=\"title\">$title</h1>" "$folder/dom" ||
+  ! grep -qF '<output>&lt;!-- &lt;script</output>' "$folder/dom" ||
+  grep -qE '<body id=|<img' "$folder/dom"; then
+  echo "a page with names of elements shows:"
+  grep -oE '<body[^>]*>|<h1.*</h1>|<output>.*' "$folder/dom" || true
   exit 1
 fi
 if [ -n "$picture" ]; then

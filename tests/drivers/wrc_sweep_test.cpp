@@ -265,7 +265,10 @@ TEST_F(WrcSweep, MapsHaveColoursAndContours) {
                   "\"left.rigid_contact.y\"}]}]\n");
   (void)files("s.toml", "o");
   const std::string map = read("o/map.svg");
-  EXPECT_NE(map.find("yaw, mrad"), std::string::npos);
+  const auto label = map.find("yaw, mrad");
+  ASSERT_NE(label, std::string::npos);
+  constexpr double letter = 10.0; // pixels, upright: it is not cut off
+  EXPECT_GT(std::stod(map.substr(map.rfind("translate(", label) + 10)), letter);
   EXPECT_NE(map.find("<path"), std::string::npos); // contours
   std::set<std::string> colours;
   for (auto at = map.find("rgb("); at != std::string::npos; at = map.find("rgb(", at + 1)) {
@@ -427,7 +430,7 @@ TEST_F(WrcSweep, APageHoldsTheScenes) {
                   "title = \"</script><b>\"\n");
   EXPECT_EQ(run("s.toml --page p.html").out, "p.html\n");
   const std::string page = read("p.html");
-  for (const char* loaded : {"src=", "href=", "http", "import", "url(", "fetch", "</script><b>"}) {
+  for (const char* loaded : {"src=", "href=", "http", "import", "url(", "fetch", "</script><b>", "innerHTML"}) {
     EXPECT_EQ(page.find(loaded), std::string::npos) << loaded;
   }
   ASSERT_EQ(run("s.toml --page q.html --threads 3").exit_code, 0);

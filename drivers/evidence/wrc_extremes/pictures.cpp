@@ -60,10 +60,10 @@ double border(const std::vector<Row>& rows, std::size_t index, bool logarithmic)
 /// The ticks of shapes, which have names instead of numbers.
 void write_names(const std::vector<Row>& rows, std::ostream& script) {
   script << "set title ''\nset xtics rotate by 40 right nomirror (";
-  const char* separator = "'";
+  const char* separator = "";
   for (const Row& row : rows) {
-    script << separator << driver::plain_within_quotes(row.setting) << "' " << row.value;
-    separator = ", '";
+    script << separator << driver::gnuplot_text(row.setting) << ' ' << row.value;
+    separator = ", ";
   }
   script << ")\n";
 }
@@ -92,7 +92,7 @@ void draw_panel(std::vector<Row> rows, const Quantity& quantity, bool with_key,
                      [](const Row& one, const Row& other) { return one.value < other.value; });
   }
   std::ostream& script = plot.script();
-  script << "unset object\nset title '" << driver::plain_within_quotes(rows.front().base) << "'\n"
+  script << "unset object\nset title " << driver::gnuplot_text(rows.front().base) << '\n'
          << (with_key ? "set key bmargin center horizontal maxrows 3\n" : "unset key\n");
   if (quantity.shapes) {
     write_names(rows, script);
@@ -155,11 +155,11 @@ void draw_pictures(const std::vector<Row>& rows, const std::filesystem::path& fo
            << "set datafile missing 'NaN'\n"
            << (quantity.logarithmic ? "set logscale x\nset format x '10^{%T}'\n" : "")
            << (quantity.shapes ? "set bmargin 20\nset lmargin 26\n" : "") << "set multiplot layout "
-           << panels.size() << ",1 title '" << driver::plain_within_quotes(quantity.title) << "'\n";
+           << panels.size() << ",1 title " << driver::gnuplot_text(quantity.title) << '\n';
     for (std::size_t i = 0; i < panels.size(); ++i) {
       const bool last = i + 1 == panels.size();
       if (last) {
-        script << "set xlabel '" << driver::plain_within_quotes(quantity.label) << "'\n";
+        script << "set xlabel " << driver::gnuplot_text(quantity.label) << '\n';
       }
       draw_panel(panels[i], quantity, last, plot);
     }
