@@ -2,23 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
+
+#include "support/numbers.hpp"
 
 namespace driver {
 namespace {
 
+/// Rolling radius differences below this count as zero, mm. Origin: rounding leaves 4e-13 mm on
+/// cylinders (radii of 500 mm), and the last digit of profile files is 1e-7 mm at best. A cone that
+/// this hides up to 1 mm has a conicity of 5e-10.
+constexpr double zero_difference = 1e-9;
+
+/// Relative, of potentials and amplitudes. Origin: a thousand times what the integrals lose, so
+/// that turning points at the ends of the samples count as within.
+constexpr double rounding = 1e-9;
+
+/// The samples around the centre, up to the first one without a difference on either side.
+RadiusDifference known_around_centre(const RadiusDifference& samples) {
+  RadiusDifference known;
+  RadiusDifference run;
+  const auto distance = [](const RadiusDifference& part) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double y : part.lateral) {
+      least = std::min(least, std::abs(y));
+    }
+    return least;
+  };
+  for (std::size_t i = 0; i <= samples.lateral.size(); ++i) {
+    if (i < samples.lateral.size() && !std::isnan(samples.difference[i])) {
+      run.lateral.push_back(samples.lateral[i]);
+      run.difference.push_back(samples.difference[i]);
+      continue;
+    }
+    if (distance(run) < distance(known)) {
+      known = run;
+    }
+    run = {};
+  }
+  return known;
+}
+
 /// b r0 = 1: y'' = -f(y) with f = dr/2.
 class Motion {
 public:
-  explicit Motion(const RadiusDifference& samples)
-      : y_(samples.lateral), force_(samples.difference) {
-    for (double& force : force_) {
-      force *= 0.5;
+  explicit Motion(const RadiusDifference& samples) {
+    for (std::size_t i = 0; i < samples.lateral.size(); ++i) {
+      const double difference = samples.difference[i];
+      add(samples.lateral[i], std::abs(difference) <= zero_difference ? 0.0 : 0.5 * difference);
     }
     find_rest();
-    if (rest_ > 0) {
+    if (rests_) {
       potential_.assign(y_.size(), 0.0);
       for (std::size_t i = rest_; i + 1 < y_.size(); ++i) {
         potential_[i + 1] = potential_[i] + step(i);
@@ -29,9 +64,13 @@ public:
     }
   }
 
-  [[nodiscard]] bool rests() const { return rest_ > 0; }
+  [[nodiscard]] bool rests() const { return rests_; }
   [[nodiscard]] double rest() const { return y_[rest_]; }
+  [[nodiscard]] double least() const { return y_.front(); }
   [[nodiscard]] double greatest() const { return y_.back(); }
+  /// The first and last position of the band around the rest where no force acts.
+  [[nodiscard]] double band_begin() const { return y_[band_begin_]; }
+  [[nodiscard]] double band_end() const { return y_[band_end_]; }
 
   [[nodiscard]] double potential(double y) const {
     const std::size_t i = segment(y);
@@ -39,19 +78,24 @@ public:
     return potential_[i] + part * (force_[i] + 0.5 * slope(i) * part);
   }
 
-  /// The turning point on the other side of the rest; nothing if the samples end before it or if
-  /// the force leads away from the rest on the way.
-  [[nodiscard]] std::optional<double> opposite(double turn) const {
-    const double level = potential(turn);
+  /// The greatest potential between the rest and a position to the right of it: what it takes to
+  /// get there.
+  [[nodiscard]] double barrier(double y) const {
+    double greatest = potential(y); // monotonic between samples
+    for (std::size_t i = rest_; i < y_.size() && y_[i] < y; ++i) {
+      greatest = std::max(greatest, potential_[i]);
+    }
+    return greatest;
+  }
+
+  /// The first position left of the rest with this potential; nothing if the samples end before.
+  [[nodiscard]] std::optional<double> opposite(double level) const {
     std::size_t i = rest_;
     while (i > 0 && potential_[i - 1] < level) {
-      if (force_[i - 1] > 0.0) {
-        return std::nullopt;
-      }
       --i;
     }
     if (i == 0) {
-      return std::nullopt;
+      return potential_[0] >= (1.0 - rounding) * level ? std::optional(y_[0]) : std::nullopt;
     }
     double left = y_[i - 1];
     double right = y_[i];
@@ -60,16 +104,6 @@ public:
       (potential(middle) > level ? left : right) = middle;
     }
     return right;
-  }
-
-  /// Whether the force leads back to the rest everywhere up to a turning point on the right.
-  [[nodiscard]] bool leads_back(double turn) const {
-    for (std::size_t i = rest_ + 1; i < y_.size() && y_[i] <= turn; ++i) {
-      if (force_[i] < 0.0) {
-        return false;
-      }
-    }
-    return true;
   }
 
   /// Way x from one turning point to the other.
@@ -92,6 +126,48 @@ public:
   }
 
 private:
+  /// A sample; where the force has changed its sign, also one without a force in between.
+  void add(double y, double force) {
+    if (!y_.empty() && force_.back() * force < 0.0) {
+      const double share = force_.back() / (force_.back() - force);
+      const double between = y_.back() + share * (y - y_.back());
+      if (between <= y_.back()) {
+        force_.back() = 0.0;
+      } else if (between >= y) {
+        force = 0.0;
+      } else {
+        y_.push_back(between);
+        force_.push_back(0.0);
+      }
+    }
+    y_.push_back(y);
+    force_.push_back(force);
+  }
+
+  /// The rest closest to the centre: one sample or more without a force, with forces that lead
+  /// there on both sides, or up to the last sample.
+  void find_rest() {
+    double closest = std::numeric_limits<double>::infinity();
+    for (std::size_t begin = 0; begin < y_.size(); ++begin) {
+      if (force_[begin] != 0.0 || (begin > 0 && force_[begin - 1] >= 0.0)) {
+        continue;
+      }
+      std::size_t end = begin;
+      std::size_t middle = begin;
+      for (; end + 1 < y_.size() && force_[end + 1] == 0.0; ++end) {
+        middle = std::abs(y_[end + 1]) < std::abs(y_[middle]) ? end + 1 : middle;
+      }
+      const bool led_back = end + 1 == y_.size() || force_[end + 1] > 0.0;
+      if (led_back && std::abs(y_[middle]) < closest) {
+        closest = std::abs(y_[middle]);
+        rests_ = true;
+        rest_ = middle;
+        band_begin_ = begin;
+        band_end_ = end;
+      }
+    }
+  }
+
   [[nodiscard]] double slope(std::size_t i) const {
     return (force_[i + 1] - force_[i]) / (y_[i + 1] - y_[i]);
   }
@@ -101,32 +177,6 @@ private:
   [[nodiscard]] std::size_t segment(double y) const {
     const auto above = std::upper_bound(y_.begin() + 1, y_.end() - 1, y);
     return static_cast<std::size_t>(above - y_.begin()) - 1;
-  }
-
-  /// The position of rest closest to the centre becomes a sample of its own.
-  void find_rest() {
-    double closest = std::numeric_limits<double>::infinity();
-    std::size_t before = 0;
-    for (std::size_t i = 0; i + 1 < y_.size(); ++i) {
-      if (force_[i] <= 0.0 && force_[i + 1] > 0.0) {
-        const double y = y_[i] - force_[i] * (y_[i + 1] - y_[i]) / (force_[i + 1] - force_[i]);
-        if (std::abs(y) < std::abs(closest)) {
-          closest = y;
-          before = i;
-        }
-      }
-    }
-    if (!std::isfinite(closest)) {
-      return;
-    }
-    if (closest == y_[before]) {
-      rest_ = before;
-      return;
-    }
-    rest_ = before + 1;
-    const auto place = static_cast<std::ptrdiff_t>(rest_);
-    y_.insert(y_.begin() + place, closest);
-    force_.insert(force_.begin() + place, 0.0);
   }
 
   /// Way x between two positions of one segment, where y'' = -(f + c (y - y0)): a sine for c > 0, a
@@ -155,36 +205,60 @@ private:
   std::vector<double> y_;
   std::vector<double> force_;
   std::vector<double> potential_;
-  std::size_t rest_ = 0; ///< sample; 0: there is none
+  bool rests_ = false;
+  std::size_t rest_ = 0; ///< sample; also the two below
+  std::size_t band_begin_ = 0;
+  std::size_t band_end_ = 0;
 };
+
+EquivalentConicity none(const std::string& reason) {
+  return {std::numeric_limits<double>::quiet_NaN(), reason};
+}
 
 } // namespace
 
-double equivalent_conicity(const RadiusDifference& samples, double amplitude) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (samples.lateral.size() < 2 || !(amplitude > 0.0)) {
-    return none;
+EquivalentConicity equivalent_conicity(const RadiusDifference& samples, double amplitude) {
+  const RadiusDifference known = known_around_centre(samples);
+  if (known.lateral.size() < 2 || !(amplitude > 0.0)) {
+    return none("no rolling radius difference is known");
   }
-  const Motion motion(samples);
+  const Motion motion(known);
   if (!motion.rests()) {
-    return none;
+    return none("the wheelset is led back to no position between y = " + general(motion.least()) +
+                " and " + general(motion.greatest()) + " mm");
   }
+  const double width = 2.0 * amplitude;
+  if (width <= motion.band_end() - motion.band_begin()) {
+    return {0.0, ""};
+  }
+  const auto ends = [](double y) {
+    return none("the rolling radius difference is not known beyond y = " + general(y) + " mm");
+  };
   // The right turning point: the width between both grows with it.
-  double least = motion.rest();
-  double most = std::min(motion.greatest(), motion.rest() + 2.0 * amplitude);
+  double least = motion.band_end();
+  double most = std::min(motion.greatest(), motion.band_begin() + width);
+  const auto is_too_narrow = [&](double right, double share) {
+    const auto left = motion.opposite(motion.barrier(right));
+    return left && right - *left < share * width;
+  };
+  if (most == motion.greatest() && (most == least || is_too_narrow(most, 1.0 - rounding))) {
+    return ends(most);
+  }
   for (int halving = 0; halving < 100; ++halving) {
     const double middle = 0.5 * (least + most);
-    const auto left = motion.opposite(middle);
-    (left && middle - *left < 2.0 * amplitude ? least : most) = middle;
+    (is_too_narrow(middle, 1.0) ? least : most) = middle;
   }
-  const auto left = motion.opposite(least);
-  constexpr double rounding = 1e-9;
-  if (!left || std::abs(least - *left - 2.0 * amplitude) > rounding * amplitude ||
-      !motion.leads_back(least)) {
-    return none;
+  const double barrier = motion.barrier(least);
+  const auto left = motion.opposite(barrier);
+  if (!left || std::abs(least - *left - width) > rounding * width ||
+      motion.potential(least) < (1.0 - rounding) * barrier) {
+    return motion.opposite(motion.barrier(most))
+               ? none("no motion about y = " + fixed(motion.rest(), 2) +
+                      " mm is that wide: the wheelset runs away to another position of rest")
+               : ends(motion.least());
   }
   const double wave = 2.0 * motion.half_wave(*left, least);
-  return std::pow(2.0 * std::numbers::pi / wave, 2);
+  return {std::pow(2.0 * std::numbers::pi / wave, 2), ""};
 }
 
 } // namespace driver

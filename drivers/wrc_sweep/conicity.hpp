@@ -17,22 +17,36 @@
 /// the turning points, where its integrand has poles. Jumps of dr are as steep as the samples are
 /// close.
 ///
+/// Differences below a tolerance are zero (constant in conicity.cpp): where that holds from turn to
+/// turn, as on cylinders, nothing leads the wheelset back, the wave is infinitely long and the
+/// conicity 0. It grows from there once the turning points lie beyond.
+///
 /// Units mm. Amplitude is half the distance of the turning points, as in both standards. Knows
 /// nothing of how dr came about: with roll solved, or without as EN 15302 has it.
 #pragma once
 
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace driver {
 
-/// Lateral positions in ascending order and rolling radius differences there.
+/// Lateral positions in ascending order and rolling radius differences there; NaN where there is
+/// none.
 struct RadiusDifference {
   std::vector<double> lateral;
   std::vector<double> difference;
 };
 
-/// The equivalent conicity at an amplitude. NaN if the samples do not reach that far, or if the
-/// wheelset is not led back to one position of rest between the turning points.
-double equivalent_conicity(const RadiusDifference& samples, double amplitude);
+struct EquivalentConicity {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::string reason; ///< why there is no value; empty if there is one
+};
+
+/// The equivalent conicity at an amplitude, about the position of rest closest to the centre. There
+/// is none if the samples do not reach the turning points (a sample without a difference ends
+/// them), if nothing leads the wheelset back to a position of rest, or if no motion has this
+/// amplitude since the wheelset runs away to another position of rest.
+EquivalentConicity equivalent_conicity(const RadiusDifference& samples, double amplitude);
 
 } // namespace driver

@@ -19,14 +19,19 @@ struct Curve {
   std::vector<double> radius;
   std::vector<double> angle; ///< tan of the left contact angle minus tan of the right one
   std::vector<double> amplitude;
-  std::vector<double> conicity;
+  std::vector<double> conicity;         ///< NaN where there is none
+  std::vector<std::string> no_conicity; ///< why
 };
 
-/// The curve of one value of the series; positions without a result are left out.
+/// The curve of one value of the series.
 Curve curve_of(const PictureRequest& picture, const PictureData& data, const Values& where) {
   Curve curve;
-  const std::vector<double> lateral = places_of(picture, data);
-  const auto line = [&](const char* name) { return line_of(picture, data, where, name); };
+  PictureRequest ascending = picture;
+  std::vector<double>& lateral = ascending.x_values;
+  lateral = places_of(picture, data);
+  std::sort(lateral.begin(), lateral.end());
+  lateral.erase(std::unique(lateral.begin(), lateral.end()), lateral.end());
+  const auto line = [&](const char* name) { return line_of(ascending, data, where, name); };
   const std::vector<double> radius = line("rolling_radius_difference");
   // Both angles are turns about x; the right contact angle counts the other way round.
   const std::vector<double> left = line("left.rigid_contact.angle");
@@ -38,15 +43,14 @@ Curve curve_of(const PictureRequest& picture, const PictureData& data, const Val
       curve.angle.push_back(std::tan(left[i]) + std::tan(right[i]));
     }
   }
-  const RadiusDifference samples{curve.lateral, curve.radius};
+  const RadiusDifference samples{lateral, radius};
   constexpr double step = 0.25;
   constexpr double most = 12.0;
   for (double amplitude = 2.0 * step; amplitude <= most; amplitude += step) {
-    const double conicity = equivalent_conicity(samples, amplitude);
-    if (!std::isnan(conicity)) {
-      curve.amplitude.push_back(amplitude);
-      curve.conicity.push_back(conicity);
-    }
+    const EquivalentConicity conicity = equivalent_conicity(samples, amplitude);
+    curve.amplitude.push_back(amplitude);
+    curve.conicity.push_back(conicity.value);
+    curve.no_conicity.push_back(conicity.reason);
   }
   return curve;
 }
@@ -68,11 +72,11 @@ std::vector<Curve> curves_of(const PictureRequest& picture, const PictureData& d
 
 void write_table(const std::vector<Curve>& curves, const std::filesystem::path& path) {
   OutputFile file(path);
-  CsvLine(file.stream()).add(words("series amplitude equivalent_conicity"));
+  CsvLine(file.stream()).add(words("series amplitude equivalent_conicity message"));
   for (const Curve& curve : curves) {
     for (std::size_t i = 0; i < curve.amplitude.size(); ++i) {
       CsvLine(file.stream()) << curve.name << text_of(curve.amplitude[i])
-                             << text_of(curve.conicity[i]);
+                             << text_of(curve.conicity[i]) << curve.no_conicity[i];
     }
   }
   file.commit();
@@ -103,12 +107,20 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
     Range range;
     std::vector<std::string> items;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      const std::vector<double>& y = curves[i].*panel.y;
+      std::vector<double> x;
+      std::vector<double> y;
+      for (std::size_t k = 0; k < (curves[i].*panel.y).size(); ++k) {
+        const double value = (curves[i].*panel.y)[k];
+        if (!std::isnan(value)) {
+          x.push_back((curves[i].*panel.x)[k]);
+          y.push_back(value);
+          range.include(value);
+        }
+      }
       if (!y.empty()) {
-        std::for_each(y.begin(), y.end(), [&range](double value) { range.include(value); });
-        items.push_back(gnuplot.block(curves[i].*panel.x, y) + " with lines lw 2 dt " +
-                        std::to_string(i + 1) + " lc rgb '" + line_colour(i, curves.size()) +
-                        "' title " + gnuplot_text(curves[i].title, Markup::subscripts));
+        items.push_back(gnuplot.block(x, y) + " with lines lw 2 dt " + std::to_string(i + 1) +
+                        " lc rgb '" + line_colour(i, curves.size()) + "' title " +
+                        gnuplot_text(curves[i].title, Markup::subscripts));
       }
     }
     gnuplot.script() << "set xlabel '" << panel.x_label << "'\nset ylabel '" << panel.y_label

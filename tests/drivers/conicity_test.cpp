@@ -1,5 +1,6 @@
 /// Equivalent conicity against motions known in closed form.
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -9,8 +10,11 @@
 namespace conicity_test {
 namespace {
 
-using driver::equivalent_conicity;
 using driver::RadiusDifference;
+
+double conicity_of(const RadiusDifference& samples, double amplitude) {
+  return driver::equivalent_conicity(samples, amplitude).value;
+}
 
 template <class Function> RadiusDifference sample(double end, int count, Function difference) {
   RadiusDifference samples;
@@ -27,7 +31,7 @@ TEST(Conicity, OfAConeIsItsSlope) {
   for (const double slope : {0.001, 0.05, 0.4}) {
     const auto samples = sample(10.0, 37, [=](double y) { return 2.0 * slope * y; });
     for (const double amplitude : {0.01, 1.0, 3.0, 9.9}) {
-      EXPECT_NEAR(equivalent_conicity(samples, amplitude) / slope, 1.0, rounding) << amplitude;
+      EXPECT_NEAR(conicity_of(samples, amplitude) / slope, 1.0, rounding) << amplitude;
     }
   }
 }
@@ -35,7 +39,7 @@ TEST(Conicity, OfAConeIsItsSlope) {
 TEST(Conicity, DoesNotDependOnWhereTheWheelsetRests) {
   constexpr double rounding = 1e-12;
   const auto samples = sample(10.0, 400, [](double y) { return 0.1 * (y - 0.333); });
-  EXPECT_NEAR(equivalent_conicity(samples, 3.0) / 0.05, 1.0, rounding);
+  EXPECT_NEAR(conicity_of(samples, 3.0) / 0.05, 1.0, rounding);
 }
 
 TEST(Conicity, OfTwoSlopesIsThatOfTwoHalfWaves) {
@@ -48,7 +52,7 @@ TEST(Conicity, OfTwoSlopesIsThatOfTwoHalfWaves) {
   const double root = rate_sum * (1.0 / std::sqrt(g1) + 1.0 / std::sqrt(g2));
   constexpr double rounding = 1e-10;
   for (const double amplitude : {0.5, 3.0}) {
-    EXPECT_NEAR(equivalent_conicity(samples, amplitude) * root * root, 1.0, rounding);
+    EXPECT_NEAR(conicity_of(samples, amplitude) * root * root, 1.0, rounding);
   }
 }
 
@@ -60,7 +64,7 @@ TEST(Conicity, OfACubicForceIsGausssLemniscate) {
     const double wave = 4.0 * complete_elliptic / amplitude;
     const double exact = std::pow(2.0 * std::numbers::pi / wave, 2);
     constexpr double chords = 1e-5; // of steps of 0.0025 mm over 1 mm
-    EXPECT_NEAR(equivalent_conicity(samples, amplitude) / exact, 1.0, chords) << amplitude;
+    EXPECT_NEAR(conicity_of(samples, amplitude) / exact, 1.0, chords) << amplitude;
   }
 }
 
@@ -73,9 +77,8 @@ TEST(Conicity, GoesThroughJumpsAndFallingParts) {
   constexpr double amplitude = 2.0;
   const double wave = 4.0 * std::sqrt(2.0 * amplitude / force);
   constexpr double width = 1e-8; // of the jump
-  EXPECT_NEAR(equivalent_conicity(samples, amplitude) *
-                  std::pow(wave / (2.0 * std::numbers::pi), 2),
-              1.0, width);
+  EXPECT_NEAR(conicity_of(samples, amplitude) * std::pow(wave / (2.0 * std::numbers::pi), 2), 1.0,
+              width);
   // Falling outwards: a force f - c y with a closed form by the hyperbolic cosine.
   constexpr double fall = 0.02;
   samples.difference = {-2.0 * (force - fall * 10.0), -2.0 * force, 2.0 * force,
@@ -83,21 +86,111 @@ TEST(Conicity, GoesThroughJumpsAndFallingParts) {
   const double centre = force / fall;
   const double rate = std::sqrt(fall);
   const double quarter = std::acosh(centre / (centre - amplitude)) / rate;
-  EXPECT_NEAR(equivalent_conicity(samples, amplitude) *
+  EXPECT_NEAR(conicity_of(samples, amplitude) *
                   std::pow(4.0 * quarter / (2.0 * std::numbers::pi), 2),
               1.0, width);
 }
 
 TEST(Conicity, IsUnknownWhereTheSamplesEndOrLeadAway) {
   const auto samples = sample(5.0, 100, [](double y) { return 0.1 * y; });
-  EXPECT_TRUE(std::isnan(equivalent_conicity(samples, 5.5)));
-  EXPECT_TRUE(std::isnan(equivalent_conicity(samples, 0.0)));
-  EXPECT_TRUE(std::isnan(equivalent_conicity({}, 1.0)));
+  EXPECT_TRUE(std::isnan(conicity_of(samples, 5.5)));
+  EXPECT_TRUE(std::isnan(conicity_of(samples, 0.0)));
+  EXPECT_TRUE(std::isnan(conicity_of({}, 1.0)));
   const auto away = sample(5.0, 100, [](double y) { return -0.1 * y; });
-  EXPECT_TRUE(std::isnan(equivalent_conicity(away, 1.0)));
+  EXPECT_TRUE(std::isnan(conicity_of(away, 1.0)));
   const auto turning = sample(5.0, 1000, [](double y) { return std::sin(2.0 * y); });
-  EXPECT_FALSE(std::isnan(equivalent_conicity(turning, 1.0)));
-  EXPECT_TRUE(std::isnan(equivalent_conicity(turning, 3.0)));
+  EXPECT_FALSE(std::isnan(conicity_of(turning, 1.0)));
+  EXPECT_TRUE(std::isnan(conicity_of(turning, 3.0)));
+}
+
+/// A force that is 0 up to a half width w, then grows at a rate k: half a sine, and twice w at the
+/// speed with which it begins.
+TEST(Conicity, IsZeroWhereNothingLeadsBackAndGrowsBeyond) {
+  constexpr double w = 2.0;
+  constexpr double k = 0.05;
+  const auto band = [](double noise) {
+    int i = 0;
+    return sample(10.0, 200, [&i, noise](double y) {
+      const double sign = ++i % 3 == 0 ? -1.0 : i % 3 - 1.0; // also 0
+      const double beyond = std::abs(y) - w;
+      return beyond > 1e-9 ? 2.0 * k * std::copysign(beyond, y) : sign * noise;
+    });
+  };
+  for (const double noise : {0.0, 1e-13, 1e-10}) { // of a cylinder: 4e-13 mm
+    const auto samples = band(noise);
+    for (const double amplitude : {0.5, 1.0, 1.9}) {
+      const auto conicity = driver::equivalent_conicity(samples, amplitude);
+      EXPECT_EQ(conicity.value, 0.0) << noise << ' ' << amplitude << conicity.reason;
+    }
+    for (const double amplitude : {2.001, 2.1, 3.0, 9.0}) {
+      const double half_wave =
+          std::numbers::pi / std::sqrt(k) + 2.0 * w / (std::sqrt(k) * (amplitude - w));
+      const double exact = std::pow(std::numbers::pi / half_wave, 2);
+      constexpr double rounding = 1e-6; // of the difference to the band's end
+      EXPECT_NEAR(conicity_of(samples, amplitude) / exact, 1.0, rounding)
+          << noise << ' ' << amplitude;
+    }
+    EXPECT_TRUE(driver::equivalent_conicity(samples, 10.5)
+                    .reason.starts_with("the rolling radius difference is not known beyond"));
+  }
+  // A cylinder all along.
+  const auto flat = sample(5.0, 10, [](double y) { return 1e-13 * y; });
+  EXPECT_EQ(conicity_of(flat, 4.9), 0.0);
+  EXPECT_TRUE(std::isnan(conicity_of(flat, 5.1)));
+}
+
+/// Led away from the centre by a force F up to 1 mm and back beyond: narrow motions about a rest at
+/// 1 mm, wide ones over both, whose parts are as long as a speed changes by F.
+TEST(Conicity, IsThatOfMotionsOverTwoPositionsOfRest) {
+  constexpr double force = 0.25;
+  RadiusDifference samples;
+  samples.lateral = {-10.0, -1.0 - 1e-9, -1.0 + 1e-9, -1e-9, 1e-9, 1.0 - 1e-9, 1.0 + 1e-9, 10.0};
+  for (const double sign : {-1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0}) {
+    samples.difference.push_back(2.0 * force * sign);
+  }
+  constexpr double width = 1e-7; // of the jumps
+  for (const double amplitude : {2.5, 4.0, 9.0}) {
+    const double half_wave = 2.0 *
+                             (2.0 * std::sqrt(2.0 * force * (amplitude - 1.0)) -
+                              std::sqrt(2.0 * force * (amplitude - 2.0))) /
+                             force;
+    EXPECT_NEAR(conicity_of(samples, amplitude) * std::pow(half_wave / std::numbers::pi, 2), 1.0,
+                width)
+        << amplitude;
+  }
+  constexpr double narrow = 0.5;
+  EXPECT_NEAR(conicity_of(samples, narrow) * 32.0 * narrow / force /
+                  std::pow(2.0 * std::numbers::pi, 2),
+              1.0, width);
+  const auto between = driver::equivalent_conicity(samples, 1.5);
+  EXPECT_TRUE(std::isnan(between.value));
+  EXPECT_NE(between.reason.find("runs away to another position of rest"), std::string::npos)
+      << between.reason;
+}
+
+TEST(Conicity, EndsWhereADifferenceIsUnknown) {
+  auto samples = sample(10.0, 20, [](double y) { return 0.1 * y; });
+  samples.difference[14] = std::numeric_limits<double>::quiet_NaN(); // y = 4
+  constexpr double rounding = 1e-12;
+  EXPECT_NEAR(conicity_of(samples, 2.9), 0.05, rounding);
+  const auto beyond = driver::equivalent_conicity(samples, 3.1);
+  EXPECT_TRUE(std::isnan(beyond.value));
+  EXPECT_EQ(beyond.reason, "the rolling radius difference is not known beyond y = 3 mm");
+  samples.difference[3] = samples.difference[14]; // y = -7
+  samples.difference[14] = 0.4;
+  EXPECT_EQ(driver::equivalent_conicity(samples, 6.5).reason,
+            "the rolling radius difference is not known beyond y = -6 mm");
+  // A sign that changes within the rounding of a position.
+  RadiusDifference steep{{-5.0, 1.0, std::nextafter(1.0, 2.0), 7.0}, {-0.6, -2e-9, 0.5, 0.6}};
+  EXPECT_GT(conicity_of(steep, 3.0), 0.0);
+  // Turning points at the last samples, whatever their rounding.
+  for (const int count : {7, 11, 13, 17, 19}) {
+    const auto up_to_ends = sample(1.9, count, [](double y) { return 0.1 * y + 0.3 * y * y * y; });
+    EXPECT_FALSE(std::isnan(conicity_of(up_to_ends, 1.9))) << count;
+  }
+  const auto away = sample(5.0, 100, [](double y) { return -0.1 * y; });
+  EXPECT_EQ(driver::equivalent_conicity(away, 1.0).reason,
+            "the wheelset is led back to no position between y = -5 and 5 mm");
 }
 
 } // namespace

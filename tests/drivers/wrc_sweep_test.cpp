@@ -233,29 +233,6 @@ TEST_F(WrcSweep, ProgressIsShownWhenAsked) {
   EXPECT_NE(outcome.error.find("2 of 2"), std::string::npos) << outcome.error;
 }
 
-TEST_F(WrcSweep, ConicityOfAConeIsItsSlope) {
-  NEEDS_GNUPLOT();
-  std::string wheel;
-  for (int s = -60; s <= 60; ++s) { // heights towards larger radius: 1 in 20
-    wheel += std::to_string(s) + ' ' + std::to_string(-0.05 * s) + '\n';
-  }
-  write("cone.dat", wheel);
-  write(
-      "s.toml",
-      "[wheelset]\nwheel = \"cone.dat\"\n[pose]\nroll = \"en15302\"\nlateral = {from = -6, to = 6, "
-      "step = 0.5}\n[load]\nvertical = 0\n[study]\nresults = [\"rolling_radius_difference\", "
-      "\"left.rigid_contact.angle\", \"right.rigid_contact.angle\"]\n[[picture]]\nkind = "
-      "\"conicity\"\nfile = \"c.png\"\n");
-  (void)files("s.toml", "o");
-  EXPECT_TRUE(is_png("o/c.png"));
-  const auto lines = lines_of(read("o/c_by_amplitude.csv"));
-  ASSERT_GT(lines.size(), 10U);
-  constexpr double search = 1e-5; // of contact points
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    EXPECT_NEAR(std::stod(entries_of(lines[i]).at(2)), 0.05, search) << lines[i];
-  }
-}
-
 TEST_F(WrcSweep, MapsHaveColoursAndContours) {
   NEEDS_GNUPLOT();
   write("s.toml", "[pose]\nyaw = [0.0, 0.01, 0.02]\nlateral = {from = -6, to = 6, step = 1}\n"
@@ -430,7 +407,8 @@ TEST_F(WrcSweep, APageHoldsTheScenes) {
                   "title = \"</script><b>\"\n");
   EXPECT_EQ(run("s.toml --page p.html").out, "p.html\n");
   const std::string page = read("p.html");
-  for (const char* loaded : {"src=", "href=", "http", "import", "url(", "fetch", "</script><b>", "innerHTML"}) {
+  for (const char* loaded :
+       {"src=", "href=", "http", "import", "url(", "fetch", "</script><b>", "innerHTML"}) {
     EXPECT_EQ(page.find(loaded), std::string::npos) << loaded;
   }
   ASSERT_EQ(run("s.toml --page q.html --threads 3").exit_code, 0);
