@@ -46,7 +46,7 @@ check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|owne
 check tests/fuzz 'base/error\.hpp|profile/readers\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
 check tests/properties '(drawn_scene|outcome|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
-check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp'
+check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp|support/(csv_table|gnuplot)\.hpp'
 
 # One file sees FFTW, and one of the tests, which plays a host program.
 fftw=$(git ls-files '*.cpp' '*.hpp' '*.h' '*.c' | xargs grep -lE 'include[[:space:]]*<fftw3' |
