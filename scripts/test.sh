@@ -18,6 +18,7 @@ case "$#:${1:-}" in
 esac
 
 octave=OFF
+skipped=()
 # build_and_test PRESET [PROGRAM]: one program of tests, whose label is its name, or everything.
 build_and_test() {
   local preset=$1 target=${2:-all} start=$SECONDS built
@@ -41,7 +42,7 @@ build_and_test() {
     exit 1
   }
   tail -n 3 "$folder/test.log"
-  grep 'Skipped' "$folder/test.log" || true
+  skipped+=("$preset: $(scripts/skipped_tests.sh "$folder/Testing/Temporary/LastTest.log")")
   echo "== $preset: $((built - start)) s to build, $((SECONDS - built)) s to test"
 }
 
@@ -80,3 +81,5 @@ if [ "$all" = yes ]; then
   echo "== instruction sets"
   scripts/check_instruction_sets.sh
 fi
+echo "== skipped tests"
+printf '%s\n' "${skipped[@]}"

@@ -34,7 +34,7 @@ struct Check {
   }
 };
 
-/// Wheel/rail cases of a JSON file as the reference folder has them (see tests/README.md). Throws
+/// Wheel/rail cases of a JSON file such as tests/reference/contact_cases.json. Throws
 /// Failure if it cannot be understood.
 std::vector<Check> run_contact_cases(const std::filesystem::path& file);
 

@@ -1,13 +1,13 @@
 #include "geometry/wheelset_equilibrium.hpp"
 
 #include <cmath>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "support/brute_force.hpp"
+#include "support/reference_data.hpp"
 
 namespace wrc::test::wheelset_equilibrium_test {
 namespace {
@@ -77,11 +77,7 @@ TEST(WheelsetEquilibrium, CentredWheelsetDoesNotRoll) {
 }
 
 TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/contact_cases.json");
-  if (!file) {
-    GTEST_SKIP() << "no contact_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = reference_data("contact_cases.json").at("cases");
   const Pair pair = s1002_on("UIC60-Manchester");
   /// The cases give the roll of a trial with its own profile points; asked for is this, rad.
   constexpr double roll_tolerance = 2e-6;

@@ -1,7 +1,6 @@
 #include "patches/contact_patches.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -12,6 +11,7 @@
 #include "geometry/wheelset_equilibrium.hpp"
 #include "patches/patch_finder.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "support/reference_data.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::contact_patches_test {
@@ -419,11 +419,7 @@ constexpr double angle_tolerance = 1.5e-3;
 constexpr double place_tolerance = 0.06;
 
 TEST(ContactPatches, PlanesOfAnIndependentProgram) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/contact_cases.json");
-  if (!file) {
-    GTEST_SKIP() << "no contact_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json reference = nlohmann::json::parse(file);
+  const nlohmann::json reference = reference_data("contact_cases.json");
   for (const auto& entry : reference.at("cases")) {
     SCOPED_TRACE(entry.at("id").get<std::string>());
     const double cant = std::stod(entry.at("cant").get<std::string>().substr(2)); // "1:40"

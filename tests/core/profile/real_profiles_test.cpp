@@ -1,11 +1,13 @@
-/// Measured profiles as they were distributed, which stand outside the project: kind, signs, side
-/// and origin as their list says, in strict mode where the format states them.
+/// Measured profiles: kind, signs, side and origin as their list says. The points of the wheels are
+/// in tests/reference; the files as they were distributed, read in strict mode too where the format
+/// states what is needed, are not part of the project.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -13,12 +15,10 @@
 #include "profile/profile_shape.hpp"
 #include "profile/readers.hpp"
 #include "scene/solve_scene.hpp"
+#include "support/reference_data.hpp"
 
 namespace wrc::test::real_profiles_test {
 namespace {
-
-const std::filesystem::path folder =
-    std::filesystem::path(WRCONTACT_REFERENCE_DIR) / "real_profiles";
 
 struct RealFile {
   const char* file;
@@ -55,66 +55,88 @@ const RealFile real_files[] = {
     {"site_b_hr.prr", ProfileKind::rail, true, {-36.9, 36.8}, {-37.9, 0}, {15, 22}},
 };
 
-class RealProfiles : public ::testing::TestWithParam<RealFile> {
-protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(path()))
-      GTEST_SKIP() << "reference file " << path() << " is not there";
-  }
-  [[nodiscard]] static std::filesystem::path path() { return folder / GetParam().file; }
-};
-
-TEST_P(RealProfiles, AreReadAsTheirListSays) {
-  const RealFile& file = GetParam();
-  const ReadResult read = read_profile(path());
-  EXPECT_EQ(read.profile.kind, file.kind);
+void expect_as_listed(const RealFile& file, const Profile& profile) {
+  EXPECT_EQ(profile.kind, file.kind);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Position extent = reading::extent_of(read.profile.points, i);
+    const Position extent = reading::extent_of(profile.points, i);
     const Position& expected = i == 0 ? file.lateral : file.height;
     EXPECT_NEAR(extent[0], expected[0], 0.5);
     EXPECT_NEAR(extent[1], expected[1], 0.5);
   }
   const Position top =
-      *std::max_element(read.profile.points.begin(), read.profile.points.end(),
+      *std::max_element(profile.points.begin(), profile.points.end(),
                         [](const Position& a, const Position& b) { return a[1] < b[1]; });
   EXPECT_GE(top[0], file.top_lateral[0]);
   EXPECT_LE(top[0], file.top_lateral[1]);
 }
 
-TEST_P(RealProfiles, PassStrictReadingWhereTheFormatStatesThem) {
+/// The points of a wheel's file in columns.
+std::filesystem::path columns_of(const RealFile& file) {
+  return reference_file("profiles/" + std::filesystem::path(file.file).stem().string() + ".txt");
+}
+
+ReadResult read_columns_of(const RealFile& file) {
+  ReadOptions options;
+  options.kind = file.kind;
+  return read_profile(columns_of(file), options);
+}
+
+class RealFiles : public ::testing::TestWithParam<RealFile> {};
+
+TEST_P(RealFiles, AreReadAsTheirListSays) {
+  const RealFile& file = GetParam();
+  const std::string name = std::string("real_profiles/") + file.file;
+  WRC_NEEDS_ORIGINAL(name);
+  const ReadResult read = read_profile(original_file(name));
+  expect_as_listed(file, read.profile);
+  if (file.kind == ProfileKind::wheel) {
+    EXPECT_EQ(read.profile.points, read_columns_of(file).profile.points);
+  }
+
   ReadOptions options;
   options.strict = true;
   try {
-    (void)read_profile(path(), options);
-    EXPECT_TRUE(GetParam().strict);
+    (void)read_profile(original_file(name), options);
+    EXPECT_TRUE(file.strict);
   } catch (const Error& error) {
-    EXPECT_FALSE(GetParam().strict) << error.what();
+    EXPECT_FALSE(file.strict) << error.what();
   }
+}
+
+class RealWheels : public ::testing::TestWithParam<RealFile> {};
+
+TEST_P(RealWheels, AreReadAsTheirListSays) {
+  expect_as_listed(GetParam(), read_columns_of(GetParam()).profile);
 }
 
 /// Centre height of a wheelset of nominal radius 460 whose wheels touch with their treads, mm.
 constexpr double tread_tolerance = 3.0;
 
-TEST_P(RealProfiles, WheelsTouchTheRailWithTheirTreads) {
-  if (GetParam().kind != ProfileKind::wheel)
-    GTEST_SKIP() << "a rail";
+TEST_P(RealWheels, TouchTheRailWithTheirTreads) {
   Scene scene;
-  scene.left.wheel.name = scene.right.wheel.name = path().string();
+  scene.left.wheel.name = scene.right.wheel.name = columns_of(GetParam()).string();
   scene.until = Module::geometry;
   const SceneResult result = solve_scene(scene);
   EXPECT_NEAR(result.vertical, 460.0, tread_tolerance);
   EXPECT_TRUE(result.left->warnings.empty()) << result.left->warnings.front();
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, RealProfiles, ::testing::ValuesIn(real_files),
-                         [](const auto& instance) {
-                           std::string name =
-                               std::filesystem::path(instance.param.file).stem().string();
-                           std::replace_if(
-                               name.begin(), name.end(),
-                               [](char c) { return std::isalnum(c) == 0; }, '_');
-                           return name;
-                         });
+std::vector<RealFile> wheels() {
+  std::vector<RealFile> found;
+  std::copy_if(std::begin(real_files), std::end(real_files), std::back_inserter(found),
+               [](const RealFile& file) { return file.kind == ProfileKind::wheel; });
+  return found;
+}
+
+std::string name_of(const testing::TestParamInfo<RealFile>& instance) {
+  std::string name = std::filesystem::path(instance.param.file).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealFiles, ::testing::ValuesIn(real_files), name_of);
+INSTANTIATE_TEST_SUITE_P(Files, RealWheels, ::testing::ValuesIn(wheels()), name_of);
 
 } // namespace
 } // namespace wrc::test::real_profiles_test

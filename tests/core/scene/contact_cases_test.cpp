@@ -1,7 +1,6 @@
 // Cases computed by an independent boundary element program (CONTACT), tangent convention.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include "remesh/undeformed_distance.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
+#include "support/reference_data.hpp"
 
 namespace wrc::test::contact_cases_test {
 namespace {
@@ -25,8 +25,8 @@ constexpr double angle_tolerance = 0.002;
 /// Of the forces of patches that share a load.
 constexpr double share_tolerance = 0.01;
 /// The built-in rail lies up to 4.4e-5 mm beside the points that CONTACT has read. That is a
-/// fifteenth of the approach of the small patch in this case, which has to be computed from the
-/// file itself.
+/// fifteenth of the approach of the small patch in this case, which has to be computed from
+/// those points.
 constexpr const char* delicate_case = "extreme-160";
 
 Scene scene_of(const nlohmann::json& entry) {
@@ -115,16 +115,8 @@ std::vector<nlohmann::json> ordered_patches(const nlohmann::json& entry) {
   return patches;
 }
 
-nlohmann::json reference_cases() {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/contact_cases.json");
-  return file ? nlohmann::json::parse(file).at("cases") : nlohmann::json::array();
-}
-
 TEST(ContactCases, AllAgree) {
-  const nlohmann::json cases = reference_cases();
-  if (cases.empty()) {
-    GTEST_SKIP() << "no contact_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
+  const nlohmann::json cases = reference_data("contact_cases.json").at("cases");
   EXPECT_EQ(cases.size(), 23u);
   for (const auto& entry : cases) {
     const std::string id = entry.at("id");
@@ -132,7 +124,7 @@ TEST(ContactCases, AllAgree) {
     Scene scene = scene_of(entry);
     if (id == delicate_case) {
       scene.left.rail.name = scene.right.rail.name =
-          std::string(WRCONTACT_REFERENCE_DIR) + "/MBench_UIC60_v3.prr";
+          reference_file("profiles/UIC60-Manchester.txt").string();
       scene.track.cant = 0.0; // already in the points
     }
     const double element = entry.at("element_mm");

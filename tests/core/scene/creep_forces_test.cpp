@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string>
 
@@ -13,6 +12,7 @@
 
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
+#include "support/reference_data.hpp"
 #include "wheel/total_force.hpp"
 
 namespace wrc::test::creep_forces_test {
@@ -253,9 +253,8 @@ TEST(CreepForces, KeysOfOneComponentSetBothWheels) {
 /// CONTACT's frame has x forward, y right, z down, and its first body is the rail.
 Scene scene_of_case(const nlohmann::json& input, const nlohmann::json& patch) {
   Scene scene;
-  const std::string folder = std::string(WRCONTACT_REFERENCE_DIR) + '/';
-  scene.left.wheel.name = scene.right.wheel.name = folder + input.at("wheel").get<std::string>();
-  scene.left.rail.name = scene.right.rail.name = folder + input.at("rail").get<std::string>();
+  scene.left.wheel.name = scene.right.wheel.name = reference_file(input.at("wheel")).string();
+  scene.left.rail.name = scene.right.rail.name = reference_file(input.at("rail")).string();
   scene.track.cant = input.at("cant_rad");
   scene.track.gauge = input.at("gauge_mm");
   scene.track.gauge_height = input.at("gauge_height_mm");
@@ -296,15 +295,11 @@ double moment_of_case(const nlohmann::json& entry, double whole) {
 // moments of pure spin under 10 kN, which have one grid (wr55, wr61), 0.9 % of 1.3
 // (docs/validation-creep.md).
 TEST(CreepForces, WheelsOfCreepCases) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/creep_cases.json");
-  if (!file) {
-    GTEST_SKIP() << "no creep_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = creep_wheel_rail_cases();
   double squares = 0.0;
   int compared = 0;
   for (const auto& entry : cases) {
-    if (entry.at("kind") != "wheel_rail" || entry.at("input").at("material_digit") == 3 ||
+    if (entry.at("input").at("material_digit") == 3 ||
         entry.at("input").at("discretisation_digit") != 2) {
       continue;
     }
@@ -337,11 +332,7 @@ TEST(CreepForces, WheelsOfCreepCases) {
 // with both patches on the flange they differ by a sixth. With equal totals forward and lateral
 // forces agree to 0.02 and 0.14 % of mu N.
 TEST(CreepForces, TwoPatchesOnTheFlangeCarryWhatAllForcesDo) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/creep_cases.json");
-  if (!file) {
-    GTEST_SKIP() << "no creep_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = creep_wheel_rail_cases();
   const auto entry = std::find_if(cases.begin(), cases.end(),
                                   [](const nlohmann::json& one) { return one.at("id") == "wr79"; });
   ASSERT_NE(entry, cases.end());

@@ -1,7 +1,6 @@
 /// Creep forces from the motion of the wheelset, and the forces on it.
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -10,6 +9,7 @@
 
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
+#include "support/reference_data.hpp"
 
 namespace wrc::test::creep_motion_test {
 namespace {
@@ -40,15 +40,11 @@ Motion motion_of_case(const nlohmann::json& input) {
 // CONTACT's creepages refer to its own place on the rail and to the pitch rate it was given or
 // found.
 TEST(CreepMotion, CreepagesOfCreepCasesFollowFromTheMotion) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/creep_cases.json");
-  if (!file) {
-    GTEST_SKIP() << "no creep_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = creep_wheel_rail_cases();
   int compared = 0;
   for (const auto& entry : cases) {
     // Slip element by element (3) is not three creepages, and a pitch rate may be what is sought.
-    if (entry.at("kind") != "wheel_rail" || entry.at("input").at("discretisation_digit") != 2 ||
+    if (entry.at("input").at("discretisation_digit") != 2 ||
         entry.at("input").at("vpitch_rad_s").is_null()) {
       continue;
     }

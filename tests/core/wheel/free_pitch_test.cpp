@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "scene/solve_scene.hpp"
+#include "support/reference_data.hpp"
 
 namespace wrc::test::free_pitch_test {
 namespace {
@@ -146,24 +146,19 @@ TEST(FreePitch, HasNoJumps) {
 
 // CONTACT finds the pitch rate at which a wheel has a longitudinal force.
 TEST(FreePitch, OfCreepCasesWithAForce) {
-  const std::string folder = std::string(WRCONTACT_REFERENCE_DIR) + '/';
-  std::ifstream file(folder + "creep_cases.json");
-  if (!file) {
-    GTEST_SKIP() << "no creep_cases.json in " << WRCONTACT_REFERENCE_DIR;
-  }
   int compared = 0;
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = creep_wheel_rail_cases();
   for (const auto& entry : cases) {
     const auto& input = entry.at("input");
-    if (entry.at("kind") != "wheel_rail" || !input.at("vpitch_rad_s").is_null()) {
+    if (!input.at("vpitch_rad_s").is_null()) {
       continue;
     }
     SCOPED_TRACE(entry.at("id").get<std::string>());
     const auto& reference = entry.at("grids").back();
     Scene scene;
     scene.side = SideChoice::right;
-    scene.right.wheel.name = folder + input.at("wheel").get<std::string>();
-    scene.right.rail.name = folder + input.at("rail").get<std::string>();
+    scene.right.wheel.name = reference_file(input.at("wheel")).string();
+    scene.right.rail.name = reference_file(input.at("rail")).string();
     scene.left = scene.right;
     scene.left.friction.coefficient = scene.right.friction.coefficient = input.at("mu");
     scene.track.gauge = input.at("gauge_mm");
