@@ -20,9 +20,13 @@ constexpr double place_tolerance = 1e-12;
 /// Contacts within this distance of the end of a profile, mm of arc, get a warning.
 /// origin: reasoned: far above place_tolerance and far below any element.
 constexpr double end_tolerance = 1e-6;
-/// Samples along a ridge under yaw.
+/// Samples along a ridge under yaw, at least, ...
 /// origin: reasoned: distances are a parabola there, as between any two samples.
 constexpr int ridge_samples = 8;
+/// ... and how far apart they are across the rail at most where the least distance is sought, mm.
+/// origin: reasoned: the rail's head has radii from 13 mm; only with a yaw of 0.1 rad or more and
+/// large wheels does a ridge reach farther than this in each of its samples.
+constexpr double ridge_spacing = 1.0;
 
 } // namespace
 
@@ -98,7 +102,8 @@ double SideSearch::edge_along(std::size_t piece, double inside, double outside) 
   const RootBracket::Point in{inside, inside_by(piece, inside)};
   const RootBracket::Point out{outside, inside_by(piece, outside)};
   if (!(in.value > 0.0 && out.value < 0.0)) {
-    return inside;
+    // A ridge ends the piece with its own flank's slope, and may lie over the rail with that alone.
+    return in.value > 0.0 && out.value >= 0.0 ? outside : inside;
   }
   RootBracket edge(in, out);
   edge.narrow(place_tolerance, [&](double along) { return inside_by(piece, along); });
@@ -126,31 +131,79 @@ LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
                         : LocusSpot{piece, least.other(), above};
 }
 
-/// Between the flanks of a ridge, where the locus comes down to it from both; parts of it may be
-/// beyond the rail.
+/// The last place towards `outside` at which a ridge is over the rail.
+SideSearch::RidgePlace SideSearch::ridge_end(const Ridge& ridge, RidgePlace inside,
+                                             double outside) const {
+  while (std::abs(outside - inside.turned) > place_tolerance) {
+    const double middle = 0.5 * (inside.turned + outside);
+    const Meeting meeting = meet(on_ridge(ridge, middle));
+    if (meeting.exists) {
+      inside = {middle, meeting};
+    } else {
+      outside = middle;
+    }
+  }
+  return inside;
+}
+
+/// From flank to flank, with the places where it leaves the rail or comes to it.
+std::vector<SideSearch::RidgePlace> SideSearch::ridge_places(const Ridge& ridge, int count) const {
+  std::vector<RidgePlace> places{{0.0, meet(on_ridge(ridge, 0.0))}};
+  for (int i = 1; i <= count; ++i) {
+    const RidgePlace before = places.back();
+    const double turned = static_cast<double>(i) / count;
+    const RidgePlace after{turned, meet(on_ridge(ridge, turned))};
+    if (before.meeting.exists != after.meeting.exists) {
+      places.push_back(before.meeting.exists ? ridge_end(ridge, before, turned)
+                                             : ridge_end(ridge, after, before.turned));
+    }
+    places.push_back(after);
+  }
+  return places;
+}
+
+/// Places that a search for the least distance takes: as many as the ridge is long.
+int SideSearch::searched_places(const Ridge& ridge) const {
+  const auto sine_at = [&](double turned) {
+    bool exists = false;
+    return pose_.angle_at(on_ridge(ridge, turned).slope(), exists).sine;
+  };
+  const double across =
+      wheel_.largest_radius() * (sine_at(1.0) - sine_at(0.0)) * pose_.rotation.sin_yaw;
+  return std::max(ridge_samples, static_cast<int>(std::abs(across) / ridge_spacing));
+}
+
+/// Between the flanks of a ridge, where the locus comes down to it from both, or where the ridge
+/// leaves the rail.
 std::optional<LocusSpot> SideSearch::least_on_ridge(std::size_t node) const {
   const Ridge* ridge = ridge_at(node);
   if (ridge == nullptr) {
     return std::nullopt;
   }
-  const auto at = [&](double turned) { return meet(on_ridge(*ridge, turned)); };
-  double share = 0.0;
-  Meeting before = at(share);
-  for (int i = 1; i <= ridge_samples; ++i) {
-    const double next = static_cast<double>(i) / ridge_samples;
-    const Meeting after = at(next);
+  std::optional<LocusSpot> least;
+  const auto take = [&](double turned, double distance) {
+    if (!least || distance < least->distance) {
+      least = LocusSpot{node, 0.0, distance, turned};
+    }
+  };
+  const std::vector<RidgePlace> places = ridge_places(*ridge, searched_places(*ridge));
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const auto& [share, before] = places[i];
+    const auto& [next, after] = places[i + 1];
     if (before.exists && after.exists && before.sine < 0.0 && after.sine > 0.0) {
-      RootBracket least({share, before.sine}, {next, after.sine});
-      least.narrow(place_tolerance, [&](double turned) -> std::optional<double> {
-        const Meeting meeting = at(turned);
+      RootBracket bracket({share, before.sine}, {next, after.sine});
+      bracket.narrow(place_tolerance, [&](double turned) -> std::optional<double> {
+        const Meeting meeting = meet(on_ridge(*ridge, turned));
         return meeting.exists ? std::optional(meeting.sine) : std::nullopt;
       });
-      return LocusSpot{node, 0.0, at(least.one()).distance, least.one()};
+      take(bracket.one(), meet(on_ridge(*ridge, bracket.one())).distance);
+    } else if (!before.exists && after.exists && after.sine >= 0.0) {
+      take(next, after.distance);
+    } else if (before.exists && !after.exists && before.sine <= 0.0) {
+      take(share, before.distance);
     }
-    share = next;
-    before = after;
   }
-  return std::nullopt;
+  return least;
 }
 
 /// Least distances next to a node that is lower than its neighbours: to its left, to its right, or
@@ -316,8 +369,11 @@ DistanceSample SideSearch::sample(const LocusSpot& spot) const {
 
 /// The places of a ridge between those of its flanks.
 void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const {
-  for (int i = 0; i < ridge_samples; ++i) {
-    const CurvePoint edge = on_ridge(ridge, static_cast<double>(i) / ridge_samples);
+  for (const auto& [turned, meeting] : ridge_places(ridge, ridge_samples)) {
+    if (!meeting.exists || turned >= 1.0) {
+      continue;
+    }
+    const CurvePoint edge = on_ridge(ridge, turned);
     bool exists = false;
     const LocusPoint place = wheel_.locus(edge, pose_.angle_at(edge.slope(), exists), pose_);
     if (exists && rail_.covers(place.position.y)) {

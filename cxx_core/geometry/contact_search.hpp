@@ -88,6 +88,11 @@ private:
     double distance = std::numeric_limits<double>::infinity();
     bool exists = false;
   };
+  /// Along a ridge, by the share of its turn.
+  struct RidgePlace {
+    double turned = 0.0;
+    Meeting meeting;
+  };
   /// The end of a piece's part that is over the rail.
   struct Edge {
     std::size_t node; ///< the one over the rail
@@ -102,6 +107,9 @@ private:
   [[nodiscard]] double inside_by(std::size_t piece, double along) const;
   [[nodiscard]] double edge_along(std::size_t piece, double inside, double outside) const;
   [[nodiscard]] LocusSpot refine(std::size_t piece, double low, double high) const;
+  [[nodiscard]] RidgePlace ridge_end(const Ridge& ridge, RidgePlace inside, double outside) const;
+  [[nodiscard]] std::vector<RidgePlace> ridge_places(const Ridge& ridge, int count) const;
+  [[nodiscard]] int searched_places(const Ridge& ridge) const;
   [[nodiscard]] std::optional<LocusSpot> least_on_ridge(std::size_t node) const;
   void refine_around(std::size_t node, std::vector<LocusSpot>& spots) const;
   void find_edges();

@@ -6,7 +6,11 @@
 
 namespace wrc {
 
-EllipticIntegrals elliptic_integrals(double k) {
+EllipticIntegrals elliptic_integrals(double ratio) {
+  // Contacts of no width that a number could tell from nothing, or of a ratio that is none: the
+  // mean of 1 and 0 has no end.
+  constexpr double least = std::numeric_limits<double>::min();
+  const double k = ratio >= least ? ratio : least;
   double arithmetic = 1.0;
   double geometric = k;
   // sum of 2^(n-1) c_n^2 / e^2 over n >= 1, with c_1^2 / e^2 = (1 - k)/(4 (1 + k)).

@@ -165,10 +165,18 @@ private:
            std::abs(one.position.y - other.position.y) <= same_place;
   }
 
+  /// No place is deeper than the first contact, but for rounding: at the least depths that would be
+  /// all there is.
+  void place(LocusSample<Real> sample) {
+    if (sample.penetration > depth_) {
+      sample.penetration = depth_;
+    }
+    places_.push_back(sample);
+  }
+
   void collect_top(const Top& top) {
     contact_place_ = top.is_first ? places_.size() : contact_place_;
-    places_.push_back(
-        source_.place_of(*top.contact, top.is_first ? depth_ : limit_ - top.contact->distance));
+    place(source_.place_of(*top.contact, top.is_first ? depth_ : limit_ - top.contact->distance));
   }
 
   /// All stretches of the scan in which there may be penetration.
@@ -214,7 +222,7 @@ private:
         is_node = is_node || is_same(samples_[i].wheel, top->contact->wheel);
       }
       if (!is_node) {
-        places_.push_back(source_.place_of(samples_[i], limit_));
+        place(source_.place_of(samples_[i], limit_));
       }
     }
     for (std::size_t i = from; i < places_.size(); ++i) {

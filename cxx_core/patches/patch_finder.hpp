@@ -167,11 +167,11 @@ private:
       return between(here, beyond, way_down(here, beyond, bulge_between(here, beyond), level));
     };
     std::size_t first = lobe.first_place;
-    while (places_[first].penetration < level) {
+    while (first < lobe.last_place && places_[first].penetration < level) {
       ++first;
     }
     std::size_t last = lobe.last_place;
-    while (places_[last].penetration < level) {
+    while (last > lobe.first_place && places_[last].penetration < level) {
       --last;
     }
     const LocusSample<Real> begin = end(first, first - 1, first == lobe.first_place);
@@ -211,11 +211,13 @@ private:
     while (level > 0.0) {
       const Real before = first > 0 ? turns_[first - 1] : Real(0.0);
       const Real after = last < turns_.size() ? turns_[last] : Real(0.0);
-      const Real next = std::min(level, std::max(before, after));
+      const Real neighbour = std::max(before, after);
+      const Real next = neighbour > 0.0 ? std::min(level, neighbour) : Real(0.0); // not a number: 0
       angle += (level - next) * cluster.angle();
       level = next;
       if (next > 0.0) {
-        cluster.add(1.0, lobes_[before >= after ? --first : ++last].moments);
+        const bool before_it = first > 0 && (last >= turns_.size() || before >= after);
+        cluster.add(1.0, lobes_[before_it ? --first : ++last].moments);
       }
     }
     return angle;

@@ -400,6 +400,15 @@ std::vector<Key> accuracy_keys() {
        "maximum pressure (solver paper: of a gap); without solve.grid it follows from the "
        "accuracy"},
       {1e-13, 0.1}, pure, &Scene::tolerance));
+  Key limit = number_key(
+      {"solve.element_limit", "100000", "a whole number, 1000 to 67108864",
+       "largest number of elements of the grids of a wheel together, and of its grids of creep "
+       "forces, that follow from the accuracy; where that needs more, they are as much larger, and "
+       "a "
+       "warning says so; not of solve.grid"},
+      {1e3, 67108864.0}, pure, &Scene::element_limit);
+  limit.whole = true;
+  keys.push_back(limit);
   return keys;
 }
 

@@ -51,6 +51,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.model = scene.creep.value_or(CreepModel::full);
   request.friction = side.friction;
   request.accuracy = scene.accuracy;
+  request.element_limit = scene.element_limit;
   request.derivatives = scene.derivatives;
   request.material = shear_constants(scene.wheel_material, scene.rail_material);
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);

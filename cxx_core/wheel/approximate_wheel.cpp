@@ -80,7 +80,8 @@ void ApproximateWheel::find_patches(double depth) {
   near_only.interaction = false; // models do not couple patches, but lose validity beside others
   const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
   planned_ = plan_patches(rail_, equilibrium_, near_only, depth);
-  set_grids(planned_, rail_, GridChoice(ElementCounts{counts[0], counts[1]}));
+  set_grids(planned_, rail_, GridChoice(ElementCounts{counts[0], counts[1]}),
+            request_.element_limit);
   models_.clear();
   for (const Patch& patch : planned_.patches) {
     models_.push_back(model_ == ApproximateModel::hertz

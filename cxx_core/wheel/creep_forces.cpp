@@ -11,8 +11,10 @@
 #include "rolling/fastsim.hpp"
 #include "rolling/unlike_bodies.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/creep_elements.hpp"
 #include "wheel/creep_grid.hpp"
 #include "wheel/creep_rates.hpp"
+#include "wheel/patch_motion.hpp"
 #include "wheel/wheel_result.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
@@ -28,14 +30,6 @@ Creepages creepages_at(const Creepages& reference, double longitudinal, double l
 Creepages mirrored(const Creepages& creepages, double mirror) {
   return {creepages.longitudinal, mirror * creepages.lateral, mirror * creepages.spin};
 }
-
-/// How a patch moves, left-hand frame of the side.
-struct PatchMotion {
-  Creepages creepages;
-  bool backwards = false;
-  double slip_speed = 0.0; ///< of a creepage of 1, mm/s
-  double friction = 0.0;   ///< coefficient
-};
 
 /// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
 /// normal.
@@ -112,8 +106,12 @@ std::array<double, 9> difference_by_creepage(const PatchResult& patch, const Cre
                                              const Forces& forces) {
   const double size =
       std::max(patch.semi_axis_longitudinal * patch.semi_axis_lateral, patch.grid.element_area());
-  const double translation = creep_difference_step * motion.friction * patch.normal_force /
-                             (request.material.modulus * size);
+  // The linear law knows no friction, and has the same derivatives by any steps.
+  const double friction = request.model == CreepModel::linear
+                              ? std::max(motion.friction, least_linear_friction)
+                              : motion.friction;
+  const double translation =
+      creep_difference_step * friction * patch.normal_force / (request.material.modulus * size);
   const std::array<Creepages, 3> steps{Creepages{translation, 0.0, 0.0},
                                        {0.0, translation, 0.0},
                                        {0.0, 0.0, translation / std::sqrt(size)}};
@@ -207,8 +205,8 @@ RollingSolution solve_both_ways(const PatchResult& patch, const PatchMotion& mot
   if (motion.backwards) {
     distance = turned(std::move(distance), 1.0);
   }
-  UnlikeSolution both = solve_unlike(problem, distance, request.combined_modulus,
-                                     creep_iteration_share * request.accuracy, solver);
+  UnlikeSolution both =
+      solve_unlike(problem, distance, request.combined_modulus, problem.tolerance, solver);
   creep.pressure_change = both.pressure_change;
   creep.pressure = std::move(both.pressure);
   return std::move(both.rolling);
@@ -257,14 +255,12 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             const CreepRequest& request, const PatchRates* rates,
                             RollingSolver& solver, CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
-  const bool unlike =
-      request.model == CreepModel::full && request.material.difference_parameter != 0.0;
+  const bool unlike = unlike_bodies(request);
   const bool by_means = request.model == CreepModel::full && !unlike;
-  const auto [grid, columns] = creep_grid({patch.grid, patch.pressure, pressure}, request.accuracy);
-  creep.grid = grid;
-  if (unlike) {
-    creep.grid = extended_to(creep.grid, patch.grid);
-  }
+  const CreepGrid chosen = grid_of_patch(patch, pressure, request);
+  const double columns = chosen.columns;
+  creep.grid = chosen.grid;
+  creep.elements_wanted = chosen.wanted;
   std::vector<double> covered;
   creep.pressure =
       pressures_on(creep.grid, pressure, patch.normal_force, by_means ? &covered : nullptr);
@@ -281,7 +277,12 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   problem.shear_modulus = request.material.modulus;
   problem.poisson = request.material.poisson;
   problem.creepages = motion.backwards ? turned(motion.creepages) : motion.creepages;
-  problem.tolerance = creep_iteration_share * request.accuracy;
+  const double of_elements = creep_error_of_one_column / (columns * columns);
+  // An iteration beyond what fewer elements than the accuracy needs can show would be in vain.
+  problem.tolerance =
+      creep_iteration_share *
+      (chosen.limited ? std::max(request.accuracy, std::min(of_elements, coarsest_accuracy))
+                      : request.accuracy);
   problem.derivatives = request.derivatives;
   std::vector<ProblemRate> by_position;
   if (rates != nullptr && !unlike) {
@@ -309,8 +310,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
   creep.residual = solution.residual;
   creep.convolutions = solution.convolutions;
   if (request.model == CreepModel::full) {
-    creep.error_estimate = creep_error_of_one_column / (columns * columns) +
-                           creep_error_by_residual * solution.residual;
+    creep.error_estimate = of_elements + creep_error_by_residual * solution.residual;
   }
   if (motion.backwards) {
     creep.pressure = turned(std::move(creep.pressure), 1.0);
@@ -337,13 +337,18 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
   if (!(patch.normal_force > 0.0)) {
     return creep;
   }
-  const bool on_patch =
-      request.model == CreepModel::full || request.model == CreepModel::fastsim_strips;
-  const CreepForces forces = on_patch
-                                 ? forces_on_patch(patch, motion, request, rates, solver, creep)
-                                 : solve_on_ellipse(patch, motion, request, rates, creep);
+  const LeastFriction least(motion, request.model);
+  const PatchMotion& solved = least.motion();
+  CreepForces forces = on_own_pressures(request)
+                           ? forces_on_patch(patch, solved, request, rates, solver, creep)
+                           : solve_on_ellipse(patch, solved, request, rates, creep);
   if (request.derivatives) {
-    complete(*creep.derivatives, forces, motion.creepages, motion.friction, patch.normal_force);
+    const bool by_friction = request.model != CreepModel::linear;
+    complete(*creep.derivatives, forces, solved.creepages, by_friction ? solved.friction : 0.0,
+             patch.normal_force);
+  }
+  least.take_back(forces, creep);
+  if (request.derivatives) {
     mirror_derivatives(*creep.derivatives, mirror);
   }
   creep.longitudinal_force = forces.longitudinal;
@@ -412,11 +417,14 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
   }
   whole.residual = std::max(whole.residual, part.residual);
   whole.convolutions += part.convolutions;
+  whole.elements_wanted += part.elements_wanted;
 }
 
 } // namespace
 
-void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver) {
+void solve_creep_forces(WheelResult& wheel, const CreepRequest& of_scene, RollingSolver& solver) {
+  CreepRequest request = of_scene;
+  request.element_share = share_of_elements(wheel, request);
   wheel.details.friction = request.friction;
   if (request.motion) {
     wheel.details.motion = wheelset_motion(wheel, request);
@@ -436,8 +444,12 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, Rolling
 }
 
 CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
-                           const CreepRequest& request, RollingSolver& solver,
+                           const CreepRequest& asked, RollingSolver& solver,
                            std::vector<CreepResult>& parts, const PatchRates* rates) {
+  CreepRequest request = asked;
+  if (!request.element_share) {
+    request.element_share = share_of_elements(wheel, request);
+  }
   const double mirror = wheel.details.mirror;
   const PatchMotion motion = motion_of(patch, patch, wheel, request);
   if (patch.parts.empty()) {

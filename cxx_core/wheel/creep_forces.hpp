@@ -25,6 +25,7 @@
 #include "base/grid.hpp"
 #include "half_space/material.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "wheel/constants.hpp"
 #include "wheel/friction.hpp"
 #include "wheel/kinematics.hpp"
 
@@ -50,6 +51,9 @@ struct CreepRequest {
   double accuracy = 1e-3;   ///< error of forces, and of the moment over sqrt(a b), over mu N
   double speed = 0.0;       ///< mm/s, for the power of given creepages
   bool derivatives = false; ///< whether CreepResult::derivatives are requested
+  double element_limit = default_element_limit; ///< of the grids of a wheel together
+  /// What that leaves of the elements of each; found if it is not set.
+  std::optional<double> element_share{};
   ShearConstants material;
   double combined_modulus = 0.0; ///< E*, MPa
 };
@@ -90,6 +94,7 @@ struct CreepResult {
   double pressure_change = 0.0;
   double residual = 0.0;
   int convolutions = 0;
+  double elements_wanted = 0.0;                ///< for the accuracy, of all parts
   std::optional<CreepDerivatives> derivatives; ///< on request
   Grid grid;                      ///< of the fields, left-hand frame of the side; none with parts
   std::vector<double> pressure;   ///< on it

@@ -10,11 +10,42 @@
 
 namespace wrc {
 
-CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
+namespace {
+
+/// How many there are across and along, within a limit: real numbers.
+struct CreepCounts {
+  double across;
+  double along;
+};
+
+constexpr double fewest = 2.0; // each way
+
+CreepCounts within(CreepCounts wanted, double limit) {
+  const double times = std::sqrt(wanted.across * wanted.along / limit);
+  const double most = std::max(limit / fewest, fewest);
+  const auto bounded = [most](double count) { // what is no number counts as few
+    return count >= fewest ? std::min(count, most) : fewest;
+  };
+  const CreepCounts counts{wanted.across / times, wanted.along / times};
+  if (counts.across < fewest || counts.along < fewest) {
+    return {bounded(counts.across < fewest ? fewest : std::min(wanted.across, most)),
+            bounded(counts.along < fewest ? fewest : std::min(wanted.along, most))};
+  }
+  return {bounded(counts.across), bounded(counts.along)};
+}
+
+/// The even number below.
+std::size_t even_count_within(double count) {
+  return 2 * static_cast<std::size_t>(std::floor(0.5 * count));
+}
+
+} // namespace
+
+CreepGrid creep_grid(const PatchPressures& pressures, double accuracy, double limit) {
   const auto along = pressures.smooth.longitudinal_extent();
   const auto across = pressures.smooth.lateral_extent();
   if (!along || !across) {
-    return {pressures.grid};
+    return {pressures.grid, 1.0, static_cast<double>(pressures.grid.element_count())};
   }
   const PlaneArea area{across->first, across->last, along->first, along->last};
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
@@ -28,8 +59,17 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy) {
   const double rows =
       std::max(std::min(wanted * creep_rows_by_columns, 2.0 * max_creep_columns / times_across),
                min_creep_rows);
-  return {grid_over(area, even_count(rows * times_across), even_count(columns * times_along)),
-          std::min(columns / by_sides, rows / creep_rows_by_columns)};
+  const CreepCounts counts{rows * times_across, columns * times_along};
+  const double all = counts.across * counts.along;
+  if (all <= limit) {
+    return {grid_over(area, even_count(counts.across), even_count(counts.along)),
+            std::min(columns / by_sides, rows / creep_rows_by_columns), all};
+  }
+  const CreepCounts fewer = within(counts, limit);
+  return {grid_over(area, even_count_within(fewer.across), even_count_within(fewer.along)),
+          std::min(columns * fewer.along / counts.along / by_sides,
+                   rows * fewer.across / counts.across / creep_rows_by_columns),
+          all, true};
 }
 
 Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure) {
@@ -46,7 +86,9 @@ Grid extended_to(const Grid& inner, const Grid& outer) {
                          double outer_last) {
     const double last = first + static_cast<double>(count - 1) * step;
     const auto elements = [&](double room) {
-      return std::min(static_cast<std::size_t>(std::ceil(std::max(room, 0.0) / step)), count / 2);
+      const std::size_t most = count / 2;
+      const double wanted = std::ceil(std::max(room, 0.0) / step);
+      return wanted < static_cast<double>(most) ? static_cast<std::size_t>(wanted) : most;
     };
     const std::size_t before = elements(first - outer_first);
     count += before + elements(outer_last - last);

@@ -29,8 +29,12 @@ struct PatchPressures {
 struct CreepGrid {
   Grid grid;
   double columns = 1.0; ///< n of the law: elements along a contact as long as wide
+  double wanted = 0.0;  ///< elements without the limit
+  bool limited = false; ///< these are more
 };
-CreepGrid creep_grid(const PatchPressures& pressures, double accuracy);
+/// Elements beyond `limit` are as much larger, both ways, as makes them so many; two each way are
+/// the fewest.
+CreepGrid creep_grid(const PatchPressures& pressures, double accuracy, double limit);
 
 /// A grid with as many elements over the rectangle around another contact of the same plane.
 Grid moved_around_contact(const Grid& grid, const SmoothPressure& pressure);

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "wheel/creep_forces.hpp"
+#include "wheel/grid_plan.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {
@@ -32,6 +33,13 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
 } // namespace
 
 void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
+  double wanted = 0.0;
+  for (const PatchResult& patch : wheel.patches) {
+    wanted += patch.creep->elements_wanted;
+  }
+  if (wanted > request.element_limit) {
+    wheel.warnings.push_back("creep forces: " + text_of_limit(wanted, request.element_limit));
+  }
   for (const PatchResult& patch : wheel.patches) {
     if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
       wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +

@@ -125,9 +125,10 @@ private:
     }
     RootBracket bracket(last_, ahead, RootBracket::End::other);
     Point found = ahead;
+    int left = pitch_evaluations;
     bracket.narrow(0.0, [&](double rate) -> std::optional<double> {
       found = function(rate);
-      return is_balanced(found) ? std::nullopt : std::optional(found.value);
+      return is_balanced(found) || --left == 0 ? std::nullopt : std::optional(found.value);
     });
     return {found.place, false};
   }

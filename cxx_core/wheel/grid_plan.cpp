@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "base/error.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
@@ -86,14 +88,43 @@ PlaneArea potential_area(const Patch& patch, const RailSurface& rail) {
 
 } // namespace
 
+const PatchElements& GridChoice::nearest(const ContactPatch& penetration) const {
+  return *std::ranges::min_element(elements_, {}, [&](const PatchElements& one) {
+    return std::abs(one.mean_y - penetration.mean_y);
+  });
+}
+
 Grid GridChoice::grid_of(const ContactPatch& penetration, const PlaneArea& area) const {
   if (elements_.empty()) {
     return grid_over(area, counts_.lateral, counts_.longitudinal);
   }
-  const auto nearest = std::ranges::min_element(elements_, {}, [&](const PatchElements& one) {
-    return std::abs(one.mean_y - penetration.mean_y);
-  });
-  return grid_with_sizes(area, nearest->lateral_step, nearest->longitudinal_step, nearest->middle);
+  const PatchElements& elements = nearest(penetration);
+  return grid_with_sizes(area, elements.lateral_step, elements.longitudinal_step, elements.middle);
+}
+
+double GridChoice::count_of(const ContactPatch& penetration, const PlaneArea& area) const {
+  if (elements_.empty()) {
+    return static_cast<double>(counts_.lateral) * static_cast<double>(counts_.longitudinal);
+  }
+  constexpr double least = 2.0; // as grid_with_sizes
+  const PatchElements& elements = nearest(penetration);
+  return std::max(area.width() / elements.lateral_step, least) *
+         std::max(area.length() / elements.longitudinal_step, least);
+}
+
+GridChoice GridChoice::coarser(double times) const {
+  GridChoice result = *this;
+  for (PatchElements& elements : result.elements_) {
+    elements.lateral_step *= times;
+    elements.longitudinal_step *= times;
+  }
+  return result;
+}
+
+std::string text_of_limit(double wanted, double limit) {
+  return "the accuracy needs " + short_text_of(wanted) +
+         " elements, solve.element_limit = " + text_of(limit) +
+         " permits no more: solved on as many, with the accuracy that they give";
 }
 
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
@@ -139,10 +170,33 @@ std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, cons
   return contacts;
 }
 
-void set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids) {
-  for (Patch& patch : solution.patches) {
-    patch.grid = grids.grid_of(patch.penetration, potential_area(patch, rail));
+double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids,
+                 double limit) {
+  std::vector<PlaneArea> areas;
+  for (const Patch& patch : solution.patches) {
+    areas.push_back(potential_area(patch, rail));
   }
+  const auto count_of = [&](const GridChoice& choice) {
+    double count = 0.0;
+    for (std::size_t k = 0; k < areas.size(); ++k) {
+      count += choice.count_of(solution.patches[k].penetration, areas[k]);
+    }
+    return count;
+  };
+  const double wanted = count_of(grids);
+  GridChoice choice = grids;
+  double count = wanted;
+  for (int round = 0; grids.by_size() && count > limit && round < coarsening_rounds; ++round) {
+    choice = choice.coarser(std::sqrt(count / limit));
+    const double before = std::exchange(count, count_of(choice));
+    if (!(count < before)) {
+      break; // all have as few as they can
+    }
+  }
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    solution.patches[k].grid = choice.grid_of(solution.patches[k].penetration, areas[k]);
+  }
+  return wanted;
 }
 
 } // namespace wrc

@@ -7,6 +7,7 @@
 /// frame of the side. Thread rule: pure functions.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,11 +28,21 @@ public:
 
   /// Over the potential contact area of a patch.
   [[nodiscard]] Grid grid_of(const ContactPatch& penetration, const PlaneArea& area) const;
+  /// As many as that grid has; a real number.
+  [[nodiscard]] double count_of(const ContactPatch& penetration, const PlaneArea& area) const;
+  /// With elements so many times as long and wide; those of counts stay as they are.
+  [[nodiscard]] GridChoice coarser(double times) const;
+  [[nodiscard]] bool by_size() const { return !elements_.empty(); }
 
 private:
+  [[nodiscard]] const PatchElements& nearest(const ContactPatch& penetration) const;
+
   ElementCounts counts_;
   std::vector<PatchElements> elements_;
 };
+
+/// That a limit holds, how many elements would be needed, and what lifts it.
+std::string text_of_limit(double wanted, double limit);
 
 /// The patches and their planes, without grids. `depth` > 0: vertical, from the first touch.
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
@@ -41,7 +52,10 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
 std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
                                                const ContactScan& scan);
 
-/// Their grids. Nothing is sampled or solved yet.
-void set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids);
+/// Their grids. Nothing is sampled or solved yet. Elements that follow from an accuracy are as much
+/// larger in all patches as makes them `limit` together at most; returned is how many they would be
+/// without.
+double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids,
+                 double limit);
 
 } // namespace wrc

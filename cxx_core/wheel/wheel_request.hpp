@@ -10,6 +10,7 @@
 #include "accuracy/accuracy_of.hpp"
 #include "half_space/influence_coefficients.hpp"
 #include "remesh/undeformed_distance.hpp"
+#include "wheel/constants.hpp"
 #include "wheel/module.hpp"
 
 namespace wrc {
@@ -28,6 +29,8 @@ struct WheelOptions {
   bool interaction = false; ///< all patches interact in full, however far apart
   /// Patches closer than twice this share a plane, mm (patches/contact_patches.hpp).
   double joining_distance = 4.0;
+  /// Of the grids of a wheel that follow from the accuracy, together; likewise of creep forces.
+  double element_limit = default_element_limit;
 };
 
 struct WheelRequest : WheelOptions {

@@ -76,6 +76,7 @@ private:
   AccuracyGoal goal_;
   std::optional<GridSolution> patches_; ///< at the depth asked for last
   double ridge_error_ = 0.0;
+  double elements_wanted_ = 0.0; ///< by the grids sampled last, without their limit
   WheelSolution result_;
 };
 
@@ -119,7 +120,7 @@ GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
 GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
   GridSolution solution = patches_at(depth);
-  set_grids(solution, rail_, grids);
+  elements_wanted_ = set_grids(solution, rail_, grids, request_.element_limit);
   const PosedPair pair = posed(depth);
   for (Patch& patch : solution.patches) {
     patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
@@ -379,6 +380,9 @@ void WheelSolver::warn_about(const GridSolution& solution) {
                             ? ": estimated error " + short_text_of(*result_.error_estimate)
                             : std::string()));
   }
+  if (!request_.grid && elements_wanted_ > request_.element_limit) {
+    warnings.push_back(text_of_limit(elements_wanted_, request_.element_limit));
+  }
   if (solution.left_out_s) {
     warnings.push_back(
         "wheel and rail also meet at s_wheel = " + short_text_of(*solution.left_out_s) +
@@ -428,6 +432,9 @@ void WheelSolver::publish(GridSolution solution) {
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
   GridSolution solution = sample(depth, final_grids(depth, goal_));
+  if (!request_.grid && elements_wanted_ > request_.element_limit) {
+    result_.warnings.push_back(text_of_limit(elements_wanted_, request_.element_limit));
+  }
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }

@@ -173,6 +173,9 @@ void DrawnScene::draw_solution() {
   }
   choose("solve.solver", 0.02, "paper");
   choose("solve.results", 0.2, "stress wear fatigue");
+  if (chance(0.05)) {
+    set("solve.element_limit", std::floor(between_by_ratio(1e3, 1e5)));
+  }
 }
 
 std::string DrawnScene::text_or(const std::string& key, const std::string& otherwise) const {

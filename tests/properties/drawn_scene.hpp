@@ -39,6 +39,9 @@ public:
   [[nodiscard]] bool has_grid() const { return values_.contains("solve.grid"); }
   void set(const std::string& key, Value value) { values_[key] = std::move(value); }
   void multiply(const std::string& key, double factor);
+  [[nodiscard]] const std::map<std::string, Value>& values() const { return values_; }
+  /// Whether a profile is made of points, which no value tells.
+  [[nodiscard]] bool has_points() const { return wheel_ || rail_; }
 
   /// Left and right exchanged.
   [[nodiscard]] DrawnScene mirrored() const;

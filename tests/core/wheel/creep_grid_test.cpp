@@ -56,7 +56,7 @@ struct Pressures {
 
 CreepGrid grid_of(const Pressures& pressures, double of_forces = accuracy) {
   const SmoothPressure smooth(pressures.grid, pressures.values);
-  return creep_grid({pressures.grid, pressures.values, smooth}, of_forces);
+  return creep_grid({pressures.grid, pressures.values, smooth}, of_forces, 1e9);
 }
 
 void expect_counts(const CreepGrid& found, double rows, double columns) {

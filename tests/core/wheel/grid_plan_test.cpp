@@ -28,7 +28,7 @@ struct Touching {
 GridSolution plan_grids(const Touching& pair, const WheelRequest& request, double depth,
                         const GridChoice& grids) {
   GridSolution plan = plan_patches(pair.rail, pair.side, request, depth);
-  set_grids(plan, pair.rail, grids);
+  set_grids(plan, pair.rail, grids, 1e9);
   return plan;
 }
 

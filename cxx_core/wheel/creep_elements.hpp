@@ -1,0 +1,24 @@
+/// Elements of the creep forces of a wheel: those of its patches, within the limit for all of them.
+///
+/// Where patches together want more than the limit, all have the same share of what they want.
+/// Thread rule: pure functions.
+#pragma once
+
+#include "wheel/creep_forces.hpp"
+#include "wheel/creep_grid.hpp"
+
+namespace wrc {
+
+/// Whether tractions are found on the pressures of patches, on grids of their own.
+bool on_own_pressures(const CreepRequest& request);
+/// Whether tractions and pressures change each other.
+bool unlike_bodies(const CreepRequest& request);
+
+/// Elements of a patch, of unlike bodies with the room that these need.
+CreepGrid grid_of_patch(const PatchResult& patch, const SmoothPressure& pressure,
+                        const CreepRequest& request);
+
+/// Of the elements that the patches of a wheel want, what the limit leaves of them.
+double share_of_elements(const WheelResult& wheel, const CreepRequest& request);
+
+} // namespace wrc
