@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -98,23 +99,169 @@ double ridge_under(const Patch& patch, const PosedPair& pair) {
       pair.wheel.graph().sharpest_ridge(s_middle + s_first - room, s_middle + s_last + room));
 }
 
-PeakInSection highest_of(const std::vector<double>& pressure) {
-  const auto at = [&pressure](std::size_t i) { return i < pressure.size() ? pressure[i] : 0.0; };
-  PeakInSection peak;
+/// A largest pressure of strips.
+struct Top {
+  std::size_t at = 0;
+  double pressure = 0.0;
+  double difference = 0.0; ///< second, positive
   double bound = 0.0;
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
+  double unresolved = 0.0; ///< what narrower strips may add
+};
+
+/// The second difference over two strips is four times that over one where they resolve a top, and
+/// less where it is narrower. Next to an edge of contact nothing shows which it is.
+double unresolved_at(const std::vector<double>& pressure, std::size_t i) {
+  constexpr double at_edge = 0.5; // as of a crest that rises with one slope and falls with another
+  const double over_one = -second_difference(pressure, i);
+  if (i < 2 || i + 2 >= pressure.size() || !(pressure[i - 2] > 0.0 && pressure[i + 2] > 0.0)) {
+    return at_edge * over_one;
+  }
+  const double over_two = 2.0 * pressure[i] - pressure[i - 2] - pressure[i + 2];
+  return std::max(0.0, over_one - 0.25 * over_two);
+}
+
+/// Those among the strips from `first` to before `end`.
+std::vector<Top> tops_of(const std::vector<double>& pressure, std::size_t first, std::size_t end) {
+  const auto at = [&pressure](std::size_t i) { return i < pressure.size() ? pressure[i] : 0.0; };
+  std::vector<Top> tops;
+  for (std::size_t i = first; i < end; ++i) {
     const double before = i > 0 ? at(i - 1) : 0.0;
     if (at(i) > 0.0 && at(i) >= before && at(i) >= at(i + 1)) {
-      const double difference = second_difference(pressure, i);
-      const double top =
-          at(i) + mean_over_element * difference + above_value(before, at(i), at(i + 1));
-      peak.pressure = std::max(peak.pressure, top);
-      bound = std::max(bound, top - error_by_second_difference * difference);
+      Top& top = tops.emplace_back();
+      top.at = i;
+      top.difference = -second_difference(pressure, i);
+      top.pressure =
+          at(i) - mean_over_element * top.difference + above_value(before, at(i), at(i + 1));
+      top.unresolved = unresolved_at(pressure, i);
+      top.bound = top.pressure + error_by_second_difference * top.difference +
+                  error_by_unresolved * top.unresolved;
     }
   }
-  peak.error = bound - peak.pressure;
-  return peak;
+  return tops;
 }
+
+/// A line of strips, solved.
+struct Strips {
+  Grid grid;
+  std::vector<double> smooth; ///< what displaces them besides their own pressures, mm
+  std::vector<double> pressure;
+};
+
+/// Solves strips of a patch on the column of its largest pressure.
+class Section {
+public:
+  Section(const Patch& patch, const PosedPair& pair, StripProblem problem)
+      : patch_(patch), pair_(pair), problem_(problem) {}
+
+  /// `count` strips from a place on; `smooth`: what displaces them besides their own pressures,
+  /// `guess`: of these.
+  Strips solve(double begin, double step, std::size_t count, const Samples& smooth,
+               const Samples& guess) {
+    Strips strips = strips_from(begin, step, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double lateral = strips.grid.lateral(i);
+      strips.smooth.push_back(smooth.cubic(lateral));
+      strips.pressure.push_back(std::max(0.0, guess.linear(lateral)));
+    }
+    solve(strips);
+    return strips;
+  }
+
+  [[nodiscard]] bool is_resolved(const Top& top) const {
+    return top.unresolved <= std::max(problem_.tolerance, least_unresolved) * top.pressure;
+  }
+
+  /// The same top on narrower strips around it, again and again until they resolve it.
+  Top resolved(Strips strips, Top top) {
+    for (int times = 0; times < most_refinements && !is_resolved(top); ++times) {
+      const std::size_t first = top.at - std::min(top.at, window_reach);
+      const std::size_t end = std::min(top.at + window_reach + 1, strips.pressure.size());
+      const std::size_t middle = strip_refinement * (top.at - first);
+      strips = finer(strips, top.at, first, end);
+      const std::size_t reach = strip_refinement * (window_reach / 2);
+      const std::vector<Top> tops =
+          tops_of(strips.pressure, middle - std::min(middle, reach),
+                  std::min(middle + strip_refinement + reach, strips.pressure.size()));
+      if (tops.empty()) {
+        break;
+      }
+      top = *std::max_element(tops.begin(), tops.end(), [](const Top& one, const Top& other) {
+        return one.bound < other.bound;
+      });
+    }
+    return top;
+  }
+
+private:
+  [[nodiscard]] Strips strips_from(double begin, double step, std::size_t count) const {
+    Strips strips{patch_.grid, {}, {}};
+    strips.grid.longitudinal_count = 1;
+    strips.grid.longitudinal_first =
+        patch_.grid.longitudinal(patch_.contact.largest_element % patch_.grid.longitudinal_count);
+    strips.grid.lateral_step = step;
+    strips.grid.lateral_first = begin + 0.5 * step;
+    strips.grid.lateral_count = count;
+    return strips;
+  }
+
+  void solve(Strips& strips) {
+    std::vector<double> distance = sample_undeformed_distance(pair_, patch_.frame, strips.grid);
+    std::transform(distance.begin(), distance.end(), strips.smooth.begin(), distance.begin(),
+                   std::plus<>());
+    problem_.step = strips.grid.lateral_step;
+    problem_.undeformed_distance = distance;
+    strips.pressure = solve_strips(problem_, std::move(strips.pressure));
+  }
+
+  [[nodiscard]] std::vector<double> displacements(const Strips& strips,
+                                                  const std::vector<double>& pressure) const {
+    return displacements_of_strips(strips.grid.lateral_step, problem_.length,
+                                   problem_.combined_modulus, pressure);
+  }
+
+  /// Those from `first` to before `end` as narrower strips. A share of the pressures stays, in full
+  /// outside and none around the top, so that what it displaces is smooth.
+  Strips finer(const Strips& strips, std::size_t top, std::size_t first, std::size_t end) {
+    const double step = strips.grid.lateral_step;
+    Strips fine =
+        strips_from(strips.grid.lateral(first) - 0.5 * step,
+                    step / static_cast<double>(strip_refinement), strip_refinement * (end - first));
+    std::vector<double> staying = strips.pressure;
+    for (std::size_t i = 0; i < staying.size(); ++i) {
+      const std::size_t away = i < top ? top - i : i - top;
+      const double t = std::clamp(
+          2.0 * static_cast<double>(away) / static_cast<double>(window_reach) - 1.0, 0.0, 1.0);
+      staying[i] *= t * t * (3.0 - 2.0 * t);
+    }
+    const std::vector<double> displaced = displacements(strips, staying);
+    Samples smooth;
+    Samples stays;
+    Samples guess;
+    for (std::size_t i = first; i < end; ++i) {
+      const double lateral = strips.grid.lateral(i);
+      smooth.add(lateral, strips.smooth[i] + displaced[i]);
+      stays.add(lateral, staying[i]);
+      guess.add(lateral, strips.pressure[i]);
+    }
+    std::vector<double> stays_there;
+    for (std::size_t i = 0; i < fine.grid.lateral_count; ++i) {
+      const double lateral = fine.grid.lateral(i);
+      fine.smooth.push_back(smooth.cubic(lateral));
+      fine.pressure.push_back(guess.linear(lateral));
+      stays_there.push_back(stays.linear(lateral));
+    }
+    // The strips' own pressures are to be all that they carry.
+    const std::vector<double> twice = displacements(fine, stays_there);
+    std::transform(fine.smooth.begin(), fine.smooth.end(), twice.begin(), fine.smooth.begin(),
+                   std::minus<>());
+    solve(fine);
+    return fine;
+  }
+
+  const Patch& patch_;
+  const PosedPair& pair_;
+  StripProblem problem_;
+};
 
 } // namespace
 
@@ -162,25 +309,35 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
     }
   }
 
-  Grid strips = grid;
-  strips.longitudinal_count = 1;
-  strips.longitudinal_first = grid.longitudinal(column);
-  strips.lateral_step = grid.lateral_step / strips_in_row(patch);
+  const double step = grid.lateral_step / strips_in_row(patch);
   const double begin = pressures.places.front() - grid.lateral_step;
   const double width = pressures.places.back() + grid.lateral_step - begin;
-  strips.lateral_first = begin + 0.5 * strips.lateral_step;
-  strips.lateral_count = static_cast<std::size_t>(std::lround(width / strips.lateral_step));
-  std::vector<double> distance = sample_undeformed_distance(pair, patch.frame, strips);
-  std::vector<double> fine(distance.size());
-  for (std::size_t i = 0; i < distance.size(); ++i) {
-    const double lateral = strips.lateral(i);
-    distance[i] += smooth.cubic(lateral);
-    fine[i] = std::max(0.0, pressures.linear(lateral));
+  StripProblem problem;
+  problem.length = length;
+  problem.combined_modulus = combined_modulus;
+  problem.approach = approach;
+  problem.tolerance = tolerance;
+  Section section(patch, pair, problem);
+  const Strips strips = section.solve(
+      begin, step, static_cast<std::size_t>(std::lround(width / step)), smooth, pressures);
+  std::vector<Top> tops = tops_of(strips.pressure, 0, strips.pressure.size());
+  double highest = 0.0;
+  for (const Top& top : tops) {
+    highest = std::max(highest, top.pressure);
   }
-  fine =
-      solve_strips({strips.lateral_step, length, combined_modulus, approach, distance, tolerance},
-                   std::move(fine));
-  const PeakInSection peak = highest_of(fine);
+  // At a ridge pressures have no bound, and nothing resolves them.
+  const bool bounded = growth_at_ridge(patch.ridge, combined_modulus) <= tolerance * highest;
+  PeakInSection peak;
+  double bound = 0.0;
+  for (const Top& top : tops) {
+    const Top found =
+        bounded && top.pressure + top.difference > highest ? section.resolved(strips, top) : top;
+    peak.pressure = std::max(peak.pressure, found.pressure);
+    // Rows as coarse as a crest is narrow are uncertain in it, too.
+    bound = std::max(
+        {bound, found.bound, found.pressure + error_by_second_difference * top.difference});
+  }
+  peak.error = bound - peak.pressure;
   // No strip in contact: the overlap is lost in rounding.
   return peak.pressure > 0.0 ? peak : PeakInSection{patch.contact.peak_pressure, 0.0};
 }

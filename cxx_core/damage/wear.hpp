@@ -44,7 +44,7 @@ struct SlidingContact {
   std::span<const double> slip_y;
   double friction = 0.0;
   double slip_speed = 0.0;      ///< what slip is multiplied with to give velocities, mm/s
-  double power_per_speed = 0.0; ///< -F.w, N
+  double power_per_speed = 0.0; ///< that of friction, N
 };
 
 struct Wear {

@@ -348,6 +348,27 @@ CrossTable cross_table(double aspect, std::size_t rows, std::size_t columns) {
   return table;
 }
 
+TractionTable cross_rate_table(double aspect, std::size_t rows, std::size_t columns) {
+  TractionTable table{rows, columns, std::vector<double>(3 * rows * columns)};
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double left = aspect * (static_cast<double>(row) + 0.5);
+    const double right = aspect * (static_cast<double>(row) - 0.5);
+    // Integrals across of x/r^2 and y/r^2.
+    const auto along = [=](double x) { return std::atan(left / x) - std::atan(right / x); };
+    const auto across = [=](double x) {
+      return 0.5 * std::log((x * x + left * left) / (x * x + right * right));
+    };
+    for (std::size_t i = 0; i < columns; ++i) {
+      const double ahead = static_cast<double>(i) + 0.5;
+      const double behind = static_cast<double>(i) - 0.5;
+      table.longitudinal(row)[i] = along(ahead) - along(behind);
+      // It vanishes on the lines of symmetry.
+      table.mixed(row)[i] = row == 0 || i == 0 ? 0.0 : across(ahead) - across(behind);
+    }
+  }
+  return table;
+}
+
 double influence_integral(double longitudinal_distance, double lateral_distance,
                           double longitudinal_step, double lateral_step) {
   const double x = std::abs(longitudinal_distance);

@@ -105,6 +105,10 @@ struct CrossTable {
 
 CrossTable cross_table(double aspect, std::size_t rows, std::size_t columns);
 
+/// The derivatives of these integrals by the place along x, as `longitudinal` and `mixed` of a
+/// table that is to be read with nu = 1: the exact ones, from the element's two edges across.
+TractionTable cross_rate_table(double aspect, std::size_t rows, std::size_t columns);
+
 /// u per unit pressure, in mm/MPa: I/(pi E*) of constant elements.
 double influence_coefficient(double longitudinal_distance, double lateral_distance,
                              double longitudinal_step, double lateral_step, double combined_modulus,

@@ -13,7 +13,8 @@
 /// the slip K/(pi G) d/dx of the integral of p (x, y)/r^2 to w, and tractions open the gap by
 /// `normal_displacement`, which changes the pressures in turn (rolling/unlike_bodies.hpp).
 /// Derivatives along x are upstream-biased differences inside the influence coefficients
-/// (traction_convolution.hpp). Pressures are given, and stay.
+/// (traction_convolution.hpp), those of what pressures displace exact where edges are known.
+/// Pressures are given, and stay.
 /// Thread rule: one RollingSolver serves one thread at a time. Same input, same bits, whatever was
 /// solved before.
 #pragma once
@@ -106,7 +107,8 @@ struct RollingSolution {
   /// -F.w in N: frictional power over the speed, exact for steady rolling, where the elastic energy
   /// does not change (docs/creep.md); of unlike bodies with what pressures add to w.
   double friction_power = 0.0;
-  double numerical_loss = 0.0; ///< share of it that slip times traction does not show
+  double power_of_pressures = 0.0; ///< of it what pressures of unlike bodies add, N
+  double numerical_loss = 0.0;     ///< share of it that slip times traction does not show
   int iterations = 0;
   int convolutions = 0;  ///< on all grids
   double residual = 0.0; ///< reached by the iteration

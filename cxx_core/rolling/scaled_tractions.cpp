@@ -121,16 +121,41 @@ void ScaledTractions::take_in_pressure(LinePlans& plans) {
   const std::size_t count = shape.rows * shape.columns;
   std::vector<double> pressure(2 * count);
   fill_bound(pressure.data(), shape.columns);
-  const TractionConvolution<double> displaced(
-      shape, shape.columns, difference_.weights,
-      cross_table(aspect_, shape.table_rows(), shape.table_columns()), plans);
+  const bool exact = has_edges() && problem_.difference == SlipDifference::biased;
+  const TractionConvolution<double> displaced =
+      exact ? TractionConvolution<double>(
+                  shape, shape.columns, 1.0, {0.0, 1.0, 0.0, 0.0},
+                  cross_rate_table(aspect_, shape.table_rows(), shape.table_columns()), plans)
+            : TractionConvolution<double>(
+                  shape, shape.columns, difference_.weights,
+                  cross_table(aspect_, shape.table_rows(), shape.table_columns()), plans);
   given_slip_.resize(2 * count);
   ConvolutionWorkspace<double> workspace;
   displaced.apply(pressure.data(), pressure.data() + count, given_slip_.data(),
                   given_slip_.data() + count, workspace);
-  const double factor = -problem_.difference_parameter / problem_.friction;
+  if (exact) {
+    lessen_first_elements(pressure);
+  }
+  const double factor = (exact ? 1.0 : -1.0) * problem_.difference_parameter / problem_.friction;
   for (double& slip : given_slip_) {
     slip *= factor;
+  }
+}
+
+/// Of the elements that strips begin with, as far as the one ahead is not covered.
+void ScaledTractions::lessen_first_elements(const std::vector<double>& pressure) {
+  const TractionShape& shape = box_.shape;
+  const auto covered = [&](std::size_t row, std::size_t column) {
+    return pressure[row * shape.columns + column] > 0.0 ? problem_.covered[element(row, column)]
+                                                        : 0.0;
+  };
+  constexpr double of_half_plane = 2.0; // slip of a pressure in the plane problem, over K/G
+  for (std::size_t row = 0; row < shape.rows; ++row) {
+    for (std::size_t column = 0; column < shape.columns; ++column) {
+      const double open = row > 0 ? 1.0 - covered(row - 1, column) : 1.0;
+      given_slip_[row * shape.columns + column] -=
+          of_half_plane * edge_slip_share * open * pressure[row * shape.columns + column];
+    }
   }
 }
 
@@ -338,6 +363,7 @@ void sum_up(const RollingProblem& problem, double given_power, RollingSolution& 
   solution.slip_area = area * static_cast<double>(slipping);
   solution.adhesion_area = area * static_cast<double>(contacts - slipping);
   const Creepages& w = problem.creepages;
+  solution.power_of_pressures = given_power;
   solution.friction_power =
       given_power - (solution.longitudinal_force * w.longitudinal +
                      solution.lateral_force * w.lateral + solution.spin_moment * w.spin);

@@ -104,6 +104,7 @@ private:
   void limit_slip();
   void take_in_previous(LinePlans& plans);
   void take_in_pressure(LinePlans& plans);
+  void lessen_first_elements(const std::vector<double>& pressure);
   [[nodiscard]] std::array<double, 2> given_slip_at(std::size_t row, std::size_t column,
                                                     std::size_t level) const;
 

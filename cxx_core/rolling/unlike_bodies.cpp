@@ -45,13 +45,16 @@ std::vector<double> normal_displacement(const RollingProblem& problem,
 
 namespace {
 
-/// Pressures with the change from one normal solution to another, of the same load.
-void add_change(std::span<const double> given, const std::vector<double>& from,
-                const std::vector<double>& to, std::vector<double>& pressure) {
+/// Pressures with the change from one normal solution to another, of the same load; none where the
+/// contact that is given does not reach.
+void add_change(std::span<const double> given, std::span<const double> covered,
+                const std::vector<double>& from, const std::vector<double>& to,
+                std::vector<double>& pressure) {
   double sum = 0.0;
   double given_sum = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i) {
-    pressure[i] = std::max(given[i] + to[i] - from[i], 0.0);
+    const bool reached = covered.empty() || covered[i] > 0.0;
+    pressure[i] = reached ? std::max(given[i] + to[i] - from[i], 0.0) : 0.0;
     sum += pressure[i];
     given_sum += given[i];
   }
@@ -89,8 +92,8 @@ UnlikeSolution solve_unlike(const RollingProblem& problem, std::span<const doubl
     ++result.alternations;
     std::transform(distance.begin(), distance.end(), result.rolling.normal_displacement.begin(),
                    opened.begin(), std::plus<>());
-    add_change(problem.pressure, without, solver.solve(normal).patches.front().pressure,
-               result.pressure);
+    add_change(problem.pressure, problem.covered, without,
+               solver.solve(normal).patches.front().pressure, result.pressure);
     RollingSolution next = rolling.solve(tangential);
     const double moved = std::hypot(next.longitudinal_force - result.rolling.longitudinal_force,
                                     next.lateral_force - result.rolling.lateral_force);

@@ -256,7 +256,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                             RollingSolver& solver, CreepResult& creep) {
   const SmoothPressure pressure(patch.grid, patch.pressure);
   const bool unlike = unlike_bodies(request);
-  const bool by_means = request.model == CreepModel::full && !unlike;
+  const bool by_means = request.model == CreepModel::full;
   const CreepGrid chosen = grid_of_patch(patch, pressure, request);
   const double columns = chosen.columns;
   creep.grid = chosen.grid;
@@ -307,6 +307,7 @@ CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
                                       std::hypot(solution.traction_x[i], solution.traction_y[i]));
   }
   creep.numerical_loss = solution.numerical_loss;
+  creep.power_of_pressures = solution.power_of_pressures;
   creep.residual = solution.residual;
   creep.convolutions = solution.convolutions;
   if (request.model == CreepModel::full) {
@@ -355,8 +356,12 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
   creep.lateral_force = mirror * forces.lateral;
   creep.spin_moment = mirror * forces.spin_moment;
   creep.power_per_speed =
-      -(creep.longitudinal_force * creep.creepages.longitudinal +
-        creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
+      creep.power_of_pressures -
+      (creep.longitudinal_force * creep.creepages.longitudinal +
+       creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
+  if (creep.power_of_pressures != 0.0) { // what the iteration leaves may be more than little power
+    creep.power_per_speed = std::max(creep.power_per_speed, 0.0);
+  }
   creep.friction_power = motion.slip_speed * creep.power_per_speed;
   return creep;
 }
@@ -410,6 +415,7 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
   whole.largest_traction = std::max(whole.largest_traction, part.largest_traction);
   // The loss is a share of the power: first what is lost, at the end over the whole.
   whole.numerical_loss += part.numerical_loss * part.power_per_speed;
+  whole.power_of_pressures += part.power_of_pressures;
   whole.power_per_speed += part.power_per_speed;
   whole.friction_power += part.friction_power;
   if (part.error_estimate) {
@@ -458,13 +464,24 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
   CreepResult whole;
   whole.creepages = mirrored(motion.creepages, mirror);
   whole.slip_speed = motion.slip_speed;
+  Creepages mean{};
   for (const PatchResult& part : patch.parts) {
     const Vector3 apart = part.frame.origin - patch.frame.origin;
     const CreepResult& creep =
         parts.emplace_back(solve_patch(part, motion_of(part, patch, wheel, request), request,
                                        mirror, rates != nullptr ? rates++ : nullptr, solver));
-    add_part(whole, creep, part.normal_force / patch.normal_force,
-             dot(apart, patch.frame.longitudinal), mirror * dot(apart, patch.frame.lateral));
+    const double weight = part.normal_force / patch.normal_force;
+    const double along = dot(apart, patch.frame.longitudinal);
+    const double across = mirror * dot(apart, patch.frame.lateral);
+    add_part(whole, creep, weight, along, across);
+    const Creepages at_whole = creepages_at(creep.creepages, -along, -across);
+    mean.longitudinal += weight * at_whole.longitudinal;
+    mean.lateral += weight * at_whole.lateral;
+    mean.spin += weight * at_whole.spin;
+  }
+  // Parts roll on radii of their own, the reference between them on none.
+  if (request.motion) {
+    whole.creepages = mean;
   }
   if (whole.power_per_speed > 0.0) {
     whole.numerical_loss /= whole.power_per_speed;

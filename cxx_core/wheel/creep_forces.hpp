@@ -13,9 +13,8 @@
 ///
 /// Thread rule: as the solver's.
 ///
-/// Not known here: what the tractions of patches displace at each other, what those of unlike
-/// bodies change in the results of normal contact, and the power of the slip that pressures of
-/// unlike bodies cause.
+/// Not known here: what the tractions of patches displace at each other, and what those of unlike
+/// bodies change in the results of normal contact.
 #pragma once
 
 #include <array>
@@ -76,6 +75,8 @@ struct CreepDerivatives {
 
 /// The tangential contact of one patch.
 struct CreepResult {
+  /// At the reference; of parts that follow from a motion, each on its own rolling radius, their
+  /// mean by load, carried there.
   Creepages creepages;
   double friction = 0.0;   ///< coefficient, of parts in the mean over their loads
   double slip_speed = 0.0; ///< what creepages are multiplied with to give velocities, mm/s
@@ -85,9 +86,12 @@ struct CreepResult {
   double slip_area = 0.0;
   double adhesion_area = 0.0;
   double largest_traction = 0.0;
-  double power_per_speed = 0.0; ///< -F.w, N
-  double friction_power = 0.0;  ///< N mm/s
-  double numerical_loss = 0.0;  ///< share of it that the discretisation ate
+  /// What friction dissipates over the speed, N: -F.w, of parts each with its own w, and what
+  /// pressures do in the slip that they cause between unlike bodies.
+  double power_per_speed = 0.0;
+  double power_of_pressures = 0.0; ///< the last of these
+  double friction_power = 0.0;     ///< N mm/s
+  double numerical_loss = 0.0;     ///< share of it that the discretisation ate
   /// Of forces over mu N; of the full theory only.
   std::optional<double> error_estimate;
   /// What tractions change in the pressures, mean over mean; of unlike bodies.

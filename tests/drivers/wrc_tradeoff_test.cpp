@@ -118,12 +118,32 @@ TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
   EXPECT_NE(run("--help").out.find("--creep"), std::string::npos);
 }
 
+TEST_F(WrcTradeoff, JudgesPracticalWheels) {
+  const Outcome outcome = run("--practical 3 --threads 2 --json t.json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  expect_parts(outcome.out, {"6 wheels, 0 with an uncertain truth",
+                             "missed without a warning: ", "error above its estimate: "});
+  const json whole = json::parse(read("t.json"));
+  EXPECT_EQ(whole.at("practical").at("wheels"), 6);
+  EXPECT_EQ(whole.at("practical").at("missed_without_warning"), 0);
+  const json& first = whole.at("scenes").at(0);
+  const json& wheel = first.at("wheels").at(0);
+  EXPECT_LT(wheel.at("uncertainty"), 1e-3);
+  // What a scene says of itself replays it.
+  const json replayed = run_json(WRC_CASE_PROGRAM, first.at("options").get<std::string>() +
+                                                       " --set solve.accuracy=0.01");
+  const double pmax = wheel.at("pmax");
+  EXPECT_NEAR(std::abs(replayed.at("left").at("pmax").get<double>() / pmax - 1.0),
+              wheel.at("error").get<double>(), 1e-9);
+}
+
 TEST_F(WrcTradeoff, RefusesWhatIsNotAllowed) {
   run("--scenes 0").expect_refusal({"--scenes"});
   run("--random 2 --scenes 2").expect_refusal({"--random"});
   run("--creep 0").expect_refusal({"--creep"});
   run("--creep 2 --random 2").expect_refusal({"--creep"});
   run("--creep 2 --position").expect_refusal({"--creep"});
+  run("--practical 2 --random 2").expect_refusal({"--practical"});
   run("--accuracy-of area").expect_refusal({"--accuracy-of"});
   run("--pictures nowhere").expect_refusal({"nowhere"});
 }

@@ -6,6 +6,7 @@
 #include "support/parallel.hpp"
 #include "support/program.hpp"
 #include "wrc_tradeoff/creep.hpp"
+#include "wrc_tradeoff/practical.hpp"
 #include "wrc_tradeoff/reports.hpp"
 
 namespace {
@@ -17,8 +18,9 @@ constexpr std::size_t grid_interval = 5;
 
 struct Options {
   std::size_t scenes = 520;
-  std::size_t random = 0; ///< instead of the family
-  std::size_t creep = 0;  ///< models of creep forces, instead of all others
+  std::size_t random = 0;    ///< instead of the family
+  std::size_t creep = 0;     ///< models of creep forces, instead of all others
+  std::size_t practical = 0; ///< scenes of which pmax is judged, instead of all others
   std::string accuracy_of = "both";
   bool position = false;
   int threads = 1;
@@ -93,6 +95,14 @@ void compare_creep_models(const Options& options) {
          options, tradeoff::print_creep_summary, tradeoff::creep_json_of, tradeoff::draw_creep);
 }
 
+void judge_practical_wheels(const Options& options) {
+  const auto cases = tradeoff::make_practical(options.practical);
+  report(measure_scenes(cases.size(), options,
+                        [&](std::size_t i) { return tradeoff::measure_practical(cases[i]); }),
+         options, tradeoff::print_practical_summary, tradeoff::practical_json_of,
+         [](const auto&, const auto&) {});
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -119,14 +129,25 @@ int main(int argc, char** argv) {
       app.add_flag("--position", options.position,
                    "prescribe the position of each wheel, to what the load gave, instead of loads; "
                    "misses are told with the loads");
-  app.add_option("--creep", options.creep,
-                 "instead of all else: the models of creep forces on so many scenes, with 0.1 to "
-                 "10 times the creepages of saturation")
+  auto* creep =
+      app.add_option(
+             "--creep", options.creep,
+             "instead of all else: the models of creep forces on so many scenes, with 0.1 to "
+             "10 times the creepages of saturation")
+          ->check(CLI::Range(1, 100000))
+          ->excludes(scenes)
+          ->excludes(random)
+          ->excludes(accuracy_of)
+          ->excludes(position);
+  app.add_option("--practical", options.practical,
+                 "instead of all else: pmax at 1e-2 on so many scenes of wheels as vehicles use "
+                 "them, and what estimates and warnings say of its error")
       ->check(CLI::Range(1, 100000))
       ->excludes(scenes)
       ->excludes(random)
       ->excludes(accuracy_of)
-      ->excludes(position);
+      ->excludes(position)
+      ->excludes(creep);
   app.add_option("--threads", options.threads, "scenes solved at once; times depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -143,10 +164,15 @@ int main(int argc, char** argv) {
              "  wrc_tradeoff --threads 2 --json tradeoff.json --pictures docs/images\n"
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
-             "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n");
+             "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n"
+             "  wrc_tradeoff --threads 2 --practical 1500\n");
   return driver::run_program(app, argc, argv, [&options] {
     if (options.creep > 0) {
       compare_creep_models(options);
+      return 0;
+    }
+    if (options.practical > 0) {
+      judge_practical_wheels(options);
       return 0;
     }
     report(measure_all(options), options, tradeoff::print_summary, tradeoff::json_of,

@@ -62,6 +62,54 @@ TEST(PeakSection, FindsACrestAtTheEdgeOnFewRows) {
   EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), truth, 1e-2 * truth);
 }
 
+/// Where the contact ends on a sharp arc of the rail: its crest is a fifth of a millimetre wide.
+TEST(PeakSection, FindsACrestOfFewStripsWhereTheRailTurns) {
+  Scene scene;
+  scene.left.wheel.name = scene.right.wheel.name = "LM";
+  scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
+  scene.left.radius = scene.right.radius = 450.0;
+  scene.track.cant = 0.025;
+  scene.lateral = 3.6192200982044778; // the right wheel at -3.6
+  scene.left.load = scene.right.load = 64433.208577515805;
+  scene.accuracy = 1e-2;
+  const double truth = 1002.94; // on 576 x 240 elements
+  EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), truth, 1e-2 * truth);
+}
+
+/// Two strips at the edge, 15 % higher than all others.
+TEST(PeakSection, FindsACrestAtTheEdgeThatNoOtherPressureHints) {
+  Scene scene;
+  scene.left.wheel.name = scene.right.wheel.name = "LMA";
+  scene.left.rail.name = scene.right.rail.name = "54E2";
+  scene.back_to_back = 1353.0;
+  scene.left.radius = scene.right.radius = 402.7779769569668;
+  scene.track.cant = 0.0;
+  scene.lateral = 4.426819897021721;
+  scene.yaw = -0.004348968964251736;
+  scene.left.load = scene.right.load = 23702.825677801095;
+  scene.accuracy = 1e-2;
+  const double truth = 692.91; // on 576 x 240 elements
+  EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), truth, 1e-2 * truth);
+}
+
+/// A narrow crest that is resolved may not be lost again on more rows.
+TEST(PeakSection, ConvergesWhereACrestIsNarrow) {
+  Scene scene;
+  scene.left.wheel.name = scene.right.wheel.name = "LMA";
+  scene.left.rail.name = scene.right.rail.name = "54E1";
+  scene.back_to_back = 1353.0;
+  scene.left.radius = scene.right.radius = 421.31234301340305;
+  scene.track.cant = 0.02499479361892016;
+  scene.lateral = 6.181563264567742;
+  scene.yaw = -0.008892087308720242;
+  scene.left.load = scene.right.load = 31577.916208644896;
+  const double truth = 676.48; // on 576 x 240 elements
+  for (const double accuracy : {1e-2, 3e-3, 1e-3}) {
+    scene.accuracy = accuracy;
+    EXPECT_NEAR(pmax_of(scene, AccuracyOf::pressures), truth, std::max(accuracy, 2e-3) * truth);
+  }
+}
+
 TEST(PeakSection, ServesBothKindsOfElements) {
   Scene scene = narrow_lobe();
   const double truth = truth_of(scene);
