@@ -32,6 +32,7 @@ struct SceneObject {
   // Made from the result when first requested.
   std::vector<std::string> number_names;
   std::vector<std::pair<std::string, std::string>> texts;
+  std::optional<Warnings> warnings;
   std::optional<std::pair<std::string, std::vector<double>>> field; ///< the last one requested
   std::vector<double> numbers;                                      ///< the last ones read by id
   std::string input_text; ///< the last text of an input requested

@@ -194,7 +194,10 @@ const char* wrc_profile_correction(const wrc_profile* profile, int64_t index) {
 
 const char* wrc_profile_warning(const wrc_profile* profile, int64_t index) {
   return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
-    return line_of(object.read.warnings, index);
+    return object.profile && index >= 0 &&
+                   index < static_cast<std::int64_t>(object.profile->warnings.size())
+               ? object.profile->warnings[static_cast<std::size_t>(index)].text.c_str()
+               : nullptr;
   });
 }
 

@@ -160,6 +160,19 @@ const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index) {
   });
 }
 
+const char* wrc_scene_warning(const wrc_scene* scene, int64_t index) {
+  return wrc::look_at<const char*>(scene, nullptr, [index](wrc::SceneObject& object) {
+    if (!object.warnings && object.result) {
+      object.warnings = wrc::all_warnings(*object.result);
+    }
+    return object.warnings ? text_at(*object.warnings, index,
+                                     [](const wrc::Warning& warning) -> const std::string& {
+                                       return warning.text;
+                                     })
+                           : nullptr;
+  });
+}
+
 int64_t wrc_scene_text_count(const wrc_scene* scene) {
   return wrc::look_at<int64_t>(scene, 0,
                                [](wrc::SceneObject& object) { return texts_of(object).size(); });

@@ -16,6 +16,7 @@ wrc_status wrc::SceneObject::take_result(wrc::SceneResult&& new_result) {
   result = std::move(new_result);
   number_names.clear();
   texts.clear();
+  warnings.reset();
   field.reset();
   error.swap(text);
   return converged ? WRC_OK : WRC_NOT_CONVERGED;

@@ -163,6 +163,10 @@ module wrcontact
     !> Names of all available results: number_name(i), text_name(i), i from 1.
     procedure :: number_count => scene_number_count
     procedure :: number_name => scene_number_name
+    !> How many warnings there are, of profiles and both wheels together.
+    procedure :: warning_count => scene_warning_count
+    !> warning(i), i from 1, with the profile or wheel it is of; empty past the end.
+    procedure :: warning => scene_warning
     procedure :: text_count => scene_text_count
     procedure :: text_name => scene_text_name
     generic :: assignment(=) => share

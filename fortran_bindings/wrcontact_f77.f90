@@ -74,6 +74,11 @@
 !   WRCNUM(HANDLE, NAME, VALUE, IERR)      result of a scene or contact
 !   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text of a scene, profile or
 !                                          normal contact
+!   WRCWRN(HANDLE, I, TEXT, IERR)          warning I, from 1, of a solved
+!                                          scene or a profile; blank past
+!                                          the end. WRCNUM of
+!                                          'warning_count' counts those of
+!                                          a scene
 !   WRCFLD(HANDLE, NAME, VALUES, LENV, N, IERR)
 !        a field: N values, longitudinal index fastest, if LENV is at
 !        least N; otherwise N only. LENV = 0 returns N, without error

@@ -276,6 +276,63 @@ void put_results(mxArray* result, mwIndex index, wrc_scene* scene, wrc_status st
   }
 }
 
+/* ---- Warnings -------------------------------------------------------------------------------- */
+
+/* Warnings of one class, of all scenes of a call. */
+struct kind {
+  char name[64];
+  char text[2048]; /* of the first scene that has it */
+  mwSize scene_count;
+  mwIndex last; /* scene counted last */
+};
+enum { most_kinds = 64 };
+
+/* One warning of Octave for each of a scene's, by the class of docs/warnings.md. */
+static void warn_of_scene(wrc_scene* scene) {
+  const char* text = NULL;
+  for (int64_t i = 0; (text = wrc_scene_warning(scene, i)) != NULL; ++i) {
+    char name[name_size];
+    const char* kind = NULL;
+    snprintf(name, sizeof name, "warning_classes.%d", (int)i);
+    check(wrc_scene_text(scene, name, &kind), scene);
+    warn_as(kind, text);
+  }
+}
+
+static void count_warnings(wrc_scene* scene, mwIndex index, struct kind* kinds) {
+  const char* text = NULL;
+  for (int64_t i = 0; (text = wrc_scene_warning(scene, i)) != NULL; ++i) {
+    char name[name_size];
+    const char* class_name = NULL;
+    snprintf(name, sizeof name, "warning_classes.%d", (int)i);
+    check(wrc_scene_text(scene, name, &class_name), scene);
+    struct kind* kind = kinds;
+    while (kind < kinds + most_kinds - 1 && kind->scene_count > 0 &&
+           strcmp(kind->name, class_name) != 0) {
+      ++kind;
+    }
+    if (kind->scene_count == 0) {
+      snprintf(kind->name, sizeof kind->name, "%s", class_name);
+      snprintf(kind->text, sizeof kind->text, "%s", text);
+    }
+    if (kind->scene_count == 0 || kind->last != index) {
+      ++kind->scene_count;
+      kind->last = index;
+    }
+  }
+}
+
+/* One for each class, with the number of scenes that have it. */
+static void warn_of_kinds(const struct kind* kinds, mwSize scene_count) {
+  for (const struct kind* kind = kinds; kind < kinds + most_kinds && kind->scene_count > 0;
+       ++kind) {
+    char text[sizeof kind->text + 64];
+    snprintf(text, sizeof text, "%d of %d scenes: %s", (int)kind->scene_count, (int)scene_count,
+             kind->text);
+    warn_as(kind->name, text);
+  }
+}
+
 void solve(int result_count, mxArray** result, int count, const mxArray* const* values) {
   struct options options = {NULL, 1};
   (void)result_count;
@@ -291,10 +348,17 @@ void solve(int result_count, mxArray** result, int count, const mxArray* const* 
   } else if (scene_count == 1) {
     check(statuses[0], open_handles.scenes[0]);
   }
+  struct kind* kinds = mxCalloc(most_kinds, sizeof *kinds);
   result[0] = mxCreateStructMatrix(1, scene_count, 0, NULL);
   for (mwIndex i = 0; i < scene_count; ++i) {
     put_results(result[0], i, open_handles.scenes[i], statuses[i], options.fields);
+    if (scene_count == 1) {
+      warn_of_scene(open_handles.scenes[i]);
+    } else if (statuses[i] == WRC_OK || statuses[i] == WRC_NOT_CONVERGED) {
+      count_warnings(open_handles.scenes[i], i, kinds);
+    }
     wrc_scene_destroy(open_handles.scenes[i]);
     open_handles.scenes[i] = NULL;
   }
+  warn_of_kinds(kinds, scene_count);
 }

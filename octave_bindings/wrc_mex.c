@@ -43,6 +43,12 @@ void refuse(wrc_status status, const char* text) {
   mexErrMsgIdAndTxt(identifier, "%s", kept);
 }
 
+void warn_as(const char* kind, const char* text) {
+  char identifier[80];
+  snprintf(identifier, sizeof identifier, "wrcontact:%.60s", kind);
+  mexWarnMsgIdAndTxt(identifier, "%s", text);
+}
+
 void warn_of(wrc_status status, const char* text) {
   char identifier[64];
   identifier_of(status, identifier);

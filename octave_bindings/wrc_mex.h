@@ -23,6 +23,8 @@ void release_handles(void);
 /* Ends the call: an error with the text, and the status as identifier. */
 void refuse(wrc_status status, const char* text);
 void warn_of(wrc_status status, const char* text);
+/* A warning of a class of docs/warnings.md. */
+void warn_as(const char* kind, const char* text);
 
 /* A text, or `count` numbers (0: any), or an error that says what is allowed for `what`; freed by
    Octave or MATLAB. */

@@ -29,6 +29,11 @@ function result = wrc_solve (varargin)
 %   :file_unreadable, :file_malformed, :out_of_memory. Results that miss the accuracy come with the
 %   warning wrcontact:not_converged.
 %
+%   What is doubtful about profiles or solution is a warning, too, whose identifier is its class in
+%   docs/warnings.md: warning ('off', 'wrcontact:patch_turn') silences one. r.warnings has the
+%   texts, r.warning_classes the classes. Of many scenes each class is one warning with the number of
+%   scenes that have it.
+%
 %   Example:
 %     r = wrc_solve ('pose.lateral', 5);
 %     wrc_plot (r)

@@ -158,6 +158,14 @@ WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, con
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**
+ * All warnings of a solved scene, one line each: of its profiles, then of the left and the right
+ * wheel; NULL past the end. Each begins with what it is of: "wheel profile worn.prw: ", "left: ",
+ * "right: patch 1: ". The result warning_count (wrc_scene_number) says how many there are, and
+ * "warning_classes.0" (wrc_scene_text) of which class of docs/warnings.md the first one is. The
+ * texts stay until the scene is solved again; they are put together when they are read. Since 0.3.
+ */
+WRC_API const char* wrc_scene_warning(const wrc_scene* scene, int64_t index);
+/**
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for

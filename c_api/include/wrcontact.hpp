@@ -278,6 +278,8 @@ public:
   std::string text(const std::string& name) const {
     return value_of<const char*>(wrc_scene_text, name.c_str());
   }
+  /// All warnings of the solution, each with the profile or wheel it is of. Since 0.3.
+  std::vector<std::string> warnings() const { return texts_of(wrc_scene_warning); }
   std::vector<double> field(const std::string& name) const {
     return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
       return wrc_scene_field(handle(), name.c_str(), values, capacity, count);

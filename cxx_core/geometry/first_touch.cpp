@@ -21,8 +21,7 @@ constexpr double chamfer_slope = 0.3;
 
 } // namespace
 
-std::optional<std::string> warning_of_touch(const WheelSurface& wheel,
-                                            const ContactCandidate& touch) {
+std::optional<Warning> warning_of_touch(const WheelSurface& wheel, const ContactCandidate& touch) {
   const std::string where = " at s_wheel " + short_text_of(touch.wheel.lateral) + " mm, height " +
                             short_text_of(touch.wheel.height) + " mm";
   const std::string advice = ": check the profile's origin and signs, the gauge and the position";
@@ -34,9 +33,10 @@ std::optional<std::string> warning_of_touch(const WheelSurface& wheel,
       nodes.lateral[static_cast<std::size_t>(highest - nodes.height.begin())];
   const double flange_height = tip - graph.at_lateral(tip_lateral + tread_distance).height;
   if (flange_height > least_flange_height && touch.wheel.height > tip - tip_height)
-    return "first touch is on the flange tip," + where + advice;
+    return Warning{WarningClass::flange_tip, "first touch is on the flange tip," + where + advice};
   if (touch.wheel.lateral > 0.0 && graph.at_lateral(touch.wheel.lateral).slope() < -chamfer_slope)
-    return "first touch is on the wheel's chamfer," + where + advice;
+    return Warning{WarningClass::chamfer,
+                   "first touch is on the wheel's chamfer," + where + advice};
   return std::nullopt;
 }
 

@@ -7,14 +7,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "base/warning.hpp"
 #include "geometry/contact_search.hpp"
 
 namespace wrc {
 
 /// A warning with the place; none if the touch is on tread, root or flank.
-std::optional<std::string> warning_of_touch(const WheelSurface& wheel,
-                                            const ContactCandidate& touch);
+std::optional<Warning> warning_of_touch(const WheelSurface& wheel, const ContactCandidate& touch);
 
 } // namespace wrc

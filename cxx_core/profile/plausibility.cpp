@@ -78,11 +78,11 @@ constexpr double scatter_of_median = 1.41;
 constexpr double largest_swing = 0.5;
 constexpr double swing_share = 0.2;
 
-void check_range(double value, const Position& range, const std::string& what,
+void check_range(double value, const Position& range, WarningClass kind, const std::string& what,
                  const std::string& remedy, Log& log) {
   if (value < range[0] || value > range[1])
-    log.warn(what + " " + fixed_text(value) + " mm, expected are " + fixed_text(range[0], 0) +
-             " to " + fixed_text(range[1], 0) + "; " + remedy);
+    log.warn(kind, what + " " + fixed_text(value) + " mm, expected are " + fixed_text(range[0], 0) +
+                       " to " + fixed_text(range[1], 0) + "; " + remedy);
 }
 
 /// Where a profile can be in contact: of a wheel, what lies to the field side of the flange tip.
@@ -100,9 +100,9 @@ struct Part {
 };
 
 /// A warning where wheel and rail touch, a note elsewhere.
-void tell(bool touched, const std::string& text, Log& log) {
+void tell(bool touched, WarningClass kind, const std::string& text, Log& log) {
   if (touched)
-    log.warn(text);
+    log.warn(kind, text);
   else
     log.note(text + ", where wheel and rail do not touch");
 }
@@ -162,9 +162,10 @@ void check_distances(std::span<const Position> points, const Part& part, Log& lo
     const std::string where =
         " between " + place_text(points[i]) + " and " + place_text(points[i + 1]);
     if (step > largest_step && step > std::sin(step_angle) * distance)
-      tell(touched, "step of " + fixed_text(step) + " mm" + where, log);
+      tell(touched, WarningClass::profile_step, "step of " + fixed_text(step) + " mm" + where, log);
     else if (is_gap(points, i, spacing))
-      tell(touched, "gap of " + fixed_text(distance) + " mm" + where, log);
+      tell(touched, WarningClass::profile_gap, "gap of " + fixed_text(distance) + " mm" + where,
+           log);
   }
 }
 
@@ -203,50 +204,56 @@ void check_single_valued(std::span<const Position> points, const Part& part, Log
     if (each.distance > worst.distance)
       worst = each;
   if (worst.distance > largest_return)
-    log.warn("the running surface is not single-valued: lateral runs back by " +
-             fixed_text(worst.distance) + " mm at " + place_text(worst.place));
+    log.warn(WarningClass::profile_overlap,
+             "the running surface is not single-valued: lateral runs back by " +
+                 fixed_text(worst.distance) + " mm at " + place_text(worst.place));
 }
 
 /// Whether the flange is where the taping line, at 0, says.
 void check_flange_back(std::span<const Position> points, const Flange& flange, double tape_offset,
                        Log& log) {
-  check_range(flange.tip[0] + tape_offset, tip_range,
+  check_range(flange.tip[0] + tape_offset, tip_range, WarningClass::profile_origin,
               "with the taping line at 0, the flange tip's distance from the flange back is",
               "state profile_origin", log);
   const double back = extent_of(points, 0)[0];
   const bool measured = points.front()[1] < flange.tip[1] - back_depth;
   if (back < -tape_offset - back_tolerance || (measured && back > -tape_offset + back_tolerance))
-    log.warn("the flange back is at lateral " + fixed_text(back) + " mm, expected is " +
-             fixed_text(-tape_offset) +
-             " by the distance of the taping line; state profile_origin " + "or tape_offset");
+    log.warn(WarningClass::profile_origin,
+             "the flange back is at lateral " + fixed_text(back) + " mm, expected is " +
+                 fixed_text(-tape_offset) +
+                 " by the distance of the taping line; state profile_origin " + "or tape_offset");
 }
 
 void check_wheel(std::span<const Position> points, double tape_offset, Log& log) {
   const std::string remedy = "state profile_origin, mirror_height or the scale";
   const Position lateral = extent_of(points, 0);
   if (lateral[0] > -least_reach || lateral[1] < least_reach)
-    log.warn("lateral from " + fixed_text(lateral[0]) + " to " + fixed_text(lateral[1]) +
-             " mm: the taping line, at 0, is not inside by " + fixed_text(least_reach, 0) +
-             " mm; " + remedy);
+    log.warn(WarningClass::profile_origin, "lateral from " + fixed_text(lateral[0]) + " to " +
+                                               fixed_text(lateral[1]) +
+                                               " mm: the taping line, at 0, is not inside by " +
+                                               fixed_text(least_reach, 0) + " mm; " + remedy);
   const std::optional<Flange> flange = flange_of(points);
   if (!flange) {
-    log.warn("no flange shows: nothing 12 mm wide stands more than 8 mm off the tread");
+    log.warn(WarningClass::profile_flange,
+             "no flange shows: nothing 12 mm wide stands more than 8 mm off the tread");
     return;
   }
   if (flange->is_down)
-    log.warn("the flange points to smaller radius, its tip at " + place_text(flange->tip) + "; " +
-             remedy);
+    log.warn(WarningClass::profile_signs, "the flange points to smaller radius, its tip at " +
+                                              place_text(flange->tip) + "; " + remedy);
   if (!flange->is_down && extent_of(points, 1)[1] > flange->tip[1])
-    log.warn("height up to " + fixed_text(extent_of(points, 1)[1]) +
-             " mm, above the flange tip at " + place_text(flange->tip));
+    log.warn(WarningClass::profile_signs, "height up to " + fixed_text(extent_of(points, 1)[1]) +
+                                              " mm, above the flange tip at " +
+                                              place_text(flange->tip));
   if (flange->is_outside)
-    log.warn("the flange is on the field side, its tip at " + place_text(flange->tip) +
-             "; state mirror_lateral");
+    log.warn(WarningClass::profile_signs, "the flange is on the field side, its tip at " +
+                                              place_text(flange->tip) + "; state mirror_lateral");
   const std::optional<double> tape = height_at_taping_line(points);
   if (tape && std::abs(*tape) > tape_height_tolerance)
-    log.warn("height " + fixed_text(*tape) + " mm at the taping line, expected is 0; " + remedy);
+    log.warn(WarningClass::profile_origin,
+             "height " + fixed_text(*tape) + " mm at the taping line, expected is 0; " + remedy);
   check_range(tape && !flange->is_down ? flange->tip[1] - *tape : flange->height, flange_range,
-              "flange height", remedy, log);
+              WarningClass::profile_dimensions, "flange height", remedy, log);
   if (!flange->is_down && !flange->is_outside)
     check_flange_back(points, *flange, tape_offset, log);
 }
@@ -254,13 +261,15 @@ void check_wheel(std::span<const Position> points, double tape_offset, Log& log)
 void check_rail(std::span<const Position> points, Log& log) {
   const std::optional<Head> head = head_of(points);
   if (head && head->is_down)
-    log.warn("the head points down: " + fixed_text(head->top_width) +
-             " mm wide at its lower end, " + fixed_text(head->bottom_width) +
-             " mm at its upper one; state mirror_height");
+    log.warn(WarningClass::profile_signs, "the head points down: " + fixed_text(head->top_width) +
+                                              " mm wide at its lower end, " +
+                                              fixed_text(head->bottom_width) +
+                                              " mm at its upper one; state mirror_height");
   const double crown = extent_of(points, 1)[1];
   if (std::abs(crown) > crown_tolerance)
-    log.warn("the crown is at height " + fixed_text(crown) +
-             " mm, expected near 0; a scene puts it to the height of the track");
+    log.warn(WarningClass::profile_origin,
+             "the crown is at height " + fixed_text(crown) +
+                 " mm, expected near 0; a scene puts it to the height of the track");
 }
 
 /// Standard deviation of the points from a smooth line, mm, by the second differences of their
@@ -302,7 +311,8 @@ std::optional<double> height_at_taping_line(std::span<const Position> points) {
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset,
                   Log& log) {
   const Position lateral = extent_of(points, 0);
-  check_range(lateral[1] - lateral[0], width_range, "width", "state the scale", log);
+  check_range(lateral[1] - lateral[0], width_range, WarningClass::profile_dimensions, "width",
+              "state the scale", log);
   if (kind == ProfileKind::wheel)
     check_wheel(points, tape_offset, log);
   else
@@ -319,10 +329,11 @@ void tell_scatter(std::span<const Position> points, Log& log) {
   const double scatter = scatter_of(points, spacing);
   const double pressure = flattening * scatter / spacing;
   if (pressure > notable_pressure)
-    log.note("the points scatter by " + short_text_of(scatter) +
-             " mm (rms) about a smooth line, which takes about " + fixed_text(pressure, 0) +
-             " MPa to flatten: smoothing is advised, with a wavelength of " +
-             fixed_text(std::max(2.0, 10.0 * spacing), 0) + " mm or more");
+    log.advise(WarningClass::profile_noise,
+               "the points scatter by " + short_text_of(scatter) +
+                   " mm (rms) about a smooth line, which takes about " + fixed_text(pressure, 0) +
+                   " MPa to flatten: smoothing is advised, with a wavelength of " +
+                   fixed_text(std::max(2.0, 10.0 * spacing), 0) + " mm or more");
 }
 
 void check_curve(const Profile& profile, Log& log) {
@@ -353,7 +364,7 @@ void check_curve(const Profile& profile, Log& log) {
   }
   for (const Swing* swing : {&touched, &untouched})
     if (swing->off > 0.0)
-      tell(swing == &touched,
+      tell(swing == &touched, WarningClass::profile_swing,
            "the curve swings by " + fixed_text(swing->off) + " mm between the points " +
                place_text(points[swing->place]) + " and " + place_text(points[swing->place + 1]),
            log);

@@ -21,7 +21,7 @@ inline constexpr double tape_height_tolerance = 1.0;
 /// its flange back.
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log);
 
-/// Tells scatter that makes pressures; no warning, what scatters a little is read all the same.
+/// Warns of scatter that makes pressures; strict mode reads it, since measurements have it.
 void tell_scatter(std::span<const Position> points, Log& log);
 
 /// Warns of places where the curve through the points leaves them.

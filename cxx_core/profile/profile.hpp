@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/warning.hpp"
 #include "profile/curve.hpp"
 
 namespace wrc {
@@ -25,6 +26,7 @@ struct Profile {
   Curve curve;
   /// What the curve was drawn through; none of a built-in profile.
   std::vector<Position> points{};
+  Warnings warnings{}; ///< what no wheel or rail has, found when it was read
 };
 
 /// Names of the built-in profiles, in the order in which they are listed for users.

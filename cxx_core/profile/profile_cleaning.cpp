@@ -200,9 +200,10 @@ void remove_outliers(RawProfile& raw, Log& log) {
        worst = worst_outlier(raw.points)) {
     const Position place = raw.points[worst.first];
     if (removed + worst.count > most) {
-      log.warn("more than " + std::to_string(most) +
-               " points are off the line of their neighbours, the next at " + place_text(place) +
-               " by " + fixed_text(worst.distance) + " mm");
+      log.warn(WarningClass::profile_outliers,
+               "more than " + std::to_string(most) +
+                   " points are off the line of their neighbours, the next at " +
+                   place_text(place) + " by " + fixed_text(worst.distance) + " mm");
       return;
     }
     const std::string text =
@@ -229,8 +230,9 @@ void cut_ends(RawProfile& raw, ProfileKind kind, Log& log) {
   // The groove of a rail with a guard rail is deep, nothing within a wheel.
   if (const auto deep = std::find_if(first, last, is_deep);
       kind == ProfileKind::wheel && deep != last)
-    log.warn("point " + place_text(*deep) + ", more than " + fixed_text(depth, 0) +
-             " mm below the highest one, is between others");
+    log.warn(WarningClass::profile_overlap, "point " + place_text(*deep) + ", more than " +
+                                                fixed_text(depth, 0) +
+                                                " mm below the highest one, is between others");
   const std::size_t cut = points.size() - static_cast<std::size_t>(last - first);
   if (cut == 0)
     return;

@@ -21,12 +21,13 @@ void Log::guess(const std::string& text, const std::string& remedy) {
   if (strict_)
     refuse("strict reading allows no guess: " + text + "; " + remedy);
   corrections_.push_back(text);
+  ++guesses_;
 }
 
-void Log::warn(const std::string& text) {
+void Log::warn(WarningClass kind, const std::string& text) {
   if (strict_)
     refuse("strict reading allows no doubt: " + text);
-  warnings_.push_back(text);
+  warnings_.push_back({kind, text});
 }
 
 Lines::Lines(std::string_view text, const Log& log) : rest_(text), log_(log) {}

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/warning.hpp"
+
 namespace wrc::reading {
 
 /// Messages about one file: errors with its name, and corrections.
@@ -26,17 +28,22 @@ public:
   /// A change that rests on a guess; an error in strict mode. `remedy` says how to avoid it.
   void guess(const std::string& text, const std::string& remedy);
   /// Something that no wheel or rail has; an error in strict mode.
-  void warn(const std::string& text);
+  void warn(WarningClass kind, const std::string& text);
+  /// Something that measurements have, which takes no guess: no error in strict mode.
+  void advise(WarningClass kind, const std::string& text) { warnings_.push_back({kind, text}); }
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::vector<std::string>& corrections() { return corrections_; }
-  [[nodiscard]] std::vector<std::string>& warnings() { return warnings_; }
+  [[nodiscard]] Warnings& warnings() { return warnings_; }
+  /// How many corrections rest on a guess.
+  [[nodiscard]] std::size_t guesses() const { return guesses_; }
 
 private:
   std::string name_;
   bool strict_;
   std::vector<std::string> corrections_;
-  std::vector<std::string> warnings_;
+  Warnings warnings_;
+  std::size_t guesses_ = 0;
 };
 
 /// Hands out the lines of a text (ends: LF, CR LF or CR), without their ends and outer blanks.

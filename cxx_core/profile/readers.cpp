@@ -87,18 +87,19 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
     if (options.smoothing_wavelength > 0.0) {
       profile.points = smooth_points(profile.points, options.smoothing_wavelength);
       log.note("smoothed, waves of " + text_of(options.smoothing_wavelength) + " mm are halved");
-    } else {
-      reading::tell_scatter(profile.points, log);
     }
     profile.curve = curve_through(profile.points);
-    reading::check_curve(profile, log);
   } catch (const Error& error) {
     log.refuse(error.what());
   }
+  if (!(options.smoothing_wavelength > 0.0))
+    reading::tell_scatter(profile.points, log);
+  reading::check_curve(profile, log);
 }
 
-/// What the formats have in common, once their points are there.
-ReadResult complete(RawProfile& raw, std::string_view name, const ReadOptions& options, Log& log) {
+/// What the formats have in common, once their points are there; `of` says from what they are.
+ReadResult complete(RawProfile& raw, std::string_view name, const std::string& of,
+                    const ReadOptions& options, Log& log) {
   reading::Settled settled = reading::settle(raw, options, log);
   ReadResult result;
   Profile& profile = result.profile;
@@ -110,7 +111,12 @@ ReadResult complete(RawProfile& raw, std::string_view name, const ReadOptions& o
   result.measured = std::move(settled.points);
   result.dropped = std::move(settled.dropped);
   result.corrections = std::move(log.corrections());
-  result.warnings = std::move(log.warnings());
+  profile.confidence =
+      log.guesses() == 0 ? "as the " + of
+      : log.guesses() == 1
+          ? "as the " + of + ", but for one guess (corrected)"
+          : "as the " + of + ", but for " + std::to_string(log.guesses()) + " guesses (corrected)";
+  profile.warnings = std::move(log.warnings());
   return result;
 }
 
@@ -175,9 +181,8 @@ ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::s
   reading::refuse_foreign(text, log);
   const std::optional<std::string> other_text = reading::decoded(text);
   RawProfile raw = parse(other_text ? *other_text : text, format, log);
-  ReadResult result = complete(raw, name, options, log);
+  ReadResult result = complete(raw, name, "file", options, log);
   result.profile.source = "file " + std::filesystem::path(name).filename().string();
-  result.profile.confidence = "as the file";
   return result;
 }
 
@@ -206,9 +211,8 @@ ReadResult profile_through(std::span<const Position> points, std::string_view na
       reading::add_point(raw, points[i], i, log);
     }
     raw.lines.clear();
-    ReadResult result = complete(raw, name, options, log);
+    ReadResult result = complete(raw, name, "points", options, log);
     result.profile.source = "points given by the program";
-    result.profile.confidence = "as the points";
     return result;
   } catch (const Error& error) { // of a file that is none
     throw Error(ErrorCode::invalid_argument, error.what());

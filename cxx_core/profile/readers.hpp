@@ -7,9 +7,9 @@
 /// format nor the options state the shape decides (settling.hpp). A rail's lateral sign cannot be
 /// seen from its shape; state it if the format does not define it.
 ///
-/// Every change of the data is one line of `corrections`; what no wheel or rail has is a line of
-/// `warnings` (plausibility.hpp). Guesses and warnings are errors in strict mode. Input is not
-/// trusted: sizes are bounded, every error names file and line.
+/// Every change of the data is one line of `corrections`; what no wheel or rail has is one of the
+/// profile's warnings (plausibility.hpp). Guesses and warnings are errors in strict mode, but for
+/// the scatter of points. Input is not trusted: sizes are bounded, every error names file and line.
 /// Does not know: kinks (points are joined by one smooth spline).
 /// Units mm. Thread rule: no state.
 #pragma once
@@ -51,7 +51,6 @@ struct ReadOptions {
 struct ReadResult {
   Profile profile;
   std::vector<std::string> corrections;
-  std::vector<std::string> warnings;
   std::vector<Position> measured{}; ///< the points before they were smoothed
   std::vector<Position> dropped{};  ///< points that were removed, in the same frame
 };

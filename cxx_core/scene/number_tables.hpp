@@ -180,6 +180,7 @@ inline constexpr std::array side_numbers{
             [](const WheelResult& r) { return first_patch(r).grid.longitudinal_step; }},
     OfWheel{"error_estimate", pure, member<&WheelResult::error_estimate>},
     OfWheel{"validity", pure, member<&WheelResult::validity>},
+    OfWheel{"warning_count", pure, [](const WheelResult& r) { return r.warnings.size(); }},
 };
 
 inline constexpr std::array total_numbers{
@@ -233,6 +234,7 @@ inline constexpr std::array scene_numbers{
     OfScene{"vertical", turning_length, member<&SceneResult::vertical>},
     OfScene{"rolling_radius_difference", length, member<&SceneResult::rolling_radius_difference>},
     OfScene{"pitch", rate, member<&SceneResult::pitch>},
+    OfScene{"warning_count", pure, [](const SceneResult& r) { return warning_count(r); }},
 };
 
 inline constexpr std::array time_numbers{

@@ -162,7 +162,7 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
   texts.emplace_back(prefix + "model_reason", side.model_reason);
   texts.emplace_back(prefix + "stop_reason", name_of(side.stop_reason));
   for (std::size_t i = 0; i < side.warnings.size(); ++i) {
-    texts.emplace_back(prefix + "warnings." + std::to_string(i), side.warnings[i]);
+    texts.emplace_back(prefix + "warnings." + std::to_string(i), side.warnings[i].text);
   }
 }
 
@@ -232,6 +232,13 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
   texts.emplace_back("frame", name_of(convention.frame));
   for (std::size_t i = 0; i < result.corrections.size(); ++i) {
     texts.emplace_back("corrections." + std::to_string(i), result.corrections[i]);
+  }
+  const Warnings warnings = all_warnings(result);
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
+    texts.emplace_back("warnings." + std::to_string(i), warnings[i].text);
+  }
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
+    texts.emplace_back("warning_classes." + std::to_string(i), name_of(warnings[i].kind));
   }
   if (result.left) {
     add_side_texts(texts, "left.", *result.left);

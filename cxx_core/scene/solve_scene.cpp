@@ -10,6 +10,7 @@
 #include "wheel/free_pitch.hpp"
 #include "wheel/total_force.hpp"
 #include "wheel/wheel_state.hpp"
+#include "wheel/wheel_warnings.hpp"
 
 namespace wrc {
 namespace {
@@ -84,9 +85,10 @@ void warn_of_residuals(WheelResult& wheel, double accuracy) {
   const double worst = std::max(-residuals.least_gap, residuals.complementarity);
   if (worst > accuracy) {
     wheel.warnings.push_back(
-        "patches nearly in touch: the displacement they cause at each other is off by " +
-        short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
-        text_of(accuracy));
+        {WarningClass::close_patches,
+         "patches nearly in touch: the displacement they cause at each other is off by " +
+             short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
+             text_of(accuracy)});
   }
 }
 
@@ -121,8 +123,9 @@ struct WheelTask {
 };
 
 void warn_of_saturation(const Scene& scene, WheelResult& wheel) {
-  wheel.warnings.push_back("motion.torque = " + text_of(scene.torque) +
-                           " N mm: more than friction can hold; the wheels slide");
+  wheel.warnings.push_back(
+      {WarningClass::torque_exceeded, "motion.torque = " + text_of(scene.torque) +
+                                          " N mm: more than friction can hold; the wheels slide"});
 }
 
 /// Creep forces of wheels whose normal contact is solved.
@@ -160,9 +163,10 @@ void solve_creep_forces_of(const Scene& scene, RollingSolver& solver, SceneResul
       warn_of_saturation(scene, *driven.wheel);
     }
     if (result.pitch_is_ambiguous) {
-      driven.wheel->warnings.emplace_back(
-          "friction falls with slip: the torque is held at a pitch rate with more slip, too; this "
-          "is the one with the least");
+      driven.wheel->warnings.push_back(
+          {WarningClass::torque_ambiguous,
+           "friction falls with slip: the torque is held at a pitch rate with more slip, too; this "
+           "is the one with the least"});
     }
   }
   result.time.rolling = watch.milliseconds();
@@ -232,6 +236,7 @@ void SceneSolver::State::solve_wheels(const Scene& scene, const SceneSurfaces& s
     if (*wheel && (*wheel)->solved) {
       (*wheel)->total = total_force(**wheel);
       (*wheel)->state = wheel_state(**wheel, scene.yield_pressure);
+      warn_of_pressure(**wheel);
       if (scene.damage.any()) {
         DamageRequest request = scene.damage;
         request.poisson = (request.of_wheel ? scene.wheel_material : scene.rail_material).poisson;
@@ -252,6 +257,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const SceneSurfaces surfaces = shared->surfaces.get(scene);
   prepare_solvers(scene);
   result.corrections = surfaces.corrections;
+  result.profile_warnings = surfaces.warnings;
   result.time.profile = surfaces.profile_milliseconds;
   result.time.setup = total.milliseconds() - result.time.profile;
 

@@ -17,6 +17,7 @@
 
 #include "scene/number_ids.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_warnings.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {
@@ -46,6 +47,7 @@ struct SceneResult {
   std::optional<WheelResult> right;
   StageMilliseconds time;
   std::vector<std::string> corrections; ///< made to profiles read from files
+  ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
 };
 
 /// A scene by itself: a pure function.
@@ -89,7 +91,12 @@ std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention = {});
 /// "N mm/s", "N m/s"; "1" of what has none.
 std::string number_unit(const NumberId& id, Units units);
-/// All texts by name ("model", "left.warnings.0", ...).
+/// How many warnings there are: of profiles and both wheels.
+std::size_t warning_count(const SceneResult& result);
+/// All of them, those of profiles first, then those of the left and the right wheel; each begins
+/// with what it is of: "wheel profile worn.prw: ", "left: ".
+Warnings all_warnings(const SceneResult& result);
+/// All texts by name ("model", "warnings.0", "left.warnings.0", ...).
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,
                                                              const Convention& convention = {});
 /// A field by name ("left.patches.0.pressure", "right.rail_y", ...), computed now: per element of a

@@ -30,14 +30,10 @@ Profile read_file(const ProfileChoice& choice, const ReadOptions& options, Profi
   const std::string& name = choice.name;
   try {
     ReadResult read = read_profile(name, options);
-    const auto add = [&](const char* what, const std::vector<std::string>& lines) {
-      for (const std::string& line : lines) {
-        corrections.push_back(name);
-        corrections.back().append(what).append(line);
-      }
-    };
-    add(": warning: ", read.warnings);
-    add(": ", read.corrections);
+    for (const std::string& line : read.corrections) {
+      corrections.push_back(name);
+      corrections.back().append(": ").append(line);
+    }
     return std::move(read.profile);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
@@ -76,17 +72,21 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   return read_file(choice, options, kind, key, corrections);
 }
 
-/// One of the two surfaces; corrections and time are added to those of the scene.
+/// One of the two surfaces; corrections, warnings and time are added to those of the scene.
 template <class Surface, class Dimensions>
 std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept,
                                        const SurfaceSource<Dimensions>& source, ProfileKind kind,
-                                       const std::string& key, SceneSurfaces& all) {
+                                       const std::string& key, SideChoice side, bool is_solved,
+                                       SceneSurfaces& all) {
   auto entry = kept.get(source, [&] {
     const Stopwatch stopwatch;
-    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}};
-    const Profile profile = load_profile(source, kind, key, made.corrections);
+    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr};
+    Profile profile = load_profile(source, kind, key, made.corrections);
     all.profile_milliseconds += stopwatch.milliseconds();
     made.surface = std::make_shared<Surface>(profile, source.dimensions);
+    if (!profile.warnings.empty()) {
+      made.warnings = std::make_shared<const Warnings>(std::move(profile.warnings));
+    }
     return made;
   });
   for (const std::string& correction : entry.corrections) { // both sides may have the same
@@ -94,6 +94,9 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
         all.corrections.end()) {
       all.corrections.push_back(correction);
     }
+  }
+  if (entry.warnings && is_solved) {
+    all.warnings.add({kind, side, source.profile.name, entry.warnings});
   }
   return entry.surface;
 }
@@ -103,27 +106,30 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
 SceneSurfaces SurfaceCache::get(const Scene& scene) {
   SceneSurfaces surfaces;
   const auto get_side = [&](const SceneSide& side, const SceneSide& other, const std::string& name,
-                            const RailDisplacement& displacement) {
+                            SideChoice which, const RailDisplacement& displacement) {
     const auto key = [&](ProfileChoice SceneSide::*choice, const std::string& table,
                          const std::string& kind) {
       return table + (side.*choice == other.*choice ? "" : name) + kind;
     };
+    const bool is_solved = scene.side == SideChoice::both || scene.side == which;
     SideSurfaces found;
     ProfileChoice wheel = side.wheel;
     wheel.origin = scene.profile_origin;
     wheel.shift = scene.profile_shift;
-    found.wheel =
-        get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
-                ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), surfaces);
+    found.wheel = get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
+                          ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which,
+                          is_solved, surfaces);
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
-                         key(&SceneSide::rail, "track.", "rail"), surfaces);
+                         key(&SceneSide::rail, "track.", "rail"), which, is_solved, surfaces);
     if (displacement != RailDisplacement{}) {
       found.rail = std::make_shared<const RailSurface>(found.rail->displaced(displacement));
     }
     return found;
   };
-  surfaces.left = get_side(scene.left, scene.right, "left.", scene.left.displacement);
-  surfaces.right = get_side(scene.right, scene.left, "right.", mirrored(scene.right.displacement));
+  surfaces.left =
+      get_side(scene.left, scene.right, "left.", SideChoice::left, scene.left.displacement);
+  surfaces.right = get_side(scene.right, scene.left, "right.", SideChoice::right,
+                            mirrored(scene.right.displacement));
   return surfaces;
 }
 

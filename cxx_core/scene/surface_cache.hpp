@@ -14,6 +14,7 @@
 
 #include "geometry/wheelset_equilibrium.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_warnings.hpp"
 
 namespace wrc {
 
@@ -28,6 +29,7 @@ struct SceneSurfaces {
   SideSurfaces left;
   SideSurfaces right;
   std::vector<std::string> corrections; ///< made to profiles read from files
+  ProfileWarnings warnings;             ///< of the profiles, those of both sides once
   double profile_milliseconds = 0.0;    ///< spent on reading profiles, none on those kept
 };
 
@@ -39,13 +41,15 @@ template <class Dimensions> struct SurfaceSource {
   bool operator==(const SurfaceSource&) const = default;
 };
 
-/// The surfaces of one kind that were last used, with the corrections their files needed.
+/// The surfaces of one kind that were last used, with the corrections their files needed and the
+/// warnings of their profiles.
 template <class Surface, class Dimensions> class RecentSurfaces {
 public:
   struct Entry {
     SurfaceSource<Dimensions> source;
     std::shared_ptr<const Surface> surface;
     std::vector<std::string> corrections;
+    std::shared_ptr<const Warnings> warnings; ///< none: NULL
   };
 
   template <class Make> Entry get(const SurfaceSource<Dimensions>& source, Make&& make) {

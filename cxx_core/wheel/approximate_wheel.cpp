@@ -148,8 +148,9 @@ void ApproximateWheel::settle_depth() {
     find_patches(depth_);
   }
   depth_ = depth_of_load(depth_);
-  result_.warnings.emplace_back("patches and depth do not settle: the load is that of patches "
-                                "found at another depth");
+  result_.warnings.push_back({WarningClass::not_settled,
+                              "patches and depth do not settle: the load is that of patches "
+                              "found at another depth"});
 }
 
 void ApproximateWheel::sample(Patch& patch, const PatchModel& model,
@@ -196,12 +197,14 @@ void ApproximateWheel::publish_patches() {
   result_.in_contact = !result_.patches.empty();
   result_.validity = validity;
   if (validity < good_validity) {
-    result_.warnings.push_back("validity " + short_text_of(validity) + " (good from " +
-                               text_of(good_validity) +
-                               " on): pmax may be off by tens of per cent");
+    result_.warnings.push_back(
+        {WarningClass::model_validity, "validity " + short_text_of(validity) + " (good from " +
+                                           text_of(good_validity) +
+                                           " on): pmax may be off by tens of per cent"});
   }
   if (request_.interaction && result_.patches.size() > 1) {
-    result_.warnings.emplace_back("patches do not interact in this model");
+    result_.warnings.push_back(
+        {WarningClass::no_interaction, "patches do not interact in this model"});
   }
 }
 
@@ -209,8 +212,9 @@ WheelSolution ApproximateWheel::solve() {
   result_.solved = true;
   const Stopwatch watch;
   if (equilibrium_.scan.candidates.front().at_profile_end) {
-    result_.warnings.emplace_back(
-        "contact at the end of a profile, or where the rail turns upright");
+    result_.warnings.push_back(
+        {WarningClass::profile_end,
+         "contact at the end of a profile, or where the rail turns upright"});
   }
   result_.vertical = equilibrium_.vertical;
   depth_ = first_depth();

@@ -91,6 +91,16 @@ inline constexpr double told_rounding = 1.0 - share_of_law - iteration_share;
 /// there.
 inline constexpr double planar_limit = 0.2;
 
+/// Pressure that no steel of wheels and rails carries, MPa: 440 kgf/mm2. A material flows all round
+/// a contact when the mean pressure is its hardness, about three times its yield stress (Johnson,
+/// Contact Mechanics, 6.3).
+/// origin: source: 440 HBW, the upper end of the hardest grade, R400HT (EN 13674-1); wheels are
+/// softer, 320 HBW at most (EN 13262).
+inline constexpr double hardest_steel = 440.0 * 9.80665;
+/// Combined modulus above which bodies are no steel, MPa.
+/// origin: derived: of two steels of 230 GPa and 0.3; steels have 190 to 220 GPa.
+inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
+
 /// Of a wheel's tread towards the field side, rad; what falls more steeply is its chamfer.
 /// origin: source: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45 degrees.
 inline constexpr double max_tread_slope = 0.2;

@@ -5,6 +5,7 @@
 #include "wheel/creep_forces.hpp"
 #include "wheel/grid_plan.hpp"
 #include "wheel/wheel_result.hpp"
+#include "wheel/wheel_warnings.hpp"
 
 namespace wrc {
 namespace {
@@ -14,9 +15,10 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
     return;
   }
   if (request.model != CreepModel::full) {
-    wheel.warnings.emplace_back("creep forces of unlike materials: this model leaves out what "
-                                "pressures and tractions change in each other, the full one knows "
-                                "it");
+    wheel.warnings.push_back({WarningClass::unlike_materials,
+                              "creep forces of unlike materials: this model leaves out what "
+                              "pressures and tractions change in each other, the full one knows "
+                              "it"});
     return;
   }
   double change = 0.0;
@@ -24,9 +26,10 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
     change = std::max(change, patch->creep->pressure_change);
   }
   if (change > request.accuracy) {
-    wheel.warnings.push_back("creep forces of unlike materials: tractions change pressures by " +
-                             short_text_of(change) +
-                             " in the mean, which results of normal contact leave out");
+    wheel.warnings.push_back({WarningClass::unlike_materials,
+                              "creep forces of unlike materials: tractions change pressures by " +
+                                  short_text_of(change) +
+                                  " in the mean, which results of normal contact leave out"});
   }
 }
 
@@ -38,13 +41,16 @@ void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
     wanted += patch.creep->elements_wanted;
   }
   if (wanted > request.element_limit) {
-    wheel.warnings.push_back("creep forces: " + text_of_limit(wanted, request.element_limit));
+    wheel.warnings.push_back({WarningClass::element_limit,
+                              "creep forces: " + text_of_limit(wanted, request.element_limit)});
   }
-  for (const PatchResult& patch : wheel.patches) {
+  for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+    const PatchResult& patch = wheel.patches[i];
     if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
-      wheel.warnings.push_back("creep forces: accuracy " + text_of(request.accuracy) +
-                               " not reached: estimated error " +
-                               short_text_of(*patch.creep->error_estimate));
+      wheel.warnings.push_back({WarningClass::creep_accuracy,
+                                of_patch(wheel, i) + "creep forces: accuracy " +
+                                    text_of(request.accuracy) + " not reached: estimated error " +
+                                    short_text_of(*patch.creep->error_estimate)});
     }
   }
   warn_of_unlike_bodies(wheel, request);

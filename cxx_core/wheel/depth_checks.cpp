@@ -27,17 +27,16 @@ double pressure_rounding(const Patch& patch, const WheelRequest& request, double
 
 } // namespace
 
-bool is_in_contact(const WheelRequest& request, double depth, std::vector<std::string>& warnings) {
+bool is_in_contact(const WheelRequest& request, double depth, Warnings& warnings) {
   if (!(depth >= min_depth)) {
     if (request.position_is_prescribed()) {
-      warnings.emplace_back("no contact at this height");
+      warnings.push_back({WarningClass::no_contact, "no contact at this height"});
     } else if (request.load() > 0.0) {
-      warnings.push_back("the load, " + text_of(request.load()) +
-                         " N, is treated as zero load: it presses wheel " +
-                         "and rail together by less than " + text_of(min_depth) + " mm");
-    } else {
-      warnings.emplace_back("no load");
-    }
+      warnings.push_back({WarningClass::no_load,
+                          "the load, " + text_of(request.load()) +
+                              " N, is treated as zero load: it presses wheel " +
+                              "and rail together by less than " + text_of(min_depth) + " mm"});
+    } // a load of zero is what was asked for
     return false;
   }
   if (!(depth < max_depth)) {
@@ -62,17 +61,18 @@ void check_found_depth(const WheelRequest& request, double depth) {
                                          text_of(max_depth) + " mm");
 }
 
-void mark_unsettled(GridSolution& solution, int solutions, std::vector<std::string>& warnings) {
+void mark_unsettled(GridSolution& solution, int solutions, Warnings& warnings) {
   if (solution.no_contact()) {
     return;
   }
   solution.stop_reason = StopReason::iteration_limit;
-  warnings.push_back("not settled: depth, plane or extent of the contact still change after " +
-                     std::to_string(solutions) + " solutions on the final grid");
+  warnings.push_back({WarningClass::not_settled,
+                      "not settled: depth, plane or extent of the contact still change after " +
+                          std::to_string(solutions) + " solutions on the final grid"});
 }
 
 void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
-                      double wheel_radius, std::vector<std::string>& warnings) {
+                      double wheel_radius, Warnings& warnings) {
   double overlap = 0.0;
   double pressure = 0.0;
   for (const Patch& patch : solution.patches) {
@@ -88,11 +88,13 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
   const double left = told_rounding * request.accuracy;
   if (error > left) {
     // With as many elements across, elements grow with the root of the overlap, and pressures too.
-    warnings.push_back("wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +
-                       short_text_of(overlap * error / left) +
-                       " mm the rounding of positions changes the pressures by more than elements "
-                       "leave of the accuracy of " +
-                       text_of(request.accuracy));
+    warnings.push_back(
+        {WarningClass::rounding,
+         "wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +
+             short_text_of(overlap * error / left) +
+             " mm the rounding of positions changes the pressures by more than elements "
+             "leave of the accuracy of " +
+             text_of(request.accuracy)});
   }
 }
 

@@ -17,18 +17,16 @@
 /// Units mm, N, MPa. Thread rule: pure functions.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "accuracy/grid_solution.hpp"
+#include "base/warning.hpp"
 #include "wheel/wheel_request.hpp"
 
 namespace wrc {
 
-/// Whether there is contact at a depth found from the request. If not, a warning says why: loads
-/// too small to tell from zero are treated as zero. An absurd overlap throws
-/// Error(invalid_argument).
-bool is_in_contact(const WheelRequest& request, double depth, std::vector<std::string>& warnings);
+/// Whether there is contact at a depth found from the request. If not, a warning says why, but
+/// for a load of zero: loads too small to tell from zero are treated as zero. An absurd overlap
+/// throws Error(invalid_argument).
+bool is_in_contact(const WheelRequest& request, double depth, Warnings& warnings);
 
 /// Throws Error(no_contact) if the depth found for a load in the end is no overlap of wheel
 /// and rail. `depth` is vertical, from the first touch.
@@ -36,11 +34,11 @@ void check_found_depth(const WheelRequest& request, double depth);
 
 /// A solution after which the search gives up, though it is in contact: not converged, and a
 /// warning tells after how many solutions.
-void mark_unsettled(GridSolution& solution, int solutions, std::vector<std::string>& warnings);
+void mark_unsettled(GridSolution& solution, int solutions, Warnings& warnings);
 
 /// Warns of overlaps so small that the rounding of positions takes more than the requested
 /// accuracy.
 void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
-                      double wheel_radius, std::vector<std::string>& warnings);
+                      double wheel_radius, Warnings& warnings);
 
 } // namespace wrc

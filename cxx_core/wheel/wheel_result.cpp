@@ -154,8 +154,8 @@ WheelResult make_wheel_result(WheelSolution solution,
         point_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
   }
   result.warnings = std::move(solution.warnings);
-  if (const std::optional<std::string> odd = warning_of_touch(*wheel, candidates.front())) {
-    result.warnings.push_back(*odd);
+  if (std::optional<Warning> odd = warning_of_touch(*wheel, candidates.front())) {
+    result.warnings.push_back(std::move(*odd));
   }
   result.details = {side,
                     equilibrium.pose,

@@ -131,7 +131,7 @@ struct WheelResult {
   std::optional<int> state;                ///< flags of wheel/wheel_state.hpp, of mechanics
   bool solved = false;                     ///< the mechanics have run
   std::vector<PatchResult> patches;        ///< largest normal force first
-  std::vector<std::string> warnings;
+  Warnings warnings;
   WheelDetails details;
 };
 

@@ -14,6 +14,7 @@
 #include "wheel/depth_checks.hpp"
 #include "wheel/depth_iteration.hpp"
 #include "wheel/grid_plan.hpp"
+#include "wheel/wheel_warnings.hpp"
 
 namespace wrc {
 namespace {
@@ -65,7 +66,7 @@ private:
     return {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
   }
   GridSolution sample_only(double depth);
-  void warn_about(const GridSolution& solution);
+  void warn_of_limit();
   void publish(GridSolution solution);
 
   const WheelSurface& wheel_;
@@ -254,15 +255,6 @@ void WheelSolver::settle_planes(GridSolution& solution) {
   }
 }
 
-/// Contact on the last elements, which a neighbour is next to.
-bool reaches_neighbour(const Patch& patch) {
-  const ContactPatch& penetration = patch.penetration;
-  const EdgeContact& edge = patch.contact.touches_edge;
-  const double room = penetration_margin * (penetration.y_last - penetration.y_first);
-  return (edge.lateral_first && penetration.y_first - penetration.limit_first <= room) ||
-         (edge.lateral_last && penetration.limit_last - penetration.y_last <= room);
-}
-
 /// A patch just born: its penetration at a depth less than the one found is too small for it.
 bool outgrows_grid(const GridSolution& solution) {
   return std::ranges::any_of(solution.patches, [](const Patch& patch) {
@@ -332,61 +324,10 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
   }
 }
 
-std::string edge_warning(const Patch& patch) {
-  return reaches_neighbour(patch)
-             ? "contact reaches the boundary to the neighbouring patch"
-             : "contact touches the edge of the grid: elements too large, or a patch just born";
-}
-
-void WheelSolver::warn_about(const GridSolution& solution) {
-  auto& warnings = result_.warnings;
-  warn_of_rounding(solution, request_, wheel_.radius(), warnings);
-  if (solution.stop_reason != StopReason::tolerance_met) {
-    warnings.push_back("not converged: " + std::string(name_of(solution.stop_reason)) +
-                       ", error of the pressures " + short_text_of(solution.pressure_error));
-  }
-  if (request_.solver == SolverChoice::paper && solution.patches.size() > 1) {
-    warnings.emplace_back("several patches: solved together by the default solver");
-  }
-  for (const Patch& patch : solution.patches) {
-    if (patch.no_contact()) {
-      continue;
-    }
-    if (patch.contact.touches_edge.any()) {
-      warnings.emplace_back(edge_warning(patch));
-    }
-    const double turn = std::max(std::abs(patch.penetration.angle_first - patch.frame.angle()),
-                                 std::abs(patch.penetration.angle_last - patch.frame.angle()));
-    if (request_.gap == GapConvention::vertical) {
-      if (std::abs(patch.penetration.angle_unturned) > vertical_convention_limit) {
-        warnings.push_back("vertical distances at a contact angle of " +
-                           short_text_of(patch.penetration.angle_unturned) + " rad (good up to " +
-                           text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
-      }
-    } else if (turn > planar_limit) {
-      warnings.push_back("the rail turns by " + short_text_of(turn) +
-                         " rad within a patch (a plane is good up to " + text_of(planar_limit) +
-                         ")");
-    }
-  }
-  if (ridge_error_ > request_.accuracy) {
-    warnings.push_back("a profile turns by " + short_text_of(solution.sharpest_ridge()) +
-                       " rad at once under the pressures: they have no bound there, and forces "
-                       "converge slowly");
-  }
-  if (!request_.grid && (!result_.error_estimate || *result_.error_estimate > request_.accuracy)) {
-    warnings.push_back("accuracy " + text_of(request_.accuracy) + " not reached" +
-                       (result_.error_estimate
-                            ? ": estimated error " + short_text_of(*result_.error_estimate)
-                            : std::string()));
-  }
+void WheelSolver::warn_of_limit() {
   if (!request_.grid && elements_wanted_ > request_.element_limit) {
-    warnings.push_back(text_of_limit(elements_wanted_, request_.element_limit));
-  }
-  if (solution.left_out_s) {
-    warnings.push_back(
-        "wheel and rail also meet at s_wheel = " + short_text_of(*solution.left_out_s) +
-        " mm under another angle; with vertical distances that patch is left out");
+    result_.warnings.push_back(
+        {WarningClass::element_limit, text_of_limit(elements_wanted_, request_.element_limit)});
   }
 }
 
@@ -432,9 +373,7 @@ void WheelSolver::publish(GridSolution solution) {
 /// The potential contact areas of penetration, with the elements that solutions start with.
 GridSolution WheelSolver::sample_only(double depth) {
   GridSolution solution = sample(depth, final_grids(depth, goal_));
-  if (!request_.grid && elements_wanted_ > request_.element_limit) {
-    result_.warnings.push_back(text_of_limit(elements_wanted_, request_.element_limit));
-  }
+  warn_of_limit();
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }
@@ -445,8 +384,9 @@ GridSolution WheelSolver::sample_only(double depth) {
 WheelSolution WheelSolver::solve() {
   result_.solved = request_.until == Module::mechanics;
   if (equilibrium_.scan.candidates.front().at_profile_end) {
-    result_.warnings.emplace_back(
-        "contact at the end of a profile, or where the rail turns upright");
+    result_.warnings.push_back(
+        {WarningClass::profile_end,
+         "contact at the end of a profile, or where the rail turns upright"});
   }
   result_.vertical = equilibrium_.vertical;
   if (request_.until == Module::geometry) {
@@ -472,8 +412,9 @@ WheelSolution WheelSolver::solve() {
     depth = depth_found(*coarse);
   }
   GridSolution solution = solve_finally(depth, follows, std::move(coarse));
-  warn_about(solution);
+  warn_of_solution(solution, request_, wheel_.radius(), ridge_error_, result_);
   publish(std::move(solution));
+  warn_of_patches(request_, result_);
   return std::move(result_);
 }
 

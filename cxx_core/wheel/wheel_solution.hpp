@@ -75,7 +75,7 @@ struct WheelSolution {
   int convolutions = 0; ///< likewise: applications of the influence coefficients
   int solutions = 0;    ///< normal problems solved
   StageTimes times;
-  std::vector<std::string> warnings;
+  Warnings warnings;
 };
 
 WheelSolution solve_wheel(const WheelSurface& wheel, const RailSurface& rail,

@@ -45,6 +45,25 @@ inline std::vector<std::string> texts_of(const Scene& scene, const std::string& 
   return texts;
 }
 
+/// Warnings of the profiles a scene was solved with; those of the wheels stand behind them.
+inline std::vector<std::string> warnings_of_profiles(const Scene& scene) {
+  std::vector<std::string> warnings = scene.warnings();
+  for (const char* side : side_names) {
+    warnings.resize(warnings.size() - static_cast<std::size_t>(scene.number_or(
+                                          std::string(side) + ".warning_count", 0.0)));
+  }
+  return warnings;
+}
+
+/// Warnings in one cell of a table.
+inline std::string joined_warnings(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) {
+    text += (text.empty() ? "" : " | ") + warning;
+  }
+  return text;
+}
+
 /// Those sides that were solved.
 inline std::vector<std::string> sides_of(const Scene& scene) {
   std::vector<std::string> sides(side_names.begin(), side_names.end());

@@ -25,6 +25,49 @@ std::string force_text(double newtons) {
   return fixed(value, decimals) + (thousands ? " kN" : " N");
 }
 
+/// Warnings as lines of text at the lower end of the picture, and the room for them.
+struct WarningNote {
+  explicit WarningNote(std::vector<std::string> warnings) {
+    constexpr std::size_t most_lines = 4;
+    constexpr std::size_t most_letters = 190;
+    const std::size_t count = warnings.size();
+    if (count > most_lines) {
+      warnings.resize(most_lines - 1);
+      warnings.push_back("and " + std::to_string(count - warnings.size()) + " more warnings");
+    }
+    lines = static_cast<int>(warnings.size());
+    int from_below = lines;
+    for (const std::string& warning : warnings) {
+      --from_below;
+      const std::string line = one_line(warning);
+      labels +=
+          "set label " + std::to_string(first_label + from_below) + ' ' +
+          gnuplot_text(line.size() > most_letters ? line.substr(0, most_letters) + "..." : line) +
+          " at screen 0.006,character " + general(0.8 + line_height * from_below) +
+          " left font ',9' tc rgb '#b00000' front\n";
+    }
+  }
+  /// Before the first plot of the last row.
+  [[nodiscard]] std::string begin() const {
+    return lines == 0 ? "" : labels + "set bmargin " + general(4.3 + line_height * lines) + '\n';
+  }
+  /// Behind that plot: others would draw the text again.
+  [[nodiscard]] std::string end() const {
+    std::string commands;
+    for (int i = 0; i < lines; ++i) {
+      commands += "unset label " + std::to_string(first_label + i) + '\n';
+    }
+    return commands;
+  }
+  /// Pixels.
+  [[nodiscard]] int height() const { return 18 * lines; }
+
+  static constexpr double line_height = 1.1; ///< in letters
+  static constexpr int first_label = 9000;   ///< of numbers that no other label has
+  int lines = 0;
+  std::string labels;
+};
+
 /// A patch as it is drawn.
 struct DrawnPatch {
   PatchName name;
@@ -395,26 +438,30 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   const std::size_t rows =
       1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U) + (has_stresses ? 1U : 0U);
   gnuplot.begin_multiplot(rows, sides.size());
-  for (const DrawnSide& side : sides) {
-    plot_outlines(gnuplot, scene, side);
-  }
-  if (has_pressures) {
+  const WarningNote note(scene.warnings());
+  std::size_t row = 0;
+  const auto plot_row = [&](const auto& plot_side) {
+    ++row;
+    bool noted = row < rows;
     for (const DrawnSide& side : sides) {
-      plot_pressure(gnuplot, scene, side, axes);
+      gnuplot.script() << (noted ? "" : note.begin());
+      plot_side(side);
+      gnuplot.script() << (noted ? "" : note.end());
+      noted = true;
     }
+  };
+  plot_row([&](const DrawnSide& side) { plot_outlines(gnuplot, scene, side); });
+  if (has_pressures) {
+    plot_row([&](const DrawnSide& side) { plot_pressure(gnuplot, scene, side, axes); });
   }
   if (has_tractions) {
-    for (const DrawnSide& side : sides) {
-      plot_tractions(gnuplot, scene, side, axes);
-    }
+    plot_row([&](const DrawnSide& side) { plot_tractions(gnuplot, scene, side, axes); });
   }
   if (has_stresses) {
-    for (const DrawnSide& side : sides) {
-      plot_stress(gnuplot, scene, side.name);
-    }
+    plot_row([&](const DrawnSide& side) { plot_stress(gnuplot, scene, side.name); });
   }
   const int columns = std::max(static_cast<int>(sides.size()), 1);
-  gnuplot.draw(path, 650 * columns, 450 * static_cast<int>(rows));
+  gnuplot.draw(path, 650 * columns, 450 * static_cast<int>(rows) + note.height());
 }
 
 } // namespace driver

@@ -192,13 +192,18 @@ void print_patch_places(const Scene& scene, std::ostream& out) {
 }
 
 void print_near_contacts(const Scene& scene, std::ostream& out) {
+  constexpr int most = 3; // further ones are of no use
   for (const std::string& side : sides_of(scene)) {
     const int count = scene.count_of(side + ".near_contacts");
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < std::min(count, most); ++i) {
       const std::string prefix = side + ".near_contacts." + std::to_string(i) + '.';
       out << "Near contact, " << side << ": " << fixed(scene.number(prefix + "distance"), 4)
           << " mm apart at s_wheel " << fixed(scene.number(prefix + "s_wheel"), 2) << " mm, angle "
           << fixed(1e3 * scene.number(prefix + "angle"), 1) << " mrad\n";
+    }
+    if (count > most) {
+      out << "Near contact, " << side << ": " << count - most << " more within "
+          << general(scene.get_number("solve.near_tolerance"), 4) << " mm\n";
     }
   }
 }
@@ -206,6 +211,9 @@ void print_near_contacts(const Scene& scene, std::ostream& out) {
 void print_texts(const Scene& scene, std::ostream& out) {
   for (const std::string& correction : texts_of(scene, "corrections")) {
     out << "Corrected: " << correction << '\n';
+  }
+  for (const std::string& warning : warnings_of_profiles(scene)) {
+    out << "Warning: " << warning << '\n';
   }
   for (const std::string& side : sides_of(scene)) {
     for (const std::string& warning : texts_of(scene, side + ".warnings")) {
@@ -216,8 +224,8 @@ void print_texts(const Scene& scene, std::ostream& out) {
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array counts{"iterations", "convolutions", "solutions", "patch_count",
-                              "regions",    "lobes",        "grid.0",    "grid.1"};
+  constexpr std::array counts{"iterations", "convolutions", "solutions", "patch_count",  "regions",
+                              "lobes",      "grid.0",       "grid.1",    "warning_count"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }
@@ -329,6 +337,9 @@ json json_of(const Scene& scene) {
     flat[pointer_of(name)] = scene.text(name);
   }
   json object = flat.unflatten();
+  for (const char* list : {"warnings", "warning_classes"}) {
+    object.emplace(list, json::array());
+  }
   for (const std::string& side : sides_of(scene)) {
     for (const char* list : {"patches", "near_contacts", "warnings"}) {
       object[side].emplace(list, json::array());
@@ -346,7 +357,10 @@ void print_csv(const Scene& scene, std::ostream& out) {
       "centroid.y centroid.z centroid.s_wheel centroid.rolling_radius centroid.angle approach "
       "depth angle error_estimate iterations convolutions solutions fill grid.0 grid.1 "
       "element_size.0 element_size.1");
-  CsvLine(out).add(words("side roll vertical patches")).add(columns);
+  CsvLine(out)
+      .add(words("side roll vertical patches"))
+      .add(columns)
+      .add(words("warning_count warnings"));
   out.precision(std::numeric_limits<double>::max_digits10);
   for (const std::string& side : sides_of(scene)) {
     CsvLine line(out);
@@ -356,6 +370,11 @@ void print_csv(const Scene& scene, std::ostream& out) {
       const std::string name = side + '.' + column;
       line << (scene.has_number(name) ? std::optional(scene.number(name)) : std::nullopt);
     }
+    std::vector<std::string> warnings = warnings_of_profiles(scene);
+    for (std::string& warning : texts_of(scene, side + ".warnings")) {
+      warnings.push_back(std::move(warning));
+    }
+    line << warnings.size() << joined_warnings(warnings);
   }
 }
 

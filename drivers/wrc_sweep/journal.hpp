@@ -14,6 +14,7 @@
 
 #include "support/scene.hpp"
 #include "wrc_sweep/study.hpp"
+#include "wrc_sweep/warning_summary.hpp"
 
 namespace driver {
 
@@ -29,7 +30,8 @@ struct PatchFields {
 struct Row {
   std::int64_t scene = 0;
   wrc_status status = WRC_OK;
-  std::string message;        ///< why, if the status is another than WRC_OK
+  std::string message; ///< why, if the status is another than WRC_OK
+  std::vector<std::string> warnings;
   std::vector<double> values; ///< in the order of Study::results; NaN: there is none
   std::vector<PatchFields> patches;
 };
@@ -56,6 +58,11 @@ public:
   [[nodiscard]] std::int64_t count() const { return count_; }
   /// Rows whose status is another than WRC_OK.
   [[nodiscard]] std::int64_t failed() const { return failed_; }
+  /// Warnings of the rows, and what those of one scene that it has are of (WarningsOf).
+  [[nodiscard]] const WarningSummary& warnings() const { return warnings_; }
+  [[nodiscard]] unsigned warnings_of(std::int64_t scene) const {
+    return warned_[static_cast<std::size_t>(scene)];
+  }
   /// The row of a scene that it has.
   [[nodiscard]] Row read(std::int64_t scene);
   /// The results have been written: the file is not needed any more.
@@ -77,6 +84,8 @@ private:
   std::fstream file_;
   std::vector<std::int64_t> places_;  ///< in the file, by scene; -1: not there
   std::vector<std::int64_t> lengths_; ///< in bytes
+  std::vector<unsigned char> warned_; ///< WarningsOf, by scene
+  WarningSummary warnings_;
   std::int64_t count_ = 0;
   std::int64_t failed_ = 0;
   std::int64_t end_ = 0;

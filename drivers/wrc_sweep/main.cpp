@@ -52,7 +52,7 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]
 
 All values are crossed; the key that stands first varies slowest. NAME.csv and NAME.nc (NetCDF-4)
-hold one row per scene with its status; a scene that cannot be solved is a row that says why. They are
+hold one row per scene with its status and warnings; a scene that cannot be solved is a row that says why. They are
 bit for bit the same for any number of threads and ranks. Ctrl-C, or a crash, loses nothing that is
 done: NAME.rows keeps it, and --resume goes on.
 
@@ -129,11 +129,13 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   }
   if (!options.quiet) {
     std::cout << study.scene_count() << " scenes, " << journal.failed()
-              << " of them with a status other than ok\n";
+              << " of them with a status other than ok, " << journal.warnings().scenes()
+              << " with warnings\n";
     for (const fs::path& path : files) {
       std::cout << path.string() << '\n';
     }
   }
+  journal.warnings().print(study.scene_count(), files[0].string(), std::cerr);
   journal.remove();
   return 0;
 }
@@ -145,10 +147,11 @@ void make_page(const Options& options) {
     inputs.emplace_back(input.path);
   }
   driver::refuse_overwriting({options.page}, inputs);
-  driver::write_page(study, options.threads, options.page);
+  const driver::WarningSummary warnings = driver::write_page(study, options.threads, options.page);
   if (!options.quiet) {
     std::cout << options.page << '\n';
   }
+  warnings.print(study.scene_count(), options.page, std::cerr);
 }
 
 /// `started`: all ranks have begun, so that a failure is of this one.
@@ -218,7 +221,8 @@ int main(int argc, char** argv) {
   app.add_flag("--resume", options.resume, "go on with an interrupted run, if there is one");
   app.add_flag("--restart", options.restart, "drop the rows of an interrupted run");
   app.add_flag("--progress", options.progress, "show progress even if stderr is no terminal");
-  app.add_flag("--quiet", options.quiet, "neither progress nor what was written");
+  app.add_flag("--quiet", options.quiet,
+               "neither progress nor what was written; warnings are told");
   app.add_flag("--no-pictures", options.no_pictures, "tables only");
   app.add_flag("--list-results", options.list_results, "print the names a study may ask for");
   app.footer(footer);

@@ -96,6 +96,13 @@ private:
   int file_ = -1;
 };
 
+constexpr const char* warning_count_name = "warning_count";
+
+/// Whether a study asks for a result by itself, which then has its place among the others.
+bool is_result(const Study& study, const char* name) {
+  return std::find(study.results.begin(), study.results.end(), name) != study.results.end();
+}
+
 /// Numbers as numbers, anything else as texts.
 void write_axis(NetcdfFile& file, const Axis& axis, int dimension) {
   std::vector<std::string> texts;
@@ -135,11 +142,15 @@ void write_results(NetcdfFile& file, const Study& study, Journal& journal,
   const auto count = static_cast<std::size_t>(study.scene_count());
   std::vector<long long> status(count);
   std::vector<std::string> message(count);
+  std::vector<long long> warning_count(count);
+  std::vector<std::string> warnings(count);
   std::vector<std::vector<double>> values(study.results.size(), std::vector<double>(count));
   for (std::size_t index = 0; index < count; ++index) {
     const Row row = journal.read(static_cast<std::int64_t>(index));
     status[index] = row.status;
     message[index] = row.message;
+    warning_count[index] = static_cast<long long>(row.warnings.size());
+    warnings[index] = joined_warnings(row.warnings);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i][index] = row.values[i];
     }
@@ -150,6 +161,14 @@ void write_results(NetcdfFile& file, const Study& study, Journal& journal,
   describe_status(file, status_variable);
   file.put(status_variable, status);
   file.put(file.variable("message", NC_STRING, dimensions), message);
+  if (!is_result(study, warning_count_name)) {
+    const int variable = file.variable(warning_count_name, NC_INT64, dimensions);
+    file.attribute(variable, "long_name", "warnings of profiles and both wheels");
+    file.put(variable, warning_count);
+  }
+  const int texts = file.variable("warnings", NC_STRING, dimensions);
+  file.attribute(texts, "long_name", "their texts, separated by \" | \"");
+  file.put(texts, warnings);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const int variable = file.variable(study.results[i], NC_DOUBLE, dimensions);
     file.describe(variable, study.results[i], scene.number_unit(study.results[i]));
@@ -275,7 +294,12 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
   for (const Axis& axis : study.axes) {
     keys.push_back(axis.key);
   }
-  CsvLine(out).add(words("scene")).add(keys).add(words("status message")).add(study.results);
+  std::vector<std::string> head = words("status message warnings");
+  const bool counts = !is_result(study, warning_count_name);
+  if (counts) {
+    head.insert(head.end() - 1, warning_count_name);
+  }
+  CsvLine(out).add(words("scene")).add(keys).add(head).add(study.results);
   for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
     const Row row = journal.read(scene);
     const std::vector<std::size_t> places = study.places(scene);
@@ -285,6 +309,10 @@ void write_csv(const Study& study, Journal& journal, const std::filesystem::path
       line << text_of(study.axes[i].values[places[i]]);
     }
     line << wrc_status_name(row.status) << row.message;
+    if (counts) {
+      line << row.warnings.size();
+    }
+    line << joined_warnings(row.warnings);
     for (const double value : row.values) {
       line << text_of(value);
     }

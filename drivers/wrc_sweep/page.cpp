@@ -110,6 +110,7 @@ json solved(const Study& study, std::int64_t index) {
     if (!scene.solve()) {
       made["message"] = wrc_scene_error(scene.handle());
     }
+    made["warnings"] = scene.warnings();
     for (const std::string& name : sides_of(scene)) {
       made[name] = side(scene, name);
     }
@@ -148,7 +149,7 @@ json json_of(const Value& value) {
 
 } // namespace
 
-void write_page(const Study& study, int threads, const std::filesystem::path& path) {
+WarningSummary write_page(const Study& study, int threads, const std::filesystem::path& path) {
   const std::int64_t count = study.scene_count();
   if (count > most_scenes_of_page) {
     throw Failure("--page: the study has " + std::to_string(count) +
@@ -157,6 +158,11 @@ void write_page(const Study& study, int threads, const std::filesystem::path& pa
   std::vector<json> scenes(static_cast<std::size_t>(count));
   for_each_index(scenes.size(), threads,
                  [&](std::size_t i) { scenes[i] = solved(study, static_cast<std::int64_t>(i)); });
+  WarningSummary warnings;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    warnings.add(static_cast<std::int64_t>(i),
+                 scenes[i].value("warnings", std::vector<std::string>()));
+  }
   json data{{"title", study.title.empty() ? study.name : study.title},
             {"version", wrc_version()},
             {"axes", json::array()},
@@ -172,6 +178,7 @@ void write_page(const Study& study, int threads, const std::filesystem::path& pa
   const std::string mark = "/* scenes */ null";
   page.replace(page.find(mark), mark.size(), within_script(data));
   write_whole(path, [&](std::ostream& out) { out << page; });
+  return warnings;
 }
 
 } // namespace driver

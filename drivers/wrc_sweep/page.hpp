@@ -5,11 +5,13 @@
 #include <filesystem>
 
 #include "wrc_sweep/study.hpp"
+#include "wrc_sweep/warning_summary.hpp"
 
 namespace driver {
 
 /// Solves the scenes on so many threads and writes the page. A scene that cannot be solved shows
-/// why. Throws Failure for more scenes than a browser holds, or if the file cannot be written.
-void write_page(const Study& study, int threads, const std::filesystem::path& path);
+/// why. Returns the warnings of all scenes. Throws Failure for more scenes than a browser holds, or
+/// if the file cannot be written.
+WarningSummary write_page(const Study& study, int threads, const std::filesystem::path& path);
 
 } // namespace driver

@@ -102,7 +102,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
       {"amplitude, mm", "equivalent conicity", &Curve::amplitude, &Curve::conicity}};
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(3, 1, picture.title);
-  gnuplot.script() << line_style(curves.size());
+  gnuplot.script() << line_style(curves.size()) << warning_note(data);
   for (const Panel& panel : panels) {
     Range range;
     std::vector<std::string> items;
@@ -127,6 +127,7 @@ void draw_conicity(const PictureRequest& picture, const PictureData& data,
                      << "'\n"
                      << range.command("y");
     gnuplot.plot(items);
+    gnuplot.script() << end_of_warning_note();
   }
   gnuplot.draw(path, 860 + legend_width(curves.size()), 1200);
 }

@@ -117,9 +117,11 @@ void draw_connections(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(1, picture.sides.size(), picture.title);
   gnuplot.script() << "set grid back lt 1 lw 1 lc rgb '#e4e4e4'\nset tics out nomirror\n"
-                      "set key outside top center horizontal\n";
+                      "set key outside top center horizontal\n"
+                   << warning_note(data);
   for (const std::string& side : picture.sides) {
     plot_side(gnuplot, picture, data, centred, side);
+    gnuplot.script() << end_of_warning_note();
   }
   gnuplot.draw(path, 720 * static_cast<int>(picture.sides.size()), 680);
 }

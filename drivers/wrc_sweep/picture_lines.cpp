@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "support/gnuplot.hpp"
 #include "wrc_sweep/pictures.hpp"
 
@@ -9,6 +11,7 @@ struct DrawnLine {
   std::size_t colour = 0;
   std::size_t mark = 0;
   std::string data;
+  std::string warned; ///< of these points, those with warnings
 };
 
 std::string data_of(const std::vector<double>& x, double x_factor, const std::vector<double>& y,
@@ -44,8 +47,15 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
       for (const double value : y) {
         range.include(panel.y_factor * value);
       }
+      const auto warned = warned_places_of(picture, data, where, panel.lines[i].result);
+      std::vector<double> y_warned;
+      for (const double place : warned) {
+        y_warned.push_back(
+            y[static_cast<std::size_t>(std::find(x.begin(), x.end(), place) - x.begin())]);
+      }
       lines.push_back({joined(name, panel.lines[i].title), series.empty() ? i : group, i,
-                       data_of(x, picture.x_factor, y, panel.y_factor)});
+                       data_of(x, picture.x_factor, y, panel.y_factor),
+                       data_of(warned, picture.x_factor, y_warned, panel.y_factor)});
     }
   }
   return lines;
@@ -68,11 +78,13 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   Gnuplot gnuplot;
   gnuplot.begin_multiplot(picture.panels.size(), 1, picture.title);
   gnuplot.script() << line_style(most_lines) << "set xlabel "
-                   << gnuplot_text(picture.x_label, Markup::subscripts) << '\n';
+                   << gnuplot_text(picture.x_label, Markup::subscripts) << '\n'
+                   << warning_note(data, "hollow");
   for (const PanelRequest& panel : picture.panels) {
     Range range;
     std::vector<std::string> items;
-    for (const DrawnLine& line : lines_of(picture, data, panel, range)) {
+    const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range);
+    for (const DrawnLine& line : lines) {
       constexpr std::size_t marks = 4;
       items.push_back(gnuplot.block(line.data) + " with linespoints lw 2 ps 0.9 pt " +
                       std::to_string(5 + 2 * (line.mark % marks)) + " dt " +
@@ -80,9 +92,16 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
                       line_colour(line.colour, picture.series.empty() ? most_lines : groups) +
                       "' title " + gnuplot_text(line.title, Markup::subscripts));
     }
+    for (const DrawnLine& line : lines) {
+      if (!line.warned.empty()) { // hollow
+        items.push_back(gnuplot.block(line.warned) +
+                        " with points pt 7 ps 0.45 lc rgb 'white' notitle");
+      }
+    }
     gnuplot.script() << "set ylabel " << gnuplot_text(panel.y_label, Markup::subscripts) << '\n'
                      << range.command("y");
     gnuplot.plot(items);
+    gnuplot.script() << end_of_warning_note();
   }
   gnuplot.draw(path, width + legend_width(most_lines), height);
 }

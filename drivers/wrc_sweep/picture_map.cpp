@@ -26,6 +26,20 @@ std::string matrix_of(const PictureRequest& picture, const PictureData& data,
   return text + '\n';
 }
 
+/// Places of scenes with warnings: x, y and the height 0.
+std::string warned_of(const PictureRequest& picture, const PictureData& data,
+                      const PanelRequest& panel) {
+  std::string text;
+  for (const double place : data.numbers_of(picture.series)) {
+    Values where = picture.where;
+    where.insert_or_assign(picture.series, place);
+    for (const double x : warned_places_of(picture, data, where, panel.lines.front().result)) {
+      text += text_of(picture.x_factor * x) + ' ' + text_of(picture.series_factor * place) + " 0\n";
+    }
+  }
+  return text;
+}
+
 } // namespace
 
 void draw_map(const PictureRequest& picture, const PictureData& data,
@@ -42,12 +56,20 @@ void draw_map(const PictureRequest& picture, const PictureData& data,
                       "set cntrparam cubicspline points 8 levels auto 8\nset tics out nomirror\n"
                       "set cntrlabel onecolor\nunset key\nset lmargin 13\nset xlabel "
                    << gnuplot_text(picture.x_label, Markup::subscripts) << "\nset ylabel "
-                   << gnuplot_text(series_label(picture), Markup::subscripts) << '\n';
+                   << gnuplot_text(series_label(picture), Markup::subscripts) << '\n'
+                   << warning_note(data, "by crosses");
   for (const PanelRequest& panel : picture.panels) {
     const std::string block = gnuplot.block(matrix_of(picture, data, panel));
+    const std::string warned = warned_of(picture, data, panel);
+    const std::string marks =
+        warned.empty() ? ""
+                       : ", " + gnuplot.block(warned) +
+                             " using 1:2:3 with points pt 2 ps 0.7 lc rgb 'black' nocontour";
     gnuplot.script() << "set title " << gnuplot_text(panel.y_label, Markup::subscripts)
                      << "\nsplot " << block << " nonuniform matrix with pm3d nocontour, " << block
-                     << " nonuniform matrix with lines lw 1 lc rgb '#404040' nosurface\n";
+                     << " nonuniform matrix with lines lw 1 lc rgb '#404040' nosurface" << marks
+                     << '\n'
+                     << end_of_warning_note();
   }
   gnuplot.draw(path, width * static_cast<int>(columns),
                title_height + height * static_cast<int>(rows));

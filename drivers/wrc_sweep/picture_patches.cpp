@@ -18,6 +18,7 @@ struct Cell {
   Range lateral;                 ///< extent of all maps
   Range longitudinal;
   double pmax = std::numeric_limits<double>::quiet_NaN();
+  bool warned = false;
 };
 
 struct MapRow {
@@ -112,7 +113,9 @@ Cell cell_of(Gnuplot& gnuplot, const PictureData& data, std::int64_t scene, std:
     return cell;
   }
   const Row row = data.row(scene);
-  cell.pmax = data.number(row, std::string(side_names[side]) + ".pmax");
+  const std::string pmax = std::string(side_names[side]) + ".pmax";
+  cell.pmax = data.number(row, pmax);
+  cell.warned = data.is_warned(scene, pmax);
   double first_y = 0.0;
   double first_z = 0.0;
   for (const PatchFields& patch : row.patches) {
@@ -219,6 +222,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   const std::vector<MapRow> rows = rows_of(gnuplot, picture, data, columns);
   const Layout layout(rows, columns.size());
   write_frame(out, picture, layout);
+  out << warning_note(data, "by (!)", false);
   const auto column_middle = [&layout](std::size_t column) {
     return (static_cast<double>(column) + 0.5) * layout.cell_width;
   };
@@ -237,8 +241,9 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
         << " at " << -Layout::margin << ',' << y << '\n';
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Cell& cell = rows[i].cells[j];
-      out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0)) << "' at "
-          << column_middle(j) << ',' << y - 0.5 * layout.cell_height + 2.0 << " center font ',9'\n";
+      out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0))
+          << (cell.warned ? " (!)" : "") << "' at " << column_middle(j) << ','
+          << y - 0.5 * layout.cell_height + 2.0 << " center font ',9'\n";
       // Each contact in the middle of its cell, wherever it lies on the wheel.
       for (const std::string& map : cell.maps) {
         items.push_back(map + " using (" + text_of(column_middle(j) + cell.lateral.middle()) +

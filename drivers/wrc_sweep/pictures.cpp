@@ -78,6 +78,35 @@ std::vector<double> line_of(const PictureRequest& picture, const PictureData& da
   return line;
 }
 
+std::vector<double> warned_places_of(const PictureRequest& picture, const PictureData& data,
+                                     Values where, const std::string& result) {
+  std::vector<double> places;
+  for (const double value : places_of(picture, data)) {
+    where.insert_or_assign(picture.x, value);
+    const std::int64_t scene = data.find(where);
+    if (scene >= 0 && data.is_warned(scene, result)) {
+      places.push_back(value);
+    }
+  }
+  return places;
+}
+
+std::string warning_note(const PictureData& data, const std::string& marks, bool has_axes) {
+  if (data.warned() == 0) {
+    return "";
+  }
+  const std::int64_t all = data.study().scene_count();
+  return (has_axes ? "set bmargin 5\n" : "") +
+         ("set label 9999 '" + std::to_string(data.warned())) + " of " + std::to_string(all) +
+         (all == 1 ? " scene has" : " scenes have") + " warnings" +
+         (marks.empty() ? "" : ", shown ") + marks +
+         "' at screen 0.006,0.012 left font ',9' tc rgb '#b00000' front\n";
+}
+
+std::string end_of_warning_note() {
+  return "unset label 9999\n";
+}
+
 namespace {
 
 std::string with_value(std::string label, const std::string& value) {

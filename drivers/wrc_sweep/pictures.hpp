@@ -22,6 +22,11 @@ public:
   /// has its first value.
   [[nodiscard]] std::int64_t find(const Values& values) const;
   [[nodiscard]] Row row(std::int64_t scene) const { return journal_.read(scene); }
+  /// Scenes with warnings, and whether those of a scene concern a result.
+  [[nodiscard]] std::int64_t warned() const { return journal_.warnings().scenes(); }
+  [[nodiscard]] bool is_warned(std::int64_t scene, const std::string& result) const {
+    return (journal_.warnings_of(scene) & warnings_that_concern(result)) != 0;
+  }
   /// A result of a row; NaN if it failed or has none.
   [[nodiscard]] double number(const Row& row, const std::string& name) const;
   /// A field of one of its patches.
@@ -38,6 +43,16 @@ std::vector<double> places_of(const PictureRequest& picture, const PictureData& 
 /// One line of a picture: a result over these places. NaN where there is no result.
 std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
                             const std::string& result);
+
+/// Places of such a line at which the result has warnings.
+std::vector<double> warned_places_of(const PictureRequest& picture, const PictureData& data,
+                                     Values where, const std::string& result);
+/// Script lines for a line of text at the lower end of a picture that says how many scenes have
+/// warnings, and by which marks ("hollow"), with room for it below the labels of axes. It is drawn
+/// by each plot of a multiplot until end_of_warning_note follows. Nothing without warnings.
+std::string warning_note(const PictureData& data, const std::string& marks = "",
+                         bool has_axes = true);
+std::string end_of_warning_note();
 
 /// "cant {}" with a value in the place of {}, or behind if there is no such place.
 std::string series_name(const PictureRequest& picture, const Value& value);

@@ -41,6 +41,7 @@ public:
 
 private:
   void read_results(Row& row) const {
+    row.warnings = scene_.warnings();
     for (const std::string& name : study_.results) {
       row.values.push_back(result_of(scene_, name));
     }

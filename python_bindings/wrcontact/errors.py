@@ -10,6 +10,10 @@ from typing import Any
 from ._library import lib, string
 
 
+class ContactWarning(UserWarning):
+    """Of profiles and solutions that are given all the same (docs/warnings.md)."""
+
+
 class Error(Exception):
     """A call that the library refused; `status` is its number in wrcontact.h.
 

@@ -10,6 +10,7 @@ import numpy as np
 from ._handle import encoded
 from ._interface import ffi
 from ._library import Array, lib, pointer, string
+from ._warnings import warnings_of
 from .errors import NoResult, UnknownName
 
 if TYPE_CHECKING:
@@ -172,6 +173,15 @@ class Result(Group):
             self._of_groups = found - self._names.keys()
         return self._of_groups
 
+    @property
+    def warnings(self) -> list[str]:
+        """All warnings, each with what it is of: profiles, then the left and the right wheel.
+
+        `result["warnings.0"]` is the first of them, of the class `result["warning_classes.0"]`;
+        `left.warnings` are those of the left wheel.
+        """
+        return warnings_of(self._live())
+
     def to_dict(self) -> dict[str, float | str]:
         """All numbers and texts by name: a copy, which stays when the scene is solved again."""
         return {name: self._value(name) for name in self._names}
@@ -222,6 +232,5 @@ def summary_of(result: Result) -> str:
             lines.append("  {:<6} {:>5} {:>12} {:>10} {:>16} {:>11}".format(side, index, *values))
         if not patches:
             lines.append(f"  {side:<6} no patches")
-        lines += [f"  warning, {side}: {text}" for text in
-                  (wheel.warnings if f"{side}.warnings" in result._groups else [])]
+    lines += [f"  warning, {text}" for text in result.warnings]
     return "\n".join(lines) + ">"

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ._handle import Handle, encoded
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer, string
+from ._warnings import warn, warnings_of
 from .errors import InvalidArgument, NoResult, UnknownName, error_of
 from .profile import Profile
 from .result import Result
@@ -138,14 +139,17 @@ class Scene(Handle):
         """Solves geometry, remesh and mechanics, and returns the result.
 
         NotConverged holds the result that was reached. After any other failure the last result
-        stays. The key solve.until stops after one of the three.
+        stays. The key solve.until stops after one of the three. What is doubtful about profiles or
+        solution is a ContactWarning, and in Result.warnings.
         """
         return self._solved(lib.wrc_scene_solve(self._handle))
 
-    def _solved(self, status: int) -> Result:
+    def _solved(self, status: int, warns: bool = True) -> Result:
         if status not in _WITH_RESULT:
             self._check(status)
         self._solutions += 1
+        if warns:
+            warn(warnings_of(self._handle))
         result = Result(self)
         if status != 0:
             error = error_of(status, string(self._error(self._handle)))

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._handle import Handle
 from ._interface import ffi
 from ._library import Array, doubles, lib, pointer
+from ._warnings import warn_of_many, warnings_of
 from .errors import Error, InvalidArgument, error_of
 from .result import Result
 from .scene import Scene
@@ -58,7 +59,8 @@ class Solver(Handle):
 
         position: x, y, z, roll, pitch angle, yaw of its centre, z above the rail tops; velocity:
         their rates. rails: lateral, vertical, roll of the left and of the right rail; otherwise as
-        in the scene. In the scene's convention (docs/vehicle.md). NotConverged, NoContact.
+        in the scene. In the scene's convention (docs/vehicle.md). Does not warn; scene.result.warnings
+        has what it would. NotConverged, NoContact.
         """
         q, v = _six(position, "position"), _six(velocity, "velocity")
         r = ffi.NULL if rails is None else pointer(_six(rails, "rails"))
@@ -68,7 +70,8 @@ class Solver(Handle):
         scene._solved(lib.wrc_solver_step(
             self._handle, scene._handle, pointer(q), pointer(v), r, pointer(force),
             ffi.NULL if by_position is None else pointer(by_position),
-            ffi.NULL if by_velocity is None else pointer(by_velocity), pointer(states, "int32_t")))
+            ffi.NULL if by_velocity is None else pointer(by_velocity), pointer(states, "int32_t")),
+            warns=False)
         return Step(force, by_position, by_velocity, states)
 
     def creep(self, scene: Scene, patch: int, creepages: ArrayLike) -> tuple[Array, Array]:
@@ -90,8 +93,22 @@ def solve_batch(scenes: Sequence[Scene], *, threads: int = 1) -> list[Result | E
     """Solves scenes, each by itself, on up to `threads` threads; others of Python run meanwhile.
 
     Bit for bit the same for any number of threads. Returns for each scene its result, or the
-    exception that Scene.solve would have raised.
+    exception that Scene.solve would have raised. Warns of each kind of warnings once, with the number
+    of scenes that have it.
     """
+    outcomes = solve_without_warning(scenes, threads)
+    warn_of_many([warnings_of_outcome(outcome) for outcome in outcomes])
+    return outcomes
+
+
+def warnings_of_outcome(outcome: Result | Error) -> list[str]:
+    """Those of the result, if there is one."""
+    result = outcome.result if isinstance(outcome, Error) else outcome
+    return [] if result is None else warnings_of(result._live())
+
+
+def solve_without_warning(scenes: Sequence[Scene], threads: int) -> list[Result | Error]:
+    """As solve_batch."""
     handles = ffi.new("wrc_scene *[]", [scene._handle for scene in scenes])
     untouched = -1
     statuses = ffi.new("wrc_status[]", [untouched] * len(scenes))
@@ -104,6 +121,6 @@ def solve_batch(scenes: Sequence[Scene], *, threads: int = 1) -> list[Result | E
 
 def _outcome(scene: Scene, status: int) -> Result | Error:
     try:
-        return scene._solved(status)
+        return scene._solved(status, warns=False)
     except Error as error:
         return error

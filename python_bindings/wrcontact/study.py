@@ -9,9 +9,10 @@ import numpy as np
 from ._handle import encoded
 from ._interface import ffi
 from ._library import doubles, lib, pointer, string
+from ._warnings import warn_of_many
 from .errors import Error
 from .scene import Scene, key_of, keys, values_of
-from .solver import solve_batch
+from .solver import solve_without_warning, warnings_of_outcome
 
 if TYPE_CHECKING:
     import xarray
@@ -35,8 +36,10 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
 
     Each result has its unit as attribute `units`, each key that varies its meaning as `long_name`. The
     Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and text),
-    and all keys that do not vary as attributes. A scene that fails is not raised. Results do
-    not depend on `threads`; each scene is solved by itself, as by Scene.solve.
+    `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
+    attributes. A scene that fails is not raised; each kind of warnings is a ContactWarning with the
+    number of its scenes. Results do not depend on `threads`; each scene is solved by itself, as by
+    Scene.solve.
     """
     import xarray
 
@@ -45,13 +48,18 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     grid = xarray.broadcast(*arrays.values()) if arrays else ()
     shape = grid[0].shape if grid else ()
     columns = {key: array.values.ravel() for key, array in zip(arrays, grid)}
-    table, statuses, messages = _solve_all(columns, int(np.prod(shape)), results, threads, values)
+    table, statuses, messages, warned = _solve_all(columns, int(np.prod(shape)), results, threads, values)
     dims = grid[0].dims if grid else ()
     variables: dict[str, Any] = {
         name: (dims, table[:, index].reshape(shape), {"units": _unit(name, values)})
         for index, name in enumerate(results)}
     variables["status"] = (dims, statuses.reshape(shape))
     variables["message"] = (dims, messages.reshape(shape))
+    counts = np.array([len(texts) for texts in warned], dtype=np.int32)
+    variables.setdefault("warning_count", (dims, counts.reshape(shape)))
+    texts = np.array([" | ".join(texts) for texts in warned], dtype=object)
+    variables["warnings"] = (dims, texts.reshape(shape))
+    warn_of_many(warned)
     coordinates = {key: (array.dims, [_told(value) for value in array.values],
                          {"long_name": keys()[key].meaning})
                    for key, array in arrays.items()}
@@ -101,10 +109,11 @@ def _constant(arrays: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str,
 
 
 def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], threads: int,
-               values: Mapping[str, Any]) -> tuple[Any, Any, Any]:
-    """A row of results, a status and a text for each scene."""
+               values: Mapping[str, Any]) -> tuple[Any, Any, Any, list[list[str]]]:
+    """A row of results, a status, a text and warnings for each scene."""
     table = np.full((count, len(results)), np.nan)
     statuses, messages = np.zeros(count, dtype=np.int32), np.full(count, "", dtype=object)
+    warned: list[list[str]] = [[] for _ in range(count)]
     scenes = [Scene(**values) for _ in range(min(count, _SCENES_AT_ONCE))]
     result_ids = _ids(results, "number")
     set_row = _setter(columns)
@@ -112,15 +121,16 @@ def _solve_all(columns: Mapping[str, Any], count: int, results: Sequence[str], t
         part = list(zip(range(start, count), scenes))
         for row, scene in part:
             set_row(scene, row)
-        for (row, scene), outcome in zip(part, solve_batch([scene for _, scene in part],
-                                                           threads=threads)):
+        for (row, scene), outcome in zip(part, solve_without_warning(
+                [scene for _, scene in part], threads)):
+            warned[row] = warnings_of_outcome(outcome)
             if isinstance(outcome, Error):
                 statuses[row], messages[row] = outcome.status, str(outcome)
                 if outcome.result is None:
                     continue
             scene._check(lib.wrc_scene_numbers_by_id(
                 scene._handle, pointer(result_ids, "int32_t"), pointer(table[row]), len(results)))
-    return table, statuses, messages
+    return table, statuses, messages, warned
 
 
 def _ids(names: Sequence[str], kind: str) -> Any:

@@ -253,7 +253,7 @@ struct State {
 
 TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
   const State all[] = {
-      {"no load", number("load.vertical", 0.0), false, "no load"},
+      {"no load", number("load.vertical", 0.0), false, ""},
       {"load below what positions can tell", number("load.vertical", 1e-8), false,
        "the load, 1e-08 N, is treated as zero load"},
       {"load at which rounding counts", number("load.vertical", 1e-6), true,

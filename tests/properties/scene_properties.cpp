@@ -276,6 +276,9 @@ std::string check_stiffness(const DrawnScene& scene, const Outcome& outcome) {
   }
   for (const auto& [name, value] : outcome.numbers) {
     const bool force = is_force(name) || is_moment(name) || is_stress(name);
+    if (name.ends_with("warning_count")) { // what steel carries does not grow with its modulus
+      continue;
+    }
     if (!stiff.has(name) || !near(stiff.at(name), (force ? factor : 1.0) * value, conversion)) {
       return differ(name + " with other moduli", stiff.has(name) ? stiff.at(name) : std::nan(""),
                     (force ? factor : 1.0) * value);

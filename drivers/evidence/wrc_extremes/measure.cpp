@@ -230,7 +230,11 @@ void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,
   row.approach = scene.number("left.depth");
   const int count = scene.count_of("left.patches");
   if (count == 0) {
-    row.verdict = *row.pmax == 0.0 && scene.number("left.normal_force") == 0.0 && !warnings.empty()
+    double load = 1.0;
+    const bool asked_for =
+        wrc_scene_get_number(scene.handle(), "load.left", &load) == WRC_OK && load == 0.0;
+    row.verdict = *row.pmax == 0.0 && scene.number("left.normal_force") == 0.0 &&
+                          (asked_for || !warnings.empty())
                       ? Verdict::none
                       : Verdict::wrong;
     return;

@@ -238,14 +238,14 @@ TEST(SimpackReader, SignsThatTheFormatStatesAreNotOverruledByTheShape) {
   const ReadResult wheel =
       read_as(ProfileFormat::simpack, simpack(rows_of(convex), millimetres, 1), "a.prw");
   EXPECT_LT(distance_at(wheel.profile.curve, convex), rounding);
-  ASSERT_FALSE(wheel.warnings.empty());
-  EXPECT_TRUE(contains(wheel.warnings.front(), "no flange shows"));
+  ASSERT_FALSE(wheel.profile.warnings.empty());
+  EXPECT_TRUE(contains(wheel.profile.warnings.front().text, "no flange shows"));
   const ReadResult down =
       read_as(ProfileFormat::simpack, simpack(rows_of(rail_points()), millimetres, 0), "a.prr");
   EXPECT_LT(distance_at(down.profile.curve, rail_points()), 100.0);
   EXPECT_GT(down.profile.curve.at(0.0).height, 10.0) << "must stay upside down";
-  ASSERT_FALSE(down.warnings.empty());
-  EXPECT_TRUE(contains(down.warnings.front(), "the head points down"));
+  ASSERT_FALSE(down.profile.warnings.empty());
+  EXPECT_TRUE(contains(down.profile.warnings.front().text, "the head points down"));
 }
 
 TEST(SimpackReader, TakesTheUnitOfOldFilesByItsName) {
@@ -313,8 +313,8 @@ TEST(MiniprofReader, TakesTheTapingLineOfTheHeaderOrTheOptions) {
   options.origin = WheelOrigin::tape;
   const ReadResult kept = read_as(ProfileFormat::miniprof, text, "a.whl", options);
   EXPECT_NEAR(kept.profile.curve.at(0.0).lateral, 1.0, rounding);
-  EXPECT_TRUE(std::any_of(kept.warnings.begin(), kept.warnings.end(), [](const std::string& line) {
-    return contains(line, "the taping line, at 0, is not inside");
+  EXPECT_TRUE(std::ranges::any_of(kept.profile.warnings, [](const Warning& warning) {
+    return contains(warning.text, "the taping line, at 0, is not inside");
   }));
 }
 

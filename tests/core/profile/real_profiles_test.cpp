@@ -118,7 +118,7 @@ TEST_P(RealWheels, TouchTheRailWithTheirTreads) {
   scene.until = Module::geometry;
   const SceneResult result = solve_scene(scene);
   EXPECT_NEAR(result.vertical, 460.0, tread_tolerance);
-  EXPECT_TRUE(result.left->warnings.empty()) << result.left->warnings.front();
+  EXPECT_TRUE(result.left->warnings.empty()) << result.left->warnings.front().text;
 }
 
 std::vector<RealFile> wheels() {

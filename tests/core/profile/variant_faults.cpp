@@ -94,7 +94,7 @@ void add_other_lines(std::vector<Variant>& all, ProfileKind kind) {
   middle.insert(middle.end(), points.begin(), points.begin() + 101);
   add("closed_from_the_middle", middle).corrections = {"closed outline opened"};
   Variant& noise = add("noise", noisy(points, 0.05));
-  noise.corrections = {"the points scatter by 0.0"};
+  noise.warnings = {"the points scatter by 0.0"};
   noise.tolerance = 0.1;
   noise.is_plain = true;
   std::vector<Position> there_and_back = points;

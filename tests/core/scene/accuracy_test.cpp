@@ -127,14 +127,14 @@ TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
     EXPECT_GT(std::abs(found.depth / truth.depth - 1.0), 0.2 * accuracy);
     EXPECT_LT(std::abs(found.depth / truth.depth - 1.0), *found.error_estimate);
     EXPECT_GT(*found.error_estimate, accuracy);
-    EXPECT_NE(found.warnings.at(0).find(" rad at once under the pressures"), std::string::npos)
-        << found.warnings.at(0);
+    EXPECT_NE(found.warnings.at(0).text.find(" rad at once under the pressures"), std::string::npos)
+        << found.warnings.at(0).text;
   }
   // Pressures have no bound there, which no second grid would change.
   scene.accuracy_of = AccuracyOf::pressures;
   const WheelResult found = *solve_scene(scene).left;
   EXPECT_GT(*found.error_estimate, 0.1);
-  EXPECT_NE(found.warnings.at(0).find("they have no bound there"), std::string::npos);
+  EXPECT_NE(found.warnings.at(0).text.find("they have no bound there"), std::string::npos);
   EXPECT_LE(found.solutions, 3);
 }
 
@@ -146,8 +146,8 @@ TEST(Accuracy, AChamferUnderYawIsTold) {
   scene.right.load = 8743.0;
   const WheelResult found = *solve_scene(scene).right;
   EXPECT_GT(*found.error_estimate, scene.accuracy);
-  EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
-    return warning.find("turns by 0.7188 rad at once") != std::string::npos;
+  EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const Warning& warning) {
+    return warning.text.find("turns by 0.7188 rad at once") != std::string::npos;
   }));
 }
 

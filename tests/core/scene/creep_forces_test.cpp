@@ -190,12 +190,13 @@ TEST(CreepForces, UnlikeMaterialsPullWithoutCreepage) {
   EXPECT_GT(creep_of(result.left).longitudinal_force, 0.15 * bound);
   EXPECT_GT(creep_of(result.left).pressure_change, scene.accuracy);
   ASSERT_FALSE(result.left->warnings.empty());
-  EXPECT_NE(result.left->warnings.back().find("tractions change pressures by"), std::string::npos);
+  EXPECT_NE(result.left->warnings.back().text.find("tractions change pressures by"),
+            std::string::npos);
   scene.creep = CreepModel::linear;
   result = solve_scene(scene);
   EXPECT_EQ(creep_of(result.left).longitudinal_force, 0.0);
   ASSERT_FALSE(result.left->warnings.empty());
-  EXPECT_NE(result.left->warnings.back().find("this model leaves out"), std::string::npos);
+  EXPECT_NE(result.left->warnings.back().text.find("this model leaves out"), std::string::npos);
 }
 
 // Parts of one plane and patches that interact: the pressures stay theirs but for what tractions
@@ -366,9 +367,9 @@ TEST(CreepForces, GridsAreBounded) {
   const CreepResult& creep = creep_of(result.left);
   EXPECT_LE(creep.grid.longitudinal_count, 400U);
   EXPECT_GT(creep.error_estimate, 1e-5);
-  ASSERT_FALSE(result.left->warnings.empty());
-  EXPECT_NE(result.left->warnings.back().find("creep forces: accuracy 1e-05 not reached"),
-            std::string::npos);
+  EXPECT_TRUE(std::ranges::any_of(result.left->warnings, [](const Warning& warning) {
+    return warning.text.starts_with("creep forces: accuracy 1e-05 not reached");
+  }));
 }
 
 } // namespace

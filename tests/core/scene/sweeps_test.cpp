@@ -126,8 +126,8 @@ TEST_P(LateralSweep, FailsNowhere) {
       EXPECT_NEAR(here.force.z, scene.left.load, force_tolerance * scene.left.load);
       EXPECT_EQ(here.stop_reason, StopReason::tolerance_met);
       solutions += here.solutions;
-      for (const std::string& warning : here.warnings) {
-        not_reached += warning.find("not reached") != std::string::npos ? 1 : 0;
+      for (const Warning& warning : here.warnings) {
+        not_reached += warning.text.find("not reached") != std::string::npos ? 1 : 0;
       }
     }
   }

@@ -217,7 +217,7 @@ TEST(ApproximateWheel, TwoLobesAreMissedAndValiditySaysSo) {
   EXPECT_GT(quick.left->pmax, 0.4 * exact.left->pmax);
   EXPECT_EQ(*quick.left->validity, 0.0);
   ASSERT_FALSE(quick.left->warnings.empty());
-  EXPECT_EQ(quick.left->warnings.back().substr(0, 10), "validity 0");
+  EXPECT_EQ(quick.left->warnings.back().text.substr(0, 10), "validity 0");
 }
 
 /// The ellipse itself is a good one; the other lobe lies beyond it.
@@ -258,7 +258,7 @@ TEST(ApproximateWheel, NothingIsThereWithoutContact) {
     scene.left.load = 0.0;
     const SceneResult result = solve_with(model, scene);
     EXPECT_EQ(result.left->pmax, 0.0);
-    EXPECT_EQ(result.left->warnings.back(), "no load");
+    EXPECT_TRUE(result.left->warnings.empty());
   }
 }
 

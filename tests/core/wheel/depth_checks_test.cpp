@@ -40,13 +40,13 @@ TEST(DepthChecks, ADepthOfBodiesThatDoNotFaceEachOtherIsRefused) {
 }
 
 TEST(DepthChecks, ASolutionThatIsGivenUpIsNotConverged) {
-  std::vector<std::string> warnings;
+  Warnings warnings;
   GridSolution solution = solution_with(0.1);
   mark_unsettled(solution, 21, warnings);
   EXPECT_EQ(solution.stop_reason, StopReason::iteration_limit);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("not settled"), std::string::npos);
-  EXPECT_NE(warnings[0].find("21 solutions"), std::string::npos);
+  EXPECT_NE(warnings[0].text.find("not settled"), std::string::npos);
+  EXPECT_NE(warnings[0].text.find("21 solutions"), std::string::npos);
 }
 
 /// What is warned about one square element, which overlaps by much, under a pressure.
@@ -59,7 +59,7 @@ struct RoundedElement {
   double left = 1e-3; ///< of the accuracy, for rounding
   AccuracyOf accuracy_of = AccuracyOf::forces;
 
-  [[nodiscard]] std::vector<std::string> warnings() const {
+  [[nodiscard]] Warnings warnings() const {
     GridSolution solution = solution_with(overlap);
     Patch& patch = solution.patches.front();
     patch.frame = tangent_frame({0.0, 750.0, 0.0}, angle);
@@ -70,7 +70,7 @@ struct RoundedElement {
     request.combined_modulus = 1e5;
     request.accuracy = left / told_rounding;
     request.accuracy_of = accuracy_of;
-    std::vector<std::string> warnings;
+    Warnings warnings;
     warn_of_rounding(solution, request, radius, warnings);
     return warnings;
   }
@@ -107,10 +107,11 @@ TEST(DepthChecks, AnOverlapBelowTheToleranceOfTheTablesIsTold) {
   EXPECT_FALSE((RoundedElement{.pressure = 1e9, .overlap = 2.1e-9}.warned()));
   const auto warnings = RoundedElement{.pressure = 1e9, .overlap = 1.0e-9}.warnings();
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("overlap by only 1e-09 mm: below 2e-09 mm"), std::string::npos)
-      << warnings[0];
-  EXPECT_NE(warnings[0].find("accuracy of " + text_of(1e-3 / told_rounding)), std::string::npos)
-      << warnings[0];
+  EXPECT_NE(warnings[0].text.find("overlap by only 1e-09 mm: below 2e-09 mm"), std::string::npos)
+      << warnings[0].text;
+  EXPECT_NE(warnings[0].text.find("accuracy of " + text_of(1e-3 / told_rounding)),
+            std::string::npos)
+      << warnings[0].text;
 }
 
 } // namespace

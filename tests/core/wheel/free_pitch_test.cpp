@@ -74,7 +74,7 @@ TEST(FreePitch, MoreThanFrictionHoldsIsTold) {
   const SceneResult result = solve_scene(driven_scene(1.1 * bound * radius));
   EXPECT_TRUE(result.pitch_is_saturated);
   ASSERT_FALSE(result.left->warnings.empty());
-  EXPECT_NE(result.left->warnings.back().find("motion.torque"), std::string::npos);
+  EXPECT_NE(result.left->warnings.back().text.find("motion.torque"), std::string::npos);
   // The wheels turn at twice the speed, and friction drives as far as it can.
   EXPECT_NEAR(*result.pitch * radius, 2.0 * 2e4, 1.0);
   EXPECT_NEAR(result.left->total->force.x / (0.5 * bound), 1.0, 0.01);
@@ -94,8 +94,8 @@ TEST(FreePitch, OfFallingFrictionIsTheOneWithTheLeastSlip) {
   };
   const auto told = [](const SceneResult& result) {
     const auto& warnings = result.left->warnings;
-    return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-      return warning.starts_with("friction falls with slip");
+    return std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
+      return warning.text.starts_with("friction falls with slip");
     });
   };
   const SceneResult alone = with_torque(0.3);

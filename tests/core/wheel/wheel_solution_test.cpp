@@ -68,7 +68,7 @@ TEST(WheelSolution, WholeWayMeetsHertzForSmoothBodies) {
     ASSERT_TRUE(solution.error_estimate);
     EXPECT_LE(std::abs(solution.peak_pressure / hertz.peak_pressure - 1.0),
               *solution.error_estimate + 2e-4);
-    EXPECT_TRUE(solution.warnings.empty()) << load << ": " << solution.warnings.front();
+    EXPECT_TRUE(solution.warnings.empty()) << load << ": " << solution.warnings.front().text;
   }
 }
 
@@ -176,7 +176,7 @@ TEST(WheelSolution, WheelAboveTheRailBearsNothing) {
   const WheelSolution solution = solve_alone(made.wheel, made.rail, made.equilibrium, request);
   EXPECT_FALSE(solution.in_contact);
   ASSERT_EQ(solution.warnings.size(), 1u);
-  EXPECT_EQ(solution.warnings[0], "no contact at this height");
+  EXPECT_EQ(solution.warnings[0].text, "no contact at this height");
 }
 
 TEST(WheelSolution, NoLoadIsAResult) {

@@ -1,0 +1,105 @@
+/// What is found odd in an input or a solution that is given all the same.
+///
+/// Each warning is of one class of the list below, by whose name programs tell them apart and to
+/// which docs/warnings.md holds every way out of the library; its text has the numbers. A new class
+/// needs its name here and a scene in tests/warnings/classes.py. Thread rule: plain values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wrc {
+
+enum class WarningClass : std::uint8_t {
+  profile_dimensions, ///< of no wheel or rail: units?
+  profile_origin,     ///< counted from elsewhere
+  profile_flange,     ///< a wheel without one
+  profile_signs,      ///< upside down, or left to right
+  profile_gap,        ///< a hole where wheel and rail touch
+  profile_step,       ///< two scans that do not meet
+  profile_overlap,    ///< two points at one lateral place
+  profile_outliers,
+  profile_noise,
+  profile_swing,    ///< of the curve through the points
+  profile_end,      ///< contact there
+  flange_tip,       ///< first touch
+  chamfer,          ///< first touch
+  no_contact,       ///< at the height prescribed
+  no_load,          ///< one so small that it is treated as none
+  not_converged,    ///< pressures
+  not_settled,      ///< depth, planes or extent of the contact
+  rounding,         ///< of positions
+  accuracy,         ///< not reached
+  element_limit,    ///< of solve.element_limit: the accuracy needs more
+  ridge,            ///< of a profile, under the pressures
+  grid_edge,        ///< contact reaches it
+  patch_turn,       ///< of the rail within a patch
+  vertical_angle,   ///< vertical distances at a contact angle
+  patch_left_out,   ///< with vertical distances
+  other_solver,     ///< than requested
+  close_patches,    ///< nearly in touch
+  model_validity,   ///< of an approximate model
+  no_interaction,   ///< of patches in an approximate model
+  pressure,         ///< beyond what steel carries
+  creep_accuracy,   ///< not reached
+  unlike_materials, ///< of wheel and rail, in creep forces
+  torque_exceeded,  ///< friction cannot hold it
+  torque_ambiguous  ///< held at two pitch rates
+};
+
+/// Names of the classes, in their order.
+inline constexpr std::array<std::string_view, 34> warning_class_names{"profile_dimensions",
+                                                                      "profile_origin",
+                                                                      "profile_flange",
+                                                                      "profile_signs",
+                                                                      "profile_gap",
+                                                                      "profile_step",
+                                                                      "profile_overlap",
+                                                                      "profile_outliers",
+                                                                      "profile_noise",
+                                                                      "profile_swing",
+                                                                      "profile_end",
+                                                                      "flange_tip",
+                                                                      "chamfer",
+                                                                      "no_contact",
+                                                                      "no_load",
+                                                                      "not_converged",
+                                                                      "not_settled",
+                                                                      "rounding",
+                                                                      "accuracy",
+                                                                      "element_limit",
+                                                                      "ridge",
+                                                                      "grid_edge",
+                                                                      "patch_turn",
+                                                                      "vertical_angle",
+                                                                      "patch_left_out",
+                                                                      "other_solver",
+                                                                      "close_patches",
+                                                                      "model_validity",
+                                                                      "no_interaction",
+                                                                      "pressure",
+                                                                      "creep_accuracy",
+                                                                      "unlike_materials",
+                                                                      "torque_exceeded",
+                                                                      "torque_ambiguous"};
+static_assert(static_cast<std::size_t>(WarningClass::torque_ambiguous) + 1 ==
+              warning_class_names.size());
+
+constexpr std::string_view name_of(WarningClass kind) {
+  return warning_class_names[static_cast<std::size_t>(kind)];
+}
+
+struct Warning {
+  WarningClass kind;
+  std::string text;
+
+  bool operator==(const Warning&) const = default;
+};
+
+using Warnings = std::vector<Warning>;
+
+} // namespace wrc

@@ -1,0 +1,124 @@
+#include "wheel/wheel_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "wheel/constants.hpp"
+#include "wheel/depth_checks.hpp"
+
+namespace wrc {
+namespace {
+
+/// As of_patch, of the patch at `index` of a solution, whose planes are the patches of the result.
+std::string of_solved_patch(const WheelSolution& result, std::size_t index) {
+  const std::vector<Patch>& patches = result.patches;
+  const std::size_t plane = patches[index].plane;
+  const auto shares_plane = [plane](const Patch& patch) { return patch.plane == plane; };
+  if (patches.size() == 1) {
+    return {};
+  }
+  const auto first = std::find_if(patches.begin(), patches.end(), shares_plane);
+  const auto part = index - static_cast<std::size_t>(first - patches.begin());
+  const bool has_parts = std::count_if(first, patches.end(), shares_plane) > 1;
+  return "patch " + std::to_string(plane) +
+         (has_parts ? ", part " + std::to_string(part) : std::string()) + ": ";
+}
+
+std::string edge_text(const Patch& patch) {
+  return reaches_neighbour(patch)
+             ? "contact reaches the boundary to the neighbouring patch"
+             : "contact touches the edge of the grid: elements too large, or a patch just born";
+}
+
+} // namespace
+
+bool reaches_neighbour(const Patch& patch) {
+  const ContactPatch& penetration = patch.penetration;
+  const EdgeContact& edge = patch.contact.touches_edge;
+  const double room = penetration_margin * (penetration.y_last - penetration.y_first);
+  return (edge.lateral_first && penetration.y_first - penetration.limit_first <= room) ||
+         (edge.lateral_last && penetration.limit_last - penetration.y_last <= room);
+}
+
+void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
+                      double wheel_radius, double ridge_error, WheelSolution& result) {
+  Warnings& warnings = result.warnings;
+  warn_of_rounding(solution, request, wheel_radius, warnings);
+  if (solution.stop_reason != StopReason::tolerance_met) {
+    warnings.push_back({WarningClass::not_converged,
+                        "not converged: " + std::string(name_of(solution.stop_reason)) +
+                            ", error of the pressures " + short_text_of(solution.pressure_error)});
+  }
+  if (request.solver == SolverChoice::paper && solution.patches.size() > 1) {
+    warnings.push_back(
+        {WarningClass::other_solver, "several patches: solved together by the default solver"});
+  }
+  if (ridge_error > request.accuracy) {
+    warnings.push_back(
+        {WarningClass::ridge, "a profile turns by " + short_text_of(solution.sharpest_ridge()) +
+                                  " rad at once under the pressures: they have no bound there, and "
+                                  "forces converge slowly"});
+  }
+  if (!request.grid && (!result.error_estimate || *result.error_estimate > request.accuracy)) {
+    warnings.push_back(
+        {WarningClass::accuracy,
+         "accuracy " + text_of(request.accuracy) + " not reached" +
+             (result.error_estimate ? ": estimated error " + short_text_of(*result.error_estimate)
+                                    : std::string())});
+  }
+  if (solution.left_out_s) {
+    warnings.push_back(
+        {WarningClass::patch_left_out,
+         "wheel and rail also meet at s_wheel = " + short_text_of(*solution.left_out_s) +
+             " mm under another angle; with vertical distances that patch is left out"});
+  }
+}
+
+void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
+  for (std::size_t i = 0; i < result.patches.size(); ++i) {
+    const Patch& patch = result.patches[i];
+    const auto warn = [&](WarningClass kind, const std::string& text) {
+      result.warnings.push_back({kind, of_solved_patch(result, i) + text});
+    };
+    if (patch.contact.touches_edge.any()) {
+      warn(WarningClass::grid_edge, edge_text(patch));
+    }
+    const double turn = std::max(std::abs(patch.penetration.angle_first - patch.frame.angle()),
+                                 std::abs(patch.penetration.angle_last - patch.frame.angle()));
+    if (request.gap == GapConvention::vertical) {
+      if (std::abs(patch.penetration.angle_unturned) > vertical_convention_limit) {
+        warn(WarningClass::vertical_angle,
+             "vertical distances at a contact angle of " +
+                 short_text_of(patch.penetration.angle_unturned) + " rad (good up to " +
+                 text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
+      }
+    } else if (turn > planar_limit) {
+      warn(WarningClass::patch_turn, "the rail turns by " + short_text_of(turn) +
+                                         " rad within a patch (a plane is good up to " +
+                                         text_of(planar_limit) + ")");
+    }
+  }
+}
+
+void warn_of_pressure(WheelResult& wheel) {
+  if (!(wheel.pmax > hardest_steel) || wheel.details.combined_modulus > stiffest_steel) {
+    return;
+  }
+  const auto pressed = std::max_element(
+      wheel.patches.begin(), wheel.patches.end(),
+      [](const PatchResult& one, const PatchResult& other) { return one.pmax < other.pmax; });
+  const auto index = static_cast<std::size_t>(pressed - wheel.patches.begin());
+  wheel.warnings.push_back(
+      {WarningClass::pressure,
+       of_patch(wheel, index) + "the largest pressure, " + text_of(std::round(wheel.pmax)) +
+           " MPa, is more than steel carries: the hardest rails flow at " +
+           text_of(std::round(hardest_steel)) +
+           " MPa, so that pressures are lower and the contact is larger than computed"});
+}
+
+std::string of_patch(const WheelResult& wheel, std::size_t index) {
+  return wheel.patches.size() > 1 ? "patch " + std::to_string(index) + ": " : std::string();
+}
+
+} // namespace wrc

@@ -1,0 +1,33 @@
+/// What is said of a wheel's solution where it cannot be trusted.
+///
+/// Where a wheel has several patches, a warning of one of them begins with its number in the
+/// results: "patch 1: ", "patch 0, part 1: ". Rounding and depths that do not settle are told in
+/// depth_checks.hpp, creep forces in creep_forces.hpp. Units mm, MPa, rad. Thread rule: pure
+/// functions.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "accuracy/grid_solution.hpp"
+#include "wheel/wheel_request.hpp"
+#include "wheel/wheel_result.hpp"
+#include "wheel/wheel_solution.hpp"
+
+namespace wrc {
+
+/// Contact on the last elements, which a neighbour is next to.
+bool reaches_neighbour(const Patch& patch);
+
+/// Warns of what holds for all patches together. `ridge_error` is that of the error estimate.
+void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
+                      double wheel_radius, double ridge_error, WheelSolution& result);
+/// Warns of single patches of a result, which are in their final order.
+void warn_of_patches(const WheelRequest& request, WheelSolution& result);
+/// Warns of a largest pressure that no steel of wheels and rails carries; none of stiffer bodies.
+void warn_of_pressure(WheelResult& wheel);
+
+/// "patch 1: ", or nothing if the wheel has one patch only.
+std::string of_patch(const WheelResult& wheel, std::size_t index);
+
+} // namespace wrc

@@ -1,0 +1,40 @@
+/// Which warnings the scenes of a study have, and how many of them.
+///
+/// Warnings that differ in their numbers only are one kind, shown by the text of its first scene.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace driver {
+
+/// What the warnings of a scene are of, as bits.
+enum WarningsOf : unsigned { of_profiles = 1, of_left_wheel = 2, of_right_wheel = 4 };
+unsigned warnings_of(const std::vector<std::string>& warnings);
+/// Which of them concern a result such as "left.pmax".
+unsigned warnings_that_concern(const std::string& result);
+
+class WarningSummary {
+public:
+  /// Of one scene; the order in which scenes come does not matter.
+  void add(std::int64_t scene, const std::vector<std::string>& warnings);
+  /// Scenes with warnings.
+  [[nodiscard]] std::int64_t scenes() const { return scenes_; }
+  /// Prints each kind with the number of its scenes, the most frequent one first; nothing if there
+  /// is none. `all`: scenes there are; `where`: what has every text.
+  void print(std::int64_t all, const std::string& where, std::ostream& out) const;
+
+private:
+  struct Kind {
+    std::int64_t scenes = 0;
+    std::int64_t first = 0; ///< scene
+    std::string text;       ///< of the first one
+  };
+  std::int64_t scenes_ = 0;
+  std::map<std::string, Kind> kinds_; ///< by the text without its numbers
+};
+
+} // namespace driver

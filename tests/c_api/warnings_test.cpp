@@ -1,0 +1,99 @@
+/// All warnings of a scene by one function, whoever has solved it.
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "wrcontact.hpp"
+
+namespace warnings_test {
+namespace {
+
+/// S1002 with a hole of 13 mm under the contact.
+wrcontact::Profile holed() {
+  wrcontact::Profile whole;
+  whole.load_standard("S1002");
+  std::vector<double> lateral;
+  std::vector<double> height;
+  for (double arc = 0.0; arc < whole.length(); arc += 0.5) {
+    const auto at = whole.at(arc);
+    if (at.lateral < -5.0 || at.lateral > 8.0) {
+      lateral.push_back(at.lateral);
+      height.push_back(at.height);
+    }
+  }
+  wrcontact::Profile profile;
+  profile.set_points("holed", WRC_WHEEL, lateral, height);
+  return profile;
+}
+
+wrcontact::Scene warned_scene() {
+  wrcontact::Scene scene;
+  scene.set("wheelset.wheel", holed());
+  scene.set("solve.accuracy", 0.1);
+  scene.set("pose.lateral", 6.5);
+  return scene;
+}
+
+/// Of the profile, and of a pressure.
+void expect_both(const wrcontact::Scene& scene) {
+  const std::vector<std::string> warnings = scene.warnings();
+  ASSERT_GE(warnings.size(), 2U);
+  EXPECT_TRUE(warnings[0].starts_with("wheel profile holed: gap of 13.")) << warnings[0];
+  EXPECT_TRUE(warnings[1].starts_with("left: the largest pressure, 6")) << warnings[1];
+  EXPECT_EQ(scene.number("warning_count"), static_cast<double>(warnings.size()));
+  EXPECT_EQ(scene.number("left.warning_count"), 1.0);
+  EXPECT_EQ(scene.text("warnings.0"), warnings[0]);
+  EXPECT_EQ(scene.text("warning_classes.0"), "profile_gap");
+  EXPECT_EQ("left: " + scene.text("left.warnings.0"), warnings[1]);
+  EXPECT_EQ(scene.count_of("corrections"), 0);
+}
+
+TEST(Warnings, ThoseOfProfilesThatTheProgramGivesComeAlong) {
+  wrcontact::Scene scene = warned_scene();
+  EXPECT_TRUE(scene.warnings().empty()) << "not solved yet";
+  EXPECT_TRUE(scene.solve());
+  expect_both(scene);
+  EXPECT_EQ(wrc_scene_warning(scene.handle(), -1), nullptr);
+  EXPECT_EQ(wrc_scene_warning(nullptr, 0), nullptr);
+  EXPECT_THROW(scene.set("pose.lateral", std::nan("")), wrcontact::Error);
+  expect_both(scene);
+  scene.set("wheelset.wheel", "S1002");
+  scene.set("pose.lateral", 0.0);
+  EXPECT_TRUE(scene.solve());
+  EXPECT_TRUE(scene.warnings().empty()) << scene.warnings()[0];
+}
+
+TEST(Warnings, AreThereOfEveryCallThatSolves) {
+  wrcontact::Solver solver;
+  wrcontact::Scene scene = warned_scene();
+  for (int repeated = 0; repeated < 2; ++repeated) {
+    EXPECT_TRUE(solver.solve(scene));
+    expect_both(scene);
+  }
+  wrcontact::Scene other = warned_scene();
+  wrc_scene* handles[] = {scene.handle(), other.handle()};
+  EXPECT_EQ(wrc_solve_batch(handles, 2, 2, nullptr), WRC_OK);
+  expect_both(scene);
+  expect_both(other);
+  const double position[] = {
+      0.0, 6.5, scene.number("vertical") - scene.number("left.depth"), scene.number("roll"),
+      0.0, 0.0};
+  const double velocity[] = {2e4, 0.0, 0.0, 0.0, 2e4 / 460.0, 0.0};
+  double force[12];
+  EXPECT_EQ(wrc_solver_step(solver.handle(), other.handle(), position, velocity, nullptr, force,
+                            nullptr, nullptr, nullptr),
+            WRC_OK);
+  expect_both(other);
+  const std::vector<std::int32_t> ids{other.number_id("warning_count"),
+                                      other.number_id("left.warning_count")};
+  std::vector<double> values(2);
+  other.numbers_by_id(ids, values);
+  EXPECT_EQ(values[0], static_cast<double>(other.warnings().size()));
+  EXPECT_EQ(values[1], 1.0);
+}
+
+} // namespace
+} // namespace warnings_test

@@ -1,0 +1,94 @@
+/// Warnings in what the programs print and write; tests/warnings has every class of them.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "run_driver.hpp"
+
+namespace warnings_test {
+namespace {
+
+class WrcSweepWarnings : public Driver {
+protected:
+  WrcSweepWarnings() : Driver(WRC_SWEEP_PROGRAM) {}
+};
+
+TEST_F(WrcSweepWarnings, AreToldOnceForEachKindWithTheNumberOfScenes) {
+  write("s.toml",
+        "[pose]\nlateral = [0, 5, 5.05, 6.5]\n[solve]\naccuracy = 0.1\n[study]\nresults = "
+        "[\"left.pmax\"]\n");
+  const Outcome outcome = run("s.toml --out o --threads 2 --quiet");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "");
+  const auto has = [&outcome](const char* text) {
+    return outcome.error.find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(has("3 of 4 scenes have warnings; o/s.csv has the texts")) << outcome.error;
+  EXPECT_TRUE(has("\n  2 scenes: left: the rail turns by 0.2296 rad within")) << outcome.error;
+  EXPECT_TRUE(has("\n  1 scene: left: the largest pressure, 60")) << outcome.error;
+  EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 3) << outcome.error;
+  const std::string again = run("s.toml --out o1 --threads 1").error;
+  EXPECT_EQ(again.substr(again.find('\n')), outcome.error.substr(outcome.error.find('\n')))
+      << "whatever scene ends first";
+  const std::string table = read("o/s.csv");
+  EXPECT_TRUE(table.starts_with("scene,pose.lateral,status,message,warning_count,warnings,left."));
+  EXPECT_NE(table.find("\n0,0,ok,,0,,8"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n1,5,ok,,1,left: the rail turns by"), std::string::npos) << table;
+}
+
+TEST_F(WrcSweepWarnings, AResultOfTheSameNameIsWrittenOnce) {
+  write("s.toml", "[pose]\nlateral = [0, 6.5]\n[solve]\naccuracy = 0.1\n[study]\nresults = "
+                  "[\"left.pmax\", \"warning_count\"]\n");
+  EXPECT_EQ(run("s.toml --out o").exit_code, 0);
+  const std::string table = read("o/s.csv");
+  EXPECT_TRUE(
+      table.starts_with("scene,pose.lateral,status,message,warnings,left.pmax,warning_count\n"))
+      << table;
+}
+
+class WrcProfileWarnings : public Driver {
+protected:
+  WrcProfileWarnings() : Driver(WRC_PROFILE_PROGRAM) {}
+};
+
+TEST_F(WrcProfileWarnings, ConfidenceIsTheFilesWhereNothingWasGuessed) {
+  const Outcome rail = run("60E1 --convert r.txt");
+  ASSERT_EQ(rail.exit_code, 0) << rail.error;
+  EXPECT_NE(run("r.txt --kind rail").out.find("confidence           as the file\n"),
+            std::string::npos);
+  const std::string guessed = run("r.txt").out;
+  EXPECT_NE(guessed.find("as the file, but for one guess (corrected)\n"), std::string::npos)
+      << guessed;
+}
+
+class WrcCaseWarnings : public Driver {
+protected:
+  WrcCaseWarnings() : Driver(WRC_CASE_PROGRAM) {}
+};
+
+TEST_F(WrcCaseWarnings, NearContactsAreThreeAndACount) {
+  // Waves of 0.05 mm, 3 mm long: a touch on each crest.
+  std::string wheel;
+  for (double y = -30.0; y <= 60.0; y += 0.25) {
+    wheel += std::to_string(y) + ' ' + std::to_string(0.02 * std::cos(2.0 * y)) + '\n';
+  }
+  write("waves.wheel", wheel);
+  const Outcome outcome =
+      run("--set wheelset.wheel=waves.wheel solve.until=geometry solve.side=left "
+          "solve.near_tolerance=10");
+  std::size_t lines = 0;
+  for (std::size_t at = outcome.out.find("Near contact, left: "); at != std::string::npos;
+       at = outcome.out.find("Near contact, left: ", at + 1)) {
+    ++lines;
+  }
+  EXPECT_EQ(lines, 4U) << outcome.out << outcome.error;
+  EXPECT_NE(outcome.out.find(" more within 10 mm\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nWarning: left wheel profile waves.wheel: "), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.out.find("Corrected: waves.wheel: warning"), std::string::npos);
+}
+
+} // namespace
+} // namespace warnings_test
