@@ -100,7 +100,8 @@ wrc_status copy_values(const double* from, std::size_t length, double* values,
     error = "capacity = " + std::to_string(capacity) + ": needed is " + std::to_string(*count);
     return WRC_TOO_SMALL;
   }
-  std::copy_n(from, length, values);
+  // Without zeros of negative sign.
+  std::transform(from, from + length, values, [](double value) { return value + 0.0; });
   return WRC_OK;
 }
 

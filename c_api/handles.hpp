@@ -141,6 +141,17 @@ wrc_status status_of_current_exception(std::string& error) noexcept;
 /// Keeps a text if memory allows.
 void keep_text(std::string& error, const char* text) noexcept;
 
+/// Runs a body that belongs to no handle, so that a failure shows in the status alone.
+template <class Body> wrc_status guard_process(Body&& body) noexcept {
+  try {
+    std::forward<Body>(body)();
+    return WRC_OK;
+  } catch (...) {
+    std::string error;
+    return status_of_current_exception(error);
+  }
+}
+
 template <class Handle> std::uintptr_t number_of_handle(Handle* handle) noexcept {
   return reinterpret_cast<std::uintptr_t>(handle);
 }

@@ -222,7 +222,8 @@ wrc_status wrc_normal_number(wrc_normal* normal, const char* name, double* value
   return wrc::with_result(normal, [&](NormalObject&, NormalResult& result) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    *value = wrc::entry_in(normal_numbers, "number", normal_contact, name).of(result);
+    const auto& number = wrc::entry_in(normal_numbers, "number", normal_contact, name);
+    *value = number.of(result) + 0.0; // without zeros of negative sign
     return WRC_OK;
   });
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "grid_contact.hpp"
 #include "rolling/fastsim.hpp"
@@ -69,9 +70,9 @@ struct RollingNumber {
 };
 
 constexpr auto rolling_numbers = std::to_array<RollingNumber>({
-    {"longitudinal_force",
+    {"creep_force.longitudinal",
      [](const RollingSolution& solution) { return solution.longitudinal_force; }},
-    {"lateral_force", [](const RollingSolution& solution) { return solution.lateral_force; }},
+    {"creep_force.lateral", [](const RollingSolution& solution) { return solution.lateral_force; }},
     {"spin_moment", [](const RollingSolution& solution) { return solution.spin_moment; }},
     {"slip_area", [](const RollingSolution& solution) { return solution.slip_area; }},
     {"adhesion_area", [](const RollingSolution& solution) { return solution.adhesion_area; }},
@@ -82,6 +83,19 @@ constexpr auto rolling_numbers = std::to_array<RollingNumber>({
     {"residual", [](const RollingSolution& solution) { return solution.residual; }},
     {"converged", [](const RollingSolution& solution) { return solution.converged ? 1.0 : 0.0; }},
 });
+
+/// A name that programs of earlier versions use, for the one of now; no list shows it.
+std::string name_now(const char* name) {
+  constexpr auto old_names =
+      std::to_array<std::array<const char*, 2>>({{"longitudinal_force", "creep_force.longitudinal"},
+                                                 {"lateral_force", "creep_force.lateral"}});
+  for (const auto& [old, now] : old_names) {
+    if (std::string_view(old) == name) {
+      return now;
+    }
+  }
+  return name;
+}
 
 struct RollingField {
   const char* name;
@@ -222,7 +236,8 @@ wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* va
   return wrc::with_result(rolling, [&](RollingObject&, const RollingSolution& solution) {
     wrc::require_pointer(name, "name");
     wrc::require_pointer(value, "value");
-    *value = wrc::entry_in(rolling_numbers, "number", rolling_contact, name).of(solution);
+    const auto& number = wrc::entry_in(rolling_numbers, "number", rolling_contact, name_now(name));
+    *value = number.of(solution) + 0.0; // without zeros of negative sign
     return WRC_OK;
   });
 }

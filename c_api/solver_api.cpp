@@ -24,11 +24,9 @@ wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene) {
   });
 }
 
-wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles) {
+wrc_status wrc_solver_clear(wrc_solver* solver) {
   return wrc::guard(solver, [&](wrc::SolverObject& object) {
-    if (profiles != 0) {
-      object.solver.forget();
-    }
+    object.solver.forget();
     return WRC_OK;
   });
 }

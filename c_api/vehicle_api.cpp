@@ -146,10 +146,10 @@ wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64_t struc
   static_assert(sizeof(wrc_patch) == sizeof(wrc::PatchSummary));
   return wrc::with_result(scene, [&](wrc::SceneObject& object) -> wrc_status {
     wrc::require_pointer(count, "count");
-    // Earlier versions had no fewer members, later ones may have more.
-    constexpr int64_t most = 4096; // of any version; more is no size of a struct
-    if (struct_size < static_cast<int64_t>(sizeof(wrc_patch)) || struct_size > most ||
-        struct_size % 8 != 0) {
+    // Members were added at the end, and more may be: the caller gets those that both know.
+    constexpr int64_t first = 22 * sizeof(double); // of the version that introduced it
+    constexpr int64_t most = 4096;                 // of any version; more is no size of a struct
+    if (struct_size < first || struct_size > most || struct_size % 8 != 0) {
       wrc::throw_invalid_argument("struct_size", static_cast<double>(struct_size),
                                   "sizeof(wrc_patch)");
     }
@@ -170,7 +170,7 @@ wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64_t struc
     auto* to = reinterpret_cast<unsigned char*>(patches);
     for (const wrc::PatchSummary& patch : found) {
       std::memset(to, 0, static_cast<std::size_t>(struct_size));
-      std::memcpy(to, &patch, sizeof patch);
+      std::memcpy(to, &patch, std::min(static_cast<std::size_t>(struct_size), sizeof patch));
       to += struct_size;
     }
     return WRC_OK;

@@ -31,7 +31,7 @@ module wrcontact
   private
 
   public :: solve_batch, step_batch, library_version, status_name, scene_key_count, scene_key
-  public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock, measure_transform
+  public :: standard_profile_name, load_wisdom, save_wisdom, set_planner_lock
 
   !> Values of `stat`; those of wrc_status in wrcontact.h.
   integer, parameter, public :: wrc_ok = 0
@@ -196,8 +196,8 @@ module wrcontact
     !> creep(scene, patch, creepages, forces, stat, errmsg, by_creepage): creep forces of a patch at
     !> creepages of the program's own; see wrc_solver_creep in wrcontact.h.
     procedure :: creep => solver_creep
-    !> forget(profiles): with profiles=.true. everything that is kept; else nothing.
-    procedure :: forget => solver_forget
+    !> Drops everything that is kept, so that profile files are read again.
+    procedure :: clear => solver_clear
     generic :: assignment(=) => share
     procedure, private :: share => solver_share
     final :: solver_release

@@ -46,7 +46,9 @@
 !   WRCSOL(HANDLE, IERR)                   solves a scene or contact
 !   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
 !                                          scene with what is kept
-!   WRCFOR(SOLVER, MODE, IERR)             forgets: 1 all, 0 nothing
+!   WRCCLR(SOLVER, IERR)                   drops what is kept
+!   WRCFOR(SOLVER, MODE, IERR)             of earlier versions: with MODE
+!                                          0 nothing, else WRCCLR
 !
 !   Vehicle simulations (wrc_solver_step and the calls below it in
 !   wrcontact.h):
@@ -61,7 +63,8 @@
 !        + 4 chamfer + 8 beyond yield
 !   WRCPAT(SCENE, PATCH, LENP, N, IERR)
 !        patches: N of them, PATCH(22,LENP) if LENP is at least N;
-!        otherwise N only. Members as wrc_patch in wrcontact.h
+!        otherwise N only. The first 22 members of wrc_patch in
+!        wrcontact.h; others as results by name
 !   WRCCRP(SOLVER, SCENE, IPATCH, CREEP, FORCE, IDERIV, DERIV, IERR)
 !        FORCE(3) of patch IPATCH, from 1, at CREEP(3) of the program's
 !        own; IDERIV 1: DERIV(3,3), of FORCE(J) by CREEP(I)

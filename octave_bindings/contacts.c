@@ -55,7 +55,16 @@ static mxArray* results_of(wrc_status status, const mxArray* matrix, const char*
     strncpy(name, *numbers, sizeof name - 1);
     name[sizeof name - 1] = '\0';
     char* dot = strchr(name, '.'); /* residuals.least_gap is least_gap here */
-    mxSetFieldByNumber(result, 0, mxAddField(result, dot != NULL ? dot + 1 : name),
+    mxArray* group = result;
+    if (dot != NULL && strncmp(name, "creep_force.", 12) == 0) {
+      *dot = '\0';
+      group = mxGetField(result, 0, name);
+      if (group == NULL) {
+        group = mxCreateStructMatrix(1, 1, 0, NULL);
+        mxSetFieldByNumber(result, 0, mxAddField(result, name), group);
+      }
+    }
+    mxSetFieldByNumber(group, 0, mxAddField(group, dot != NULL ? dot + 1 : name),
                        mxCreateDoubleScalar(value));
   }
   for (; *fields != NULL; ++fields) {
@@ -90,10 +99,20 @@ void normal(int result_count, mxArray** result, int count, const mxArray* const*
 }
 
 void rolling(int result_count, mxArray** result, int count, const mxArray* const* values) {
-  static const char* const numbers[] = {"longitudinal_force", "lateral_force", "spin_moment",
-                                        "slip_area",          "adhesion_area", "friction_power",
-                                        "numerical_loss",     "iterations",    "convolutions",
-                                        "residual",           "converged",     NULL};
+  static const char* const numbers[] = {"creep_force.longitudinal",
+                                        "creep_force.lateral",
+                                        "spin_moment",
+                                        "slip_area",
+                                        "adhesion_area",
+                                        "friction_power",
+                                        "numerical_loss",
+                                        "iterations",
+                                        "convolutions",
+                                        "residual",
+                                        "converged",
+                                        "longitudinal_force", /* old names of the creep force */
+                                        "lateral_force",
+                                        NULL};
   static const char* const fields[] = {"traction_x", "traction_y", "slip_x", "slip_y", NULL};
   (void)result_count;
   check(wrc_rolling_create(&open_handles.rolling));

@@ -1,6 +1,7 @@
 /*
  * Scenes from structs or pairs of key and value, solved, and their results as structs: the name
- * "left.patches.0.grid.1" is r.left.patches(1).grid(2), counted from 1 as everything here.
+ * "left.patches.0.grid.lateral" is r.left.patches(1).grid.lateral, counted from 1 as everything
+ * here.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -209,9 +210,9 @@ static void put_patch_fields(mxArray* result, mwIndex index, wrc_scene* scene, c
   char put_name[2 * name_size]; /* the number "x" of a patch is not its field "x" */
   double along = 0.0;
   double creep_along = 0.0;
-  snprintf(name, sizeof name, "%sgrid.1", patch);
+  snprintf(name, sizeof name, "%sgrid.longitudinal", patch);
   wrc_scene_number(scene, name, &along);
-  snprintf(name, sizeof name, "%screep_grid.1", patch);
+  snprintf(name, sizeof name, "%screep_grid.longitudinal", patch);
   wrc_scene_number(scene, name, &creep_along);
   for (const char* field = fields; *field != '\0';) {
     const int length = (int)strcspn(field, " ");

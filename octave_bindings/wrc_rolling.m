@@ -11,8 +11,8 @@ function result = wrc_rolling (pressure, steps, varargin)
 %   the speed; 'friction', 'shear_modulus', 'poisson', 'tolerance', 'maximum_iterations', 'model'
 %   ('full' or 'fastsim') and others as in wrcontact_grid.h.
 %
-%   r.traction_x, r.traction_y (MPa, on the wheel), r.slip_x, r.slip_y, r.longitudinal_force,
-%   r.lateral_force (N), r.spin_moment (N mm), r.slip_area, r.adhesion_area, r.friction_power, ...
+%   r.traction_x, r.traction_y (MPa, on the wheel), r.slip_x, r.slip_y, r.creep_force.longitudinal,
+%   r.creep_force.lateral (N), r.spin_moment (N mm), r.slip_area, r.adhesion_area, r.friction_power, ...
 %   Errors: as of wrc_solve.
 %
 %   See also wrc_normal, wrc_solve.

@@ -17,9 +17,9 @@ function result = wrc_solve (varargin)
 %   for any number of threads. r(k).status is 'ok' or says why r(k) has no results, and
 %   r(k).message gives the reason. If there is one scene, that is an error.
 %
-%   Results are those of docs/results.md: r.left.pmax, r.left.patches(1).grid(2) for
-%   left.patches.0.grid.1. Fields of patches are matrices whose columns go along x, the direction of
-%   driving: r.left.patches(1).fields.pressure. 'fields' names those to return, separated by blanks,
+%   Results are those of docs/results.md: r.left.pmax, r.left.patches(1).grid.lateral for
+%   left.patches.0.grid.lateral. Fields of patches are matrices whose columns go along x, the
+%   direction of driving: r.left.patches(1).fields.pressure. 'fields' names those to return, separated by blanks,
 %   by default 'x y z pressure' and those of tractions. Derivatives of a number stand beside it:
 %   spin_moment_by.friction. Not returned are sensitivities.
 %

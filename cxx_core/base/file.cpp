@@ -11,6 +11,7 @@
 #include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -118,7 +119,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
   }
   // The file may be longer than it says: those of the system have no size, others still grow.
   std::string content;
-  std::array<char, std::size_t{1} << 16U> part{};
+  std::vector<char> part(std::size_t{1} << 16U); // threads of callers may have small stacks
   ssize_t count = 1;
   while (count > 0 && content.size() <= most) {
     count = read(file.number(), part.data(), part.size());

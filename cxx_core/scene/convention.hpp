@@ -88,17 +88,16 @@ constexpr double shrink_of(Quantity quantity) {
   }
 }
 
-/// Without a zero of negative sign.
 constexpr double flip_sign(double value, const Convention& convention, const Dimension& dimension) {
   return dimension.turns && convention.frame == TrackFrame::right_down ? 0.0 - value : value;
 }
 
-/// From inside to the caller.
+/// From inside to the caller, who gets no zero of negative sign.
 constexpr double to_caller(double value, const Convention& convention, const Dimension& dimension) {
   const double in_units = convention.units == Units::si
                               ? value / scale_of(dimension.quantity) * shrink_of(dimension.quantity)
                               : value;
-  return flip_sign(in_units, convention, dimension);
+  return flip_sign(in_units, convention, dimension) + 0.0;
 }
 
 /// From the caller to inside.

@@ -61,14 +61,6 @@ template <class Value> auto place_of(SceneSide Scene::*side, Value SceneSide::*m
   };
 }
 
-/// A number of both sides.
-template <class Value>
-Key both_sides_key(KeyDescription description, Range range, Dimension dimension,
-                   Value SceneSide::*member) {
-  return number_key(description, range, dimension, place_of(&Scene::left, member),
-                    place_of(&Scene::right, member));
-}
-
 using Three = std::array<double, 3>;
 
 /// Three numbers, each with a limit of its magnitude; `get` and `set` have them in mm, y left, z

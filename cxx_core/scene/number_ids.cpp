@@ -6,6 +6,7 @@
 #include <span>
 
 #include "scene/number_tables.hpp"
+#include "scene/old_names.hpp"
 #include "scene/result_names.hpp"
 
 namespace wrc {
@@ -50,6 +51,15 @@ bool find_entry(std::span<const Prefix> prefixes, std::string_view name, NumberI
              return found != table.end();
            });
   });
+}
+
+/// The same for a name of now or of earlier.
+bool find_number(std::span<const Prefix> prefixes, std::string_view name, NumberId& id) {
+  if (find_entry(prefixes, name, id)) {
+    return true;
+  }
+  const auto now = name_now(name);
+  return now && find_entry(prefixes, *now, id);
 }
 
 /// Some bits of a packed id.
@@ -115,9 +125,9 @@ std::optional<NumberId> number_id(std::string_view name) {
       found = strip_index(name, any, id.part);
       ++id.part;
     }
-    found = found && find_entry(patch_prefixes, name, id);
+    found = found && find_number(patch_prefixes, name, id);
   } else {
-    found = find_entry(side_prefixes, name, id);
+    found = find_number(side_prefixes, name, id);
   }
   return found ? std::optional(id) : std::nullopt;
 }

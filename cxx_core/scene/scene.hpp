@@ -52,7 +52,9 @@ struct SceneSide {
   ProfileChoice rail{"60E1"};
   RailDisplacement displacement; ///< of the rail, track frame
   RailDisplacement velocity;     ///< of the rail, mm/s and rad/s
-  double load = 80000.0;         ///< vertical force on the wheel
+  double load = 80000.0;         ///< vertical force on the wheel, of the normal pressures
+  /// Instead: all of it, creep forces included (scene/total_load.hpp).
+  std::optional<double> total_load;
   FrictionLaw friction;
   /// Of all patches, at their references; without any on both sides: from `motion`.
   std::optional<Creepages> creepages;

@@ -280,30 +280,6 @@ std::vector<Key> pose_keys() {
   return keys;
 }
 
-std::vector<Key> load_keys() {
-  constexpr Range range{0.0, 1e12};
-  constexpr std::string_view allowed = "0 to 1e12 N";
-  std::vector<Key> keys;
-  keys.push_back(
-      both_sides_key({"load.vertical", "80000.0", allowed, "vertical force on each wheel"}, range,
-                     pure, &SceneSide::load));
-  keys.push_back(number_key({"load.left", "80000.0", allowed, "vertical force on the left wheel"},
-                            range, pure, place_of(&Scene::left, &SceneSide::load)));
-  keys.push_back(number_key({"load.right", "80000.0", allowed, "vertical force on the right wheel"},
-                            range, pure, place_of(&Scene::right, &SceneSide::load)));
-  for (Key& key : keys) {
-    key.set_number = [set = key.set_number](Scene& s, double v) {
-      set(s, v);
-      s.normal_load.reset();
-    };
-  }
-  keys.push_back(optional_key({"load.normal", "\"none\"", "\"none\" or 0 to 1e12 N",
-                               "instead: force on each wheel in the direction of the gap (as in "
-                               "the paper)"},
-                              range, pure, &Scene::normal_load, "none"));
-  return keys;
-}
-
 constexpr double max_count = 8192.0;
 constexpr std::string_view by_accuracy = "by accuracy";
 
@@ -453,7 +429,7 @@ std::vector<Key> solution_keys() {
 std::vector<Key> make_scene_keys() {
   std::vector<Key> collected;
   for (auto* part :
-       {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys, load_keys,
+       {convention_keys, track_keys, wheelset_keys, material_keys, pose_keys, make_load_keys,
         make_rolling_keys, method_keys, accuracy_keys, solution_keys, make_damage_keys}) {
     for (Key& key : part()) {
       collected.push_back(std::move(key));

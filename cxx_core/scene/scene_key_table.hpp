@@ -30,7 +30,9 @@ struct Key {
 /// All keys, in the order of a scene file: those of one side after those of both. Made anew by each
 /// call.
 std::vector<Key> make_scene_keys();
-/// Of them, those of friction, creepages and speed.
+/// Of them, those of loads.
+std::vector<Key> make_load_keys();
+/// Those of friction, creepages and speed.
 std::vector<Key> make_rolling_keys();
 /// Those of stresses, wear and fatigue.
 std::vector<Key> make_damage_keys();

@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
+#include "scene/total_load.hpp"
 #include "wheel/free_pitch.hpp"
 #include "wheel/total_force.hpp"
 #include "wheel/wheel_state.hpp"
@@ -100,25 +101,31 @@ struct WheelTask {
   const ModelChoice& model;
   double mirror; ///< 1 for the left wheel, -1 for the right one
 
-  [[nodiscard]] WheelSolution solve(const SideEquilibrium& equilibrium,
+  /// With a load on the normal pressures.
+  [[nodiscard]] WheelSolution solve(const SideEquilibrium& equilibrium, double load,
                                     NormalSolver& solver) const {
-    const WheelRequest request = request_of(scene, side.load);
+    const WheelRequest request = request_of(scene, load);
     return model.approximate && scene.until == Module::mechanics
                ? solve_wheel_approximately(*surfaces.wheel, *surfaces.rail, equilibrium, request,
                                            *model.approximate)
                : solve_wheel(*surfaces.wheel, *surfaces.rail, equilibrium, request, solver);
   }
 
-  [[nodiscard]] WheelResult complete(WheelSolution solution, const SideEquilibrium& equilibrium,
-                                     StageMilliseconds& time) const {
+  /// In place of a result under another load, whose cost counts, too.
+  void complete(WheelSolution solution, const SideEquilibrium& equilibrium, StageMilliseconds& time,
+                std::optional<WheelResult>& wheel) const {
     time.remesh += 1e3 * solution.times.remesh;
     time.mechanics += 1e3 * solution.times.mechanics;
     WheelResult result =
         make_wheel_result(std::move(solution), surfaces.wheel, surfaces.rail, equilibrium, mirror);
     result.model = model.name;
     result.model_reason = model.reason;
-    warn_of_residuals(result, scene.accuracy);
-    return result;
+    if (wheel) {
+      result.iterations += wheel->iterations;
+      result.convolutions += wheel->convolutions;
+      result.solutions += wheel->solutions;
+    }
+    wheel = std::move(result);
   }
 };
 
@@ -128,9 +135,8 @@ void warn_of_saturation(const Scene& scene, WheelResult& wheel) {
                                           " N mm: more than friction can hold; the wheels slide"});
 }
 
-/// Creep forces of wheels whose normal contact is solved.
-void solve_creep_forces_of(const Scene& scene, RollingSolver& solver, SceneResult& result) {
-  const Stopwatch watch;
+/// Wheels whose normal contact is solved and that have creep forces.
+std::vector<DrivenWheel> driven_wheels(const Scene& scene, SceneResult& result) {
   std::vector<DrivenWheel> wheels;
   for (const auto& [wheel, side] :
        {std::pair(&result.left, &scene.left), {&result.right, &scene.right}}) {
@@ -139,6 +145,14 @@ void solve_creep_forces_of(const Scene& scene, RollingSolver& solver, SceneResul
       wheels.push_back({&**wheel, request});
     }
   }
+  return wheels;
+}
+
+/// Creep forces under the loads of now, of those wheels that these are new to.
+void solve_creep_forces_of(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
+                           SceneResult& result) {
+  const Stopwatch watch;
+  std::vector<DrivenWheel> wheels = driven_wheels(scene, result);
   if (wheels.empty()) {
     return;
   }
@@ -148,14 +162,33 @@ void solve_creep_forces_of(const Scene& scene, RollingSolver& solver, SceneResul
     result.pitch = found.rate;
     result.pitch_is_saturated = found.saturated;
     result.pitch_is_ambiguous = found.ambiguous;
-  } else if (moving) {
-    result.pitch = scene.motion->pitch.value_or(scene.motion->speed / scene.nominal_radius());
+  } else {
+    if (moving) {
+      result.pitch = scene.motion->pitch.value_or(scene.motion->speed / scene.nominal_radius());
+    }
+    for (DrivenWheel& driven : wheels) {
+      if (moving) {
+        driven.request.motion->pitch = result.pitch;
+      }
+      driven.request.derivatives = scene.derivatives && !loads.are_sought();
+      if (loads.is_open(driven.wheel->details.mirror > 0.0 ? 0 : 1)) {
+        solve_creep_forces(*driven.wheel, driven.request, solver);
+      }
+    }
   }
-  for (DrivenWheel& driven : wheels) {
+  result.time.rolling += watch.milliseconds();
+}
+
+/// Derivatives that the search for loads or a pitch rate has left out, and warnings.
+void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
+                           SceneResult& result) {
+  const Stopwatch watch;
+  for (DrivenWheel& driven : driven_wheels(scene, result)) {
+    const bool moving = driven.request.motion.has_value();
     if (moving) {
       driven.request.motion->pitch = result.pitch;
     }
-    if (!moving || !scene.pitch_is_free || scene.derivatives) { // else they have been found with it
+    if (scene.derivatives && (loads.are_sought() || (moving && scene.pitch_is_free))) {
       solve_creep_forces(*driven.wheel, driven.request, solver);
     }
     warn_of_creep_forces(*driven.wheel, driven.request);
@@ -169,7 +202,17 @@ void solve_creep_forces_of(const Scene& scene, RollingSolver& solver, SceneResul
            "is the one with the least"});
     }
   }
-  result.time.rolling = watch.milliseconds();
+  result.time.rolling += watch.milliseconds();
+}
+
+/// What all contact forces of the wheels carry.
+WheelNumbers totals_of(const SceneResult& result) {
+  WheelNumbers totals{};
+  for (std::size_t i = 0; i < totals.size(); ++i) {
+    const std::optional<WheelResult>& wheel = i == 0 ? result.left : result.right;
+    totals[i] = wheel && wheel->solved ? total_force(*wheel).force.z : 0.0;
+  }
+  return totals;
 }
 
 } // namespace
@@ -191,7 +234,10 @@ struct SceneSolver::State {
 
   void prepare_solvers(const Scene& scene);
   void solve_wheels(const Scene& scene, const SceneSurfaces& surfaces, const ModelChoice& model,
-                    const WheelsetEquilibrium& equilibrium, SceneResult& result);
+                    const WheelsetEquilibrium& equilibrium, const WheelLoads& loads,
+                    SceneResult& result);
+  void solve_contact(const Scene& scene, const SceneSurfaces& surfaces, const ModelChoice& model,
+                     const WheelsetEquilibrium& equilibrium, SceneResult& result);
   SceneResult solve(const Scene& scene);
 };
 
@@ -211,30 +257,52 @@ void SceneSolver::State::prepare_solvers(const Scene& scene) {
   precision = scene.precision;
 }
 
-/// The right wheel on a thread of its own, if there is one for it.
+/// Normal contact of those wheels whose load is new: the right one on a thread of its own, if there
+/// is one for it.
 void SceneSolver::State::solve_wheels(const Scene& scene, const SceneSurfaces& surfaces,
                                       const ModelChoice& model,
-                                      const WheelsetEquilibrium& equilibrium, SceneResult& result) {
+                                      const WheelsetEquilibrium& equilibrium,
+                                      const WheelLoads& loads, SceneResult& result) {
   const WheelTask left_task{scene, scene.left, surfaces.left, model, 1.0};
   const WheelTask right_task{scene, scene.right, surfaces.right, model, -1.0};
   std::future<WheelSolution> other;
-  if (equilibrium.right) {
-    const bool beside = scene.threads > 1 && equilibrium.left;
+  if (loads.is_open(1)) {
+    const bool beside = scene.threads > 1 && loads.is_open(0);
     other = std::async(beside ? std::launch::async : std::launch::deferred,
-                       [&] { return right_task.solve(*equilibrium.right, *right); });
+                       [&] { return right_task.solve(*equilibrium.right, loads.load(1), *right); });
   }
-  if (equilibrium.left) {
-    result.left = left_task.complete(left_task.solve(*equilibrium.left, *left), *equilibrium.left,
-                                     result.time);
+  if (loads.is_open(0)) {
+    left_task.complete(left_task.solve(*equilibrium.left, loads.load(0), *left), *equilibrium.left,
+                       result.time, result.left);
   }
-  if (equilibrium.right) {
-    result.right = right_task.complete(other.get(), *equilibrium.right, result.time);
+  if (loads.is_open(1)) {
+    right_task.complete(other.get(), *equilibrium.right, result.time, result.right);
   }
-  solve_creep_forces_of(scene, *rolling, result);
+}
+
+/// Normal contact and creep forces under the loads that are given or sought, and what follows from
+/// them.
+void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& surfaces,
+                                       const ModelChoice& model,
+                                       const WheelsetEquilibrium& equilibrium,
+                                       SceneResult& result) {
+  WheelLoads loads(scene, equilibrium.left.has_value(), equilibrium.right.has_value());
+  do {
+    solve_wheels(scene, surfaces, model, equilibrium, loads, result);
+    solve_creep_forces_of(scene, loads, *rolling, result);
+    loads.take(totals_of(result));
+  } while (loads.any_open());
+  for (std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
+    if (*wheel) {
+      warn_of_residuals(**wheel, scene.accuracy);
+    }
+  }
+  complete_creep_forces(scene, loads, *rolling, result);
   const Stopwatch damage;
   for (std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
     if (*wheel && (*wheel)->solved) {
       (*wheel)->total = total_force(**wheel);
+      add_up_forces(**wheel);
       (*wheel)->state = wheel_state(**wheel, scene.yield_pressure);
       warn_of_pressure(**wheel);
       if (scene.damage.any()) {
@@ -271,7 +339,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   const ModelChoice model = choose_model(scene);
   result.model = model.name;
   result.solver = scene.solver;
-  solve_wheels(scene, surfaces, model, equilibrium, result);
+  solve_contact(scene, surfaces, model, equilibrium, result);
   result.time.total = total.milliseconds();
   return result;
 }

@@ -48,6 +48,11 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
       throw_invalid_argument("counts[" + std::to_string(axes_.size()) + ']',
                              static_cast<double>(count), "1 or more, and 2^28 numbers in all");
     }
+    if (std::any_of(axes_.begin(), axes_.end(),
+                    [&key](const Axis& axis) { return axis.key == key; })) {
+      throw Error(ErrorCode::invalid_argument,
+                  "keys: \"" + key + "\" stands there twice; allowed is each key once");
+    }
     const auto n = static_cast<std::size_t>(count);
     axes_.push_back({key, std::vector<double>(values, values + n)});
     values += n;

@@ -65,17 +65,17 @@ PatchSummary summary_of(const PatchResult& patch, const Convention& convention, 
   summary.x = told(patch.reference.x, length);
   summary.y = told(patch.reference.y, turning_length);
   summary.z = told(patch.reference.z, turning_length);
-  summary.normal_x = patch.frame.normal.x;
+  summary.normal_x = told(patch.frame.normal.x, pure);
   summary.normal_y = told(side * patch.frame.normal.y, turning_force);
   summary.normal_z = told(patch.frame.normal.z, turning_force);
   summary.contact_angle = told(patch.angle, pure);
   summary.rolling_radius = told(patch.reference.rolling_radius, length);
   summary.s_wheel = told(patch.reference.s_wheel, length);
   summary.normal_force = patch.normal_force;
-  summary.longitudinal_creep_force = creep.longitudinal_force;
+  summary.longitudinal_creep_force = told(creep.longitudinal_force, force);
   summary.lateral_creep_force = told(creep.lateral_force, turning_force);
   summary.spin_moment = told(creep.spin_moment, turning_moment);
-  summary.longitudinal_creepage = creep.creepages.longitudinal;
+  summary.longitudinal_creepage = told(creep.creepages.longitudinal, pure);
   summary.lateral_creepage = told(creep.creepages.lateral, turning);
   summary.spin_creepage = told(creep.creepages.spin, turning_curvature);
   summary.longitudinal_semi_axis = told(patch.semi_axis_longitudinal, length);
@@ -83,6 +83,22 @@ PatchSummary summary_of(const PatchResult& patch, const Convention& convention, 
   summary.approach = told(patch.approach, length);
   summary.largest_pressure = told(patch.pmax, stress);
   summary.friction_power = told(creep.friction_power, moment);
+  summary.pmax = summary.largest_pressure;
+  summary.semi_axes_longitudinal = summary.longitudinal_semi_axis;
+  summary.semi_axes_lateral = summary.lateral_semi_axis;
+  summary.creep_force_longitudinal = summary.longitudinal_creep_force;
+  summary.creep_force_lateral = summary.lateral_creep_force;
+  summary.creepage_longitudinal = summary.longitudinal_creepage;
+  summary.creepage_lateral = summary.lateral_creepage;
+  summary.creepage_spin = summary.spin_creepage;
+  summary.angle = summary.contact_angle;
+  summary.longitudinal_force = told(patch.total_force.x, force);
+  summary.lateral_force = told(patch.total_force.y, turning_force);
+  summary.vertical_force = told(patch.total_force.z, turning_force);
+  summary.pressure_force_x = told(patch.force.x, force);
+  summary.pressure_force_y = told(patch.force.y, turning_force);
+  summary.pressure_force_z = told(patch.force.z, turning_force);
+  summary.coupling_weight = patch.coupling_weight;
   return summary;
 }
 

@@ -57,6 +57,24 @@ struct PatchSummary {
   double approach = 0.0;
   double largest_pressure = 0.0;
   double friction_power = 0.0;
+  // The same under the names of results by name:
+  double pmax = 0.0;
+  double semi_axes_longitudinal = 0.0;
+  double semi_axes_lateral = 0.0;
+  double creep_force_longitudinal = 0.0;
+  double creep_force_lateral = 0.0;
+  double creepage_longitudinal = 0.0;
+  double creepage_lateral = 0.0;
+  double creepage_spin = 0.0;
+  double angle = 0.0;
+  // More of them:
+  double longitudinal_force = 0.0; ///< by pressures and creep forces, track frame
+  double lateral_force = 0.0;
+  double vertical_force = 0.0;
+  double pressure_force_x = 0.0;
+  double pressure_force_y = 0.0;
+  double pressure_force_z = 0.0;
+  double coupling_weight = 0.0;
 };
 
 /// Creep forces of a patch at creepages of the caller's own.

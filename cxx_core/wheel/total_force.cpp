@@ -1,6 +1,27 @@
 #include "wheel/total_force.hpp"
 
 namespace wrc {
+namespace {
+
+/// From the left-hand frame of a side.
+Vector3 in_track(const Vector3& vector, double mirror) {
+  return {vector.x, mirror * vector.y, vector.z};
+}
+
+Vector3 creep_force_on(const PatchResult& patch, double mirror) {
+  const Vector3 to_the_left = mirror * in_track(patch.frame.lateral, mirror);
+  return patch.creep->longitudinal_force * in_track(patch.frame.longitudinal, mirror) +
+         patch.creep->lateral_force * to_the_left;
+}
+
+void add_up_force(PatchResult& patch, double mirror) {
+  patch.total_force = patch.creep ? patch.force + creep_force_on(patch, mirror) : patch.force;
+  for (PatchResult& part : patch.parts) {
+    add_up_force(part, mirror);
+  }
+}
+
+} // namespace
 
 TotalForce total_force(const WheelResult& wheel) {
   const double mirror = wheel.details.mirror;
@@ -8,26 +29,26 @@ TotalForce total_force(const WheelResult& wheel) {
   const auto arm = [&](const ContactPoint& point) {
     return Vector3{point.x, point.y, point.z} - centre;
   };
-  const auto in_track = [mirror](const Vector3& vector) {
-    return Vector3{vector.x, mirror * vector.y, vector.z};
-  };
   TotalForce total;
   for (const PatchResult& patch : wheel.patches) {
     total.force = total.force + patch.force;
     total.moment = total.moment + cross(arm(patch.centroid), patch.force);
     if (patch.creep) {
-      const CreepResult& creep = *patch.creep;
-      const Vector3 to_the_left = mirror * in_track(patch.frame.lateral);
-      const Vector3 force = creep.longitudinal_force * in_track(patch.frame.longitudinal) +
-                            creep.lateral_force * to_the_left;
+      const Vector3 force = creep_force_on(patch, mirror);
       total.force = total.force + force;
-      const Vector3 normal = in_track(patch.frame.normal);
+      const Vector3 normal = in_track(patch.frame.normal, mirror);
       // Where the velocity is that creepages stand for (wheel/kinematics.hpp).
       const Vector3 place = arm(patch.reference) - patch.approach * normal;
-      total.moment = total.moment + cross(place, force) + creep.spin_moment * normal;
+      total.moment = total.moment + cross(place, force) + patch.creep->spin_moment * normal;
     }
   }
   return total;
+}
+
+void add_up_forces(WheelResult& wheel) {
+  for (PatchResult& patch : wheel.patches) {
+    add_up_force(patch, wheel.details.mirror);
+  }
 }
 
 } // namespace wrc

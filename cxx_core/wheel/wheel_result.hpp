@@ -38,11 +38,12 @@ struct ContactPoint {
 struct PatchResult : Patch {
   double pmax = 0.0;
   double pmax_element = 0.0; ///< largest element value
-  Vector3 force;
-  Vector3 moment;         ///< about the contact reference
-  double angle = 0.0;     ///< of the plane about x, > 0: rises to the left
-  ContactPoint reference; ///< weighted mean place of penetration, through which the plane goes
-  ContactPoint centroid;  ///< centre of pressure, on the rail's surface
+  Vector3 force;             ///< of the pressures
+  Vector3 total_force;       ///< with creep forces
+  Vector3 moment;            ///< of the pressures, about the contact reference
+  double angle = 0.0;        ///< of the plane about x, > 0: rises to the left
+  ContactPoint reference;    ///< weighted mean place of penetration, through which the plane goes
+  ContactPoint centroid;     ///< centre of pressure, on the rail's surface
   double semi_axis_longitudinal = 0.0;
   double semi_axis_lateral = 0.0;
   double radius_longitudinal = 0.0; ///< of curvature, of the Hertzian bodies with these semi-axes
@@ -108,8 +109,8 @@ struct WheelResult {
   double pmax = 0.0;     ///< largest one of the patches
   double pmax_element = 0.0;
   double normal_force = 0.0; ///< sum over the patches
-  Vector3 force;
-  Vector3 moment; ///< about the reference of the first patch
+  Vector3 force;             ///< of the pressures; with creep forces: `total`
+  Vector3 moment;            ///< of the pressures, about the reference of the first patch
   /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
   ContactPoint centroid;
   std::optional<TotalForce> total;     ///< if the mechanics have run

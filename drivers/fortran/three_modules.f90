@@ -63,8 +63,8 @@ contains
 
     call start_clock(start)
     call normal%create()
-    call normal%set_grid(lateral_count, longitudinal_count, scene%number('left.element_size.0'), &
-      scene%number('left.element_size.1'))
+    call normal%set_grid(lateral_count, longitudinal_count, scene%number('left.element_size.lateral'), &
+      scene%number('left.element_size.longitudinal'))
     call normal%set_distance(distance)
     call normal%set('normal_load', load)
     call normal%solve()

@@ -47,9 +47,9 @@ constexpr std::array other_names{"total.force.x",
                                  "patches.0.z",
                                  "patches.0.pmax",
                                  "patches.0.approach",
-                                 "patches.0.semi_axes.0",
-                                 "patches.0.semi_axes.1",
-                                 "patches.0.closeness"};
+                                 "patches.0.semi_axes.longitudinal",
+                                 "patches.0.semi_axes.lateral",
+                                 "patches.0.coupling_weight"};
 
 /// Inputs and results of a step, by id.
 struct Exchange {

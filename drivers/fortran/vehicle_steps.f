@@ -6,7 +6,7 @@ c Usage: vehicle_steps_f77 [N]
       integer steps, i, j, ierr, early, reskb, inids(12), outids(60)
       real*8 total, pi, in(12), out(60), extime
       character*20 innam(12), sumnam(8), argmnt
-      character*30 othnam(26)
+      character*34 othnam(26)
       data innam /'pose.lateral', 'pose.yaw', 'load.left',
      &  'load.right', 'friction.left', 'friction.right',
      &  'motion.speed', 'motion.lateral', 'motion.yaw', 'motion.roll',
@@ -22,8 +22,8 @@ c     Those that are added up, and those of each wheel.
      &  'centroid.s_wheel', 'centroid.rolling_radius',
      &  'patches.0.normal_force', 'patches.0.angle', 'patches.0.x',
      &  'patches.0.y', 'patches.0.z', 'patches.0.pmax',
-     &  'patches.0.approach', 'patches.0.semi_axes.0',
-     &  'patches.0.semi_axes.1', 'patches.0.closeness'/
+     &  'patches.0.approach', 'patches.0.semi_axes.longitudinal',
+     &  'patches.0.semi_axes.lateral', 'patches.0.coupling_weight'/
       data in /0.0d0, 0.0d0, 8.0d4, 8.0d4, 0.3d0, 0.3d0, 2.0d4,
      &  5*0.0d0/
       pi = acos(-1.0d0)

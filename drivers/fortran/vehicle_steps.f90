@@ -15,12 +15,13 @@ program vehicle_steps
     'right.lateral_force', 'left.pmax', 'right.pmax', 'left.centroid.y', 'right.centroid.y', &
     'roll', 'vertical']
   !> Of each wheel.
-  character(*), parameter :: other_names(26) = [character(30) :: 'total.force.x', &
+  character(*), parameter :: other_names(26) = [character(34) :: 'total.force.x', &
     'total.force.y', 'total.force.z', 'total.moment.x', 'total.moment.y', 'total.moment.z', &
     'patch_count', 'normal_force', 'vertical_force', 'depth', 'angle', 'approach', 'centroid.x', &
     'centroid.z', 'centroid.s_wheel', 'centroid.rolling_radius', 'patches.0.normal_force', &
     'patches.0.angle', 'patches.0.x', 'patches.0.y', 'patches.0.z', 'patches.0.pmax', &
-    'patches.0.approach', 'patches.0.semi_axes.0', 'patches.0.semi_axes.1', 'patches.0.closeness']
+    'patches.0.approach', 'patches.0.semi_axes.longitudinal', 'patches.0.semi_axes.lateral', &
+    'patches.0.coupling_weight']
   real(real64), parameter :: period = 2000.0_real64, pi = acos(-1.0_real64)
   type(contact_scene) :: scene
   type(contact_solver) :: solver

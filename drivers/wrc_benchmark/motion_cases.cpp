@@ -6,6 +6,7 @@
 
 #include "support/parallel.hpp"
 #include "support/scene.hpp"
+#include "wrc_benchmark/transform.hpp"
 #include "wrc_benchmark/yardstick.hpp"
 
 namespace benchmark {
@@ -59,7 +60,7 @@ void set_pose(driver::Scene& scene, const Pose& pose) {
 double patch_width() {
   driver::Scene scene;
   scene.solve();
-  return 2.0 * scene.number("left.patches.0.semi_axes.1");
+  return 2.0 * scene.number("left.patches.0.semi_axes.lateral");
 }
 
 /// Errors are judged at about this many steps, evenly spread.
@@ -167,10 +168,9 @@ namespace {
 double measure_busy_threads(int threads) {
   Stopwatch watch;
   driver::for_each_index(static_cast<std::size_t>(threads), threads, [](std::size_t) {
-    constexpr std::int32_t pairs = 400;
+    constexpr int pairs = 400;
     const GridSize grid;
-    double milliseconds = 0.0;
-    wrc_measure_transform(2 * grid.lateral, 2 * grid.longitudinal, pairs, &milliseconds);
+    measure_transform({2 * grid.lateral, 2 * grid.longitudinal}, pairs);
   });
   return watch.lap();
 }

@@ -18,8 +18,8 @@ struct GridSize {
 
   [[nodiscard]] std::int64_t count() const { return lateral * longitudinal; }
   [[nodiscard]] static GridSize of(const wrcontact::Scene& scene) {
-    return {static_cast<std::int64_t>(scene.number("left.grid.0")),
-            static_cast<std::int64_t>(scene.number("left.grid.1"))};
+    return {static_cast<std::int64_t>(scene.number("left.grid.lateral")),
+            static_cast<std::int64_t>(scene.number("left.grid.longitudinal"))};
   }
   [[nodiscard]] std::string text() const {
     return std::to_string(lateral) + 'x' + std::to_string(longitudinal);

@@ -321,8 +321,9 @@ private:
   /// Against the very distances of this solution, solved by themselves.
   [[nodiscard]] double error_p(const driver::Scene& scene, const std::string& side) const {
     driver::NormalContact reference;
-    reference.set_grid(grid_.lateral, grid_.longitudinal, scene.number(side + ".element_size.0"),
-                       scene.number(side + ".element_size.1"));
+    reference.set_grid(grid_.lateral, grid_.longitudinal,
+                       scene.number(side + ".element_size.lateral"),
+                       scene.number(side + ".element_size.longitudinal"));
     reference.set_distance(scene.field(side + ".undeformed_distance"));
     reference.set("normal_load", scene.number(side + ".normal_force"));
     reference.set("tolerance", reference_tolerance(grid_));

@@ -1,6 +1,6 @@
 #include "wrc_benchmark/yardstick.hpp"
 
-#include "support/scene.hpp"
+#include "wrc_benchmark/transform.hpp"
 
 namespace benchmark {
 
@@ -13,13 +13,8 @@ Times median(const std::vector<Times>& times) {
 double Yardstick::measure() const {
   // A sample takes some milliseconds: several small pairs, one large one.
   constexpr std::int64_t large = 1024 * 512;
-  const std::int32_t repeats = grid_.count() >= large ? 1 : 5;
-  double milliseconds = 0.0;
-  if (wrc_measure_transform(2 * grid_.lateral, 2 * grid_.longitudinal, repeats, &milliseconds) !=
-      WRC_OK) {
-    throw driver::Failure("a transform of twice " + grid_.text() + " cannot be measured");
-  }
-  return milliseconds;
+  const int repeats = grid_.count() >= large ? 1 : 5;
+  return measure_transform({2 * grid_.lateral, 2 * grid_.longitudinal}, repeats);
 }
 
 void Yardstick::sample() {

@@ -19,8 +19,8 @@ inline std::vector<double> totals(const std::vector<Times>& times) {
   return driver::all_of(times, &Times::total);
 }
 
-/// One padded transform and its inverse (wrc_measure_transform), sampled again and again between
-/// the solutions it is compared with.
+/// One padded transform and its inverse (transform.hpp), sampled again and again between the
+/// solutions it is compared with.
 class Yardstick {
 public:
   explicit Yardstick(const GridSize& grid) : grid_(grid) {}

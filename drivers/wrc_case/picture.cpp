@@ -130,9 +130,9 @@ void write_pressure(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
   const auto y = scene.field(prefix + "y");
   const auto z = scene.field(prefix + "z");
   const auto pressure = scene.field(prefix + "pressure");
-  const double half_width = 0.5 * scene.number(prefix + "element_size.0");
-  const double half_length = 0.5 * scene.number(prefix + "element_size.1");
-  const auto length = static_cast<std::size_t>(scene.number(prefix + "grid.1"));
+  const double half_width = 0.5 * scene.number(prefix + "element_size.lateral");
+  const double half_length = 0.5 * scene.number(prefix + "element_size.longitudinal");
+  const auto length = static_cast<std::size_t>(scene.number(prefix + "grid.longitudinal"));
   std::ostringstream data;
   data.precision(9);
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -169,10 +169,11 @@ void write_tractions(Gnuplot& gnuplot, const Scene& scene, DrawnPatch& patch) {
     const auto along = field("traction_x");
     const auto across = field("traction_y");
     const double friction = scene.number(one.prefix + "friction");
-    const double half_width = 0.5 * scene.number(one.prefix + "creep_element_size.0");
-    const double half_length = 0.5 * scene.number(one.prefix + "creep_element_size.1");
-    const auto columns = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.1"));
-    const auto rows = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.0"));
+    const double half_width = 0.5 * scene.number(one.prefix + "creep_element_size.lateral");
+    const double half_length = 0.5 * scene.number(one.prefix + "creep_element_size.longitudinal");
+    const auto columns =
+        static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.longitudinal"));
+    const auto rows = static_cast<std::size_t>(scene.number(one.prefix + "creep_grid.lateral"));
     constexpr std::size_t most_arrows = 14; // along and across
     const std::size_t row_step = (rows + most_arrows - 1) / most_arrows;
     const std::size_t column_step = (columns + most_arrows - 1) / most_arrows;

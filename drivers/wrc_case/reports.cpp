@@ -142,19 +142,28 @@ private:
   std::vector<Line> lines_;
 };
 
+/// Whether forces are more than those of pressures.
+bool has_creep_forces(const Scene& scene) {
+  const auto patches = all_patches(scene);
+  return std::any_of(patches.begin(), patches.end(), [&scene](const PatchName& patch) {
+    return scene.has_number(patch.prefix + creep_result);
+  });
+}
+
 void print_patch_forces(const Scene& scene, std::ostream& out) {
   const PatchPrinter table(scene, out);
+  const char* unit = has_creep_forces(scene) ? "N, total" : "N";
   std::vector<PatchPrinter::Column> forces{{"pmax", "MPa", "pmax", 10, 1},
                                            {"area", "mm2", "area", 9, 2},
                                            {"approach", "um", "approach", 10, 3, 1e3},
                                            {"normal", "N", "normal_force", 11, 1},
-                                           {"vertical", "N", "vertical_force", 11, 1},
-                                           {"lateral", "N", "lateral_force", 11, 1},
+                                           {"vertical", unit, "vertical_force", 11, 1},
+                                           {"lateral", unit, "lateral_force", 11, 1},
                                            {"angle", "mrad", "angle", 9, 2, 1e3},
-                                           {"semi-axes", "x, mm", "semi_axes.0", 11, 2},
-                                           {"", "y, mm", "semi_axes.1", 7, 2}};
-  if (table.any_above("closeness", 0.0)) {
-    forces.push_back({"closeness", "", "closeness", 11, 3});
+                                           {"semi-axes", "x, mm", "semi_axes.longitudinal", 11, 2},
+                                           {"", "y, mm", "semi_axes.lateral", 7, 2}};
+  if (table.any_above("coupling_weight", 0.0)) {
+    forces.push_back({"coupling", "weight", "coupling_weight", 11, 3});
   }
   if (table.any_above("regions", 1.0)) {
     forces.push_back({"regions", "", "regions", 9, 0});
@@ -184,10 +193,10 @@ void print_patch_places(const Scene& scene, std::ostream& out) {
                          {"centroid", "y, mm", "centroid.y", 11, 3},
                          {"", "z, mm", "centroid.z", 9, 3},
                          {"", "s_wheel", "centroid.s_wheel", 9, 3},
-                         {"elements", "across", "grid.0", 10, 0},
-                         {"", "along", "grid.1", 7, 0},
-                         {"of size", "y, mm", "element_size.0", 9, 4},
-                         {"", "x, mm", "element_size.1", 8, 4},
+                         {"elements", "across", "grid.lateral", 10, 0},
+                         {"", "along", "grid.longitudinal", 7, 0},
+                         {"of size", "y, mm", "element_size.lateral", 9, 4},
+                         {"", "x, mm", "element_size.longitudinal", 8, 4},
                          {"filled", "%", "fill", 8, 1, 1e2}});
 }
 
@@ -224,8 +233,9 @@ void print_texts(const Scene& scene, std::ostream& out) {
 
 /// Whether a result is a whole number.
 bool is_count(const std::string& name) {
-  constexpr std::array counts{"iterations", "convolutions", "solutions", "patch_count",  "regions",
-                              "lobes",      "grid.0",       "grid.1",    "warning_count"};
+  constexpr std::array counts{"iterations",   "convolutions",      "solutions",
+                              "patch_count",  "regions",           "lobes",
+                              "grid.lateral", "grid.longitudinal", "warning_count"};
   return std::any_of(counts.begin(), counts.end(),
                      [&name](const char* count) { return name.ends_with(count); });
 }
@@ -236,8 +246,15 @@ void add_solution(const Scene& scene, SideTable& table) {
   table.line("pmax", "MPa", "pmax", 2);
   table.line("area", "mm2", "area", 2);
   table.line("normal force", "N", "normal_force", 1);
-  table.line("vertical force", "N", "vertical_force", 1);
-  table.line("lateral force on wheel", "N", "lateral_force", 1);
+  if (has_creep_forces(scene)) {
+    table.line("vertical force, total", "N", "vertical_force", 1);
+    table.line("vertical, of pressures", "N", "pressure_force.z", 1);
+    table.line("lateral force on wheel, total", "N", "lateral_force", 1);
+    table.line("lateral, of pressures", "N", "pressure_force.y", 1);
+  } else {
+    table.line("vertical force", "N", "vertical_force", 1);
+    table.line("lateral force on wheel", "N", "lateral_force", 1);
+  }
   table.line("centroid of forces, track y", "mm", "centroid.y", 4);
   table.line("vertical approach", "um", "depth", 3, 1e3);
   table.head("How it was solved");
@@ -353,10 +370,11 @@ void print_csv(const Scene& scene, std::ostream& out) {
   const std::vector<std::string> columns = words(
       "rigid_contact.s_wheel rigid_contact.t_rail rigid_contact.y rigid_contact.z "
       "rigid_contact.angle rigid_contact.rolling_radius pmax pmax_element area normal_force "
-      "vertical_force lateral_force longitudinal_force moment.x moment.y moment.z centroid.x "
+      "vertical_force lateral_force longitudinal_force pressure_force.x pressure_force.y "
+      "pressure_force.z pressure_moment.x pressure_moment.y pressure_moment.z centroid.x "
       "centroid.y centroid.z centroid.s_wheel centroid.rolling_radius centroid.angle approach "
-      "depth angle error_estimate iterations convolutions solutions fill grid.0 grid.1 "
-      "element_size.0 element_size.1");
+      "depth angle error_estimate iterations convolutions solutions fill grid.lateral "
+      "grid.longitudinal element_size.lateral element_size.longitudinal");
   CsvLine(out)
       .add(words("side roll vertical patches"))
       .add(columns)

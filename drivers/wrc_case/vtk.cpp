@@ -33,14 +33,14 @@ Point PatchMesh::corner(std::size_t row, std::size_t column) const {
 PatchMesh mesh_of(const Scene& scene, const PatchName& patch) {
   const auto number = [&](const char* name) { return scene.number(patch.prefix + name); };
   PatchMesh mesh;
-  mesh.rows = static_cast<std::size_t>(number("grid.0"));
-  mesh.columns = static_cast<std::size_t>(number("grid.1"));
+  mesh.rows = static_cast<std::size_t>(number("grid.lateral"));
+  mesh.columns = static_cast<std::size_t>(number("grid.longitudinal"));
   // Steps from the element centres; of a single row or column from the plane's angle.
   const double outwards = patch.side == "left" ? 1.0 : -1.0;
   const double angle = number("angle");
-  const double width = number("element_size.0");
+  const double width = number("element_size.lateral");
   mesh.lateral = {0.0, outwards * width * std::cos(angle), outwards * width * std::sin(angle)};
-  mesh.longitudinal = {number("element_size.1"), 0.0, 0.0};
+  mesh.longitudinal = {number("element_size.longitudinal"), 0.0, 0.0};
   constexpr std::array names{"x", "y", "z"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<double> centre = scene.field(patch.prefix + names[i]);

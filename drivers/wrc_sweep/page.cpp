@@ -65,12 +65,13 @@ json grid(const Scene& scene, const std::string& patch, const std::string& place
 }
 
 json patch(const Scene& scene, const std::string& prefix, bool left) {
-  json made{
-      {"normal", grid(scene, prefix, "", left,
-                      static_cast<std::size_t>(scene.number(prefix + "grid.1")), {"pressure"})}};
-  if (scene.has_number(prefix + "creep_grid.1") && scene.number(prefix + "creep_grid.1") > 0.0) {
+  json made{{"normal", grid(scene, prefix, "", left,
+                            static_cast<std::size_t>(scene.number(prefix + "grid.longitudinal")),
+                            {"pressure"})}};
+  if (scene.has_number(prefix + "creep_grid.longitudinal") &&
+      scene.number(prefix + "creep_grid.longitudinal") > 0.0) {
     made["creep"] = grid(scene, prefix, "creep_", left,
-                         static_cast<std::size_t>(scene.number(prefix + "creep_grid.1")),
+                         static_cast<std::size_t>(scene.number(prefix + "creep_grid.longitudinal")),
                          {"traction_x", "traction_y"});
   }
   return made;

@@ -52,14 +52,14 @@ private:
       for (std::int32_t index = 0;; ++index) {
         const std::string prefix =
             std::string(side_names[side]) + ".patches." + std::to_string(index) + '.';
-        if (!scene_.has_number(prefix + "grid.0")) {
+        if (!scene_.has_number(prefix + "grid.lateral")) {
           break;
         }
         PatchFields& patch = row.patches.emplace_back();
         patch.side = static_cast<std::int32_t>(side);
         patch.index = index;
-        patch.rows = static_cast<std::int64_t>(scene_.number(prefix + "grid.0"));
-        patch.columns = static_cast<std::int64_t>(scene_.number(prefix + "grid.1"));
+        patch.rows = static_cast<std::int64_t>(scene_.number(prefix + "grid.lateral"));
+        patch.columns = static_cast<std::int64_t>(scene_.number(prefix + "grid.longitudinal"));
         for (const std::string& field : study_.fields) {
           patch.values.push_back(scene_.field(prefix + field));
         }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array field_names{"x", "y", "z", "undeformed_distance", "pressure", "displacement"};
 
-/// Entries of lists as entry 0; grid.1 and the like, which have no name after the number, stay.
+/// Entries of lists as entry 0; old names such as grid.1, with nothing after the number, stay.
 std::string with_first_entry(const std::string& name) {
   std::string out;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -120,11 +120,33 @@ std::vector<std::string> all_results() {
   return names;
 }
 
+namespace {
+
+/// The name under which a result is listed now, if this is an old one.
+std::string name_now(const std::string& name, const std::vector<std::string>& known) {
+  Scene scene;
+  const auto id_of = [&scene](const std::string& of) {
+    std::int32_t id = -1;
+    return wrc_scene_number_id(scene.handle(), of.c_str(), &id) == WRC_OK ? id : -1;
+  };
+  const std::int32_t id = id_of(name);
+  const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& other) {
+    return id >= 0 && id_of(other) == id;
+  });
+  return same != known.end() ? *same : name;
+}
+
+} // namespace
+
 void check_results(const std::vector<std::string>& names) {
   refuse_doubled("study.results", names);
   const std::vector<std::string> known = all_results();
+  const auto is_known = [&known](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
   for (const std::string& name : names) {
-    if (std::find(known.begin(), known.end(), with_first_entry(name)) == known.end()) {
+    const std::string first = with_first_entry(name);
+    if (!is_known(first) && !is_known(name_now(first, known))) {
       throw Failure("study.results: \"" + name +
                     "\" is unknown; allowed are the names that wrc_sweep --list-results prints");
     }

@@ -21,10 +21,10 @@ shares = data["left.patches.0.creep_force.longitudinal"] / (FRICTION * data["lef
 
 # The same pressures as arrays, with spin: tractions of any pressures, without a scene.
 patch = wrcontact.solve(side="left", accuracy=1e-2).left.patches[0]
-across, along = patch.element_size
-rolling = wrcontact.RollingContact(patch.pressure, across, along, friction=FRICTION)
-spinning = [rolling.set(longitudinal_creepage=-creepage, spin_creepage=1e-4).solve().longitudinal_force
-            / (FRICTION * patch.normal_force) for creepage in creepages]
+size = patch.element_size
+rolling = wrcontact.RollingContact(patch.pressure, size.lateral, size.longitudinal, friction=FRICTION)
+spinning = [rolling.set(longitudinal_creepage=-creepage, spin_creepage=1e-4).solve()
+            .creep_force.longitudinal / (FRICTION * patch.normal_force) for creepage in creepages]
 
 print("creepage  " + "  ".join(f"{name:>8}" for name in [*shares["solve.creep"].values, "spinning"]))
 for row, creepage in enumerate(creepages):

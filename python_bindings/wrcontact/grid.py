@@ -15,6 +15,19 @@ from .errors import InvalidArgument, NotConverged, UnknownName
 Self = TypeVar("Self", bound="GridContact")
 
 
+class _Part:
+    """Results whose names begin alike: `contact.creep_force`."""
+
+    __slots__ = ("_contact", "_prefix")
+
+    def __init__(self, contact: GridContact, prefix: str) -> None:
+        self._contact = contact
+        self._prefix = prefix
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._contact, self._prefix + name)
+
+
 class GridContact(Handle):
     """What the two have in common: settings by key, results by name.
 
@@ -22,6 +35,7 @@ class GridContact(Handle):
     They are those of the last solve.
     """
 
+    _parts: tuple[str, ...] = ()
     _shown: tuple[str, ...] = ()
     _shape: tuple[int, ...] = ()
 
@@ -74,6 +88,8 @@ class GridContact(Handle):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
+        if name in self._parts:
+            return _Part(self, name + ".")
         try:
             return self[name]
         except UnknownName as error:
@@ -102,6 +118,7 @@ class NormalContact(GridContact):
     """
 
     _kind = "normal"
+    _parts = ("residuals",)
     _shown = ("approach", "normal_force", "pmax", "area")
 
     def __init__(self, distance: ArrayLike, lateral_step: float, longitudinal_step: float,
@@ -117,20 +134,21 @@ class RollingContact(GridContact):
     """Tractions and creep forces of given pressures, with Coulomb friction (Kalker's problem).
 
     >>> contact = RollingContact(pressure, 0.1, 0.2, longitudinal_creepage=-1e-3).solve()
-    >>> contact.longitudinal_force, contact.slip_area, contact.traction_x
+    >>> contact.creep_force.longitudinal, contact.slip_area, contact.traction_x
 
     pressure: MPa, two-dimensional, rows with growing y (to the left), columns with growing x
     (forward); copied once, by the library. Creepages are wheel minus rail, forces those on the
     wheel. Settings: shear_modulus (MPa), poisson, friction, longitudinal_creepage, lateral_creepage,
     spin_creepage (1/mm), tolerance, difference_parameter, derivatives, maximum_iterations, model,
-    contact, difference. Results: longitudinal_force, lateral_force (N), spin_moment (N mm),
-    slip_area, adhesion_area (mm^2), friction_power, numerical_loss, iterations, convolutions,
+    contact, difference. Results: creep_force.longitudinal, creep_force.lateral (N), spin_moment
+    (N mm), slip_area, adhesion_area (mm^2), friction_power, numerical_loss, iterations, convolutions,
     residual, converged; fields traction_x, traction_y (MPa), slip_x, slip_y, normal_displacement
     (mm), and creepage_derivatives, [3, 3] with a row for each of Fx, Fy, Mz.
     """
 
     _kind = "rolling"
-    _shown = ("longitudinal_force", "lateral_force", "spin_moment", "slip_area")
+    _parts = ("creep_force",)
+    _shown = ("creep_force.longitudinal", "creep_force.lateral", "spin_moment", "slip_area")
 
     def __init__(self, pressure: ArrayLike, lateral_step: float, longitudinal_step: float,
                  **settings: Any) -> None:

@@ -16,6 +16,9 @@ from .errors import NoResult, UnknownName
 if TYPE_CHECKING:
     from .scene import Scene
 
+# Groups of earlier versions: names in them are still understood (docs/results.md, "Old names").
+_OLD_GROUPS = (".moment", ".sensitivities.lateral_force", ".sensitivities.vertical_force",
+               ".sensitivities.at_load.lateral_force")
 # Which fields are on which grid (docs/results.md, "Fields"); all others on that of pressures.
 _ON_CREEP_GRID = ("creep_", "traction_", "slip_", "frictional_")
 
@@ -45,7 +48,7 @@ class Group:
         number = result._number_or_none(full)
         if number is not None:
             return number
-        if result._is_group(full):
+        if result._is_group(full) or full.endswith(_OLD_GROUPS):
             return Group(result, full + ".")
         if isinstance(name, int) and not 0 <= name < len(self):
             raise IndexError(f"{self._prefix[:-1]} has {len(self)} entries, there is no {name}")
@@ -74,7 +77,9 @@ class Group:
                                   if name.startswith(self._prefix)))
 
     def __len__(self) -> int:
-        return sum(child.isdigit() for child in self._children())
+        count = sum(child.isdigit() for child in self._children())
+        # Pairs of earlier versions: across, along = patch.element_size
+        return count or 2 * (self._result._number_or_none(self._prefix + "1") is not None)
 
     def __bool__(self) -> bool:
         return True
@@ -143,7 +148,8 @@ class Result(Group):
             depth = self.scene._copied(lib.wrc_scene_field, encoded(f"{prefix}.stress_depth"))
             return values.reshape(-1, max(1, np.count_nonzero(depth == depth[:1])))
         grid = "creep_grid" if last.startswith(_ON_CREEP_GRID) else "grid"
-        shape = [int(self._number_or_none(f"{prefix}.{grid}.{index}") or 0) for index in (0, 1)]
+        shape = [int(self._number_or_none(f"{prefix}.{grid}.{direction}") or 0)
+                 for direction in ("lateral", "longitudinal")]
         return values.reshape(shape) if shape[0] * shape[1] == values.size else values
 
     @property

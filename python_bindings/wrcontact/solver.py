@@ -49,9 +49,11 @@ class Solver(Handle):
         """As Scene.solve, bit for bit, in less time after the first."""
         return scene._solved(lib.wrc_solver_solve(self._handle, scene._handle))
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """Drops all that is kept, so that profile files are read again."""
-        self._check(lib.wrc_solver_forget(self._handle, 1))
+        self._check(lib.wrc_solver_clear(self._handle))
+
+    forget = clear  # its old name
 
     def step(self, scene: Scene, position: ArrayLike, velocity: ArrayLike, *,
              rails: ArrayLike | None = None, derivatives: bool = False) -> Step:

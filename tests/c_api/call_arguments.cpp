@@ -29,7 +29,7 @@ constexpr const char* words =
     "|.|left.|left.patches.|left.patches.0.|left.patches.99999999999999999999.pmax|"
     "left.patches.-1.pmax|left.patches.0.pressure|right.patches.1.undeformed_distance|"
     "left.displacement|right.rail_y|left.wheel_z|left.pmax|right.area|"
-    "left.residuals.least_gap|left.sensitivities.vertical_force.vertical|"
+    "left.residuals.least_gap|left.sensitivities.pressure_force.z.vertical|"
     "left.sensitivities.at_load.vertical.roll|roll|units|model|left.stop_reason|"
     "left.warnings.0|solve|none|both|left|tangent|vertical|geometry|remesh|mechanics|SI|mm|"
     "right-down|left-up|paper|default|double|mixed|1:20|-1:1e999|S1002|60E1|CHN60|LMA|"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "call_arguments.hpp"
+#include "old_functions.hpp"
 
 namespace {
 
@@ -160,7 +161,7 @@ wrc_status call_solver() {
     bound_cost(scene);
     return wrc_solver_solve(solver, scene);
   case 3:
-    return wrc_solver_forget(solver, static_cast<std::int32_t>(below(3)) - 1);
+    return wrc_solver_clear(solver);
   case 4:
     return wrc_solver_error(solver) != nullptr ? WRC_OK : -1;
   default: {

@@ -42,15 +42,15 @@ TEST(Convention, MetresAndPascalsGiveTheSameScene) {
                                               {"left.patches.0.y", 1e-3},
                                               {"left.patches.0.angle", 1},
                                               {"left.normal_force", 1},
-                                              {"left.moment.x", 1e-3},
+                                              {"left.pressure_moment.x", 1e-3},
                                               {"left.approach", 1e-3},
                                               {"vertical", 1e-3},
                                               {"roll", 1},
                                               {"left.iterations", 1},
                                               {"left.patches.0.fill", 1},
-                                              {"right.patches.0.radii.0", 1e-3},
-                                              {"left.sensitivities.vertical_force.vertical", 1e3},
-                                              {"left.sensitivities.vertical_force.roll", 1},
+                                              {"right.patches.0.radii.longitudinal", 1e-3},
+                                              {"left.sensitivities.pressure_force.z.vertical", 1e3},
+                                              {"left.sensitivities.pressure_force.z.roll", 1},
                                               {"left.sensitivities.at_load.vertical.roll", 1e-3}};
   for (const auto& [name, factor] : factors) {
     const double expected = factor * number_of(in_mm.get(), name.c_str());
@@ -88,15 +88,16 @@ TEST(Convention, EveryNumberIsTheSameOneTurnedOrScaled) {
     EXPECT_NEAR(power, 3.0 * std::round(power / 3.0), rounding * 10.0) << name;
   }
   // What turns, by example: components across and up, not those along, and no angle about x.
-  for (const char* name :
-       {"left.patches.0.y", "left.patches.0.z", "right.lateral_force", "right.vertical_force",
-        "vertical", "left.moment.y", "left.moment.z", "left.sensitivities.lateral_force.roll"}) {
+  for (const char* name : {"left.patches.0.y", "left.patches.0.z", "right.lateral_force",
+                           "right.vertical_force", "vertical", "left.pressure_moment.y",
+                           "left.pressure_moment.z", "left.sensitivities.pressure_force.y.roll"}) {
     EXPECT_EQ(turned.at(name), -usual.at(name)) << name;
   }
   for (const char* name :
-       {"left.patches.0.x", "left.patches.0.angle", "roll", "left.normal_force", "left.moment.x",
-        "left.patches.0.s_wheel", "left.approach", "left.sensitivities.lateral_force.lateral",
-        "left.sensitivities.vertical_force.lateral", "rolling_radius_difference"}) {
+       {"left.patches.0.x", "left.patches.0.angle", "roll", "left.normal_force",
+        "left.pressure_moment.x", "left.patches.0.s_wheel", "left.approach",
+        "left.sensitivities.pressure_force.y.lateral",
+        "left.sensitivities.pressure_force.z.lateral", "rolling_radius_difference"}) {
     EXPECT_EQ(turned.at(name), usual.at(name)) << name;
   }
 }
@@ -202,8 +203,8 @@ TEST(Modules, StopWhereTheyAreAsked) {
   EXPECT_EQ(wrc_scene_number(scene.get(), "left.residuals.least_gap", &value), WRC_UNKNOWN_NAME);
 
   solve(scene.get(), {{"solve.until", "remesh"}});
-  EXPECT_EQ(number_of(scene.get(), "left.grid.0"), 64.0);
-  EXPECT_EQ(number_of(scene.get(), "left.grid.1"), 32.0);
+  EXPECT_EQ(number_of(scene.get(), "left.grid.lateral"), 64.0);
+  EXPECT_EQ(number_of(scene.get(), "left.grid.longitudinal"), 32.0);
   EXPECT_EQ(wrc_scene_number(scene.get(), "left.residuals.least_gap", &value), WRC_UNKNOWN_NAME);
   const std::vector<double> distance = field_of(scene.get(), "left.undeformed_distance");
   ASSERT_EQ(distance.size(), 64U * 32U);
@@ -214,8 +215,9 @@ TEST(Modules, StopWhereTheyAreAsked) {
   // The third module by itself, on these distances, gives nearly what all three give at once: the
   // grids differ, and the depth is an estimate.
   const NormalPointer normal = make_normal();
-  ASSERT_EQ(wrc_normal_set_grid(normal.get(), 64, 32, number_of(scene.get(), "left.element_size.0"),
-                                number_of(scene.get(), "left.element_size.1")),
+  ASSERT_EQ(wrc_normal_set_grid(normal.get(), 64, 32,
+                                number_of(scene.get(), "left.element_size.lateral"),
+                                number_of(scene.get(), "left.element_size.longitudinal")),
             WRC_OK);
   ASSERT_EQ(wrc_normal_set_distance(normal.get(), distance.data(),
                                     static_cast<std::int64_t>(distance.size())),

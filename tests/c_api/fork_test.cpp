@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "old_functions.hpp"
 #include "owned_handles.hpp"
 
 namespace {

@@ -25,7 +25,7 @@ TEST(Handles, MayBeDestroyedTwice) {
   ASSERT_EQ(wrc_solver_create(&solver), WRC_OK);
   wrc_solver_destroy(solver);
   wrc_solver_destroy(solver);
-  EXPECT_EQ(wrc_solver_forget(solver, 1), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solver_clear(solver), WRC_INVALID_ARGUMENT);
   wrc_profile* profile = nullptr;
   ASSERT_EQ(wrc_profile_create(&profile), WRC_OK);
   wrc_profile_destroy(profile);
@@ -116,7 +116,7 @@ TEST(FloatingPoint, TrapsOfTheCallerDoNotFire) {
   const wrc_status batch = wrc_solve_batch(handles, 1, 2, nullptr);
   double value = 0.0;
   const wrc_status rates =
-      wrc_scene_number(scene.get(), "left.sensitivities.vertical_force.vertical", &value);
+      wrc_scene_number(scene.get(), "left.sensitivities.pressure_force.z.vertical", &value);
   const int traps = fedisableexcept(FE_ALL_EXCEPT);
   EXPECT_EQ(traps, FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW);
   EXPECT_EQ(single, WRC_OK);

@@ -69,7 +69,7 @@ TEST(Units, AreThoseOfTheNumber) {
       {"wheelset.moment.z", "N mm", "N m"},
       {"left.patches.7.creepage.spin", "1/mm", "1/m"},
       {"left.patches.0.friction_power", "N mm/s", "N m/s"},
-      {"right.sensitivities.vertical_force.vertical", "N/mm", "N/m"},
+      {"right.sensitivities.pressure_force.z.vertical", "N/mm", "N/m"},
       {"left.sensitivities.at_load.vertical.roll", "mm/rad", "m/rad"},
       {"left.jacobian.moment.z.by.lateral_velocity", "N mm s/mm", "N m s/m"},
       {"left.patches.0.creep_force.lateral.by.spin", "N mm", "N m"},

@@ -36,26 +36,29 @@ TEST(Patches, AreNamedOneByOneWithTheirFields) {
   EXPECT_FALSE(names.contains("left.patches.2.pmax"));
   EXPECT_EQ(number_of(s, "left.patch_count"), 2.0);
   for (const std::string patch : {"left.patches.0.", "left.patches.1."}) {
-    for (const std::string& name :
-         words_of("pmax pmax_element area normal_force vertical_force lateral_force "
-                  "longitudinal_force moment.x moment.y moment.z approach angle semi_axes.0 "
-                  "semi_axes.1 radii.0 radii.1 closeness regions fill grid.0 grid.1 "
-                  "element_size.0 element_size.1 x y z s_wheel w_wheel t_rail v_rail "
-                  "rolling_radius wheel_angle centroid.x centroid.y centroid.z "
-                  "centroid.s_wheel centroid.angle")) {
+    for (const std::string& name : words_of(
+             "pmax pmax_element area normal_force vertical_force lateral_force "
+             "longitudinal_force pressure_force.x pressure_force.y pressure_force.z "
+             "pressure_moment.x pressure_moment.y pressure_moment.z approach angle "
+             "semi_axes.longitudinal semi_axes.lateral radii.longitudinal radii.lateral "
+             "coupling_weight regions fill grid.lateral grid.longitudinal "
+             "element_size.lateral element_size.longitudinal x y z s_wheel w_wheel t_rail v_rail "
+             "rolling_radius wheel_angle centroid.x centroid.y centroid.z "
+             "centroid.s_wheel centroid.angle")) {
       EXPECT_TRUE(names.contains(patch + name)) << patch << name;
     }
     const auto number = [&](const char* name) { return number_of(s, (patch + name).c_str()); };
     EXPECT_EQ(number("regions"), 1.0);
-    EXPECT_GE(number("closeness"), 0.0);
-    EXPECT_LE(number("closeness"), 1.0);
-    const auto size = static_cast<std::size_t>(number("grid.0") * number("grid.1"));
+    EXPECT_GE(number("coupling_weight"), 0.0);
+    EXPECT_LE(number("coupling_weight"), 1.0);
+    const auto size =
+        static_cast<std::size_t>(number("grid.lateral") * number("grid.longitudinal"));
     for (const char* name : {"x", "y", "z", "undeformed_distance", "pressure", "displacement"}) {
       EXPECT_EQ(field_of(s, patch + name).size(), size) << patch << name;
     }
     const auto pressure = field_of(s, patch + "pressure");
     const double force = std::accumulate(pressure.begin(), pressure.end(), 0.0) *
-                         number("element_size.0") * number("element_size.1");
+                         number("element_size.lateral") * number("element_size.longitudinal");
     EXPECT_NEAR(force, number("normal_force"), rounding * force);
     EXPECT_EQ(*std::max_element(pressure.begin(), pressure.end()), number("pmax_element"));
   }
@@ -100,15 +103,15 @@ TEST(Patches, ForcesAndMomentsAddUp) {
     };
     const auto own = moment_about(patch);
     const auto about_first = moment_about(patches[0]);
-    constexpr std::array names{"moment.x", "moment.y", "moment.z"};
+    constexpr std::array names{"pressure_moment.x", "pressure_moment.y", "pressure_moment.z"};
     for (std::size_t i = 0; i < names.size(); ++i) {
       EXPECT_NEAR(number(patch + names[i]), own[i], rounding * 1e3 * force) << patch << names[i];
       moment[i] += about_first[i];
     }
   }
-  EXPECT_NEAR(number("left.moment.x"), moment[0], rounding * 1e3 * normal_force);
-  EXPECT_NEAR(number("left.moment.y"), moment[1], rounding * 1e3 * normal_force);
-  EXPECT_NEAR(number("left.moment.z"), moment[2], rounding * 1e3 * normal_force);
+  EXPECT_NEAR(number("left.pressure_moment.x"), moment[0], rounding * 1e3 * normal_force);
+  EXPECT_NEAR(number("left.pressure_moment.y"), moment[1], rounding * 1e3 * normal_force);
+  EXPECT_NEAR(number("left.pressure_moment.z"), moment[2], rounding * 1e3 * normal_force);
   for (const char* name : {"x", "y", "z", "s_wheel", "w_wheel", "t_rail", "v_rail",
                            "rolling_radius", "wheel_angle", "angle"}) {
     double mean = 0.0;
@@ -147,7 +150,7 @@ TEST(PartsOfAPatch, MakeUpTheWhole) {
   const double angle = number(whole + "angle");
   EXPECT_GT(number(parts[0] + "normal_force"), number(parts[1] + "normal_force"));
   EXPECT_EQ(number(whole + "regions"), 2.0);
-  EXPECT_EQ(number(whole + "closeness"), 0.0);
+  EXPECT_EQ(number(whole + "coupling_weight"), 0.0);
   for (const char* name : {"normal_force", "vertical_force", "lateral_force", "area"}) {
     EXPECT_NEAR(number(whole + name), number(parts[0] + name) + number(parts[1] + name),
                 rounding * force)
@@ -160,22 +163,22 @@ TEST(PartsOfAPatch, MakeUpTheWhole) {
   double centre = 0.0;
   for (const std::string& part : parts) {
     EXPECT_EQ(number(part + "angle"), angle);
-    EXPECT_GT(number(part + "closeness"), 0.0);
-    EXPECT_LT(number(part + "closeness"), 1.0);
+    EXPECT_GT(number(part + "coupling_weight"), 0.0);
+    EXPECT_LT(number(part + "coupling_weight"), 1.0);
     const double y = number(part + "y") - number(whole + "y");
     const double z = number(part + "z") - number(whole + "z");
-    moment += number(part + "moment.x") + y * number(part + "vertical_force") -
+    moment += number(part + "pressure_moment.x") + y * number(part + "vertical_force") -
               z * number(part + "lateral_force");
     const double along = (number(part + "centroid.y") - number(whole + "y")) * std::cos(angle) +
                          (number(part + "centroid.z") - number(whole + "z")) * std::sin(angle);
     centre += number(part + "normal_force") / force * along;
   }
-  EXPECT_NEAR(number(whole + "moment.x"), moment, 1e-3 * std::abs(moment));
+  EXPECT_NEAR(number(whole + "pressure_moment.x"), moment, 1e-3 * std::abs(moment));
   const double along = (number(whole + "centroid.y") - number(whole + "y")) * std::cos(angle) +
                        (number(whole + "centroid.z") - number(whole + "z")) * std::sin(angle);
   EXPECT_NEAR(along, centre, 1e-9);
   // The lobes are much farther apart than they are wide.
-  EXPECT_GT(number(whole + "semi_axes.1"), 3.0 * number(parts[0] + "semi_axes.1"));
+  EXPECT_GT(number(whole + "semi_axes.lateral"), 3.0 * number(parts[0] + "semi_axes.lateral"));
 }
 
 TEST(PartsOfAPatch, HaveFieldsOfTheirOwnAndTogether) {
@@ -184,10 +187,10 @@ TEST(PartsOfAPatch, HaveFieldsOfTheirOwnAndTogether) {
   const auto number = [s](const std::string& name) { return number_of(s, name.c_str()); };
   const auto force_of = [&](const std::string& patch) {
     const auto pressure = field_of(s, patch + "pressure");
-    EXPECT_EQ(pressure.size(),
-              static_cast<std::size_t>(number(patch + "grid.0") * number(patch + "grid.1")));
+    EXPECT_EQ(pressure.size(), static_cast<std::size_t>(number(patch + "grid.lateral") *
+                                                        number(patch + "grid.longitudinal")));
     return std::accumulate(pressure.begin(), pressure.end(), 0.0) *
-           number(patch + "element_size.0") * number(patch + "element_size.1");
+           number(patch + "element_size.lateral") * number(patch + "element_size.longitudinal");
   };
   const std::string whole = "right.patches.0.";
   for (const std::string& patch : {whole, whole + "parts.0.", whole + "parts.1."}) {
@@ -227,7 +230,7 @@ TEST(PartsOfAPatch, AreNotThereWithoutAJoiningDistance) {
   solve(s, {{"solve.joining_distance", 0.0}});
   double value = 0.0;
   EXPECT_EQ(wrc_scene_number(s, "right.patches.0.parts.0.pmax", &value), WRC_UNKNOWN_NAME);
-  EXPECT_EQ(number_of(s, "right.patches.1.closeness"), 0.0);
+  EXPECT_EQ(number_of(s, "right.patches.1.coupling_weight"), 0.0);
   EXPECT_GT(std::abs(number_of(s, "right.patches.1.angle") - number_of(s, "right.patches.0.angle")),
             0.1);
 }
@@ -271,18 +274,19 @@ TEST(Patches, WithoutContactThereAreNone) {
   solve(s, {{"pose.vertical", 500.0}});
   double value = 0.0;
   EXPECT_EQ(wrc_scene_number(s, "left.patches.0.pmax", &value), WRC_UNKNOWN_NAME);
-  for (const char* name : {"left.area", "left.moment.x", "left.patch_count", "left.fill"}) {
+  for (const char* name :
+       {"left.area", "left.pressure_moment.x", "left.patch_count", "left.fill"}) {
     EXPECT_EQ(number_of(s, name), 0.0) << name;
   }
 }
 
 constexpr const char* sensitivity_names[] = {
-    ".lateral_force.lateral",  ".lateral_force.vertical",  ".lateral_force.roll",
-    ".vertical_force.lateral", ".vertical_force.vertical", ".vertical_force.roll",
+    ".pressure_force.y.lateral", ".pressure_force.y.vertical", ".pressure_force.y.roll",
+    ".pressure_force.z.lateral", ".pressure_force.z.vertical", ".pressure_force.z.roll",
 };
 constexpr const char* condensed_names[] = {
-    ".at_load.lateral_force.lateral",
-    ".at_load.lateral_force.roll",
+    ".at_load.pressure_force.y.lateral",
+    ".at_load.pressure_force.y.roll",
     ".at_load.vertical.lateral",
     ".at_load.vertical.roll",
 };
@@ -314,8 +318,8 @@ TEST(Sensitivities, SidesMirrorEachOther) {
     expect_mirrored(condensed_names[i], condensed_signs[i]);
   }
   // The wheel is pressed back; at constant load less sideways than at constant height.
-  EXPECT_LT(number_of(left.get(), "left.sensitivities.vertical_force.vertical"), 0.0);
-  EXPECT_LT(number_of(left.get(), "left.sensitivities.lateral_force.lateral"), 0.0);
+  EXPECT_LT(number_of(left.get(), "left.sensitivities.pressure_force.z.vertical"), 0.0);
+  EXPECT_LT(number_of(left.get(), "left.sensitivities.pressure_force.y.lateral"), 0.0);
 }
 
 TEST(Sensitivities, CondensedAgreeWithDifferencesUnderConstantLoad) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "old_functions.hpp"
 #include "owned_handles.hpp"
 
 namespace process_test {

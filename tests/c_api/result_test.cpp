@@ -59,7 +59,7 @@ TEST(Results, EveryNameHasAValueAndIsThereOnce) {
   EXPECT_EQ(wrc_scene_text_name(s, wrc_scene_text_count(s)), nullptr);
   for (const char* name :
        {"roll", "vertical", "model", "units", "left.stop_reason", "right.stop_reason",
-        "left.rigid_contact.s_wheel", "left.patches.0.semi_axes.0", "time_ms.total"}) {
+        "left.rigid_contact.s_wheel", "left.patches.0.semi_axes.longitudinal", "time_ms.total"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }
@@ -103,8 +103,8 @@ TEST(Results, FieldsAgreeWithGridAndForces) {
   solve(s, {{"pose.lateral", 3.0}});
   for (const std::string side : {"left", "right"}) {
     const auto number = [&](const char* name) { return number_of(s, (side + name).c_str()); };
-    ASSERT_EQ(number(".grid.0"), 24.0);
-    ASSERT_EQ(number(".grid.1"), 20.0);
+    ASSERT_EQ(number(".grid.lateral"), 24.0);
+    ASSERT_EQ(number(".grid.longitudinal"), 20.0);
     for (const char* name :
          {".x", ".y", ".z", ".undeformed_distance", ".pressure", ".displacement"}) {
       EXPECT_EQ(field_of(s, side + name).size(), 24U * 20U) << side << name;
@@ -112,11 +112,11 @@ TEST(Results, FieldsAgreeWithGridAndForces) {
     // The longitudinal index is fastest: x steps from value to value, y stays within a row.
     const auto x = field_of(s, side + ".x");
     const auto y = field_of(s, side + ".y");
-    EXPECT_NEAR(x[1] - x[0], number(".element_size.1"), rounding);
+    EXPECT_NEAR(x[1] - x[0], number(".element_size.longitudinal"), rounding);
     EXPECT_NEAR(y[19], y[0], rounding);
     const auto pressure = field_of(s, side + ".pressure");
     const double force = std::accumulate(pressure.begin(), pressure.end(), 0.0) *
-                         number(".element_size.0") * number(".element_size.1");
+                         number(".element_size.lateral") * number(".element_size.longitudinal");
     EXPECT_NEAR(force, number(".normal_force"), rounding * force);
     for (const char* body : {".rail", ".wheel"}) {
       EXPECT_GT(field_of(s, side + body + "_y").size(), 10U);

@@ -183,7 +183,8 @@ TEST(RollingProblem, UnknownNamesAreToldWithThoseThatAreKnown) {
   expect_error(r, wrc_rolling_set_text(r, "method", "full"), WRC_UNKNOWN_NAME,
                "model, contact, difference");
   ASSERT_TRUE(contact.solve());
-  expect_error(r, wrc_rolling_number(r, "force", &value), WRC_UNKNOWN_NAME, "longitudinal_force");
+  expect_error(r, wrc_rolling_number(r, "force", &value), WRC_UNKNOWN_NAME,
+               "creep_force.longitudinal");
   expect_error(r, wrc_rolling_field(r, "pressure", nullptr, 0, &count), WRC_UNKNOWN_NAME,
                "traction_x, traction_y, slip_x, slip_y, normal_displacement");
   EXPECT_EQ(value, 7.0);
@@ -225,8 +226,8 @@ TEST(RollingResults, AreContactsWithItsDifference) {
   contact.set("spin_creepage", -0.0007867372780147649);
   ASSERT_TRUE(contact.solve());
   const auto relative = [&](const char* name) { return contact.number(name) / (friction * load); };
-  EXPECT_NEAR(relative("longitudinal_force"), 0.2948559360816609, printed);
-  EXPECT_NEAR(relative("lateral_force"), 0.7495508852344775, printed);
+  EXPECT_NEAR(relative("creep_force.longitudinal"), 0.2948559360816609, printed);
+  EXPECT_NEAR(relative("creep_force.lateral"), 0.7495508852344775, printed);
   EXPECT_NEAR(relative("spin_moment") / radius, 0.1874978896278011, printed);
 }
 
@@ -265,8 +266,8 @@ TEST(RollingResults, NumbersAreThoseOfTheFields) {
     }
   }
   const double scale = friction * load;
-  EXPECT_NEAR(contact.number("longitudinal_force"), force_x, scale * rounding);
-  EXPECT_NEAR(contact.number("lateral_force"), force_y, scale * rounding);
+  EXPECT_NEAR(contact.number("creep_force.longitudinal"), force_x, scale * rounding);
+  EXPECT_NEAR(contact.number("creep_force.lateral"), force_y, scale * rounding);
   EXPECT_NEAR(contact.number("spin_moment"), moment, scale * radius * rounding);
   EXPECT_NEAR(contact.number("slip_area"), slip_area, rounding * slip_area);
   EXPECT_NEAR(contact.number("adhesion_area"), adhesion_area, rounding * adhesion_area);
@@ -288,10 +289,10 @@ TEST(RollingResults, DerivativesComeOnRequest) {
   ASSERT_TRUE(contact.solve());
   const std::vector<double> rates = contact.field("creepage_derivatives");
   ASSERT_EQ(rates.size(), 9U);
-  const double force = contact.number("lateral_force");
+  const double force = contact.number("creep_force.lateral");
   contact.set("lateral_creepage", -0.0008 * 1.01);
   ASSERT_TRUE(contact.solve());
-  EXPECT_NEAR(contact.number("lateral_force") - force, -0.0008 * 0.01 * rates[4],
+  EXPECT_NEAR(contact.number("creep_force.lateral") - force, -0.0008 * 0.01 * rates[4],
               2e-3 * 0.01 * friction * load + 1e-4 * friction * load);
 }
 
@@ -302,11 +303,11 @@ TEST(RollingResults, UnlikeBodiesDisplaceAcross) {
   contact.set("lateral_creepage", 0.0);
   contact.set("spin_creepage", 0.0);
   ASSERT_TRUE(contact.solve());
-  EXPECT_EQ(contact.number("longitudinal_force"), 0.0);
+  EXPECT_EQ(contact.number("creep_force.longitudinal"), 0.0);
   EXPECT_EQ(contact.field("normal_displacement"), std::vector<double>(256, 0.0));
   contact.set("difference_parameter", 0.07);
   ASSERT_TRUE(contact.solve());
-  EXPECT_LT(contact.number("longitudinal_force"), -0.1 * friction * load);
+  EXPECT_LT(contact.number("creep_force.longitudinal"), -0.1 * friction * load);
   EXPECT_NE(contact.field("normal_displacement")[0], 0.0);
   contact.set("contact", "shift");
   expect_error(contact.handle(), wrc_rolling_solve(contact.handle()), WRC_INVALID_ARGUMENT,
@@ -317,15 +318,15 @@ TEST(RollingResults, UnlikeBodiesDisplaceAcross) {
 TEST(RollingModels, FastsimIsNearTheFullTheory) {
   RollingContact contact = make_circle(32);
   ASSERT_TRUE(contact.solve());
-  const double force = contact.number("longitudinal_force");
+  const double force = contact.number("creep_force.longitudinal");
   contact.set("model", "fastsim");
   ASSERT_TRUE(contact.solve());
-  EXPECT_NE(contact.number("longitudinal_force"), force);
-  EXPECT_NEAR(contact.number("longitudinal_force"), force, 0.1 * friction * load);
+  EXPECT_NE(contact.number("creep_force.longitudinal"), force);
+  EXPECT_NEAR(contact.number("creep_force.longitudinal"), force, 0.1 * friction * load);
   EXPECT_EQ(contact.number("convolutions"), 0.0);
   contact.set_pressure(std::vector<double>(1024, 0.0));
   ASSERT_TRUE(contact.solve());
-  EXPECT_EQ(contact.number("longitudinal_force"), 0.0);
+  EXPECT_EQ(contact.number("creep_force.longitudinal"), 0.0);
   contact.set("contact", "transient");
   expect_error(contact.handle(), wrc_rolling_solve(contact.handle()), WRC_INVALID_ARGUMENT,
                "steady rolling for FASTSIM");
@@ -365,13 +366,14 @@ TEST(RollingSteps, EndInSteadyRolling) {
   double before = 0.0;
   for (int step = 0; step < 10 * n; ++step) {
     ASSERT_TRUE(contact.solve());
-    const double force = contact.number("longitudinal_force");
+    const double force = contact.number("creep_force.longitudinal");
     EXPECT_GT(force, before * (1.0 - 1e-6)) << step;
     before = force;
     contact.advance();
   }
-  EXPECT_NEAR(before, steady.number("longitudinal_force"), 1e-6 * before);
-  EXPECT_NEAR(contact.number("lateral_force"), steady.number("lateral_force"), 1e-6 * before);
+  EXPECT_NEAR(before, steady.number("creep_force.longitudinal"), 1e-6 * before);
+  EXPECT_NEAR(contact.number("creep_force.lateral"), steady.number("creep_force.lateral"),
+              1e-6 * before);
 }
 
 TEST(RollingSteps, HistoryIsWhatTheCallerSays) {
@@ -413,12 +415,12 @@ TEST(RollingSteps, HistoryIsWhatTheCallerSays) {
 TEST(RollingResults, StayThoseOfTheLastSolve) {
   RollingContact contact = make_circle(16);
   ASSERT_TRUE(contact.solve());
-  const double force = contact.number("lateral_force");
+  const double force = contact.number("creep_force.lateral");
   const auto slip = contact.field("slip_x");
   contact.set_pressure({1.0, 2.0, 3.0, 4.0});
   contact.set("friction", 0.1);
   EXPECT_THROW(contact.solve(), wrcontact::Error); // 4 values on 256 elements
-  EXPECT_EQ(contact.number("lateral_force"), force);
+  EXPECT_EQ(contact.number("creep_force.lateral"), force);
   EXPECT_EQ(contact.field("slip_x"), slip);
   contact.set_grid(2, 2, 1.0, 1.0);
   EXPECT_EQ(contact.field("slip_x"), slip);
@@ -448,8 +450,9 @@ TEST(RollingResults, WithoutFrictionThereIsNone) {
   RollingContact contact = make_circle(16);
   contact.set("friction", 0.0);
   ASSERT_TRUE(contact.solve());
-  for (const char* name : {"longitudinal_force", "lateral_force", "spin_moment", "friction_power",
-                           "numerical_loss", "iterations", "slip_area", "adhesion_area"}) {
+  for (const char* name :
+       {"creep_force.longitudinal", "creep_force.lateral", "spin_moment", "friction_power",
+        "numerical_loss", "iterations", "slip_area", "adhesion_area"}) {
     EXPECT_EQ(contact.number(name), 0.0) << name;
   }
 }
@@ -462,7 +465,7 @@ TEST(RollingResults, NotConvergedComesWithUsableResults) {
   EXPECT_TRUE(contains(wrc_rolling_error(contact.handle()), "residual = "));
   EXPECT_EQ(contact.number("converged"), 0.0);
   EXPECT_GT(contact.number("residual"), 1e-9);
-  EXPECT_GT(contact.number("longitudinal_force"), 0.0);
+  EXPECT_GT(contact.number("creep_force.longitudinal"), 0.0);
   EXPECT_EQ(contact.field("traction_x").size(), 48U * 48U);
 }
 

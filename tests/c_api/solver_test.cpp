@@ -14,8 +14,7 @@ TEST(SolverHandle, RefusesNull) {
   wrc_solver_destroy(nullptr);
   const ScenePointer scene = make_small_scene();
   EXPECT_EQ(wrc_solver_solve(nullptr, scene.get()), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_solver_forget(nullptr, 0), WRC_INVALID_ARGUMENT);
-  EXPECT_EQ(wrc_solver_forget(nullptr, 1), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_solver_clear(nullptr), WRC_INVALID_ARGUMENT);
   EXPECT_TRUE(contains(wrc_solver_error(nullptr), "NULL"));
   EXPECT_EQ(wrc_scene_number_count(scene.get()), 0);
 
@@ -27,10 +26,9 @@ TEST(SolverHandle, RefusesNull) {
   EXPECT_STREQ(wrc_solver_error(solver.get()), "");
 }
 
-TEST(SolverHandle, MayBeForgottenAndDestroyedUnused) {
+TEST(SolverHandle, MayBeClearedAndDestroyedUnused) {
   const SolverPointer solver = make_solver();
-  EXPECT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
-  EXPECT_EQ(wrc_solver_forget(solver.get(), 1), WRC_OK);
+  EXPECT_EQ(wrc_solver_clear(solver.get()), WRC_OK);
 }
 
 struct Step {
@@ -197,14 +195,13 @@ TEST(Solver, IsASceneByItselfWithoutLoad) {
 }
 
 TEST(Solver, IsASceneByItselfWhetherAnythingIsForgottenOrNot) {
-  constexpr std::int32_t not_called = -1;
-  for (const std::int32_t profiles : {not_called, 0, 1}) {
+  for (const bool clears : {false, true}) {
     const SolverPointer solver = make_solver();
     for (int i = 0; i < 12; ++i) {
       const ScenePointer other = make_varied_scene(i + 5);
       ASSERT_EQ(wrc_solver_solve(solver.get(), other.get()), WRC_OK);
-      if (profiles != not_called) {
-        ASSERT_EQ(wrc_solver_forget(solver.get(), profiles), WRC_OK);
+      if (clears) {
+        ASSERT_EQ(wrc_solver_clear(solver.get()), WRC_OK);
       }
       const ScenePointer scene = make_varied_scene(i);
       const ScenePointer alone = make_varied_scene(i);
@@ -272,10 +269,9 @@ TEST_F(SolverFiles, AreReadAgainOnceForgotten) {
   ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK) << wrc_scene_error(scene.get());
   const AllResults before(scene.get());
   std::filesystem::remove(path("rail.prr"));
-  ASSERT_EQ(wrc_solver_forget(solver.get(), 0), WRC_OK);
   ASSERT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
   EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
-  ASSERT_EQ(wrc_solver_forget(solver.get(), 1), WRC_OK);
+  ASSERT_EQ(wrc_solver_clear(solver.get()), WRC_OK);
   EXPECT_NE(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
   EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
 }

@@ -7,6 +7,7 @@
 
 #include "all_results.hpp"
 #include "host_transform.hpp"
+#include "old_functions.hpp"
 #include "wrcontact.hpp"
 
 namespace {

@@ -83,8 +83,8 @@ TEST_F(WrcCase, JsonHasEveryKey) {
     }
     EXPECT_TRUE(side.at("iterations").is_number_integer());
     EXPECT_TRUE(side.at("patch_count").is_number_integer());
-    ASSERT_EQ(side.at("grid").size(), 2U);
-    EXPECT_TRUE(side.at("grid").at(0).is_number_integer());
+    EXPECT_TRUE(side.at("grid").at("lateral").is_number_integer());
+    EXPECT_TRUE(side.at("grid").at("longitudinal").is_number_integer());
     EXPECT_TRUE(side.at("warnings").is_array());
     ASSERT_EQ(side.at("patches").size(), 1U);
     const json& patch = side.at("patches").at(0);
@@ -107,29 +107,47 @@ TEST_F(WrcCase, JsonListsEveryPatch) {
   double force = 0.0;
   for (const json& patch : side.at("patches")) {
     force += patch.at("normal_force").get<double>();
-    for (const char* key : {"pmax", "pmax_element", "area", "vertical_force", "lateral_force",
-                            "longitudinal_force", "approach", "angle", "closeness", "fill", "x",
-                            "y", "z", "s_wheel", "w_wheel", "t_rail", "v_rail", "rolling_radius"}) {
+    for (const char* key :
+         {"pmax", "pmax_element", "area", "vertical_force", "lateral_force", "longitudinal_force",
+          "approach", "angle", "coupling_weight", "fill", "x", "y", "z", "s_wheel", "w_wheel",
+          "t_rail", "v_rail", "rolling_radius"}) {
       EXPECT_TRUE(patch.at(key).is_number_float()) << key;
     }
     for (const char* key : {"x", "y", "z", "s_wheel", "angle"}) {
       EXPECT_TRUE(patch.at("centroid").at(key).is_number_float()) << key;
     }
     for (const char* key : {"x", "y", "z"}) {
-      EXPECT_TRUE(patch.at("moment").at(key).is_number_float()) << key;
+      EXPECT_TRUE(patch.at("pressure_moment").at(key).is_number_float()) << key;
     }
     EXPECT_EQ(patch.at("radii").size(), 2U);
     EXPECT_EQ(patch.at("element_size").size(), 2U);
     EXPECT_TRUE(patch.at("regions").is_number_integer());
-    EXPECT_EQ(patch.at("grid"), json::array({24, 20}));
-    EXPECT_TRUE(patch.at("grid").at(0).is_number_integer());
+    EXPECT_EQ(patch.at("grid"), json({{"lateral", 24}, {"longitudinal", 20}}));
+    EXPECT_TRUE(patch.at("grid").at("lateral").is_number_integer());
   }
   EXPECT_DOUBLE_EQ(side.at("normal_force").get<double>(), force);
   for (const char* key : {"iterations", "convolutions", "solutions"}) {
     EXPECT_TRUE(side.at(key).is_number_integer()) << key;
   }
   EXPECT_TRUE(side.at("centroid").at("y").is_number_float());
-  EXPECT_TRUE(side.at("moment").at("x").is_number_float());
+  EXPECT_TRUE(side.at("pressure_moment").at("x").is_number_float());
+}
+
+/// Forces are totals, and those of the pressures stand beside them where they differ.
+TEST_F(WrcCase, TellsTotalForcesAndThoseOfPressures) {
+  const std::string moving = "--set solve.accuracy=1e-2 pose.lateral=3 pose.yaw=0.001 ";
+  const json side = run_json(moving + "motion.speed=20000").at("left");
+  EXPECT_EQ(side.at("lateral_force"), side.at("total").at("force").at("y"));
+  EXPECT_GT(side.at("lateral_force").get<double>(), 5e3);
+  EXPECT_LT(side.at("pressure_force").at("y").get<double>(), -5e3);
+  const Outcome outcome = run(moving + "motion.speed=20000");
+  expect_parts(outcome.out, {"lateral force on wheel, total", "lateral, of pressures",
+                             "vertical force, total", "vertical, of pressures", "N, total"});
+  const Outcome still = run(moving);
+  EXPECT_EQ(still.out.find("total  "), std::string::npos) << still.out;
+  EXPECT_EQ(still.out.find("of pressures"), std::string::npos);
+  const Outcome csv = run(moving + "motion.speed=20000 --csv");
+  expect_parts(csv.out, {"pressure_force.y", "pressure_moment.x", "grid.lateral"});
 }
 
 TEST_F(WrcCase, TableTellsEveryPatch) {
@@ -139,9 +157,9 @@ TEST_F(WrcCase, TableTellsEveryPatch) {
                              "  right   0 ", "approach", "centroid", "convolutions", "solutions"});
   // Columns that say nothing are left out.
   EXPECT_EQ(outcome.out.find("regions"), std::string::npos);
-  EXPECT_EQ(outcome.out.find("closeness"), std::string::npos);
+  EXPECT_EQ(outcome.out.find("coupling"), std::string::npos);
   EXPECT_NE(run(small + "--set pose.lateral=5").out.find("regions"), std::string::npos);
-  EXPECT_NE(run(small + two_patches + "--set solve.interaction=all").out.find("closeness"),
+  EXPECT_NE(run(small + two_patches + "--set solve.interaction=all").out.find("coupling"),
             std::string::npos);
   EXPECT_EQ(outcome.out.find(" \n"), std::string::npos) << "blanks at the end of a line";
 }
@@ -180,7 +198,7 @@ TEST_F(WrcCase, CsvHasALineASide) {
     return std::count(line.begin(), line.end(), ',');
   };
   EXPECT_TRUE(head.starts_with("side,roll,vertical,patches,"));
-  for (const char* column : {"centroid.y", "moment.x", "convolutions", "solutions"}) {
+  for (const char* column : {"centroid.y", "pressure_moment.x", "convolutions", "solutions"}) {
     EXPECT_NE((head + ',').find(',' + std::string(column) + ','), std::string::npos) << column;
   }
   EXPECT_TRUE(left.starts_with("left,"));
@@ -301,7 +319,7 @@ TEST_F(WrcCase, OneSetTakesSeveralKeys) {
   for (const std::string& arguments : {keys + "scene.toml", "scene.toml " + keys}) {
     const json result = run_json(arguments + " --set pose.yaw=0.01");
     EXPECT_EQ(result.at("roll"), 0.003);
-    EXPECT_EQ(result.at("left").at("grid"), json::array({20, 16}));
+    EXPECT_EQ(result.at("left").at("grid"), json({{"lateral", 20}, {"longitudinal", 16}}));
   }
   run("--set pose.roll=0.003 pose.sideways=1").expect_refusal({"pose.sideways"});
   run("--set pose.roll=0.003 --json pose.yaw=1").expect_refusal({"scene file pose.yaw=1"});

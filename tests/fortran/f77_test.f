@@ -91,8 +91,8 @@ c     The paper's Table 1 at y = 3, to the accuracy of 1e-3.
       ierr = -1
       call wrcfld(scene, 'left.pressure', p, 60000, n, ierr)
       call expect(ierr .eq. 0 .and. n .eq. i, 'a field')
-      call wrcnum(scene, 'left.element_size.0', da, ierr)
-      call wrcnum(scene, 'left.element_size.1', db, ierr)
+      call wrcnum(scene, 'left.element_size.lateral', da, ierr)
+      call wrcnum(scene, 'left.element_size.longitudinal', db, ierr)
       call wrcnum(scene, 'left.normal_force', value, ierr)
       load = 0.0d0
       do 10 i = 1, n
@@ -105,9 +105,9 @@ c     The paper's Table 1 at y = 3, to the accuracy of 1e-3.
       call wrcstn(scene, 'solve.grid', grid, 2, ierr)
       call expect(ierr .eq. 0, 'numbers are set')
       call wrcsol(scene, ierr)
-      call wrcnum(scene, 'left.grid.0', value, ierr)
+      call wrcnum(scene, 'left.grid.lateral', value, ierr)
       nlat = nint(value)
-      call wrcnum(scene, 'left.grid.1', value, ierr)
+      call wrcnum(scene, 'left.grid.longitudinal', value, ierr)
       nlon = nint(value)
       call expect(nlat .eq. 32 .and. nlon .eq. 16, 'and count')
       ierr = -1
@@ -222,12 +222,14 @@ c A solver's steps end where a scene by itself does.
       call expect(abs(step - alone) .le. 0.0d0, 'bit for bit')
       ierr = -1
       call wrcfor(solver, 0, ierr)
-      call expect(ierr .eq. 0, 'nothing to forget')
+      call expect(ierr .eq. 0, 'an old call')
       call wrcstp(solver, scene, ierr)
       call wrcnum(scene, 'left.pmax', step, ierr)
       call expect(abs(step - alone) .le. 0.0d0, 'still so')
       ierr = -1
       call wrcfor(solver, 1, ierr)
+      call expect(ierr .eq. 0, 'the same')
+      call wrcclr(solver, ierr)
       call expect(ierr .eq. 0, 'all forgotten')
       ierr = -1
       call wrcset(scene, 'pose.lateral', 90.0d0, ierr)

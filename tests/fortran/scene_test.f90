@@ -79,9 +79,9 @@ contains
     call scene%set('pose.lateral', 3.0_real64)
     call scene%solve()
     pressure = scene%field('left.pressure')
-    call expect(size(pressure) == nint(scene%number('left.grid.0'))*nint(scene%number('left.grid.1')), &
+    call expect(size(pressure) == nint(scene%number('left.grid.lateral'))*nint(scene%number('left.grid.longitudinal')), &
       'a value an element')
-    force = sum(pressure)*scene%number('left.element_size.0')*scene%number('left.element_size.1')
+    force = sum(pressure)*scene%number('left.element_size.lateral')*scene%number('left.element_size.longitudinal')
     call expect(near(force, scene%number('left.normal_force'), rounding), 'pressures add up')
     call expect(same(maxval(pressure), scene%number('left.pmax_element')), 'largest pressure')
     call expect(all(pressure >= 0.0_real64), 'no tension')
@@ -96,8 +96,8 @@ contains
     call scene%set('solve.side  ', 'right ')
     call scene%set('load.right', 50.0e3_real64)
     call scene%solve()
-    call expect(nint(scene%number('right.grid.0')) == 32, 'first of a slice')
-    call expect(nint(scene%number('right.grid.1')) == 16, 'second of a slice')
+    call expect(nint(scene%number('right.grid.lateral')) == 32, 'first of a slice')
+    call expect(nint(scene%number('right.grid.longitudinal')) == 16, 'second of a slice')
     call expect(near(scene%number('right.vertical_force'), 50.0e3_real64, rounding), 'load is set')
   end subroutine values_of_every_type_are_set
 

@@ -111,10 +111,10 @@ contains
     call make(scene)
     call solver%create()
     call solver%step(scene, q, v, f, patches=patches, patch_count=patch_count)
-    creepages = [patches(1)%longitudinal_creepage, patches(1)%lateral_creepage, &
-      patches(1)%spin_creepage]
+    creepages = [patches(1)%creepage_longitudinal, patches(1)%creepage_lateral, &
+      patches(1)%creepage_spin]
     call solver%creep(scene, 1, creepages, forces, by_creepage=by)
-    call expect(abs(forces(1) - patches(1)%longitudinal_creep_force) <= 1.0e-6_real64*abs(forces(1)), &
+    call expect(abs(forces(1) - patches(1)%creep_force_longitudinal) <= 1.0e-6_real64*abs(forces(1)), &
       'those of the step')
     creepages(2) = creepages(2) + 1.0e-5_real64
     call solver%creep(scene, 1, creepages, ahead)

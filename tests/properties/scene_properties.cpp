@@ -60,7 +60,8 @@ bool turns(const std::string& name) {
 }
 
 bool is_force(const std::string& name) {
-  return name.ends_with("_force") || name.find(".force.") != std::string::npos;
+  return name.ends_with("_force") || name.ends_with("force.x") || name.ends_with("force.y") ||
+         name.ends_with("force.z");
 }
 
 bool is_moment(const std::string& name) {
@@ -110,8 +111,8 @@ std::string first_part(const std::string& patch) {
 /// A patch or a part of one.
 std::string check_patch(const Outcome& outcome, const std::string& patch) {
   const std::vector<double>& pressure = outcome.pressures.at(patch);
-  const double element =
-      outcome.at(patch + ".element_size.0") * outcome.at(patch + ".element_size.1");
+  const double element = outcome.at(patch + ".element_size.lateral") *
+                         outcome.at(patch + ".element_size.longitudinal");
   double sum = 0.0;
   double largest = 0.0;
   for (const double p : pressure) {
@@ -140,7 +141,7 @@ std::string check_load(const DrawnScene& scene, const Outcome& outcome, const st
   }
   if (!scene.has("load.normal")) {
     const double load = scene.number("load." + side);
-    const double force = outcome.at(side + ".vertical_force");
+    const double force = outcome.at(side + ".pressure_force.z");
     return near(force, load, share) ? "" : differ(side + ", force and load", force, load);
   }
   // Along the normal of the deepest patch, whichever that is.

@@ -92,10 +92,10 @@ struct PatchGap {
 PatchGap patch_gap(const wrcontact::Scene& scene, int patch) {
   const std::string name = "left.patches." + std::to_string(patch) + '.';
   PatchGap gap;
-  gap.problem.rows = static_cast<std::size_t>(scene.number(name + "grid.0"));
-  gap.problem.columns = static_cast<std::size_t>(scene.number(name + "grid.1"));
-  gap.problem.lateral_step = scene.number(name + "element_size.0");
-  gap.problem.longitudinal_step = scene.number(name + "element_size.1");
+  gap.problem.rows = static_cast<std::size_t>(scene.number(name + "grid.lateral"));
+  gap.problem.columns = static_cast<std::size_t>(scene.number(name + "grid.longitudinal"));
+  gap.problem.lateral_step = scene.number(name + "element_size.lateral");
+  gap.problem.longitudinal_step = scene.number(name + "element_size.longitudinal");
   gap.problem.combined_modulus = combined_modulus(scene);
   gap.problem.distance = scene.field(name + "undeformed_distance");
   gap.problem.normal_load = scene.number(name + "normal_force");
@@ -110,7 +110,7 @@ void judge_patches(const wrcontact::Scene& scene, int count, Row& row, std::uint
   double complementarity = 0.0;
   for (int k = 0; k < count; ++k) {
     const std::string name = "left.patches." + std::to_string(k);
-    if (scene.number(name + ".closeness") > 0.0 || scene.has_number(name + ".parts.0.pmax")) {
+    if (scene.number(name + ".coupling_weight") > 0.0 || scene.has_number(name + ".parts.0.pmax")) {
       overlap = std::max(overlap, -scene.number("left.residuals.least_gap"));
       complementarity = std::max(complementarity, scene.number("left.residuals.complementarity"));
       continue;
@@ -148,7 +148,7 @@ void compare_with_dense(const SceneSetup& setup, Row& row) {
   coarse.set("solve.tolerance", tolerance_floor);
   coarse.solve();
   for (int k = 0; k < coarse.count_of("left.patches"); ++k) {
-    if (coarse.number("left.patches." + std::to_string(k) + ".closeness") > 0.0) {
+    if (coarse.number("left.patches." + std::to_string(k) + ".coupling_weight") > 0.0) {
       continue;
     }
     const PatchGap gap = patch_gap(coarse, k);

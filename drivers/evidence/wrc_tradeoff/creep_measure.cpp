@@ -28,8 +28,8 @@ std::vector<PatchForces> forces_of(const driver::Scene& scene, const std::string
                      scene.number(patch + "creep_force.lateral"),
                      scene.number(patch + "spin_moment")};
     forces.bound = scene.get_number("friction.coefficient") * scene.number(patch + "normal_force");
-    forces.mean_axis =
-        std::sqrt(scene.number(patch + "semi_axes.0") * scene.number(patch + "semi_axes.1"));
+    forces.mean_axis = std::sqrt(scene.number(patch + "semi_axes.longitudinal") *
+                                 scene.number(patch + "semi_axes.lateral"));
     if (scene.has_number(patch + "creep_error_estimate")) {
       forces.estimate = scene.number(patch + "creep_error_estimate");
     }

@@ -46,11 +46,11 @@ void join_axes(const driver::Scene& scene, const std::string& side, Figures& fig
     const std::string patch = side + ".patches." + std::to_string(i) + '.';
     const double share = scene.number(patch + "normal_force");
     const Vector centre = vector_of(scene, patch + "centroid.");
-    along += share * (square(scene.number(patch + "semi_axes.0")) +
+    along += share * (square(scene.number(patch + "semi_axes.longitudinal")) +
                       5.0 * square(centre[0] - figures.centre[0]));
     across +=
         share *
-        (square(scene.number(patch + "semi_axes.1")) +
+        (square(scene.number(patch + "semi_axes.lateral")) +
          5.0 * (square(centre[1] - figures.centre[1]) + square(centre[2] - figures.centre[2])));
     force += share;
   }

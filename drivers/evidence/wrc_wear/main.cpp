@@ -115,7 +115,7 @@ Worn worn_by(Scene scene, const Passage& passage) {
       const int parts = scene.count_of(whole + "parts");
       for (int k = 0; k < std::max(parts, 1); ++k) {
         const std::string name = parts > 0 ? whole + "parts." + std::to_string(k) + '.' : whole;
-        const double width = scene.number_or(name + "creep_element_size.0", 0.0);
+        const double width = scene.number_or(name + "creep_element_size.lateral", 0.0);
         const std::vector<double> places = scene.field(name + "wear_s_wheel");
         worn.s.insert(worn.s.end(), places.begin(), places.end());
         for (const double depth : scene.field(name + "wear_depth")) {

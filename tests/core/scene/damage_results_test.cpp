@@ -86,13 +86,13 @@ TEST(DamageResults, EnergyOfElementsIsTheWearNumberAndVolumeThatOfTheLaw) {
   SceneResult result = solve_scene(scene);
   const std::string patch = "left.patches.0.";
   const double power = number(result, patch + "wear_number");
-  const double area = number(result, patch + "creep_element_size.0") *
-                      number(result, patch + "creep_element_size.1");
+  const double area = number(result, patch + "creep_element_size.lateral") *
+                      number(result, patch + "creep_element_size.longitudinal");
   EXPECT_NEAR(sum_of(*field_values(result, patch + "frictional_energy")) * area, power,
               rounding * power);
   EXPECT_NEAR(number(result, patch + "wear.volume"), 3.0 * 2e-7 * power, rounding * 6e-7 * power);
   const auto depth = *field_values(result, patch + "wear_depth");
-  EXPECT_NEAR(sum_of(depth) * number(result, patch + "creep_element_size.0"),
+  EXPECT_NEAR(sum_of(depth) * number(result, patch + "creep_element_size.lateral"),
               number(result, patch + "wear.volume"), rounding * power);
   EXPECT_EQ(*std::max_element(depth.begin(), depth.end()),
             number(result, patch + "wear.depth_max"));

@@ -60,7 +60,7 @@ TEST(NumberIds, AreThoseOfTheScenesOfAnyResult) {
   for (const char* name :
        {"right.pmax", "rolling_radius_difference", "wheelset.force.y", "left.error_estimate",
         "left.validity", "left.patches.0.pmax", "left.patches.3.parts.2.creep_force.lateral",
-        "left.near_contacts.7.distance", "left.sensitivities.lateral_force.roll",
+        "left.near_contacts.7.distance", "left.sensitivities.pressure_force.y.roll",
         "left.sensitivities.at_load.vertical.roll", "right.residuals.least_gap"}) {
     const auto id = number_id(name);
     ASSERT_TRUE(id) << name;

@@ -136,7 +136,7 @@ TEST(SolveScene, ForcesAndPlacesAreConsistent) {
 TEST(SolveScene, ValuesByNameAreComplete) {
   SceneResult result = solve_scene(small_scene(1.0));
   EXPECT_EQ(number_value(result, "left.pmax"), result.left->pmax);
-  EXPECT_EQ(number_value(result, "right.patches.0.semi_axes.1"),
+  EXPECT_EQ(number_value(result, "right.patches.0.semi_axes.lateral"),
             result.right->patches[0].semi_axis_lateral);
   EXPECT_EQ(number_value(result, "roll"), result.roll);
   for (const std::string& name : number_names(result)) {

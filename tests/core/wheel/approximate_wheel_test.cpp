@@ -267,7 +267,7 @@ TEST(ApproximateWheel, ResultsSayWhatWasUsedAndWhy) {
   EXPECT_EQ(result.model, "hertz");
   EXPECT_EQ(result.left->model_reason, "asked for by name");
   EXPECT_TRUE(number_value(result, "left.validity"));
-  EXPECT_FALSE(number_value(result, "left.sensitivities.lateral_force.lateral"));
+  EXPECT_FALSE(number_value(result, "left.sensitivities.pressure_force.y.lateral"));
   EXPECT_FALSE(number_value(result, "left.error_estimate"));
   SceneResult automatic = solve_with("auto", scene_at(3.0));
   EXPECT_EQ(automatic.left->model, "half-space");

@@ -140,9 +140,9 @@ TEST(SideSensitivitiesByName, AreComputedWhenAskedFor) {
   SceneResult result = solve_scene(scene);
   number_names(result);
   EXPECT_FALSE(number_value(result, "left.sensitivities.lateral_force"));
-  EXPECT_FALSE(number_value(result, "left.sensitivities.at_load.lateral_force.vertical"));
+  EXPECT_FALSE(number_value(result, "left.sensitivities.at_load.pressure_force.y.vertical"));
   EXPECT_FALSE(result.left->sensitivities);
-  EXPECT_TRUE(number_value(result, "left.sensitivities.lateral_force.roll"));
+  EXPECT_TRUE(number_value(result, "left.sensitivities.pressure_force.y.roll"));
   EXPECT_TRUE(result.left->sensitivities);
   EXPECT_FALSE(result.right->sensitivities);
 }
@@ -152,7 +152,7 @@ TEST(SideSensitivitiesByName, ThereAreNoneWithoutContact) {
   scene.vertical = 500.0;
   SceneResult result = solve_scene(scene);
   EXPECT_EQ(sensitivities_of(*result.left), nullptr);
-  EXPECT_FALSE(number_value(result, "left.sensitivities.lateral_force.lateral"));
+  EXPECT_FALSE(number_value(result, "left.sensitivities.pressure_force.y.lateral"));
   for (const std::string& name : number_names(result)) {
     EXPECT_EQ(name.find("sensitivities"), std::string::npos) << name;
   }

@@ -13,7 +13,7 @@ constexpr double same_size = 1e-4;
 
 std::string grid_of(const wrcontact::Scene& scene, const std::string& patch) {
   std::string text;
-  for (const char* name : {".grid.0", ".grid.1"}) {
+  for (const char* name : {".grid.lateral", ".grid.longitudinal"}) {
     if (scene.has_number(patch + name)) {
       text.append(text.empty() ? "" : "x");
       text.append(std::to_string(static_cast<long>(scene.number(patch + name))));
@@ -34,10 +34,10 @@ void add_entries(const wrcontact::Scene& scene, const std::string& list, const s
     const std::string name = told + ' ' + std::to_string(count);
     facts[name + " grid"] = grid_of(scene, entry);
     facts[name + " lobes"] = std::to_string(static_cast<long>(scene.number(entry + ".lobes")));
-    for (const char* index : {"0", "1"}) {
-      const std::string size = entry + ".element_size." + index;
+    for (const char* direction : {"lateral", "longitudinal"}) {
+      const std::string size = entry + ".element_size." + direction;
       if (scene.has_number(size)) {
-        facts[name + " element " + index] = std::to_string(scene.number(size));
+        facts[name + " element " + direction] = std::to_string(scene.number(size));
       }
     }
     if (told == "patch") {

@@ -93,7 +93,7 @@ Swept sweep_vertically(const Options& options, std::size_t pair, double lateral)
   made.worst.push_back(lines[0].worst(force));
   made.flags = lines[0].flags(force, options.limit,
                               text_of("y = %.4f", lateral) + text_of(", z from %.17g", first));
-  const std::string name = "left.sensitivities.vertical_force.vertical";
+  const std::string name = "left.sensitivities.pressure_force.z.vertical";
   if (scene.has_number(name)) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < forces.size(); ++i) {
@@ -203,7 +203,7 @@ int iterate(const Options& options, Solving& solving, wrcontact::Scene& scene, d
   double z = start;
   for (int i = 1; i <= most; ++i) {
     const double force = force_at(z);
-    const std::string name = "left.sensitivities.vertical_force.vertical";
+    const std::string name = "left.sensitivities.pressure_force.z.vertical";
     const double slope = options.derivative == "sensitivities"
                              ? scene.number(name)
                              : (force_at(z - difference) - force) / -difference;

@@ -1,0 +1,326 @@
+/// What names of results mean, and those that earlier versions had.
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "all_results.hpp"
+#include "old_functions.hpp"
+
+namespace names_test {
+namespace {
+
+/// Rounding of a sum of some terms.
+constexpr double rounding = 1e-12;
+
+std::set<std::string> number_names(wrc_scene* scene) {
+  std::set<std::string> names;
+  for (std::int64_t i = 0; i < wrc_scene_number_count(scene); ++i) {
+    names.insert(wrc_scene_number_name(scene, i));
+  }
+  return names;
+}
+
+/// Two wheels with creep forces, the right one with a second contact.
+ScenePointer solve_moving() {
+  ScenePointer scene = make_scene();
+  solve(scene.get(), {{"pose.lateral", -6.3},
+                      {"pose.yaw", 1e-3},
+                      {"motion.speed", 2e4},
+                      {"solve.accuracy", 1e-2}});
+  return scene;
+}
+
+struct Renamed {
+  const char* old;
+  const char* now;
+};
+
+constexpr std::array of_patches{Renamed{"grid.0", "grid.lateral"},
+                                Renamed{"grid.1", "grid.longitudinal"},
+                                Renamed{"element_size.0", "element_size.lateral"},
+                                Renamed{"element_size.1", "element_size.longitudinal"},
+                                Renamed{"creep_grid.0", "creep_grid.lateral"},
+                                Renamed{"creep_grid.1", "creep_grid.longitudinal"},
+                                Renamed{"creep_element_size.0", "creep_element_size.lateral"},
+                                Renamed{"creep_element_size.1", "creep_element_size.longitudinal"},
+                                Renamed{"semi_axes.0", "semi_axes.longitudinal"},
+                                Renamed{"semi_axes.1", "semi_axes.lateral"},
+                                Renamed{"radii.0", "radii.longitudinal"},
+                                Renamed{"radii.1", "radii.lateral"},
+                                Renamed{"closeness", "coupling_weight"},
+                                Renamed{"moment.x", "pressure_moment.x"},
+                                Renamed{"moment.y", "pressure_moment.y"},
+                                Renamed{"moment.z", "pressure_moment.z"}};
+constexpr std::array of_wheels{
+    Renamed{"grid.0", "grid.lateral"},
+    Renamed{"grid.1", "grid.longitudinal"},
+    Renamed{"element_size.0", "element_size.lateral"},
+    Renamed{"element_size.1", "element_size.longitudinal"},
+    Renamed{"moment.x", "pressure_moment.x"},
+    Renamed{"sensitivities.lateral_force.lateral", "sensitivities.pressure_force.y.lateral"},
+    Renamed{"sensitivities.vertical_force.yaw", "sensitivities.pressure_force.z.yaw"},
+    Renamed{"sensitivities.at_load.lateral_force.roll",
+            "sensitivities.at_load.pressure_force.y.roll"}};
+
+void expect_old_name(wrc_scene* scene, const std::string& prefix, const Renamed& name,
+                     const std::set<std::string>& listed) {
+  const std::string old = prefix + name.old;
+  const std::string now = prefix + name.now;
+  SCOPED_TRACE(old);
+  EXPECT_EQ(number_of(scene, old.c_str()), number_of(scene, now.c_str()));
+  std::int32_t old_id = -1;
+  std::int32_t id = -2;
+  EXPECT_EQ(wrc_scene_number_id(scene, old.c_str(), &old_id), WRC_OK);
+  EXPECT_EQ(wrc_scene_number_id(scene, now.c_str(), &id), WRC_OK);
+  EXPECT_EQ(old_id, id);
+  EXPECT_FALSE(listed.contains(old));
+  EXPECT_TRUE(listed.contains(now));
+}
+
+TEST(OldNames, OfResultsAreUnderstoodAndNotListed) {
+  const ScenePointer scene = solve_moving();
+  const std::set<std::string> listed = number_names(scene.get());
+  for (const std::string side : {"left.", "right."}) {
+    for (const Renamed& name : of_wheels) {
+      expect_old_name(scene.get(), side, name, listed);
+    }
+    for (const Renamed& name : of_patches) {
+      expect_old_name(scene.get(), side + "patches.0.", name, listed);
+    }
+  }
+  double value = 0.0;
+  for (const char* name : {"left.grid.2", "grid.0", "left.centroid.moment.x", "left.moment"}) {
+    EXPECT_EQ(wrc_scene_number(scene.get(), name, &value), WRC_UNKNOWN_NAME) << name;
+  }
+}
+
+/// Rows of the grid lie across the rail: 24 of them in a patch, 20 elements along each.
+TEST(Names, SayWhichDirectionTheyMean) {
+  const ScenePointer scene = make_scene();
+  solve(scene.get(), {{"solve.grid", std::vector{24.0, 20.0}}, {"pose.lateral", 3.0}});
+  EXPECT_EQ(number_of(scene.get(), "left.patches.0.grid.lateral"), 24.0);
+  EXPECT_EQ(number_of(scene.get(), "left.patches.0.grid.longitudinal"), 20.0);
+  const std::vector<double> x = field_of(scene.get(), "left.patches.0.x");
+  EXPECT_NEAR(x[1] - x[0], number_of(scene.get(), "left.element_size.longitudinal"), 1e-9);
+  // Second moments of the pressures, those of an ellipse a, b being a^2/5 and b^2/5.
+  const std::vector<double> p = field_of(scene.get(), "left.patches.0.pressure");
+  double sum = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    sum += p[i];
+    first += p[i] * x[i];
+    second += p[i] * x[i] * x[i];
+  }
+  const double variance = second / sum - first / sum * first / sum;
+  const double semi_axis = number_of(scene.get(), "left.patches.0.semi_axes.longitudinal");
+  EXPECT_NEAR(semi_axis * semi_axis, 5.0 * variance, 0.02 * semi_axis * semi_axis);
+}
+
+TEST(PlainForces, AreTotals) {
+  const ScenePointer scene = solve_moving();
+  wrc_scene* s = scene.get();
+  for (const std::string side : {"left.", "right."}) {
+    const auto of = [&](const std::string& name) { return number_of(s, (side + name).c_str()); };
+    EXPECT_EQ(of("longitudinal_force"), of("total.force.x"));
+    EXPECT_EQ(of("lateral_force"), of("total.force.y"));
+    EXPECT_EQ(of("vertical_force"), of("total.force.z"));
+    std::array<double, 3> sums{};
+    std::array<double, 3> pressures{};
+    for (int i = 0; i < static_cast<int>(of("patch_count")); ++i) {
+      const std::string patch = "patches." + std::to_string(i) + '.';
+      const double x = of(patch + "pressure_force.x");
+      const double y = of(patch + "pressure_force.y");
+      const double z = of(patch + "pressure_force.z");
+      EXPECT_NEAR(std::hypot(x, y, z), of(patch + "normal_force"), rounding * 1e5);
+      // In the plane of the patch, which is inclined about x.
+      const double angle = of(patch + "angle");
+      const double along = of(patch + "creep_force.longitudinal");
+      const double across = of(patch + "creep_force.lateral");
+      EXPECT_NEAR(of(patch + "longitudinal_force"), x + along, 1e-3 * std::abs(across) + 1.0);
+      EXPECT_NEAR(of(patch + "lateral_force"), y + across * std::cos(angle), 1.0);
+      EXPECT_NEAR(of(patch + "vertical_force"), z + across * std::sin(angle), 1.0);
+      sums[0] += of(patch + "longitudinal_force");
+      sums[1] += of(patch + "lateral_force");
+      sums[2] += of(patch + "vertical_force");
+      pressures[0] += x;
+      pressures[1] += y;
+      pressures[2] += z;
+    }
+    EXPECT_NEAR(of("longitudinal_force"), sums[0], rounding * 1e5);
+    EXPECT_NEAR(of("lateral_force"), sums[1], rounding * 1e5);
+    EXPECT_NEAR(of("vertical_force"), sums[2], rounding * 1e5);
+    EXPECT_NEAR(of("pressure_force.x"), pressures[0], rounding * 1e5);
+    EXPECT_NEAR(of("pressure_force.y"), pressures[1], rounding * 1e5);
+    EXPECT_NEAR(of("pressure_force.z"), pressures[2], rounding * 1e5);
+  }
+}
+
+/// Yaw of 1 mrad at 20 m/s: the lateral force points the other way than that of the pressures.
+TEST(PlainForces, MayHaveTheOtherSignThanThoseOfPressures) {
+  const ScenePointer scene = make_scene();
+  solve(scene.get(), {{"pose.lateral", 3.0}, {"pose.yaw", 1e-3}, {"motion.speed", 2e4}});
+  EXPECT_LT(number_of(scene.get(), "left.pressure_force.y"), -5e3);
+  EXPECT_GT(number_of(scene.get(), "left.lateral_force"), 5e3);
+  EXPECT_GT(number_of(scene.get(), "left.patches.0.lateral_force"), 5e3);
+}
+
+TEST(PlainForces, AreThoseOfPressuresWithoutCreepForces) {
+  const ScenePointer scene = make_scene();
+  wrc_scene* s = scene.get();
+  solve(s, {{"pose.lateral", 5.0}, {"solve.accuracy", 1e-2}});
+  for (const std::string of : {"left.", "right.", "left.patches.0.", "right.patches.0."}) {
+    EXPECT_EQ(number_of(s, (of + "longitudinal_force").c_str()),
+              number_of(s, (of + "pressure_force.x").c_str()));
+    EXPECT_EQ(number_of(s, (of + "lateral_force").c_str()),
+              number_of(s, (of + "pressure_force.y").c_str()));
+    EXPECT_EQ(number_of(s, (of + "vertical_force").c_str()),
+              number_of(s, (of + "pressure_force.z").c_str()));
+  }
+}
+
+TEST(Patches, HaveTheNamesOfResults) {
+  const ScenePointer scene = solve_moving();
+  std::array<wrc_patch, 8> patches{};
+  std::int64_t count = 0;
+  ASSERT_EQ(wrc_scene_patches(scene.get(), patches.data(), sizeof(wrc_patch), 8, &count), WRC_OK);
+  ASSERT_GE(count, 2);
+  const wrc_patch& patch = patches[0]; // the only one of the left wheel
+  ASSERT_EQ(number_of(scene.get(), "left.patch_count"), 1.0);
+  const auto of = [&](const std::string& name) {
+    return number_of(scene.get(), ("left.patches.0." + name).c_str());
+  };
+  EXPECT_EQ(patch.pmax, of("pmax"));
+  EXPECT_EQ(patch.semi_axes_longitudinal, of("semi_axes.longitudinal"));
+  EXPECT_EQ(patch.semi_axes_lateral, of("semi_axes.lateral"));
+  EXPECT_EQ(patch.creep_force_longitudinal, of("creep_force.longitudinal"));
+  EXPECT_EQ(patch.creep_force_lateral, of("creep_force.lateral"));
+  EXPECT_EQ(patch.creepage_longitudinal, of("creepage.longitudinal"));
+  EXPECT_EQ(patch.creepage_lateral, of("creepage.lateral"));
+  EXPECT_EQ(patch.creepage_spin, of("creepage.spin"));
+  EXPECT_EQ(patch.angle, of("angle"));
+  EXPECT_EQ(patch.longitudinal_force, of("longitudinal_force"));
+  EXPECT_EQ(patch.lateral_force, of("lateral_force"));
+  EXPECT_EQ(patch.vertical_force, of("vertical_force"));
+  EXPECT_EQ(patch.pressure_force_x, of("pressure_force.x"));
+  EXPECT_EQ(patch.pressure_force_y, of("pressure_force.y"));
+  EXPECT_EQ(patch.pressure_force_z, of("pressure_force.z"));
+  EXPECT_EQ(patch.coupling_weight, of("coupling_weight"));
+}
+
+/// As the header of 0.3 had it, but for the names.
+struct OldPatch {
+  std::array<double, 22> members;
+};
+
+TEST(Patches, AreGivenToProgramsWithTheOldStruct) {
+  const ScenePointer scene = solve_moving();
+  constexpr double untouched = -7.0;
+  std::array<OldPatch, 9> old{};
+  old.back().members.fill(untouched);
+  std::array<wrc_patch, 8> patches{};
+  std::int64_t count = 0;
+  ASSERT_EQ(wrc_scene_patches(scene.get(), patches.data(), sizeof(wrc_patch), 8, &count), WRC_OK);
+  ASSERT_EQ(wrc_scene_patches(scene.get(), reinterpret_cast<wrc_patch*>(old.data()),
+                              sizeof(OldPatch), 8, &count),
+            WRC_OK)
+      << wrc_scene_error(scene.get());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    EXPECT_EQ(old[i].members[0], patches[i].wheel);
+    EXPECT_EQ(old[i].members[7], patches[i].angle);
+    EXPECT_EQ(old[i].members[11], patches[i].creep_force_longitudinal);
+    EXPECT_EQ(old[i].members[12], patches[i].creep_force_lateral);
+    EXPECT_EQ(old[i].members[14], patches[i].creepage_longitudinal);
+    EXPECT_EQ(old[i].members[15], patches[i].creepage_lateral);
+    EXPECT_EQ(old[i].members[16], patches[i].creepage_spin);
+    EXPECT_EQ(old[i].members[17], patches[i].semi_axes_longitudinal);
+    EXPECT_EQ(old[i].members[18], patches[i].semi_axes_lateral);
+    EXPECT_EQ(old[i].members[20], patches[i].pmax);
+    EXPECT_EQ(old[i].members[21], patches[i].friction_power);
+  }
+  EXPECT_EQ(old.back().members[0], untouched);
+  EXPECT_EQ(wrc_scene_patches(scene.get(), patches.data(), sizeof(OldPatch) - 8, 8, &count),
+            WRC_INVALID_ARGUMENT);
+}
+
+TEST(OldNames, OfRollingContactAreUnderstood) {
+  wrc_rolling* rolling = nullptr;
+  ASSERT_EQ(wrc_rolling_create(&rolling), WRC_OK);
+  const std::vector<double> pressure(16, 100.0);
+  EXPECT_EQ(wrc_rolling_set_grid(rolling, 4, 4, 1.0, 1.0), WRC_OK);
+  EXPECT_EQ(wrc_rolling_set_pressure(rolling, pressure.data(), 16), WRC_OK);
+  EXPECT_EQ(wrc_rolling_set_number(rolling, "longitudinal_creepage", -1e-3), WRC_OK);
+  EXPECT_EQ(wrc_rolling_set_number(rolling, "lateral_creepage", -5e-4), WRC_OK);
+  EXPECT_EQ(wrc_rolling_solve(rolling), WRC_OK);
+  for (const Renamed& name : {Renamed{"longitudinal_force", "creep_force.longitudinal"},
+                              {"lateral_force", "creep_force.lateral"}}) {
+    double old = 0.0;
+    double now = -1.0;
+    EXPECT_EQ(wrc_rolling_number(rolling, name.old, &old), WRC_OK) << name.old;
+    EXPECT_EQ(wrc_rolling_number(rolling, name.now, &now), WRC_OK) << name.now;
+    EXPECT_EQ(old, now);
+    EXPECT_GT(now, 0.0);
+  }
+  double value = 0.0;
+  EXPECT_EQ(wrc_rolling_number(rolling, "force", &value), WRC_UNKNOWN_NAME);
+  EXPECT_FALSE(contains(wrc_rolling_error(rolling), " longitudinal_force"))
+      << "an old name is listed: " << wrc_rolling_error(rolling);
+  wrc_rolling_destroy(rolling);
+}
+
+TEST(OldFunctions, DoWhatTheyDid) {
+  const SolverPointer solver = make_solver();
+  const ScenePointer scene = make_small_scene();
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  const AllResults before(scene.get());
+  for (const std::int32_t profiles : {0, 1}) {
+    EXPECT_EQ(wrc_solver_forget(solver.get(), profiles), WRC_OK);
+    EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+    EXPECT_EQ(AllResults(scene.get()).difference_to(before), "");
+  }
+  EXPECT_EQ(wrc_solver_forget(nullptr, 1), WRC_INVALID_ARGUMENT);
+}
+
+/// Numbers and fields of scenes in which some are zero by symmetry, by the side, or by sign.
+TEST(Results, AreNeverMinusZero) {
+  const auto scene_with = [](Values values) {
+    ScenePointer scene = make_scene();
+    set(scene.get(), {{"solve.accuracy", 1e-2}});
+    solve(scene.get(), values);
+    return scene;
+  };
+  std::vector<ScenePointer> scenes;
+  scenes.push_back(scene_with({{"creepage.spin", 0.0}}));
+  scenes.push_back(scene_with({{"creepage.longitudinal", -0.0}, {"pose.yaw", -0.0}}));
+  scenes.push_back(scene_with({{"solve.model", "hertz"}}));
+  scenes.push_back(scene_with({{"solve.until", "remesh"}}));
+  scenes.push_back(scene_with({{"creepage.longitudinal", 1e-3}}));
+  for (const ScenePointer& scene : scenes) {
+    for (const std::string& name : number_names(scene.get())) {
+      const double value = number_of(scene.get(), name.c_str());
+      EXPECT_FALSE(value == 0.0 && std::signbit(value)) << name;
+    }
+    for (const std::string side : {"left.", "right."}) {
+      for (const char* field : {"x", "y", "pressure", "traction_x", "traction_y", "slip_y"}) {
+        for (const double value : field_of(scene.get(), side + field)) {
+          ASSERT_FALSE(value == 0.0 && std::signbit(value)) << side << field;
+        }
+      }
+    }
+  }
+}
+
+TEST(Table, TakesEachKeyOnce) {
+  const ScenePointer scene = make_small_scene();
+  const std::array<double, 4> values{0.0, 1.0, 2.0, 3.0};
+  const std::array<std::int64_t, 2> counts{2, 2};
+  std::array<double, 4> table{-1.0, -1.0, -1.0, -1.0};
+  expect_error(scene.get(),
+               wrc_scene_tabulate(scene.get(), "pose.lateral pose.lateral", values.data(),
+                                  counts.data(), "left.pmax", 1, nullptr, table.data()),
+               WRC_INVALID_ARGUMENT, "pose.lateral", "twice");
+  EXPECT_EQ(table[0], -1.0);
+}
+
+} // namespace
+} // namespace names_test

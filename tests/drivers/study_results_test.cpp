@@ -1,0 +1,73 @@
+/// Results of studies by name: old names, loads of the file and of the command line.
+#include <algorithm>
+#include <sstream>
+
+#include "run_driver.hpp"
+
+namespace study_results_test {
+namespace {
+
+std::vector<std::string> parts_of(const std::string& text, char end) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, end);) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+class StudyResults : public Driver {
+protected:
+  StudyResults() : Driver(WRC_SWEEP_PROGRAM) {}
+  void solve(const std::string& arguments, const std::string& folder) const {
+    const Outcome outcome = run(arguments + " --out " + folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  }
+  /// An entry of a table by line (0: names) and column name.
+  [[nodiscard]] std::string entry(const std::string& file, std::size_t line,
+                                  const std::string& column) const {
+    const auto lines = parts_of(read(file), '\n');
+    const auto names = parts_of(lines.at(0), ',');
+    const auto found = std::find(names.begin(), names.end(), column);
+    EXPECT_NE(found, names.end()) << column;
+    return parts_of(lines.at(line), ',').at(static_cast<std::size_t>(found - names.begin()));
+  }
+};
+
+/// A study of an earlier version: its columns have the names it asks for.
+TEST_F(StudyResults, OldNamesOfResultsAreUnderstood) {
+  write("s.toml", "[solve]\ngrid = [24, 20]\n[study]\nresults = [\"left.grid.0\", "
+                  "\"left.grid.lateral\", \"right.patches.0.semi_axes.1\", "
+                  "\"right.patches.0.semi_axes.lateral\", \"left.patches.0.closeness\", "
+                  "\"left.moment.x\", \"left.sensitivities.lateral_force.yaw\"]\n");
+  solve("s.toml", "o");
+  EXPECT_EQ(entry("o/s.csv", 1, "left.grid.0"), "24");
+  EXPECT_EQ(entry("o/s.csv", 1, "left.grid.lateral"), "24");
+  EXPECT_EQ(entry("o/s.csv", 1, "right.patches.0.semi_axes.1"),
+            entry("o/s.csv", 1, "right.patches.0.semi_axes.lateral"));
+  EXPECT_EQ(entry("o/s.csv", 1, "left.patches.0.closeness"), "0");
+  EXPECT_NE(entry("o/s.csv", 1, "left.moment.x"), "");
+  EXPECT_NE(entry("o/s.csv", 1, "left.sensitivities.lateral_force.yaw"), "");
+  write("s.toml", "[study]\nresults = [\"left.grid.2\"]\n");
+  const Outcome refused = run("s.toml --out o");
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_NE(refused.error.find("\"left.grid.2\" is unknown"), std::string::npos) << refused.error;
+  const std::string listed = run("--list-results").out;
+  EXPECT_EQ(listed.find("grid.0"), std::string::npos);
+  EXPECT_NE(listed.find("left.grid.lateral"), std::string::npos);
+}
+
+/// A load of all contact forces in the file, one of the pressures on the command line.
+TEST_F(StudyResults, AssignedLoadsReplaceTotalOnes) {
+  write("s.toml", "[load]\ntotal_left = 50000.0\n[motion]\nspeed = 20000.0\n[pose]\nyaw = 0.002\n"
+                  "lateral = 3.0\n[solve]\naccuracy = 1e-2\n[study]\nresults = "
+                  "[\"left.vertical_force\", \"left.pressure_force.z\"]\n");
+  solve("s.toml", "o");
+  EXPECT_NEAR(std::stod(entry("o/s.csv", 1, "left.vertical_force")), 50000.0, 0.05);
+  solve("s.toml --set 'load.vertical=[60000,70000]'", "p");
+  EXPECT_NEAR(std::stod(entry("p/s.csv", 1, "left.pressure_force.z")), 60000.0, 1e-3);
+  EXPECT_NEAR(std::stod(entry("p/s.csv", 2, "left.pressure_force.z")), 70000.0, 1e-3);
+}
+
+} // namespace
+} // namespace study_results_test
