@@ -19,7 +19,8 @@
  * Handles: a handle is a number disguised as a pointer and looked up at each call: one that has
  *          been destroyed, or is of another kind, is rejected with WRC_INVALID_ARGUMENT.
  * Threads: all functions may be called from any thread. A handle serves one call at a time; a
- *          second one meanwhile returns WRC_BUSY. Different handles are independent.
+ *          second one meanwhile returns WRC_BUSY. Different handles are independent. A thread
+ *          needs a stack of 64 kB.
  * Floats:  the caller's rounding mode, traps and flags have no effect and are preserved.
  * Text:    UTF-8, null-terminated. Returned text belongs to the handle and is valid until the
  *          handle is changed or destroyed.
@@ -77,11 +78,11 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
 /**
  * Sets a key of the scene, for example "pose.lateral". wrc_scene_key lists all keys with their
  * defaults and permitted values. Keys of one subject replace each other: the last call applies
- * (load.vertical and load.left, material.poisson and material.wheel.poisson, solve.accuracy and
- * solve.grid). The keys convention.units and convention.frame set the units and frame of numbers
- * passed to and returned by the calls that follow; what was set before keeps its meaning. The key
- * solve.until stops after one of the three modules. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT.
- * Since 0.1.
+ * (load.vertical, load.left and load.total_left, material.poisson and material.wheel.poisson,
+ * solve.accuracy and solve.grid). The keys convention.units and convention.frame set the units and
+ * frame of numbers passed to and returned by the calls that follow; what was set before keeps its
+ * meaning. The key solve.until stops after one of the three modules. WRC_UNKNOWN_NAME,
+ * WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_set_number(wrc_scene* scene, const char* key, double value);
 WRC_API wrc_status wrc_scene_set_text(wrc_scene* scene, const char* key, const char* value);
@@ -158,6 +159,14 @@ WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, con
 /** A text result by name: "model", "units", "left.stop_reason", "left.warnings.0". Since 0.1. */
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**
+ * All warnings of a solved scene, one line each: of its profiles, then of the left and the right
+ * wheel; NULL past the end. Each begins with what it is of: "wheel profile worn.prw: ", "left: ",
+ * "right: patch 1: ". The result warning_count (wrc_scene_number) says how many there are, and
+ * "warning_classes.0" (wrc_scene_text) of which class of docs/warnings.md the first one is. The
+ * texts stay until the scene is solved again; they are put together when they are read. Since 0.3.
+ */
+WRC_API const char* wrc_scene_warning(const wrc_scene* scene, int64_t index);
+/**
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
@@ -196,11 +205,8 @@ WRC_API const char* wrc_solver_error(const wrc_solver* solver);
  * repeatedly, with its pose changed. Since 0.1; the same bits since 0.3.
  */
 WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
-/**
- * With `profiles` not 0 drops everything that is kept, so that profile files are read again; with 0
- * does nothing: since 0.3 there are no positions to forget. Since 0.1.
- */
-WRC_API wrc_status wrc_solver_forget(wrc_solver* solver, int32_t profiles);
+/** Drops everything that is kept, so that profile files are read again. Since 0.3. */
+WRC_API wrc_status wrc_solver_clear(wrc_solver* solver);
 
 /**
  * Solves many scenes (at most 2^24), each by itself as wrc_scene_solve does, on up to `threads`
@@ -229,7 +235,8 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
  *              nothing depends on x and the pitch angle.
  * velocity:    their rates; that of the pitch angle is positive when the axle rolls forward.
  * rails:       displacement of the left rail and of the right one, lateral, vertical, roll each
- *              (track.left.displacement): irregularities. NULL: as in the scene.
+ *              (track.left.displacement): irregularities; they stay in the scene. NULL: as
+ *              in the scene.
  * force:       12 numbers: of the left wheel force x, y, z and moment x, y, z about the wheelset's
  *              centre, then of the right wheel. Zeros without contact.
  * by_position, by_velocity: 72 numbers each, or NULL: derivatives of the left wheel's six by the
@@ -257,7 +264,10 @@ WRC_API wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* 
                                   double* by_positions, double* by_velocities, int32_t* states,
                                   wrc_status* statuses);
 
-/** A contact patch, in the scene's convention. Since 0.3. */
+/**
+ * A contact patch, in the scene's convention. Members are called as results by name, with
+ * underscores for points; those of 0.3 keep their old names, too. Since 0.3.
+ */
 typedef struct wrc_patch {
   double wheel; /**< 0: left, 1: right */
   double x;     /**< contact reference, track frame */
@@ -266,27 +276,45 @@ typedef struct wrc_patch {
   double normal_x; /**< from the rail to the wheel */
   double normal_y;
   double normal_z;
-  double contact_angle;
+  double contact_angle; /**< old name of angle */
   double rolling_radius;
-  double s_wheel; /**< place on the wheel's profile, from the taping line to the field side */
-  double normal_force;
-  double longitudinal_creep_force; /**< on the wheel */
-  double lateral_creep_force;      /**< along the patch's plane */
+  double s_wheel;      /**< place on the wheel's profile, from the taping line to the field side */
+  double normal_force; /**< of the pressures */
+  double longitudinal_creep_force; /**< old name of creep_force_longitudinal */
+  double lateral_creep_force;      /**< old name of creep_force_lateral */
   double spin_moment;
-  double longitudinal_creepage;
-  double lateral_creepage;
-  double spin_creepage;
-  double longitudinal_semi_axis; /**< of the Hertzian ellipse with its second moments of pressure */
-  double lateral_semi_axis;
+  double longitudinal_creepage;  /**< old name of creepage_longitudinal */
+  double lateral_creepage;       /**< old name of creepage_lateral */
+  double spin_creepage;          /**< old name of creepage_spin */
+  double longitudinal_semi_axis; /**< old name of semi_axes_longitudinal */
+  double lateral_semi_axis;      /**< old name of semi_axes_lateral */
   double approach;
-  double largest_pressure;
-  double friction_power; /**< force times length by time */
+  double largest_pressure; /**< old name of pmax */
+  double friction_power;   /**< force times length by time */
+  /* The same by the names of results, and more of these; since 0.3: */
+  double pmax;
+  double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
+  double semi_axes_lateral;
+  double creep_force_longitudinal; /**< on the wheel */
+  double creep_force_lateral;      /**< along the patch's plane */
+  double creepage_longitudinal;
+  double creepage_lateral;
+  double creepage_spin;
+  double angle;              /**< of the plane about x */
+  double longitudinal_force; /**< of the rail on the wheel, creep forces included, track frame */
+  double lateral_force;
+  double vertical_force;
+  double pressure_force_x; /**< the part of it that the pressures make */
+  double pressure_force_y;
+  double pressure_force_z;
+  double coupling_weight; /**< to its closest neighbour */
 } wrc_patch;
 
 /**
  * All patches of a result: those of the left wheel, then of the right one, each wheel's in the
  * order of their places on it from the flange on, which they keep from step to step. Copies at most
- * `capacity` patches and sets *count to their number; struct_size is sizeof(wrc_patch). With
+ * `capacity` patches and sets *count to their number; struct_size is sizeof(wrc_patch), by which
+ * programs compiled with earlier headers get the members that these have. With
  * capacity 0 (patches may be NULL) it only returns the number. WRC_TOO_SMALL if that exceeds a
  * capacity > 0; nothing is copied then. WRC_NO_RESULT. Since 0.3.
  */
@@ -313,7 +341,7 @@ WRC_API wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_
  * A table for programs that cannot afford a solution each step: results over all combinations of
  * values of some keys. The scene and its result stay.
  *
- * keys:    names separated by blanks, "pose.lateral pose.yaw load.vertical".
+ * keys:    names separated by blanks, each once: "pose.lateral pose.yaw load.vertical".
  * values:  those of the first key, then of the second, ...; counts says how many of each.
  * results: names separated by blanks, "left.total.force.y left.patches.0.angle".
  * threads: 1 to 1024; the same bits for any number.
@@ -439,15 +467,6 @@ WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlo
  */
 WRC_API wrc_status wrc_load_wisdom(const char* path);
 WRC_API wrc_status wrc_save_wisdom(const char* path);
-/**
- * The benchmark's yardstick: the median time in ms of `repeats` (1 to 1000) pairs of a real
- * transform of rows x columns values in double precision and its inverse, by FFTW's own
- * two-dimensional transform with estimated plans. Planning and one pair beforehand are not timed.
- * Sizes from 1, at most 2^28 values in all. WRC_INVALID_ARGUMENT, WRC_OUT_OF_MEMORY. Since 0.1.
- */
-WRC_API wrc_status wrc_measure_transform(int64_t rows, int64_t columns, int32_t repeats,
-                                         double* median_ms);
-
 #ifdef __cplusplus
 }
 #endif

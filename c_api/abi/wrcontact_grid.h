@@ -192,7 +192,8 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
 
 /**
  * A scalar result by name:
- *   "longitudinal_force", "lateral_force"  N
+ *   "creep_force.longitudinal", "creep_force.lateral"
+ *                                   N; "longitudinal_force", "lateral_force" are their old names
  *   "spin_moment"                   N mm, about the origin
  *   "slip_area", "adhesion_area"    mm^2, counted in elements
  *   "friction_power"                lost to friction, over the speed, N: -(force and moment times

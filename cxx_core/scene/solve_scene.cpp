@@ -183,7 +183,8 @@ void solve_creep_forces_of(const Scene& scene, const WheelLoads& loads, RollingS
 void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
                            SceneResult& result) {
   const Stopwatch watch;
-  for (DrivenWheel& driven : driven_wheels(scene, result)) {
+  std::vector<DrivenWheel> wheels = driven_wheels(scene, result);
+  for (DrivenWheel& driven : wheels) {
     const bool moving = driven.request.motion.has_value();
     if (moving) {
       driven.request.motion->pitch = result.pitch;
@@ -202,7 +203,7 @@ void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingS
            "is the one with the least"});
     }
   }
-  result.time.rolling += watch.milliseconds();
+  result.time.rolling += wheels.empty() ? 0.0 : watch.milliseconds();
 }
 
 /// What all contact forces of the wheels carry.

@@ -1,5 +1,6 @@
 #include "wheel/creep_elements.hpp"
 
+#include "wheel/constants.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {
@@ -17,23 +18,23 @@ namespace {
 CreepGrid grid_within(const PatchResult& patch, const SmoothPressure& pressure,
                       const CreepRequest& request, double limit) {
   const PatchPressures pressures{patch.grid, patch.pressure, pressure};
-  CreepGrid chosen = creep_grid(pressures, request.accuracy, limit);
   if (!unlike_bodies(request)) {
-    return chosen;
+    return creep_grid(pressures, request.accuracy, limit);
   }
-  const auto extended = [&] {
+  // Counted by what they cost beside those of like bodies; returned is how many times as many.
+  const auto extend = [&](CreepGrid& chosen) {
     const double inner = static_cast<double>(chosen.grid.element_count());
     chosen.grid = extended_to(chosen.grid, patch.grid);
-    return static_cast<double>(chosen.grid.element_count()) / inner;
+    return cost_of_unlike_bodies * static_cast<double>(chosen.grid.element_count()) / inner;
   };
-  const double growth = extended();
-  chosen.wanted *= growth;
-  if (chosen.wanted > limit) {
-    const double wanted = chosen.wanted;
-    chosen = creep_grid(pressures, request.accuracy, limit / growth);
-    extended();
-    chosen.wanted = wanted;
+  CreepGrid chosen = creep_grid(pressures, request.accuracy, limit);
+  const double times = extend(chosen);
+  const double wanted = times * chosen.wanted;
+  if (wanted > limit) {
+    chosen = creep_grid(pressures, request.accuracy, limit / times);
+    extend(chosen);
   }
+  chosen.wanted = wanted;
   return chosen;
 }
 

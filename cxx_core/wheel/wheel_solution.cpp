@@ -30,6 +30,14 @@ std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
   return pressure;
 }
 
+double element_count(const GridSolution& solution) {
+  double count = 0.0;
+  for (const Patch& patch : solution.patches) {
+    count += static_cast<double>(patch.grid.element_count());
+  }
+  return count;
+}
+
 class WheelSolver {
 public:
   WheelSolver(const WheelSurface& wheel, const RailSurface& rail,
@@ -77,7 +85,7 @@ private:
   AccuracyGoal goal_;
   std::optional<GridSolution> patches_; ///< at the depth asked for last
   double ridge_error_ = 0.0;
-  double elements_wanted_ = 0.0; ///< by the grids sampled last, without their limit
+  double elements_wanted_ = 0.0; ///< most that grids would have without their limit
   WheelSolution result_;
 };
 
@@ -121,7 +129,8 @@ GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
 GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
   GridSolution solution = patches_at(depth);
-  elements_wanted_ = set_grids(solution, rail_, grids, request_.element_limit);
+  const double wanted = set_grids(solution, rail_, grids, request_.element_limit);
+  elements_wanted_ = std::max(elements_wanted_, wanted);
   const PosedPair pair = posed(depth);
   for (Patch& patch : solution.patches) {
     patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
@@ -156,6 +165,10 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     problem.rounding_share = max_rounding * request_.accuracy / tolerance;
   }
   problem.maximum_iterations = request_.maximum_iterations;
+  if (!request_.grid) {
+    const auto affordable = static_cast<int>(most_work / element_count(solution));
+    problem.maximum_iterations = std::min(problem.maximum_iterations, affordable);
+  }
   problem.elements = request_.elements;
   problem.interaction = solution.interaction ? &*solution.interaction : nullptr;
   ++result_.solutions;
@@ -313,7 +326,9 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
     result_.error_estimate = error.total();
     ridge_error_ = error.ridge;
     // Forces stay as they are: a second grid would be no continuous function of the scene.
-    if (error.reducible() <= request_.accuracy || request_.grid || finer || of_forces) {
+    // More elements than the limit permits are not to be had.
+    if (error.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
+        elements_wanted_ > request_.element_limit) {
       return solution;
     }
     grids = GridChoice(finer_elements(solution, error, goal_));
@@ -413,6 +428,7 @@ WheelSolution WheelSolver::solve() {
   }
   GridSolution solution = solve_finally(depth, follows, std::move(coarse));
   warn_of_solution(solution, request_, wheel_.radius(), ridge_error_, result_);
+  warn_of_limit();
   publish(std::move(solution));
   warn_of_patches(request_, result_);
   return std::move(result_);

@@ -1,8 +1,8 @@
 /// What is said of a wheel's solution where it cannot be trusted.
 ///
 /// Where a wheel has several patches, a warning of one of them begins with its number in the
-/// results: "patch 1: ", "patch 0, part 1: ". Rounding and depths that do not settle are told in
-/// depth_checks.hpp, creep forces in creep_forces.hpp. Units mm, MPa, rad. Thread rule: pure
+/// results: "patch 1: ", "patch 0, part 1: ". Warnings of rounding and of depths that do not settle
+/// are in depth_checks.hpp, creep forces in creep_forces.hpp. Units mm, MPa, rad. Thread rule: pure
 /// functions.
 #pragma once
 

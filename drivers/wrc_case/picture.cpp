@@ -25,11 +25,22 @@ std::string force_text(double newtons) {
   return fixed(value, decimals) + (thousands ? " kN" : " N");
 }
 
+/// At most 190 bytes and three points, whole letters of UTF-8.
+std::string shortened(const std::string& text) {
+  std::size_t length = 190;
+  if (text.size() <= length) {
+    return text;
+  }
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+    --length;
+  }
+  return text.substr(0, length) + "...";
+}
+
 /// Warnings as lines of text at the lower end of the picture, and the room for them.
 struct WarningNote {
   explicit WarningNote(std::vector<std::string> warnings) {
     constexpr std::size_t most_lines = 4;
-    constexpr std::size_t most_letters = 190;
     const std::size_t count = warnings.size();
     if (count > most_lines) {
       warnings.resize(most_lines - 1);
@@ -39,12 +50,10 @@ struct WarningNote {
     int from_below = lines;
     for (const std::string& warning : warnings) {
       --from_below;
-      const std::string line = one_line(warning);
-      labels +=
-          "set label " + std::to_string(first_label + from_below) + ' ' +
-          gnuplot_text(line.size() > most_letters ? line.substr(0, most_letters) + "..." : line) +
-          " at screen 0.006,character " + general(0.8 + line_height * from_below) +
-          " left font ',9' tc rgb '#b00000' front\n";
+      labels += "set label " + std::to_string(first_label + from_below) + ' ' +
+                gnuplot_text(shortened(one_line(warning))) + " at screen 0.006,character " +
+                general(0.8 + line_height * from_below) +
+                " left font ',9' tc rgb '#b00000' front\n";
     }
   }
   /// Before the first plot of the last row.

@@ -222,7 +222,7 @@ int main(int argc, char** argv) {
   app.add_flag("--restart", options.restart, "drop the rows of an interrupted run");
   app.add_flag("--progress", options.progress, "show progress even if stderr is no terminal");
   app.add_flag("--quiet", options.quiet,
-               "neither progress nor what was written; warnings are told");
+               "neither progress nor what was written; warnings are shown");
   app.add_flag("--no-pictures", options.no_pictures, "tables only");
   app.add_flag("--list-results", options.list_results, "print the names a study may ask for");
   app.footer(footer);

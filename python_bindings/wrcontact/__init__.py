@@ -11,8 +11,9 @@ docs/results.md the results, docs/python.md shows the rest. Importing prints not
 here ends the program: failures raise a wrcontact.Error.
 """
 from ._library import lib as _lib, string as _string
-from .errors import (Busy, ContactWarning, Error, FileMalformed, FileUnreadable, InternalError, InvalidArgument,
-                     NoContact, NoResult, NotConverged, OutOfMemory, TooSmall, UnknownName)
+from .errors import (Busy, ContactWarning, Error, FileMalformed, FileUnreadable, InternalError,
+                     InvalidArgument, NoContact, NoResult, NotConverged, OutOfMemory, TooSmall,
+                     UnknownName)
 from .grid import NormalContact, RollingContact
 from .profile import Profile, ProfilePoint, standard_profiles
 from .result import Group, Result
@@ -22,8 +23,9 @@ from .study import study
 
 __version__: str = _string(_lib.wrc_version())
 __all__ = [
-    "Busy", "ContactWarning", "Error", "FileMalformed", "FileUnreadable", "Group", "InternalError", "InvalidArgument",
-    "Key", "NoContact", "NoResult", "NormalContact", "NotConverged", "OutOfMemory", "Profile",
-    "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step", "TooSmall", "UnknownName",
-    "key_of", "keys", "solve", "solve_batch", "standard_profiles", "study",
+    "Busy", "ContactWarning", "Error", "FileMalformed", "FileUnreadable", "Group", "InternalError",
+    "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
+    "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
+    "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",
+    "study",
 ]

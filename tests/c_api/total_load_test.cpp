@@ -117,7 +117,8 @@ TEST(TotalLoad, GivesForcesWithoutJumps) {
     forces.push_back(number_of(scene.get(), "left.pressure_force.y"));
   }
   for (std::size_t i = 1; i + 1 < forces.size(); ++i) {
-    EXPECT_LE(std::abs(forces[i + 1] - 2.0 * forces[i] + forces[i - 1]), total_tolerance * 80e3) << i;
+    EXPECT_LE(std::abs(forces[i + 1] - 2.0 * forces[i] + forces[i - 1]), total_tolerance * 80e3)
+        << i;
   }
 }
 

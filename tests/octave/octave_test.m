@@ -23,9 +23,9 @@
 %! endfor
 %! assert (compared > 150);
 %! p = r.left.patches(1);
-%! assert (size (p.fields.pressure), [p.grid(2), p.grid(1)]);
+%! assert (size (p.fields.pressure), [p.grid.longitudinal, p.grid.lateral]);
 %! assert (num2hex (p.fields.pressure(:)), expected ('=pressure'));
-%! assert (size (p.fields.traction_x), [p.creep_grid(2), p.creep_grid(1)]);
+%! assert (size (p.fields.traction_x), [p.creep_grid.longitudinal, p.creep_grid.lateral]);
 %! assert (any (p.fields.traction_x(:) < 0));
 %! assert (all (diff (p.fields.x(:, 1)) > 0)); # columns go forwards
 %! assert (r.left.stop_reason, 'tolerance_met');
@@ -46,7 +46,7 @@
 %!                    'pose.roll', 0, 'load.vertical', 1e4);
 %! parts = lobes.right.patches(1).parts;
 %! assert (sum ([parts.normal_force]), lobes.right.patches(1).normal_force, -1e-3);
-%! assert (size (parts(2).fields.pressure), fliplr (parts(2).grid));
+%! assert (size (parts(2).fields.pressure), [parts(2).grid.longitudinal, parts(2).grid.lateral]);
 %! none = wrc_solve (scene, 'fields', '');
 %! assert (isfield (none.left, 'patches') && ! isfield (none.left.patches, 'fields'));
 %! gaps = wrc_solve (scene, 'fields', 'undeformed_distance displacement');

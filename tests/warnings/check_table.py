@@ -99,7 +99,7 @@ def from_case(name, keys, folder):
     if any(of_wheel in row["warnings"].split(" | ") for row in rows):
         found.add("--csv")
     picture = html.unescape(re.sub("<[^>]*>", "", (folder / "case.svg").read_text(encoding="utf-8")))
-    if squeezed(text[:150]) in squeezed(picture):
+    if squeezed(text[:150]).replace("'", "’") in squeezed(picture):  # as gnuplot draws it
         found.add("--plot")
     if "wheelset.wheel" in keys and name.startswith("profile_") and not side:
         printed = run(BIN / "wrc_profile", keys["wheelset.wheel"], folder=folder).stdout
@@ -222,7 +222,7 @@ def main():
             cells[name] |= from_python(scenes[name], text)
             cells[name] |= {way for way, found in outputs.items() if text in found.get(name, ())}
             if not arguments.octave:
-                row = re.search(rf"^\| `{name}` \|.*\| (\S+) \|$", page, re.M)
+                row = re.search(rf"^\| `{name}` \|.*\| (\S+) \|$", page.partition(BEGIN)[2], re.M)
                 cells[name] |= {"Octave"} if row and row.group(1) == "yes" else set()
     if not arguments.octave:
         print("Octave is not part of this build: its column is that of the page")

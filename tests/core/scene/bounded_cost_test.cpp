@@ -18,8 +18,8 @@ constexpr double whole_rows = 1.1;
 constexpr double unlimited = 67108864.0;
 
 bool warns(const WheelResult& wheel, const std::string& words) {
-  return std::ranges::any_of(wheel.warnings, [&](const std::string& text) {
-    return text.find(words) != std::string::npos;
+  return std::ranges::any_of(wheel.warnings, [&](const Warning& warning) {
+    return warning.text.find(words) != std::string::npos;
   });
 }
 
