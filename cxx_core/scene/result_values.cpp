@@ -129,8 +129,7 @@ bool has_creep_derivatives(const WheelResult& side) {
   });
 }
 
-void add_side_names(std::vector<std::string>& names, const std::string& prefix,
-                    const WheelResult& side) {
+void add_side_names(std::vector<std::string>& names, const std::string& prefix, WheelResult& side) {
   add_names(names, prefix + "rigid_contact.", touch_numbers);
   for (std::size_t i = 0; i < side.near_contacts.size(); ++i) {
     add_names(names, prefix + "near_contacts." + std::to_string(i) + '.', touch_numbers);
@@ -144,7 +143,11 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix,
   if (side.solved) {
     add_names(names, prefix + "residuals.", residual_numbers);
   }
-  if (side.solved && !side.patches.empty() && !side.validity) {
+  // Of solutions that have not converged they may be no numbers; others are not computed for a
+  // name.
+  const bool converged = side.stop_reason == StopReason::tolerance_met;
+  if (side.solved && !side.patches.empty() && !side.validity &&
+      (converged || sensitivities_of(side) != nullptr)) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
   }
@@ -168,7 +171,7 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
 
 } // namespace
 
-std::vector<std::string> number_names(const SceneResult& result) {
+std::vector<std::string> number_names(SceneResult& result) {
   std::vector<std::string> names;
   add_names(names, "", scene_numbers, &result);
   if (result.left) {

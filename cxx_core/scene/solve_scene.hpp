@@ -83,7 +83,7 @@ private:
 };
 
 /// All scalar results by name ("left.pmax", "left.patches.0.angle", ...), in a fixed order.
-std::vector<std::string> number_names(const SceneResult& result);
+std::vector<std::string> number_names(SceneResult& result);
 /// One of them; not-a-number, or none, if the result has no such number. Residuals and
 /// sensitivities are computed when first requested, contact areas and regions each time.
 double number_value(SceneResult& result, const NumberId& id, const Convention& convention = {});

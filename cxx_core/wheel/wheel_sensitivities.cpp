@@ -228,6 +228,15 @@ WheelRates compute_rates(const WheelResult& side) {
   return result;
 }
 
+bool is_finite(const ForceRates& rates) {
+  const auto finite = [](const Vector3& vector) {
+    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+  };
+  const std::array all{rates.lateral, rates.vertical, rates.roll, rates.yaw};
+  return std::ranges::all_of(
+      all, [&](const WheelForce& rate) { return finite(rate.force) && finite(rate.moment); });
+}
+
 } // namespace
 
 const WheelRates* sensitivities_of(WheelResult& side) {
@@ -237,7 +246,7 @@ const WheelRates* sensitivities_of(WheelResult& side) {
   if (!side.sensitivities) {
     side.sensitivities = compute_rates(side);
   }
-  return &*side.sensitivities;
+  return is_finite(side.sensitivities->force) ? &*side.sensitivities : nullptr;
 }
 
 } // namespace wrc

@@ -15,7 +15,8 @@
 
 namespace wrc {
 
-/// Computed once; none without contact, nor for an approximate model.
+/// Computed once; none without contact, for an approximate model, or where a solution that has not
+/// settled gives no numbers.
 const WheelRates* sensitivities_of(WheelResult& side);
 
 } // namespace wrc
