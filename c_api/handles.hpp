@@ -96,6 +96,8 @@ struct RollingObject {
   }
 
   std::vector<double> pressure;
+  std::vector<double> slip_x; ///< of each element, in addition to creepages; empty: none
+  std::vector<double> slip_y;
   std::vector<double> previous_x; ///< tractions before a step or a shift; empty: none
   std::vector<double> previous_y;
   RollingProblem problem; ///< its spans are set at each solve

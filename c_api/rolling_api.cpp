@@ -16,6 +16,7 @@ using wrc::RollingSolution;
 constexpr const char* rolling_contact = "rolling contact";
 /// MPa; forces on any grid, and their power, remain finite numbers.
 constexpr double largest_pressure = 1e30;
+constexpr double largest_slip = 1e30;
 
 constexpr auto rolling_number_keys = std::to_array<wrc::NumberKey<RollingProblem>>({
     {"shear_modulus", 1e-30, 1e30, "allowed is 1e-30 to 1e30 MPa",
@@ -158,6 +159,23 @@ wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values, 
   });
 }
 
+wrc_status wrc_rolling_set_slip(wrc_rolling* rolling, const double* slip_x, const double* slip_y,
+                                int64_t count) {
+  return wrc::guard(rolling, [&](RollingObject& object) {
+    std::vector<double> x;
+    std::vector<double> y;
+    if (count != 0) {
+      const auto permitted = [](double slip) { return std::abs(slip) <= largest_slip; };
+      const char* allowed = "allowed is -1e30 to 1e30";
+      x = wrc::copied("slip_x", slip_x, count, permitted, allowed);
+      y = wrc::copied("slip_y", slip_y, count, permitted, allowed);
+    }
+    object.slip_x.swap(x);
+    object.slip_y.swap(y);
+    return WRC_OK;
+  });
+}
+
 wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
                                     const double* traction_y, int64_t count) {
   return wrc::guard(rolling, [&](RollingObject& object) {
@@ -202,6 +220,8 @@ wrc_status wrc_rolling_solve(wrc_rolling* rolling) {
     }
     RollingProblem problem = object.problem;
     problem.pressure = object.pressure;
+    problem.slip_x = object.slip_x;
+    problem.slip_y = object.slip_y;
     if (problem.motion != wrc::TangentialMotion::rolling) {
       problem.previous_x = object.previous_x;
       problem.previous_y = object.previous_y;

@@ -69,8 +69,9 @@ module wrcontact
     integer :: kind = 0
     integer :: references = 0
     !> Of a normal or rolling contact: elements along and across the rail, and those when it was
-    !> last solved; shapes of distances or pressures and of previous tractions, if of rank 2 (else 0).
-    integer(c_int64_t) :: grid(2) = 0, solved(2) = 0, given(2) = 0, previous(2) = 0
+    !> last solved; shapes of distances or pressures, slips and previous tractions, if of rank 2 (else 0).
+    integer(c_int64_t) :: grid(2) = 0, solved(2) = 0, given(2) = 0, slip(2) = 0, &
+      previous(2) = 0
     !> Of a rolling contact: whether it needs previous tractions.
     logical :: in_steps = .false.
   end type shared_handle
@@ -246,6 +247,9 @@ module wrcontact
     !> set_pressure(values): of rank 1, longitudinal index fastest, or of rank 2, shaped
     !> (longitudinal, lateral).
     generic :: set_pressure => set_pressure_1, set_pressure_2
+    !> set_slip(slip_x, slip_y): rigid slip of each element in addition to that of the creepages, of
+    !> either rank; without them: there is none.
+    generic :: set_slip => set_slip_1, set_slip_2
     !> set_previous(traction_x, traction_y): tractions before a step or a shift, of either rank;
     !> without them: there are none.
     generic :: set_previous => set_previous_1, set_previous_2
@@ -260,6 +264,8 @@ module wrcontact
     generic :: assignment(=) => share
     procedure, private :: set_pressure_1 => rolling_set_pressure_1
     procedure, private :: set_pressure_2 => rolling_set_pressure_2
+    procedure, private :: set_slip_1 => rolling_set_slip_1
+    procedure, private :: set_slip_2 => rolling_set_slip_2
     procedure, private :: set_previous_1 => rolling_set_previous_1
     procedure, private :: set_previous_2 => rolling_set_previous_2
     procedure, private :: set_number => rolling_set_number

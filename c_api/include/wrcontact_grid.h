@@ -135,6 +135,14 @@ WRC_API wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_co
 WRC_API wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values,
                                             int64_t count);
 /**
+ * The rigid slip of each element, wheel minus rail over the speed (a shift: mm), -1e30 to 1e30, in
+ * addition to that of the creepages; `count` values each on the grid of the pressures, which are
+ * copied. Creepages of 0 leave this slip alone. With count 0 there is none, as at first.
+ * WRC_INVALID_ARGUMENT. Since 0.3.
+ */
+WRC_API wrc_status wrc_rolling_set_slip(wrc_rolling* rolling, const double* slip_x,
+                                        const double* slip_y, int64_t count);
+/**
  * The tractions before a step or a shift ("contact" below), -1e30 to 1e30 MPa on the wheel,
  * `count` values each on the grid of the pressures, which moves with the contact; they are copied.
  * They stay until they are replaced, and steady rolling does not use them. With count 0 there are

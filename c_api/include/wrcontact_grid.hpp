@@ -55,6 +55,14 @@ public:
     check(wrc_rolling_set_pressure(handle(), values.data(),
                                    static_cast<std::int64_t>(values.size())));
   }
+  /// Rigid slip of each element in addition to that of the creepages; both empty: none. Since 0.3.
+  void set_slip(const std::vector<double>& slip_x, const std::vector<double>& slip_y) {
+    if (slip_x.size() != slip_y.size()) {
+      throw Error(WRC_INVALID_ARGUMENT, "slip_x and slip_y differ in length");
+    }
+    check(wrc_rolling_set_slip(handle(), slip_x.data(), slip_y.data(),
+                               static_cast<std::int64_t>(slip_x.size())));
+  }
   /// Both empty: none.
   void set_previous(const std::vector<double>& traction_x, const std::vector<double>& traction_y) {
     if (traction_x.size() != traction_y.size()) {

@@ -48,24 +48,20 @@ class StripFields {
 public:
   StripFields(const RollingProblem& problem, const Flexibilities& flexibilities)
       : grid_(problem.grid), rows_(grid_.longitudinal_count), pitch_(grid_.lateral_count),
-        count_(rows_ * pitch_), values_(6 * count_ + 4 * pitch_) {
-    const Creepages& w = problem.creepages;
+        count_(rows_ * pitch_), values_(7 * count_ + 3 * pitch_) {
     for (std::size_t strip = 0; strip < pitch_; ++strip) {
       fill_strip(problem, flexibilities, strip);
-      values_[6 * count_ + strip] = grid_.longitudinal_step *
-                                    (w.longitudinal - w.spin * grid_.lateral(strip)) /
-                                    flexibilities.longitudinal;
     }
-    turning_ = grid_.longitudinal_step * w.spin / flexibilities.spin;
+    turning_ = grid_.longitudinal_step * problem.creepages.spin / flexibilities.spin;
   }
 
   void march() {
     double* const fields = values_.data();
     double* const change_x = fields + 6 * count_;
+    double* const state = fields + 7 * count_;
     march_elements(
         {rows_, pitch_, fields, change_x, fields + count_, -grid_.longitudinal_step * turning_},
-        fields + 2 * count_, fields + 3 * count_, fields + 4 * count_, fields + 5 * count_,
-        change_x + pitch_);
+        fields + 2 * count_, fields + 3 * count_, fields + 4 * count_, fields + 5 * count_, state);
   }
 
   /// Tractions, and slips from what was cut of them.
@@ -91,6 +87,8 @@ private:
                   std::size_t strip) {
     const double* const pressure = problem.pressure.data() + strip * rows_;
     const double step = grid_.longitudinal_step;
+    const Creepages& w = problem.creepages;
+    const double along = step * (w.longitudinal - w.spin * grid_.lateral(strip));
     for (std::size_t end = rows_; end > 0; --end) {
       std::size_t first = end;
       while (first > 0 && pressure[first - 1] > 0.0) {
@@ -100,14 +98,19 @@ private:
         continue;
       }
       const double middle = 0.5 * (grid_.longitudinal(first) + grid_.longitudinal(end - 1));
-      const double creepage =
-          problem.creepages.lateral + problem.creepages.spin * (middle + flexibilities.spin_lead);
+      const double creepage = w.lateral + w.spin * (middle + flexibilities.spin_lead);
       for (std::size_t i = first; i < end; ++i) {
         const std::size_t at = (rows_ - 1 - i) * pitch_ + strip;
         values_[at] = problem.friction * pressure[i];
         values_[count_ + at] =
             step * (creepage / flexibilities.lateral +
-                    problem.creepages.spin * (grid_.longitudinal(i) - middle) / flexibilities.spin);
+                    w.spin * (grid_.longitudinal(i) - middle) / flexibilities.spin);
+        values_[6 * count_ + at] = along / flexibilities.longitudinal;
+        if (!problem.slip_x.empty()) {
+          const std::size_t from = strip * rows_ + i;
+          values_[count_ + at] += step * problem.slip_y[from] / flexibilities.lateral;
+          values_[6 * count_ + at] += step * problem.slip_x[from] / flexibilities.longitudinal;
+        }
       }
       end = first + 1;
     }
@@ -117,7 +120,7 @@ private:
   std::size_t rows_;
   std::size_t pitch_;
   std::size_t count_;
-  /// Bound, change of y, tractions and cuts in x and y; then change of x and the march's state.
+  /// Bound, change of y, tractions and cuts in x and y, change of x; then the march's state.
   std::vector<double> values_;
   double turning_ = 0.0; ///< change of the change of y over a step, over the step
 };

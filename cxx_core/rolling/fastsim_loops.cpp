@@ -78,7 +78,7 @@ WRC_VECTOR_CLONES void march_elements(const MarchedElements& elements, double* t
       // The middle of a step lies half a step upstream of its end.
       const double change_y =
           part * (elements.change_y[first + j] - 0.5 * part * elements.change_y_by_row);
-      const double tx = qx[j] - part * elements.change_x[j];
+      const double tx = qx[j] - part * elements.change_x[first + j];
       const double ty = qy[j] - change_y;
       const bool inside = bound > 0.0;
       const double factor = factor_within(tx * tx + ty * ty, bound);

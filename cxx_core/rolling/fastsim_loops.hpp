@@ -41,8 +41,8 @@ struct MarchedElements {
   std::size_t rows = 0;             ///< elements along a strip, from the leading edge downstream
   std::size_t pitch = 0;            ///< strips
   const double* bound = nullptr;    ///< g, rows times pitch; 0 outside the contact
-  const double* change_x = nullptr; ///< of the traction over one element in adhesion, per strip
-  const double* change_y = nullptr; ///< likewise about each element's centre, rows times pitch
+  const double* change_x = nullptr; ///< of the traction over one element in adhesion, likewise
+  const double* change_y = nullptr; ///< likewise about each element's centre
   double change_y_by_row = 0.0;     ///< what it grows by from row to row
 };
 

@@ -46,7 +46,7 @@ public:
     convolution.apply(q, q + size, by_aspect_.data(), by_aspect_.data() + size, workspace);
   }
 
-  std::array<double, 3> forces_by(const ProblemRate& rate) {
+  std::array<double, 4> forces_by(const ProblemRate& rate) {
     const Grid& grid = problem_.grid;
     const std::size_t size = solved_.size();
     const Real* q = solved_.traction();
@@ -68,10 +68,14 @@ public:
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
       slip[at] += static_cast<Real>(-spin * element.by_y);
       slip[size + at] += static_cast<Real>(spin * (element.by_x + ahead));
+      if (!rate.slip_x.empty()) {
+        slip[at] += static_cast<Real>(rate.slip_x[element.index] / scaled_.slip_scale());
+        slip[size + at] += static_cast<Real>(rate.slip_y[element.index] / scaled_.slip_scale());
+      }
     });
     add_moving_edges(rate, slip);
     const Real* turning = solved_.solve_rate(slip, rate_tolerance);
-    std::array<double, 3> forces{};
+    std::array<double, 4> forces{};
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
       const double growth = longitudinal + lateral - ratio_growth(rate, at, element.index);
       const double mean = scaled_.mean_share(element.index, static_cast<double>(bound[at]));
@@ -85,6 +89,13 @@ public:
       forces[1] += y;
       forces[2] += element.x * y + mean * element.by_x * static_cast<double>(q[size + at]) -
                    element.lever * x - mean * element.by_lever * static_cast<double>(q[at]);
+      if (!rate.weight_x.empty()) {
+        forces[3] += mean * (rate.weight_x[element.index] * static_cast<double>(q[at]) +
+                             rate.weight_y[element.index] * static_cast<double>(q[size + at]));
+      }
+      if (!problem_.weight_x.empty()) {
+        forces[3] += problem_.weight_x[element.index] * x + problem_.weight_y[element.index] * y;
+      }
     });
     for (double& force : forces) {
       force *= scaled_.bound() * grid.element_area();
@@ -153,10 +164,10 @@ private:
 } // namespace
 
 template <typename Real>
-std::vector<std::array<double, 3>> rates_of_forces(const RollingProblem& problem,
+std::vector<std::array<double, 4>> rates_of_forces(const RollingProblem& problem,
                                                    const ScaledTractions& scaled,
                                                    TractionNewton<Real>& solved, LinePlans& plans) {
-  std::vector<std::array<double, 3>> forces;
+  std::vector<std::array<double, 4>> forces;
   if (!problem.rates.empty()) {
     Rates<Real> rates(problem, scaled, solved, plans);
     for (const ProblemRate& rate : problem.rates) {
@@ -166,9 +177,9 @@ std::vector<std::array<double, 3>> rates_of_forces(const RollingProblem& problem
   return forces;
 }
 
-template std::vector<std::array<double, 3>>
+template std::vector<std::array<double, 4>>
 rates_of_forces(const RollingProblem&, const ScaledTractions&, TractionNewton<float>&, LinePlans&);
-template std::vector<std::array<double, 3>>
+template std::vector<std::array<double, 4>>
 rates_of_forces(const RollingProblem&, const ScaledTractions&, TractionNewton<double>&, LinePlans&);
 
 } // namespace wrc

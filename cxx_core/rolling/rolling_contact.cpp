@@ -162,12 +162,13 @@ struct RollingSolver::State {
     scaled.read_back(level.traction(), level.slip(), level.bound(), level.pitch(), solution);
     for (std::size_t creepage = 0; problem.derivatives && creepage < 3; ++creepage) {
       scaled.fill_slip_rate(creepage, level.rigid_slip(), level.pitch());
-      const std::array<double, 3> rates =
+      const std::array<double, 4> rates =
           scaled.force_rates(creepage, level.solve_rate(level.rigid_slip(), rate_tolerance),
                              level.bound(), level.pitch());
       for (std::size_t force = 0; force < 3; ++force) {
         solution.by_creepage[3 * force + creepage] = rates[force];
       }
+      solution.weighted_by_creepage[creepage] = rates[3];
     }
     solution.by_rate = rates_of_forces(problem, scaled, level, *plans);
     return outcome;
@@ -212,7 +213,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     solution.normal_displacement =
         normal_displacement(problem, solution.traction_x, solution.traction_y, *state_->plans);
   }
-  sum_up(problem, scaled.power_of_given_slip(solution), solution);
+  sum_up(problem, scaled.power_by_pressure(solution), solution);
   return solution;
 }
 

@@ -3,6 +3,7 @@
 /// Steady rolling in +x: with u = A q the displacement of body 1 (wheel) relative to body 2 (rail)
 /// under the tractions q on body 1,
 ///   s = w - du/dx,  w = (xi - phi y, eta + phi x)         slip and rigid slip over the speed
+/// and, where it is given, a rigid slip of each element in addition;
 ///   |q| <= g = mu p;  s = 0 where |q| < g;  q = -g s/|s| where s is not 0
 /// (Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, ch. 1 and 5). A step of
 /// transient rolling, by one element h, has s = w + (u(x) - u'(x + h))/h with u' the displacement
@@ -48,7 +49,8 @@ enum class SlipDifference {
   first_order ///< one element upstream, as CONTACT (Vollebregt) does: for comparison
 };
 
-/// How a problem changes with something: elements, which move with the grid, and their pressures.
+/// How a problem changes with something: elements, which move with the grid, their pressures and
+/// the slip given for each.
 struct ProblemRate {
   double longitudinal_first = 0.0; ///< mm, as the others
   double longitudinal_step = 0.0;
@@ -56,6 +58,10 @@ struct ProblemRate {
   double lateral_step = 0.0;
   std::vector<double> pressure{}; ///< MPa per element; without effect where there is none
   std::vector<double> covered{};  ///< share per element; empty: the edge stays in its element
+  std::vector<double> slip_x{};   ///< of the slip given for each element; empty: it stays
+  std::vector<double> slip_y{};
+  std::vector<double> weight_x{}; ///< of the weights of each element; empty: they stay
+  std::vector<double> weight_y{};
 };
 
 struct RollingProblem {
@@ -72,6 +78,13 @@ struct RollingProblem {
   /// only.
   double difference_parameter = 0.0;
   Creepages creepages;
+  /// Rigid slip of each element in addition to that of the creepages, over the speed (a shift: mm);
+  /// empty: none.
+  std::span<const double> slip_x;
+  std::span<const double> slip_y;
+  /// Weights of each element in RollingSolution::weighted_force; empty: none.
+  std::span<const double> weight_x;
+  std::span<const double> weight_y;
   /// Tractions before a step or a shift, MPa per element of the same grid, which moves with the
   /// contact; empty: none.
   std::span<const double> previous_x;
@@ -97,15 +110,20 @@ struct RollingSolution {
   double spin_moment = 0.0;        ///< N mm about the origin
   /// On request: derivatives of Fx, Fy (N) and Mz (N mm) by xi, eta and phi (1/mm), row by row
   /// (dFx/dxi, dFx/deta, ...), from the equations as linearised at the solution; else 0. Of a shift
-  /// by mm and rad. Those by friction follow for like bodies, since F is homogeneous in mu and the
-  /// creepages: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi.
+  /// by mm and rad. Those by friction follow for like bodies, since F is homogeneous in mu and
+  /// slips: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi, and less the derivative by a
+  /// common factor of the slip given for each element.
   std::array<double, 9> by_creepage{};
-  /// Of Fx, Fy (N) and Mz (N mm) by each of the problem's rates, in the same way.
-  std::vector<std::array<double, 3>> by_rate;
+  double weighted_force = 0.0;                  ///< sum of tractions times the problem's weights, N
+  std::array<double, 3> weighted_by_creepage{}; ///< likewise on request
+  /// Of Fx, Fy (N), Mz (N mm) and the weighted force by each of the problem's rates, in the same
+  /// way.
+  std::vector<std::array<double, 4>> by_rate;
   double slip_area = 0.0;     ///< mm^2
   double adhesion_area = 0.0; ///< mm^2
   /// -F.w in N: frictional power over the speed, exact for steady rolling, where the elastic energy
-  /// does not change (docs/creep.md); of unlike bodies with what pressures add to w.
+  /// does not change (docs/creep.md); with that of the slip given for each element, and of unlike
+  /// bodies with what pressures add to w.
   double friction_power = 0.0;
   double power_of_pressures = 0.0; ///< of it what pressures of unlike bodies add, N
   double numerical_loss = 0.0;     ///< share of it that slip times traction does not show

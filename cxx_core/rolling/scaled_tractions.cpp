@@ -55,6 +55,9 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
   if (problem.difference_parameter != 0.0) {
     take_in_pressure(plans);
   }
+  if (!problem.slip_x.empty()) {
+    take_in_slip();
+  }
   limit_slip();
 }
 
@@ -159,6 +162,19 @@ void ScaledTractions::lessen_first_elements(const std::vector<double>& pressure)
   }
 }
 
+void ScaledTractions::take_in_slip() {
+  const std::size_t count = box_.shape.rows * box_.shape.columns;
+  given_slip_.resize(2 * count);
+  for (std::size_t row = 0; row < box_.shape.rows; ++row) {
+    for (std::size_t column = 0; column < box_.shape.columns; ++column) {
+      const std::size_t to = row * box_.shape.columns + column;
+      const std::size_t from = element(row, column);
+      given_slip_[to] += problem_.slip_x[from] / slip_scale_;
+      given_slip_[count + to] += problem_.slip_y[from] / slip_scale_;
+    }
+  }
+}
+
 std::size_t ScaledTractions::element(std::size_t row, std::size_t column) const {
   const std::size_t longitudinal = box_.first_longitudinal + (box_.shape.rows - 1 - row);
   return (box_.first_lateral + column) * problem_.grid.longitudinal_count + longitudinal;
@@ -230,11 +246,11 @@ void ScaledTractions::fill_slip_rate(std::size_t creepage, Real* slip, std::size
 }
 
 template <typename Real>
-std::array<double, 3> ScaledTractions::force_rates(std::size_t creepage, const Real* rate,
+std::array<double, 4> ScaledTractions::force_rates(std::size_t creepage, const Real* rate,
                                                    const Real* bound, std::size_t pitch) const {
   const Grid& grid = problem_.grid;
   const Real* rate_y = rate + box_.shape.rows * pitch;
-  std::array<double, 3> sums{};
+  std::array<double, 4> sums{};
   for (std::size_t row = 0; row < box_.shape.rows; ++row) {
     for (std::size_t column = 0; column < box_.shape.columns; ++column) {
       const std::size_t at = element(row, column);
@@ -249,11 +265,14 @@ std::array<double, 3> ScaledTractions::force_rates(std::size_t creepage, const R
       const std::size_t strip = at / grid.longitudinal_count;
       sums[2] += grid.longitudinal(at % grid.longitudinal_count) * y -
                  lever_of(problem_, strip, grid.lateral_first, grid.lateral_step) * x;
+      if (!problem_.weight_x.empty()) {
+        sums[3] += problem_.weight_x[at] * x + problem_.weight_y[at] * y;
+      }
     }
   }
   const double scale =
       bound_ / slip_scale_ * grid.element_area() * (creepage == 2 ? grid.longitudinal_step : 1.0);
-  return {scale * sums[0], scale * sums[1], scale * sums[2]};
+  return {scale * sums[0], scale * sums[1], scale * sums[2], scale * sums[3]};
 }
 
 /// Mean over the elements that one of a coarser grid is made of.
@@ -309,7 +328,7 @@ void ScaledTractions::read_back(const Real* traction, const Real* slip, const Re
   }
 }
 
-double ScaledTractions::power_of_given_slip(const RollingSolution& solution) const {
+double ScaledTractions::power_by_pressure(const RollingSolution& solution) const {
   if (problem_.difference_parameter == 0.0) {
     return 0.0;
   }
@@ -320,6 +339,11 @@ double ScaledTractions::power_of_given_slip(const RollingSolution& solution) con
       const auto [x, y] = given_slip_at(row, column, 0);
       power -= solution.traction_x[at] * x + solution.traction_y[at] * y;
     }
+  }
+  for (std::size_t at = 0; at < problem_.slip_x.size(); ++at) { // part of that slip
+    power += (solution.traction_x[at] * problem_.slip_x[at] +
+              solution.traction_y[at] * problem_.slip_y[at]) /
+             slip_scale_;
   }
   return slip_scale_ * problem_.grid.element_area() * power;
 }
@@ -334,10 +358,11 @@ double lever_of(const RollingProblem& problem, std::size_t strip, double lateral
   return lateral_first + steps * lateral_step;
 }
 
-void sum_up(const RollingProblem& problem, double given_power, RollingSolution& solution) {
+void sum_up(const RollingProblem& problem, double pressure_power, RollingSolution& solution) {
   const Grid& grid = problem.grid;
   const double area = grid.element_area();
   double dissipation = 0.0;
+  double given_power = 0.0;
   std::size_t slipping = 0;
   std::size_t contacts = 0;
   for (std::size_t j = 0; j < grid.lateral_count; ++j) {
@@ -354,6 +379,12 @@ void sum_up(const RollingProblem& problem, double given_power, RollingSolution& 
       solution.lateral_force += area * qy;
       solution.spin_moment += area * (grid.longitudinal(i) * qy - lever * qx);
       dissipation -= area * (qx * solution.slip_x[at] + qy * solution.slip_y[at]);
+      if (!problem.slip_x.empty()) {
+        given_power -= area * (qx * problem.slip_x[at] + qy * problem.slip_y[at]);
+      }
+      if (!problem.weight_x.empty()) {
+        solution.weighted_force += area * (qx * problem.weight_x[at] + qy * problem.weight_y[at]);
+      }
       ++contacts;
       // The last cut leaves what slips on its bound to rounding, and nothing else near it.
       constexpr double on_bound = 1.0 - 1e-6;
@@ -363,10 +394,10 @@ void sum_up(const RollingProblem& problem, double given_power, RollingSolution& 
   solution.slip_area = area * static_cast<double>(slipping);
   solution.adhesion_area = area * static_cast<double>(contacts - slipping);
   const Creepages& w = problem.creepages;
-  solution.power_of_pressures = given_power;
-  solution.friction_power =
-      given_power - (solution.longitudinal_force * w.longitudinal +
-                     solution.lateral_force * w.lateral + solution.spin_moment * w.spin);
+  solution.power_of_pressures = pressure_power;
+  solution.friction_power = pressure_power + given_power -
+                            (solution.longitudinal_force * w.longitudinal +
+                             solution.lateral_force * w.lateral + solution.spin_moment * w.spin);
   if (problem.motion == TangentialMotion::rolling && solution.friction_power > 0.0) {
     solution.numerical_loss = 1.0 - dissipation / solution.friction_power;
   }
@@ -382,9 +413,9 @@ template void ScaledTractions::fill_rigid_slip<double>(double*, const TractionSh
                                                        std::size_t) const;
 template void ScaledTractions::fill_slip_rate<float>(std::size_t, float*, std::size_t) const;
 template void ScaledTractions::fill_slip_rate<double>(std::size_t, double*, std::size_t) const;
-template std::array<double, 3> ScaledTractions::force_rates<float>(std::size_t, const float*,
+template std::array<double, 4> ScaledTractions::force_rates<float>(std::size_t, const float*,
                                                                    const float*, std::size_t) const;
-template std::array<double, 3>
+template std::array<double, 4>
 ScaledTractions::force_rates<double>(std::size_t, const double*, const double*, std::size_t) const;
 template void ScaledTractions::read_back<float>(const float*, const float*, const float*,
                                                 std::size_t, RollingSolution&) const;

@@ -2,8 +2,8 @@
 ///
 /// Tractions over mu times the largest pressure, slips times G over that, lengths in longitudinal
 /// steps. Rows of constant x are counted from the leading edge (large x) downstream.
-/// What earlier tractions and, between unlike bodies, pressures displace is taken into the rigid
-/// slip.
+/// Slip that is given for each element is taken into the rigid slip, and so is what earlier
+/// tractions and, between unlike bodies, pressures displace.
 /// Thread rule: constant after construction.
 #pragma once
 
@@ -39,9 +39,9 @@ double natural_step_of(const TractionShape& shape, std::array<double, 2> self_in
 double lever_of(const RollingProblem& problem, std::size_t strip, double lateral_first,
                 double lateral_step);
 
-/// Forces, areas and power from tractions and slips of the whole grid; `given_power`: of slips that
-/// neither creepages nor tractions cause, N.
-void sum_up(const RollingProblem& problem, double given_power, RollingSolution& solution);
+/// Forces, areas and power from tractions and slips of the whole grid; `pressure_power`: of the
+/// slip that pressures of unlike bodies cause, N.
+void sum_up(const RollingProblem& problem, double pressure_power, RollingSolution& solution);
 
 class ScaledTractions {
 public:
@@ -84,10 +84,10 @@ public:
   /// The rigid slip for a creepage of 1: longitudinal, lateral or, per step, spin.
   template <typename Real>
   void fill_slip_rate(std::size_t creepage, Real* slip, std::size_t pitch) const;
-  /// Derivatives of the forces and the moment from rates of the tractions for such a slip; bounds
-  /// as for mean_share.
+  /// Derivatives of the forces, the moment and the weighted force from rates of the tractions for
+  /// such a slip; bounds as for mean_share.
   template <typename Real>
-  [[nodiscard]] std::array<double, 3> force_rates(std::size_t creepage, const Real* rate,
+  [[nodiscard]] std::array<double, 4> force_rates(std::size_t creepage, const Real* rate,
                                                   const Real* bound, std::size_t pitch) const;
   /// The problem's tractions without units, x components first.
   void read_tractions(std::span<const double> x, std::span<const double> y, double* traction,
@@ -97,7 +97,7 @@ public:
   void read_back(const Real* traction, const Real* slip, const Real* bound, std::size_t pitch,
                  RollingSolution& solution) const;
   /// Power over the speed of what pressures add to the slip, N.
-  [[nodiscard]] double power_of_given_slip(const RollingSolution& solution) const;
+  [[nodiscard]] double power_by_pressure(const RollingSolution& solution) const;
 
 private:
   void find_box();
@@ -105,6 +105,7 @@ private:
   void take_in_previous(LinePlans& plans);
   void take_in_pressure(LinePlans& plans);
   void lessen_first_elements(const std::vector<double>& pressure);
+  void take_in_slip();
   [[nodiscard]] std::array<double, 2> given_slip_at(std::size_t row, std::size_t column,
                                                     std::size_t level) const;
 
@@ -114,7 +115,8 @@ private:
   double bound_ = 0.0;      ///< mu times the largest pressure, MPa: a traction without units of 1
   double slip_scale_ = 0.0; ///< likewise of slips
   SlipDifferenceWeights difference_;
-  /// Slip from previous tractions or from pressures, without units; empty: none.
+  /// Slip given for each element, from previous tractions or from pressures, without units; empty:
+  /// none.
   std::vector<double> given_slip_;
 };
 

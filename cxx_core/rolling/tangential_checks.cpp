@@ -70,9 +70,14 @@ void check_problem(const RollingProblem& problem) {
                            "must be 0 unless the contact rolls steadily");
   }
   for (const auto& [name, values] :
-       {std::pair{"previous_x", problem.previous_x}, std::pair{"previous_y", problem.previous_y}}) {
-    if (values.size() != problem.previous_x.size() ||
-        (!values.empty() && values.size() != problem.pressure.size())) {
+       {std::pair{"previous_x", problem.previous_x}, std::pair{"previous_y", problem.previous_y},
+        std::pair{"slip_x", problem.slip_x}, std::pair{"slip_y", problem.slip_y},
+        std::pair{"weight_x", problem.weight_x}, std::pair{"weight_y", problem.weight_y}}) {
+    const std::size_t in_x = (name[0] == 's'   ? problem.slip_x
+                              : name[0] == 'w' ? problem.weight_x
+                                               : problem.previous_x)
+                                 .size();
+    if (values.size() != in_x || (!values.empty() && values.size() != problem.pressure.size())) {
       throw_invalid_argument(std::string(name) + ".size", static_cast<double>(values.size()),
                              "must be the number of pressures, or 0 in both directions");
     }

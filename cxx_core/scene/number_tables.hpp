@@ -121,6 +121,7 @@ inline constexpr auto creep_numbers = joined(
         OfCreep{"creepage.lateral", turning, member<&CreepResult::creepages, &Creepages::lateral>},
         OfCreep{"creepage.spin", turning_curvature,
                 member<&CreepResult::creepages, &Creepages::spin>},
+        OfCreep{"slip_variation", pure, member<&CreepResult::slip_variation>},
         OfCreep{"creep_force.longitudinal", force, member<&CreepResult::longitudinal_force>},
         OfCreep{"creep_force.lateral", turning_force, member<&CreepResult::lateral_force>},
         OfCreep{"spin_moment", turning_moment, member<&CreepResult::spin_moment>},

@@ -302,6 +302,19 @@ std::vector<Key> make_rolling_keys() {
            {"fastsim-strips", CreepModel::fastsim_strips},
            {"full", CreepModel::full}},
           &Scene::creep),
+      word_key<SlipVariation>(
+          {"solve.slip", "\"by-element\"", "\"by-element\", \"plane-axes\" or \"planar\"",
+           "rigid slip of a motion: of each element along its tangent, of each element along the "
+           "axes of the patch's plane, or of three creepages at the patch's reference"},
+          {{"by-element", SlipVariation::by_element},
+           {"plane-axes", SlipVariation::plane_axes},
+           {"planar", SlipVariation::planar}},
+          &Scene::slip),
+      word_key<SlipSurface>(
+          {"solve.slip_surface", "\"wheel\"", "\"wheel\" or \"mean\"",
+           "surface whose height gives the slip of each element: the undeformed wheel's, or the "
+           "mean of wheel and rail"},
+          {{"wheel", SlipSurface::wheel}, {"mean", SlipSurface::mean}}, &Scene::slip_surface),
       word_key<bool>(
           {"solve.derivatives", "\"no\"", "\"no\" or \"yes\"",
            "whether derivatives of creep forces are computed, for their own sake and for "

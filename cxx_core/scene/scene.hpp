@@ -86,9 +86,11 @@ struct Scene : WheelOptions {
   /// What creepages follow from where none are given; else its speed is that of the power. Without
   /// either there are no creep forces.
   std::optional<Motion> motion;
-  bool pitch_is_free = false;      ///< of the motion: such that contact forces hold the torque
-  double torque = 0.0;             ///< about the axle, N mm, > 0 drives forwards
-  bool derivatives = false;        ///< of creep forces, whether they are kept for a Jacobian
+  bool pitch_is_free = false; ///< of the motion: such that contact forces hold the torque
+  double torque = 0.0;        ///< about the axle, N mm, > 0 drives forwards
+  bool derivatives = false;   ///< of creep forces, whether they are kept for a Jacobian
+  SlipVariation slip = SlipVariation::by_element; ///< of creep forces from a motion
+  SlipSurface slip_surface = SlipSurface::wheel;
   std::optional<CreepModel> creep; ///< automatic if not set: full where there are creepages
 
   SideChoice side = SideChoice::both;

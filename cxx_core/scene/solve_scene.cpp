@@ -55,6 +55,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.accuracy = scene.accuracy;
   request.element_limit = scene.element_limit;
   request.derivatives = scene.derivatives;
+  request.slip = {scene.slip, scene.slip_surface};
   request.material = shear_constants(scene.wheel_material, scene.rail_material);
   request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
   return request;

@@ -129,8 +129,8 @@ inline constexpr double penetration_margin = 0.05;
 inline constexpr double default_element_limit = 100000.0;
 
 /// An element of unlike bodies counts as so many towards solve.element_limit.
-/// origin: measured (bounded_scenes posed, seed 5, scene 887): the alternations between pressures and
-/// tractions take 3.8 s on 98,000 elements, like bodies at most 1.2 s.
+/// origin: measured (bounded_scenes posed, seed 5, scene 887): the alternations between pressures
+/// and tractions take 3.8 s on 98,000 elements, like bodies at most 1.2 s.
 inline constexpr double cost_of_unlike_bodies = 4.0;
 
 /// Iterations times elements of one solution whose elements follow from the accuracy.

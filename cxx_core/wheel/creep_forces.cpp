@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
-#include "mechanics/cascade.hpp"
-#include "pressure/smooth_pressure.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
-#include "rolling/unlike_bodies.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_elements.hpp"
-#include "wheel/creep_grid.hpp"
+#include "wheel/creep_on_patch.hpp"
 #include "wheel/creep_rates.hpp"
+#include "wheel/least_friction.hpp"
 #include "wheel/patch_motion.hpp"
 #include "wheel/wheel_result.hpp"
 #include "wheel/wheel_sensitivities.hpp"
@@ -21,34 +18,8 @@
 namespace wrc {
 namespace {
 
-/// Creepages at a place of a patch's plane from those at its reference.
-Creepages creepages_at(const Creepages& reference, double longitudinal, double lateral) {
-  return {reference.longitudinal - reference.spin * lateral,
-          reference.lateral + reference.spin * longitudinal, reference.spin};
-}
-
 Creepages mirrored(const Creepages& creepages, double mirror) {
   return {creepages.longitudinal, mirror * creepages.lateral, mirror * creepages.spin};
-}
-
-/// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
-/// normal.
-Grid turned(Grid grid) {
-  grid.longitudinal_first = -grid.longitudinal(grid.longitudinal_count - 1);
-  grid.lateral_first = -grid.lateral(grid.lateral_count - 1);
-  return grid;
-}
-
-std::vector<double> turned(std::vector<double> values, double factor) {
-  std::reverse(values.begin(), values.end());
-  for (double& value : values) {
-    value *= factor;
-  }
-  return values;
-}
-
-Creepages turned(const Creepages& creepages) {
-  return {-creepages.longitudinal, -creepages.lateral, creepages.spin};
 }
 
 /// The Hertzian ellipse with the second moments of pressures, and its centre from the reference.
@@ -98,39 +69,6 @@ CreepForces forces_on_ellipse(const EllipseInPlane& contact, const PatchMotion& 
   return forces;
 }
 
-/// Derivatives by creepages of the cheaper models: central differences over a small share of the
-/// creepage at which a sphere's contact of this size slides.
-template <class Forces>
-std::array<double, 9> difference_by_creepage(const PatchResult& patch, const CreepRequest& request,
-                                             const PatchMotion& motion, Creepages at,
-                                             const Forces& forces) {
-  const double size =
-      std::max(patch.semi_axis_longitudinal * patch.semi_axis_lateral, patch.grid.element_area());
-  // The linear law knows no friction, and has the same derivatives by any steps.
-  const double friction = request.model == CreepModel::linear
-                              ? std::max(motion.friction, least_linear_friction)
-                              : motion.friction;
-  const double translation =
-      creep_difference_step * friction * patch.normal_force / (request.material.modulus * size);
-  const std::array<Creepages, 3> steps{Creepages{translation, 0.0, 0.0},
-                                       {0.0, translation, 0.0},
-                                       {0.0, 0.0, translation / std::sqrt(size)}};
-  const std::array<double, 3> lengths{translation, translation, translation / std::sqrt(size)};
-  std::array<double, 9> derivatives{};
-  for (std::size_t i = 0; i < steps.size() && translation > 0.0; ++i) {
-    const Creepages& step = steps[i];
-    const CreepForces ahead = forces(
-        {at.longitudinal + step.longitudinal, at.lateral + step.lateral, at.spin + step.spin});
-    const CreepForces behind = forces(
-        {at.longitudinal - step.longitudinal, at.lateral - step.lateral, at.spin - step.spin});
-    const double scale = 0.5 / lengths[i];
-    derivatives[i] = scale * (ahead.longitudinal - behind.longitudinal);
-    derivatives[3 + i] = scale * (ahead.lateral - behind.lateral);
-    derivatives[6 + i] = scale * (ahead.spin_moment - behind.spin_moment);
-  }
-  return derivatives;
-}
-
 /// On the Hertzian ellipse, with derivatives.
 CreepForces solve_on_ellipse(const PatchResult& patch, const PatchMotion& motion,
                              const CreepRequest& request, const PatchRates* rates,
@@ -157,191 +95,24 @@ CreepForces solve_on_ellipse(const PatchResult& patch, const PatchMotion& motion
   return forces_on_ellipse(ellipse, motion, request, creep);
 }
 
-/// Pressures on a grid, of this force together: at the centres of elements, or, where the shares in
-/// contact are asked for, their means.
-std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
-                                 double normal_force, std::vector<double>* covered) {
-  std::vector<double> result;
-  if (covered != nullptr) {
-    pressure.fill_means(grid, result, *covered);
-  } else {
-    pressure.fill(grid, result);
-  }
-  const double force = std::accumulate(result.begin(), result.end(), 0.0) * grid.element_area();
-  for (double& p : result) {
-    p *= force > 0.0 ? normal_force / force : 0.0;
-  }
-  return result;
-}
-
-/// FASTSIM strip by strip; its derivatives are differences.
-RollingSolution solve_by_strips(const PatchResult& patch, const PatchMotion& motion,
-                                const CreepRequest& request, RollingProblem problem,
-                                RollingSolver& solver) {
-  const Flexibilities flexibilities = flexibilities_of(problem, solver);
-  RollingSolution solution = solve_with_fastsim(problem, flexibilities);
-  if (request.derivatives) {
-    solution.by_creepage = difference_by_creepage(
-        patch, request, motion, problem.creepages, [&](const Creepages& creepages) -> CreepForces {
-          RollingProblem other = problem;
-          other.creepages = creepages;
-          const RollingSolution found = solve_with_fastsim(other, flexibilities);
-          return {found.longitudinal_force, found.lateral_force, found.spin_moment};
-        });
-    for (const ProblemRate& rate : problem.rates) {
-      solution.by_rate.push_back(difference_by_strips(problem, flexibilities, rate));
-    }
-  }
-  return solution;
-}
-
-/// Of unlike bodies, whose tractions change the pressures.
-RollingSolution solve_both_ways(const PatchResult& patch, const PatchMotion& motion,
-                                const CreepRequest& request, RollingProblem problem,
-                                RollingSolver& solver, CreepResult& creep) {
-  problem.difference_parameter = request.material.difference_parameter;
-  std::vector<double> distance;
-  interpolate(patch.grid, patch.undeformed_distance, creep.grid, distance);
-  if (motion.backwards) {
-    distance = turned(std::move(distance), 1.0);
-  }
-  UnlikeSolution both =
-      solve_unlike(problem, distance, request.combined_modulus, problem.tolerance, solver);
-  creep.pressure_change = both.pressure_change;
-  creep.pressure = std::move(both.pressure);
-  return std::move(both.rolling);
-}
-
-/// Of what is solved for by position; `now`: as it rolls forwards, on `grid` of the patch's plane.
-std::vector<ProblemRate> problem_rates(const PatchResult& patch, const PatchRates& rates,
-                                       const Grid& grid, const RollingProblem& now,
-                                       bool backwards) {
-  std::vector<ProblemRate> result;
-  for (const PatchMove& move : moves_of(patch, rates, creep_pressure_step)) {
-    const MovedPatch& moved = move.ahead;
-    const SmoothPressure smooth(moved_grid(patch.grid, moved.elements), moved.pressure);
-    Grid ahead = moved_around_contact(grid, smooth);
-    std::vector<double> covered;
-    std::vector<double> pressure =
-        pressures_on(ahead, smooth, moved.normal_force, now.covered.empty() ? nullptr : &covered);
-    if (backwards) {
-      ahead = turned(ahead);
-      pressure = turned(std::move(pressure), 1.0);
-      std::reverse(covered.begin(), covered.end());
-    }
-    result.push_back(rate_between(now, ahead, pressure, covered, 0.5 * move.apart));
-  }
-  return result;
-}
-
-/// Of a solution that was turned by half a turn if `sign` is -1.
-void take_derivatives(const RollingSolution& solution, double sign, CreepDerivatives& derivatives) {
-  derivatives.by_creepage = solution.by_creepage;
-  for (const std::size_t turning : {2U, 5U, 6U, 7U}) { // forces by spin, moments by creepages
-    derivatives.by_creepage[turning] *= sign;
-  }
-  if (!solution.by_rate.empty()) {
-    auto& by = derivatives.by_position.emplace();
-    for (std::size_t i = 0; i < position_count; ++i) {
-      by[i] = sign * solution.by_rate[i][0];
-      by[position_count + i] = sign * solution.by_rate[i][1];
-      by[2 * position_count + i] = solution.by_rate[i][2];
-    }
-  }
-}
-
-/// On the patch's own pressures.
-CreepForces forces_on_patch(const PatchResult& patch, const PatchMotion& motion,
-                            const CreepRequest& request, const PatchRates* rates,
-                            RollingSolver& solver, CreepResult& creep) {
-  const SmoothPressure pressure(patch.grid, patch.pressure);
-  const bool unlike = unlike_bodies(request);
-  const bool by_means = request.model == CreepModel::full;
-  const CreepGrid chosen = grid_of_patch(patch, pressure, request);
-  const double columns = chosen.columns;
-  creep.grid = chosen.grid;
-  creep.elements_wanted = chosen.wanted;
-  std::vector<double> covered;
-  creep.pressure =
-      pressures_on(creep.grid, pressure, patch.normal_force, by_means ? &covered : nullptr);
-  const double sign = motion.backwards ? -1.0 : 1.0;
-  RollingProblem problem;
-  problem.grid = motion.backwards ? turned(creep.grid) : creep.grid;
-  if (motion.backwards) {
-    creep.pressure = turned(std::move(creep.pressure), 1.0);
-    std::reverse(covered.begin(), covered.end());
-  }
-  problem.pressure = creep.pressure;
-  problem.covered = covered;
-  problem.friction = motion.friction;
-  problem.shear_modulus = request.material.modulus;
-  problem.poisson = request.material.poisson;
-  problem.creepages = motion.backwards ? turned(motion.creepages) : motion.creepages;
-  const double of_elements = creep_error_of_one_column / (columns * columns);
-  // An iteration beyond what fewer elements than the accuracy needs can show would be in vain.
-  problem.tolerance =
-      creep_iteration_share *
-      (chosen.limited ? std::max(request.accuracy, std::min(of_elements, coarsest_accuracy))
-                      : request.accuracy);
-  problem.derivatives = request.derivatives;
-  std::vector<ProblemRate> by_position;
-  if (rates != nullptr && !unlike) {
-    by_position = problem_rates(patch, *rates, creep.grid, problem, motion.backwards);
-    problem.rates = by_position;
-  }
-  RollingSolution solution;
-  if (unlike) {
-    solution = solve_both_ways(patch, motion, request, problem, solver, creep);
-  } else if (request.model == CreepModel::full) {
-    solution = solver.solve(problem);
-  } else {
-    solution = solve_by_strips(patch, motion, request, problem, solver);
-  }
-  if (request.derivatives) {
-    take_derivatives(solution, sign, creep.derivatives.emplace());
-  }
-  creep.slip_area = solution.slip_area;
-  creep.adhesion_area = solution.adhesion_area;
-  for (std::size_t i = 0; i < solution.traction_x.size(); ++i) {
-    creep.largest_traction = std::max(creep.largest_traction,
-                                      std::hypot(solution.traction_x[i], solution.traction_y[i]));
-  }
-  creep.numerical_loss = solution.numerical_loss;
-  creep.power_of_pressures = solution.power_of_pressures;
-  creep.residual = solution.residual;
-  creep.convolutions = solution.convolutions;
-  if (request.model == CreepModel::full) {
-    creep.error_estimate = of_elements + creep_error_by_residual * solution.residual;
-  }
-  if (motion.backwards) {
-    creep.pressure = turned(std::move(creep.pressure), 1.0);
-    for (auto* field :
-         {&solution.traction_x, &solution.traction_y, &solution.slip_x, &solution.slip_y}) {
-      *field = turned(std::move(*field), -1.0);
-    }
-  }
-  creep.traction_x = std::move(solution.traction_x);
-  creep.traction_y = std::move(solution.traction_y);
-  creep.slip_x = std::move(solution.slip_x);
-  creep.slip_y = std::move(solution.slip_y);
-  return {sign * solution.longitudinal_force, sign * solution.lateral_force, solution.spin_moment};
-}
-
 /// `motion`: at the patch's origin.
-CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
-                        const CreepRequest& request, double mirror, const PatchRates* rates,
-                        RollingSolver& solver) {
+CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
+  const auto& [wheel, patch, motion, request, rates] = task;
+  const double mirror = wheel.details.mirror;
   CreepResult creep;
   creep.creepages = mirrored(motion.creepages, mirror);
   creep.friction = motion.friction;
   creep.slip_speed = motion.slip_speed;
+  if (motion.twist) {
+    creep.slip_variation = patch.slip->variation(*motion.twist, motion.creepages);
+  }
   if (!(patch.normal_force > 0.0)) {
     return creep;
   }
   const LeastFriction least(motion, request.model);
   const PatchMotion& solved = least.motion();
   CreepForces forces = on_own_pressures(request)
-                           ? forces_on_patch(patch, solved, request, rates, solver, creep)
+                           ? forces_on_patch({wheel, patch, solved, request, rates}, solver, creep)
                            : solve_on_ellipse(patch, solved, request, rates, creep);
   if (request.derivatives) {
     const bool by_friction = request.model != CreepModel::linear;
@@ -351,11 +122,14 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
   least.take_back(forces, creep);
   if (request.derivatives) {
     mirror_derivatives(*creep.derivatives, mirror);
+    if (rates != nullptr && patch.slip) {
+      creep.derivatives->slip_by_position = slip_rates(wheel, patch, *rates, request.slip);
+    }
   }
   creep.longitudinal_force = forces.longitudinal;
   creep.lateral_force = mirror * forces.lateral;
   creep.spin_moment = mirror * forces.spin_moment;
-  creep.power_per_speed =
+  creep.power_per_speed +=
       creep.power_of_pressures -
       (creep.longitudinal_force * creep.creepages.longitudinal +
        creep.lateral_force * creep.creepages.lateral + creep.spin_moment * creep.creepages.spin);
@@ -364,38 +138,6 @@ CreepResult solve_patch(const PatchResult& patch, const PatchMotion& motion,
   }
   creep.friction_power = motion.slip_speed * creep.power_per_speed;
   return creep;
-}
-
-/// That of the request in the left-hand frame of the side.
-WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& request) {
-  const bool left = wheel.details.mirror > 0.0;
-  const RailSurface& rail = *wheel.details.rail;
-  return {left ? *request.motion : mirrored(*request.motion),
-          wheel.details.pose,
-          wheel.vertical - wheel.depth,
-          request.nominal_radius,
-          left ? request.rail_velocity : mirrored(request.rail_velocity),
-          rail.origin_y(),
-          rail.origin_z()};
-}
-
-/// From the wheelset's motion, or as given at the reference of `whole`.
-PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const WheelResult& wheel,
-                      const CreepRequest& request) {
-  PatchMotion motion;
-  if (request.motion) {
-    const RigidSlip slip = rigid_slip(*wheel.details.motion, patch.frame, patch.approach);
-    motion = {slip.creepages, slip.reference_speed < 0.0, slip.slip_speed};
-  } else {
-    const Vector3 apart = patch.frame.origin - whole.frame.origin;
-    motion = {creepages_at(mirrored(request.creepages, wheel.details.mirror),
-                           dot(apart, whole.frame.longitudinal), dot(apart, whole.frame.lateral)),
-              false, request.speed};
-  }
-  motion.friction = friction_of(
-      request.friction, patch.reference.s_wheel,
-      motion.slip_speed * std::hypot(motion.creepages.longitudinal, motion.creepages.lateral));
-  return motion;
 }
 
 /// Parts of one plane together, about its origin.
@@ -435,6 +177,7 @@ void solve_creep_forces(WheelResult& wheel, const CreepRequest& of_scene, Rollin
   if (request.motion) {
     wheel.details.motion = wheelset_motion(wheel, request);
   }
+  find_slip_geometry(wheel, request);
   const WheelRates* rates = request.derivatives ? sensitivities_of(wheel) : nullptr;
   const PatchRates* of_patch = rates != nullptr ? rates->patches.data() : nullptr;
   for (PatchResult& patch : wheel.patches) {
@@ -459,17 +202,21 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
   const double mirror = wheel.details.mirror;
   const PatchMotion motion = motion_of(patch, patch, wheel, request);
   if (patch.parts.empty()) {
-    return solve_patch(patch, motion, request, mirror, rates, solver);
+    return solve_patch({wheel, patch, motion, request, rates}, solver);
   }
   CreepResult whole;
   whole.creepages = mirrored(motion.creepages, mirror);
   whole.slip_speed = motion.slip_speed;
+  if (motion.twist) {
+    whole.slip_variation = patch.slip->variation(*motion.twist, motion.creepages);
+  }
   Creepages mean{};
   for (const PatchResult& part : patch.parts) {
     const Vector3 apart = part.frame.origin - patch.frame.origin;
     const CreepResult& creep =
-        parts.emplace_back(solve_patch(part, motion_of(part, patch, wheel, request), request,
-                                       mirror, rates != nullptr ? rates++ : nullptr, solver));
+        parts.emplace_back(solve_patch({wheel, part, motion_of(part, patch, wheel, request),
+                                        request, rates != nullptr ? rates++ : nullptr},
+                                       solver));
     const double weight = part.normal_force / patch.normal_force;
     const double along = dot(apart, patch.frame.longitudinal);
     const double across = mirror * dot(apart, patch.frame.lateral);
@@ -479,8 +226,9 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
     mean.lateral += weight * at_whole.lateral;
     mean.spin += weight * at_whole.spin;
   }
-  // Parts roll on radii of their own, the reference between them on none.
-  if (request.motion) {
+  // Parts roll on radii of their own, the reference between them on none. (Slip by element has been
+  // fitted over all of them.)
+  if (request.motion && !motion.twist) {
     whole.creepages = mean;
   }
   if (whole.power_per_speed > 0.0) {

@@ -27,6 +27,7 @@
 #include "wheel/constants.hpp"
 #include "wheel/friction.hpp"
 #include "wheel/kinematics.hpp"
+#include "wheel/rigid_slip.hpp"
 
 namespace wrc {
 
@@ -46,6 +47,7 @@ struct CreepRequest {
   std::optional<Motion> motion;   ///< what they follow from instead, track frame
   double nominal_radius = 0.0;    ///< mm, for the motion
   RailDisplacement rail_velocity; ///< mm/s and rad/s, for the motion, track frame
+  SlipChoice slip;                ///< from the motion
   FrictionLaw friction;
   double accuracy = 1e-3;   ///< error of forces, and of the moment over sqrt(a b), over mu N
   double speed = 0.0;       ///< mm/s, for the power of given creepages
@@ -58,36 +60,50 @@ struct CreepRequest {
 };
 
 /// Of Fx, Fy (N) and Mz (N mm) about the contact reference. All at fixed others: a friction that
-/// falls with slip is not in those by creepages.
+/// falls with slip is not in those by creepages, and slip beyond them stays.
 struct CreepDerivatives {
   std::array<double, 9> by_creepage{}; ///< by xi, eta, phi (1/mm), row by row
   /// As if the contact stayed similar (Hertz), lengths as N^(1/3): T/N then depends on xi/N^(1/3),
   /// eta/N^(1/3) and phi alone.
   std::array<double, 3> by_load{};
-  /// F is homogeneous in mu and the creepages: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi
-  /// dF/dphi; of unlike bodies without what their pressures add.
+  /// F is homogeneous in mu and slips: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi, less
+  /// the derivative by a common factor of the slip beyond them; of unlike bodies without that and
+  /// without what their pressures add.
   std::array<double, 3> by_friction{};
   /// By lateral position, height, roll and yaw, as the patch's pressures and its reference change
   /// with them (wheel/creep_rates.hpp), row by row; left-hand frame of the side. None where these
   /// are not known.
   std::optional<std::array<double, 12>> by_position;
+  /// Of Fx, Fy, Mz and the force along the normal in CreepResult::beyond_creepages (N), left-hand
+  /// frame: by a common factor of the slip beyond creepages, and ...
+  std::array<double, 4> by_slip{};
+  /// ... by what a velocity along the normal, over that of slip, adds to it. Other velocities add a
+  /// thousandth of what they change in creepages.
+  std::array<double, 4> by_normal_velocity{};
+  /// Of that force along the normal, left-hand frame.
+  std::array<double, 3> normal_by_creepage{};
+  std::array<double, position_count> normal_by_position{};
+  /// How SlipGeometry::creepages_by_twist changes with the same positions; left-hand frame.
+  std::optional<std::array<CreepagesByTwist, position_count>> slip_by_position;
 };
 
 /// The tangential contact of one patch.
 struct CreepResult {
-  /// At the reference; of parts that follow from a motion, each on its own rolling radius, their
-  /// mean by load, carried there.
+  /// From a motion the best fit to the slip of its elements; of parts, each on its own rolling
+  /// radius, their mean by load, carried to the reference.
   Creepages creepages;
-  double friction = 0.0;   ///< coefficient, of parts in the mean over their loads
-  double slip_speed = 0.0; ///< what creepages are multiplied with to give velocities, mm/s
+  double slip_variation = 0.0; ///< root of the mean square of what they leave (rigid_slip.hpp)
+  double friction = 0.0;       ///< coefficient, of parts in the mean over their loads
+  double slip_speed = 0.0;     ///< what creepages are multiplied with to give velocities, mm/s
   double longitudinal_force = 0.0;
   double lateral_force = 0.0;
   double spin_moment = 0.0;
   double slip_area = 0.0;
   double adhesion_area = 0.0;
   double largest_traction = 0.0;
-  /// What friction dissipates over the speed, N: -F.w, of parts each with its own w, and what
-  /// pressures do in the slip that they cause between unlike bodies.
+  /// What friction dissipates over the speed, N: -F.w, of parts each with its own w, with the sum
+  /// over elements of what creepages leave, and with what pressures do in the slip that they cause
+  /// between unlike bodies.
   double power_per_speed = 0.0;
   double power_of_pressures = 0.0; ///< the last of these
   double friction_power = 0.0;     ///< N mm/s
@@ -96,6 +112,9 @@ struct CreepResult {
   std::optional<double> error_estimate;
   /// What tractions change in the pressures, mean over mean; of unlike bodies.
   double pressure_change = 0.0;
+  /// What the slip beyond creepages adds to force and moment, N and N mm, left-hand frame:
+  /// tractions act where each element slips (total_force.hpp).
+  Wrench beyond_creepages{};
   double residual = 0.0;
   int convolutions = 0;
   double elements_wanted = 0.0;                ///< for the accuracy, of all parts

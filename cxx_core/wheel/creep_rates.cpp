@@ -80,7 +80,7 @@ Grid moved_grid(Grid grid, const ElementMotion& motion) {
   return grid;
 }
 
-std::array<double, 3> difference_by_strips(const RollingProblem& problem,
+std::array<double, 4> difference_by_strips(const RollingProblem& problem,
                                            const Flexibilities& flexibilities,
                                            const ProblemRate& rate) {
   const double largest = *std::max_element(problem.pressure.begin(), problem.pressure.end());
@@ -89,6 +89,13 @@ std::array<double, 3> difference_by_strips(const RollingProblem& problem,
   for (const double of_element : rate.pressure) {
     fastest = std::max(fastest, std::abs(of_element) / largest);
   }
+  double slip = 0.0;
+  double slip_rate = 0.0;
+  for (std::size_t i = 0; i < rate.slip_x.size(); ++i) {
+    slip = std::max(slip, std::hypot(problem.slip_x[i], problem.slip_y[i]));
+    slip_rate = std::max(slip_rate, std::hypot(rate.slip_x[i], rate.slip_y[i]));
+  }
+  fastest = slip > 0.0 ? std::max(fastest, slip_rate / slip) : fastest;
   const double change = fastest > 0.0 ? creep_difference_step / fastest : 1.0;
   const auto after = [&](double step) {
     RollingProblem moved = problem;
@@ -97,6 +104,21 @@ std::array<double, 3> difference_by_strips(const RollingProblem& problem,
       pressure[i] = pressure[i] > 0.0 ? std::max(pressure[i] + step * rate.pressure[i], 0.0) : 0.0;
     }
     moved.pressure = pressure;
+    const auto field = [step](std::span<const double> now, const std::vector<double>& by) {
+      std::vector<double> later(now.begin(), now.end());
+      for (std::size_t i = 0; i < by.size(); ++i) {
+        later[i] += step * by[i];
+      }
+      return later;
+    };
+    const std::vector<double> slip_x = field(problem.slip_x, rate.slip_x);
+    const std::vector<double> slip_y = field(problem.slip_y, rate.slip_y);
+    const std::vector<double> weight_x = field(problem.weight_x, rate.weight_x);
+    const std::vector<double> weight_y = field(problem.weight_y, rate.weight_y);
+    moved.slip_x = slip_x;
+    moved.slip_y = slip_y;
+    moved.weight_x = weight_x;
+    moved.weight_y = weight_y;
     moved.grid.longitudinal_first += step * rate.longitudinal_first;
     moved.grid.longitudinal_step += step * rate.longitudinal_step;
     moved.grid.lateral_first += step * rate.lateral_first;
@@ -110,7 +132,8 @@ std::array<double, 3> difference_by_strips(const RollingProblem& problem,
   const RollingSolution behind = after(-change);
   return {(ahead.longitudinal_force - behind.longitudinal_force) / (2.0 * change),
           (ahead.lateral_force - behind.lateral_force) / (2.0 * change),
-          (ahead.spin_moment - behind.spin_moment) / (2.0 * change)};
+          (ahead.spin_moment - behind.spin_moment) / (2.0 * change),
+          (ahead.weighted_force - behind.weighted_force) / (2.0 * change)};
 }
 
 void complete(CreepDerivatives& derivatives, const CreepForces& forces, const Creepages& at,
@@ -122,7 +145,9 @@ void complete(CreepDerivatives& derivatives, const CreepForces& forces, const Cr
     const double by_translation = by[0] * at.longitudinal + by[1] * at.lateral;
     derivatives.by_load[row] = (growth[row] * values[row] - by_translation / 3.0) / normal_force;
     derivatives.by_friction[row] =
-        friction > 0.0 ? (values[row] - by_translation - by[2] * at.spin) / friction : 0.0;
+        friction > 0.0
+            ? (values[row] - by_translation - by[2] * at.spin - derivatives.by_slip[row]) / friction
+            : 0.0;
   }
 }
 
@@ -155,20 +180,25 @@ void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, doub
   }
 }
 
-ProblemRate rate_between(const RollingProblem& now, const Grid& grid,
-                         std::span<const double> pressure, std::span<const double> covered,
+ProblemRate rate_between(const RollingProblem& now, const Grid& grid, const ProblemFields& later,
                          double step) {
-  ProblemRate rate{(grid.longitudinal_first - now.grid.longitudinal_first) / step,
-                   (grid.longitudinal_step - now.grid.longitudinal_step) / step,
-                   (grid.lateral_first - now.grid.lateral_first) / step,
-                   (grid.lateral_step - now.grid.lateral_step) / step,
-                   {},
-                   {}};
-  const auto by_step = [step](double later, double before) { return (later - before) / step; };
-  std::transform(pressure.begin(), pressure.end(), now.pressure.begin(),
-                 std::back_inserter(rate.pressure), by_step);
-  std::transform(covered.begin(), covered.end(), now.covered.begin(),
-                 std::back_inserter(rate.covered), by_step);
+  ProblemRate rate;
+  rate.longitudinal_first = (grid.longitudinal_first - now.grid.longitudinal_first) / step;
+  rate.longitudinal_step = (grid.longitudinal_step - now.grid.longitudinal_step) / step;
+  rate.lateral_first = (grid.lateral_first - now.grid.lateral_first) / step;
+  rate.lateral_step = (grid.lateral_step - now.grid.lateral_step) / step;
+  const auto by_step = [step](const std::vector<double>& after, std::span<const double> before) {
+    std::vector<double> by;
+    std::transform(after.begin(), after.end(), before.begin(), std::back_inserter(by),
+                   [step](double one, double other) { return (one - other) / step; });
+    return by;
+  };
+  rate.pressure = by_step(later.pressure, now.pressure);
+  rate.covered = by_step(later.covered, now.covered);
+  rate.slip_x = by_step(later.slip.x, now.slip_x);
+  rate.slip_y = by_step(later.slip.y, now.slip_y);
+  rate.weight_x = by_step(later.weights.x, now.weight_x);
+  rate.weight_y = by_step(later.weights.y, now.weight_y);
   return rate;
 }
 

@@ -17,6 +17,7 @@
 #include "rolling/fastsim.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "wheel/kinematics.hpp"
+#include "wheel/rigid_slip.hpp"
 #include "wheel/sensitivities.hpp"
 
 namespace wrc {
@@ -44,14 +45,19 @@ std::array<PatchMove, position_count> moves_of(const PatchResult& patch, const P
 /// A grid of the patch's plane after its elements have moved.
 Grid moved_grid(Grid grid, const ElementMotion& motion);
 
-/// From a problem to a grid, pressures on it and shares in contact, a step later.
-ProblemRate rate_between(const RollingProblem& now, const Grid& grid,
-                         std::span<const double> pressure, std::span<const double> covered,
+/// Fields of a problem's grid.
+struct ProblemFields {
+  std::vector<double> pressure, covered;
+  SlipField slip;    ///< beyond creepages
+  SlipField weights; ///< of the weighted force
+};
+/// From a problem to a grid and fields on it a step later.
+ProblemRate rate_between(const RollingProblem& now, const Grid& grid, const ProblemFields& later,
                          double step);
 
-/// Of the forces of FASTSIM by strips, by a difference; its flexibilities are taken to grow with
-/// the contact's length.
-std::array<double, 3> difference_by_strips(const RollingProblem& problem,
+/// Of the forces, the moment and the weighted force of FASTSIM by strips, by a difference; its
+/// flexibilities are taken to grow with the contact's length.
+std::array<double, 4> difference_by_strips(const RollingProblem& problem,
                                            const Flexibilities& flexibilities,
                                            const ProblemRate& rate);
 

@@ -62,41 +62,78 @@ MovingFrame moving_frame(const PatchResult& patch, const PatchRates& rates, cons
 struct CreepState {
   std::array<RatedByState, 3> creepages;
   RatedByState friction;
+  RatedByState normal_velocity; ///< over that of slip
 };
 
-CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
-                          const MovingFrame& frame) {
-  const double mirror = details.mirror;
-  RatedSlip slip{{creep.creepages.longitudinal, mirror * creep.creepages.lateral,
-                  mirror * creep.creepages.spin},
-                 creep.slip_speed};
-  if (details.motion) {
-    slip = rated_slip(*details.motion, frame);
+/// The geometry of slip, with what positions change in it; of planar slip that of the reference.
+std::array<std::array<RatedByState, twist_count>, 3> rated_geometry(const PatchResult& patch) {
+  std::array<std::array<RatedByState, twist_count>, 3> rated{};
+  const CreepagesByTwist by =
+      patch.slip ? patch.slip->creepages_by_twist : creepages_of_planar_slip();
+  const auto& by_position = patch.creep->derivatives->slip_by_position;
+  for (std::size_t creepage = 0; creepage < rated.size(); ++creepage) {
+    for (std::size_t i = 0; i < twist_count; ++i) {
+      RatedByState& element = rated[creepage][i];
+      element.value = by[creepage][i];
+      for (std::size_t position = 0; by_position && position < position_count; ++position) {
+        element.rates[position] = (*by_position)[position][creepage][i];
+      }
+    }
   }
-  const auto& [longitudinal, lateral, spin] = slip.creepages;
-  const RatedByState speed =
-      slip.slip_speed * sqrt(longitudinal * longitudinal + lateral * lateral);
-  return {slip.creepages, friction_of(details.friction, frame.s_wheel, speed)};
+  return rated;
 }
 
-/// Of a patch's longitudinal and lateral creep force and its spin moment, left-hand frame.
-std::array<RatedByState, 3> rated_creep_forces(const CreepResult& creep, double mirror,
+CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
+                          const MovingFrame& frame,
+                          const std::array<std::array<RatedByState, twist_count>, 3>& geometry) {
+  const double mirror = details.mirror;
+  std::array<RatedByState, 3> creepages{creep.creepages.longitudinal,
+                                        mirror * creep.creepages.lateral,
+                                        mirror * creep.creepages.spin};
+  RatedByState slip_speed = creep.slip_speed;
+  RatedByState normal_velocity;
+  if (details.motion) {
+    const RatedSlip slip = rated_slip(*details.motion, frame);
+    slip_speed = slip.slip_speed;
+    normal_velocity = slip.twist[2];
+    for (std::size_t creepage = 0; creepage < creepages.size(); ++creepage) {
+      creepages[creepage] = 0.0;
+      for (std::size_t i = 0; i < twist_count; ++i) {
+        creepages[creepage] = creepages[creepage] + geometry[creepage][i] * slip.twist[i];
+      }
+    }
+  }
+  const auto& [longitudinal, lateral, spin] = creepages;
+  const RatedByState speed = slip_speed * sqrt(longitudinal * longitudinal + lateral * lateral);
+  return {creepages, friction_of(details.friction, frame.s_wheel, speed), normal_velocity};
+}
+
+/// Of a patch's longitudinal and lateral creep force, its spin moment and the force along the
+/// normal beyond them, left-hand frame.
+std::array<RatedByState, 4> rated_creep_forces(const CreepResult& creep, double mirror,
                                                const PatchRates& rates, const CreepState& state) {
-  const std::array<double, 3> forces{creep.longitudinal_force, mirror * creep.lateral_force,
-                                     mirror * creep.spin_moment};
+  const std::array<double, 4> forces{creep.longitudinal_force, mirror * creep.lateral_force,
+                                     mirror * creep.spin_moment, creep.beyond_creepages[2]};
   const auto by_position_of_load = by_position(rates.normal_force);
   CreepDerivatives derivatives = *creep.derivatives;
   mirror_derivatives(derivatives, mirror);
-  std::array<RatedByState, 3> rated;
+  std::array<RatedByState, 4> rated;
   for (std::size_t row = 0; row < forces.size(); ++row) {
+    const bool beyond = row == 3;
+    const double* by_creepage =
+        beyond ? derivatives.normal_by_creepage.data() : derivatives.by_creepage.data() + 3 * row;
     rated[row].value = forces[row];
     for (std::size_t i = 0; i < state_count; ++i) {
       double& rate = rated[row].rates[i];
-      rate = derivatives.by_friction[row] * state.friction.rates[i];
+      rate = beyond ? 0.0 : derivatives.by_friction[row] * state.friction.rates[i];
       for (std::size_t c = 0; c < state.creepages.size(); ++c) {
-        rate += derivatives.by_creepage[3 * row + c] * state.creepages[c].rates[i];
+        rate += by_creepage[c] * state.creepages[c].rates[i];
       }
-      if (i < position_count) {
+      if (i >= position_count) {
+        rate += derivatives.by_normal_velocity[row] * state.normal_velocity.rates[i];
+      } else if (beyond) {
+        rate += derivatives.normal_by_position[i];
+      } else {
         rate += derivatives.by_position ? (*derivatives.by_position)[row * position_count + i]
                                         : derivatives.by_load[row] * by_position_of_load[i];
       }
@@ -152,11 +189,20 @@ ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates
       continue;
     }
     const MovingFrame frame = moving_frame(patch, rates.patches[k], centre, details.pose);
-    const auto [longitudinal, lateral, spin] =
+    const auto geometry = rated_geometry(patch);
+    const std::array<RatedByState, 4> forces =
         rated_creep_forces(*patch.creep, details.mirror, rates.patches[k],
-                           creep_state_of(*patch.creep, details, frame));
-    const Vector force = longitudinal * frame.longitudinal + lateral * frame.lateral;
-    add(jacobian, force, cross(frame.place - frame.centre, force) + spin * frame.normal);
+                           creep_state_of(*patch.creep, details, frame, geometry));
+    const auto along = [&](std::size_t i) {
+      return forces[0] * geometry[0][i] + forces[1] * geometry[1][i] + forces[2] * geometry[2][i] +
+             (i == 2 ? forces[3] : RatedByState(patch.creep->beyond_creepages[i]));
+    };
+    const auto in_frame = [&](std::size_t first) {
+      return along(first) * frame.longitudinal + along(first + 1) * frame.lateral +
+             along(first + 2) * frame.normal;
+    };
+    const Vector force = in_frame(0);
+    add(jacobian, force, cross(frame.place - frame.centre, force) + in_frame(3));
   }
   if (details.mirror < 0.0) {
     mirror_rows_and_columns(jacobian);

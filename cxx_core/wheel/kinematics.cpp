@@ -30,7 +30,7 @@ template <class Real> struct PatchPlace {
 };
 
 template <class Real> struct Slip {
-  Real longitudinal, lateral, spin;
+  std::array<Real, twist_count> twist;
   Real reference_speed, slip_speed;
 };
 
@@ -62,9 +62,11 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
       0.5 * (state.speed * (1.0 - curvature * patch.reference_y) - cross(rolling, arm).x);
   slip.slip_speed =
       sqrt(slip.reference_speed * slip.reference_speed + Real(standstill_speed * standstill_speed));
-  slip.longitudinal = dot(velocity, patch.longitudinal) / slip.slip_speed;
-  slip.lateral = dot(velocity, patch.lateral) / slip.slip_speed;
-  slip.spin = dot(turning - rail_turning, patch.normal) / slip.slip_speed;
+  const std::array<const Vector*, 3> axes{&patch.longitudinal, &patch.lateral, &patch.normal};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    slip.twist[i] = dot(velocity, *axes[i]) / slip.slip_speed;
+    slip.twist[axes.size() + i] = dot(turning - rail_turning, *axes[i]) / slip.slip_speed;
+  }
   return slip;
 }
 
@@ -83,7 +85,10 @@ RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, 
                        frame.origin - approach * frame.normal,
                        {0.0, pose.lateral, wheelset.height},
                        frame.origin.y});
-  return {{slip.longitudinal, slip.lateral, slip.spin}, slip.reference_speed, slip.slip_speed};
+  return {{slip.twist[0], slip.twist[1], slip.twist[5]},
+          slip.twist,
+          slip.reference_speed,
+          slip.slip_speed};
 }
 
 RatedSlip rated_slip(const WheelsetMotion& wheelset, const MovingFrame& frame) {
@@ -104,7 +109,7 @@ RatedSlip rated_slip(const WheelsetMotion& wheelset, const MovingFrame& frame) {
       wheelset,
       {frame.longitudinal, frame.lateral, frame.normal, frame.place, frame.centre,
        frame.reference_y});
-  return {{slip.longitudinal, slip.lateral, slip.spin}, slip.slip_speed};
+  return {slip.twist, slip.slip_speed};
 }
 
 } // namespace wrc

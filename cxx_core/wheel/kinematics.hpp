@@ -19,7 +19,7 @@
 ///
 /// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions.
 ///
-/// Not known here: that slip varies with the patch's curvature.
+/// Not known here: the slip of each element (wheel/rigid_slip.hpp).
 #pragma once
 
 #include <array>
@@ -64,8 +64,15 @@ struct WheelsetMotion {
   }
 };
 
+/// Velocity at the place of the creepages, and turning, of the wheel's material against the rail's
+/// over the speed of slip, each along a patch's longitudinal, lateral and normal axes; turning in
+/// 1/mm.
+constexpr std::size_t twist_count = 6; // not a tuning constant
+using Twist = std::array<double, twist_count>;
+
 struct RigidSlip {
   Creepages creepages;
+  Twist twist{};
   double reference_speed = 0.0; ///< V_ref, mm/s; below 0 the wheel rolls backwards
   double slip_speed = 0.0; ///< what creepages are multiplied with to give velocities, mm/s, > 0
 };
@@ -101,8 +108,8 @@ struct MovingFrame {
 
 /// Of a patch, with the derivatives.
 struct RatedSlip {
-  std::array<RatedByState, 3> creepages; ///< longitudinal, lateral, spin
-  RatedByState slip_speed;               ///< as RigidSlip
+  std::array<RatedByState, twist_count> twist;
+  RatedByState slip_speed; ///< as RigidSlip
 };
 
 RatedSlip rated_slip(const WheelsetMotion& wheelset, const MovingFrame& frame);

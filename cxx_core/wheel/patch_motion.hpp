@@ -1,80 +1,71 @@
-/// How a patch moves and what holds it, and friction too small to compute with.
+/// How a patch moves: its creepages from the motion of the wheelset or as given, the slip of its
+/// elements beyond them, and both a little later.
 ///
-/// Left-hand frame of the side. Thread rule: plain values.
+/// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions of what is given.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <optional>
+#include <span>
 
-#include "rolling/creep_laws.hpp"
-#include "wheel/constants.hpp"
 #include "wheel/creep_forces.hpp"
+#include "wheel/creep_rates.hpp"
+#include "wheel/rigid_slip.hpp"
 
 namespace wrc {
 
-/// How a patch moves, left-hand frame of the side.
+/// Of a patch, or of patches of one plane together.
 struct PatchMotion {
-  Creepages creepages;
+  Creepages creepages; ///< at the plane's origin
   bool backwards = false;
   double slip_speed = 0.0; ///< of a creepage of 1, mm/s
   double friction = 0.0;   ///< coefficient
+  /// If slip varies within the patch as the wheelset moves.
+  std::optional<Twist> twist{};
 };
 
-/// Forces are homogeneous in friction and creepages, T(c mu, c w) = c T(mu, w): with so little
-/// friction that its products are no numbers, tractions are found with more and as much more
-/// creepage. From a creepage of 1 on that makes no difference: all slides.
-class LeastFriction {
+/// Creepages at a place of a patch's plane from those at its reference.
+Creepages creepages_at(const Creepages& reference, double longitudinal, double lateral);
+
+/// That of the request in the left-hand frame of the side.
+WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& request);
+
+/// Fills in PatchResult::slip of all patches and their parts, once; none of slip that is planar.
+void find_slip_geometry(WheelResult& wheel, const CreepRequest& request);
+
+/// From the wheelset's motion, or as given at the reference of `whole`.
+PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const WheelResult& wheel,
+                      const CreepRequest& request);
+
+/// The surface on the rows of a grid of the patch's plane.
+std::vector<SlipRow> rows_on(const WheelResult& wheel, const PatchResult& patch, const Grid& grid,
+                             const SlipChoice& choice);
+
+/// A patch that the wheelset has moved by lateral position, height, roll or yaw, with its plane.
+class MovedContact {
 public:
-  /// The linear law does not know friction.
-  LeastFriction(const PatchMotion& given, CreepModel model) : motion_(given) {
-    if (!(given.friction > 0.0 && given.friction < least_friction) || model == CreepModel::linear) {
-      return;
-    }
-    Creepages& creepages = motion_.creepages;
-    const double largest = std::max(
-        {std::abs(creepages.longitudinal), std::abs(creepages.lateral), std::abs(creepages.spin)});
-    motion_.friction = least_friction;
-    of_forces_ = given.friction / least_friction;
-    of_creepages_ = std::max({of_forces_, std::min(largest, 1.0)});
-    creepages.longitudinal /= of_creepages_;
-    creepages.lateral /= of_creepages_;
-    creepages.spin /= of_creepages_;
-  }
+  MovedContact(const WheelResult& wheel, const PatchResult& patch, const PatchRates& rates,
+               std::size_t position, double step);
 
-  /// To the friction given. Derivatives by it stay as they are.
-  void take_back(CreepForces& forces, CreepResult& creep) const {
-    if (of_forces_ == 1.0) {
-      return;
-    }
-    const auto times = [](double factor, auto& values) {
-      for (double& value : values) {
-        value *= factor;
-      }
-    };
-    for (double* value : {&forces.longitudinal, &forces.lateral, &forces.spin_moment,
-                          &creep.largest_traction, &creep.pressure_change}) {
-      *value *= of_forces_;
-    }
-    times(of_forces_, creep.traction_x);
-    times(of_forces_, creep.traction_y);
-    times(of_creepages_, creep.slip_x);
-    times(of_creepages_, creep.slip_y);
-    if (creep.derivatives) {
-      times(of_forces_ / of_creepages_, creep.derivatives->by_creepage);
-      times(of_forces_, creep.derivatives->by_load);
-      if (creep.derivatives->by_position) {
-        times(of_forces_, *creep.derivatives->by_position);
-      }
-    }
-  }
-
-  /// To solve for.
-  [[nodiscard]] const PatchMotion& motion() const { return motion_; }
+  [[nodiscard]] SlipGeometry geometry(const Grid& grid, std::span<const double> pressure,
+                                      const SlipChoice& choice) const;
+  [[nodiscard]] std::vector<SlipRow> rows(const Grid& grid, const SlipChoice& choice) const;
+  [[nodiscard]] Twist twist() const;
 
 private:
-  PatchMotion motion_;
-  double of_forces_ = 1.0; ///< those sought over those found
-  double of_creepages_ = 1.0;
+  [[nodiscard]] PosedPair pair() const;
+
+  const WheelResult& wheel_;
+  Pose pose_;
+  double height_; ///< of the wheelset's centre
+  ContactFrame frame_;
+  double approach_;
 };
+
+/// How SlipGeometry::creepages_by_twist changes with positions.
+std::array<CreepagesByTwist, position_count> slip_rates(const WheelResult& wheel,
+                                                        const PatchResult& patch,
+                                                        const PatchRates& rates,
+                                                        const SlipChoice& choice);
 
 } // namespace wrc

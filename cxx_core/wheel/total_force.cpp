@@ -8,16 +8,36 @@ Vector3 in_track(const Vector3& vector, double mirror) {
   return {vector.x, mirror * vector.y, vector.z};
 }
 
-Vector3 creep_force_on(const PatchResult& patch, double mirror) {
-  const Vector3 to_the_left = mirror * in_track(patch.frame.lateral, mirror);
-  return patch.creep->longitudinal_force * in_track(patch.frame.longitudinal, mirror) +
-         patch.creep->lateral_force * to_the_left;
+struct ForceAndMoment {
+  Vector3 force;
+  Vector3 moment; ///< about the reference
+};
+
+/// Of a patch without parts.
+ForceAndMoment creep_wrench_on(const PatchResult& patch, double mirror) {
+  const CreepResult& creep = *patch.creep;
+  const Wrench fitted = wrench_of(
+      patch.slip ? patch.slip->creepages_by_twist : creepages_of_planar_slip(),
+      {creep.longitudinal_force, mirror * creep.lateral_force, mirror * creep.spin_moment});
+  const auto in_frame = [&](std::size_t first) {
+    const auto along = [&](std::size_t i) { return fitted[i] + creep.beyond_creepages[i]; };
+    return in_track(along(first) * patch.frame.longitudinal +
+                        along(first + 1) * patch.frame.lateral +
+                        along(first + 2) * patch.frame.normal,
+                    mirror);
+  };
+  // A moment is a pseudovector: the mirror turns it the other way.
+  return {in_frame(0), mirror * in_frame(3)};
 }
 
 void add_up_force(PatchResult& patch, double mirror) {
-  patch.total_force = patch.creep ? patch.force + creep_force_on(patch, mirror) : patch.force;
+  patch.total_force = patch.force;
   for (PatchResult& part : patch.parts) {
     add_up_force(part, mirror);
+    patch.total_force = patch.total_force + (part.total_force - part.force);
+  }
+  if (patch.creep && patch.parts.empty()) {
+    patch.total_force = patch.force + creep_wrench_on(patch, mirror).force;
   }
 }
 
@@ -33,13 +53,15 @@ TotalForce total_force(const WheelResult& wheel) {
   for (const PatchResult& patch : wheel.patches) {
     total.force = total.force + patch.force;
     total.moment = total.moment + cross(arm(patch.centroid), patch.force);
-    if (patch.creep) {
-      const Vector3 force = creep_force_on(patch, mirror);
-      total.force = total.force + force;
-      const Vector3 normal = in_track(patch.frame.normal, mirror);
+  }
+  for (const PatchResult* patch : solved_patches(wheel)) {
+    if (patch->creep) {
+      const ForceAndMoment creep = creep_wrench_on(*patch, mirror);
       // Where the velocity is that creepages stand for (wheel/kinematics.hpp).
-      const Vector3 place = arm(patch.reference) - patch.approach * normal;
-      total.moment = total.moment + cross(place, force) + patch.creep->spin_moment * normal;
+      const Vector3 place =
+          arm(patch->reference) - patch->approach * in_track(patch->frame.normal, mirror);
+      total.force = total.force + creep.force;
+      total.moment = total.moment + cross(place, creep.force) + creep.moment;
     }
   }
   return total;

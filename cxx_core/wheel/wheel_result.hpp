@@ -16,6 +16,7 @@
 #include "wheel/contact_damage.hpp"
 #include "wheel/creep_forces.hpp"
 #include "wheel/force_jacobian.hpp"
+#include "wheel/rigid_slip.hpp"
 #include "wheel/sensitivities.hpp"
 #include "wheel/wheel_solution.hpp"
 
@@ -51,6 +52,7 @@ struct PatchResult : Patch {
   double fill = 0.0; ///< share of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
   std::optional<CreepResult> creep;    ///< if creep forces were requested
+  std::optional<SlipGeometry> slip;    ///< with them, if slip is that of each element
   std::optional<ContactDamage> damage; ///< if any of it was requested
   /// Of several patches that share a plane, each as it was solved; else empty. All else is then
   /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are

@@ -158,6 +158,15 @@ class RollingContact(GridContact):
         self._check(lib.wrc_rolling_set_pressure(self._handle, pointer(values), values.size))
         self.set(**settings)
 
+    def set_slip(self, slip_x: ArrayLike, slip_y: ArrayLike) -> RollingContact:
+        """Rigid slip of each element in addition to that of the creepages; two empty lists: none."""
+        x, y = doubles(slip_x), doubles(slip_y)
+        if x.shape != y.shape:
+            raise InvalidArgument(f"slip_x has shape {x.shape}, slip_y {y.shape}; allowed are equal "
+                                  "ones")
+        self._check(lib.wrc_rolling_set_slip(self._handle, pointer(x), pointer(y), x.size))
+        return self
+
     def set_previous(self, traction_x: ArrayLike, traction_y: ArrayLike) -> RollingContact:
         """The tractions (MPa, on the wheel) before a step or shift; two empty lists: none."""
         x, y = doubles(traction_x), doubles(traction_y)

@@ -332,7 +332,7 @@ wrc_status call_rolling() {
   wrc_rolling* rolling = rollings.any();
   double number = 0.0;
   std::int64_t count = 0;
-  switch (below(12)) {
+  switch (below(13)) {
   case 0:
     rollings.make();
     return WRC_OK;
@@ -359,6 +359,9 @@ wrc_status call_rolling() {
     return wrc_rolling_number(rolling, any_text(), maybe(&number));
   case 10:
     return wrc_rolling_advance(rolling);
+  case 11:
+    return wrc_rolling_set_slip(rolling, any_array(), any_array(),
+                                below(2) == 0 ? 256 : any_count());
   default:
     return wrc_rolling_error(rolling) != nullptr
                ? wrc_rolling_field(rolling, any_text(), any_array(), any_capacity(), maybe(&count))

@@ -196,6 +196,12 @@ TEST(OutOfMemory, ARollingContactKeepsItsResults) {
                                                                  pressure.data(), side * side);
                                }),
               WRC_OUT_OF_MEMORY);
+    EXPECT_EQ(with_allocations(count,
+                               [&] {
+                                 return wrc_rolling_set_slip(rolling, pressure.data(),
+                                                             pressure.data(), side * side);
+                               }),
+              WRC_OUT_OF_MEMORY);
     EXPECT_EQ(with_allocations(count, [&] { return wrc_rolling_advance(rolling); }),
               WRC_OUT_OF_MEMORY);
   }

@@ -60,6 +60,7 @@ TEST(RollingHandle, EveryFunctionRefusesANullHandle) {
   wrc_rolling_destroy(nullptr);
   EXPECT_EQ(wrc_rolling_set_grid(nullptr, 2, 2, 1.0, 1.0), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_pressure(nullptr, &value, 1), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_rolling_set_slip(nullptr, &value, &value, 1), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_previous(nullptr, &value, &value, 1), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_number(nullptr, "tolerance", 1e-3), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_text(nullptr, "model", "full"), WRC_INVALID_ARGUMENT);
@@ -76,6 +77,8 @@ TEST(RollingHandle, NullArgumentsAreNamed) {
   double value = 0.0;
   std::int64_t count = 0;
   expect_null_told(r, wrc_rolling_set_pressure(r, nullptr, 4), "values");
+  expect_null_told(r, wrc_rolling_set_slip(r, nullptr, &value, 1), "slip_x");
+  expect_null_told(r, wrc_rolling_set_slip(r, &value, nullptr, 1), "slip_y");
   expect_null_told(r, wrc_rolling_set_previous(r, nullptr, &value, 1), "traction_x");
   expect_null_told(r, wrc_rolling_set_previous(r, &value, nullptr, 1), "traction_y");
   expect_null_told(r, wrc_rolling_set_number(r, nullptr, 1.0), "key");
@@ -113,6 +116,10 @@ TEST(RollingProblem, WhatIsMissingIsNamed) {
   ASSERT_EQ(wrc_rolling_set_grid(r, 2, 3, 1.0, 1.0), WRC_OK);
   EXPECT_EQ(wrc_rolling_solve(r), WRC_OK);
   EXPECT_STREQ(wrc_rolling_error(r), "");
+  ASSERT_EQ(wrc_rolling_set_slip(r, values.data(), values.data(), 4), WRC_OK);
+  expect_error(r, wrc_rolling_solve(r), WRC_INVALID_ARGUMENT, "slip_x.size = 4");
+  ASSERT_EQ(wrc_rolling_set_slip(r, nullptr, nullptr, 0), WRC_OK);
+  EXPECT_EQ(wrc_rolling_solve(r), WRC_OK);
   // Previous tractions count in steps and shifts only.
   ASSERT_EQ(wrc_rolling_set_previous(r, values.data(), values.data(), 4), WRC_OK);
   EXPECT_EQ(wrc_rolling_solve(r), WRC_OK);
@@ -140,6 +147,11 @@ TEST(RollingProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
   const std::vector<double> values{1.0, 2.0, infinity};
   EXPECT_EQ(wrc_rolling_set_pressure(r, values.data(), 0), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_rolling_set_pressure(r, values.data(), -3), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_rolling_set_slip(r, values.data(), values.data(), -3), WRC_INVALID_ARGUMENT);
+  expect_error(r, wrc_rolling_set_slip(r, values.data() + 1, values.data(), 2),
+               WRC_INVALID_ARGUMENT, "slip_x[1]", "-1e30 to 1e30");
+  expect_error(r, wrc_rolling_set_slip(r, values.data(), values.data() + 1, 2),
+               WRC_INVALID_ARGUMENT, "slip_y[1]");
   EXPECT_EQ(wrc_rolling_set_previous(r, values.data(), values.data(), -3), WRC_INVALID_ARGUMENT);
   expect_error(r, wrc_rolling_set_previous(r, values.data() + 1, values.data(), 2),
                WRC_INVALID_ARGUMENT, "traction_x[1]");

@@ -232,6 +232,7 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
   scene.set("track.rail", "56E1");
   scene.set("pose.lateral", 6.15);
   scene.set("motion.speed", 2e4);
+  scene.set("solve.slip", "planar"); // tractions along the planes
   scene.solve();
   const auto patches = scene.patches();
   ASSERT_EQ(patches.size(), 3U);

@@ -433,6 +433,8 @@ contains
     call expect(stat == wrc_invalid_argument, 'its grid')
     call rolling%set_pressure([1.0_real64], stat)
     call expect(stat == wrc_invalid_argument, 'its pressure')
+    call rolling%set_slip(stat=stat)
+    call expect(stat == wrc_invalid_argument, 'its slip')
     call rolling%set_previous(stat=stat)
     call expect(stat == wrc_invalid_argument, 'its history')
     call rolling%set('contact', 'shift', stat)

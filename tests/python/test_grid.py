@@ -57,6 +57,20 @@ def test_creep_forces_rise_as_kalker_says():
     assert np.isclose(slipping.longitudinal_force, 0.3 * load, rtol=1e-3)
 
 
+def test_slip_of_elements_is_added_to_that_of_creepages():
+    gap, step = sphere(32)
+    pressure = wrcontact.NormalContact(gap, step, step, normal_load=8e4).solve().pressure
+    rolling = wrcontact.RollingContact(pressure, step, step, tolerance=1e-6,
+                                       longitudinal_creepage=-1e-3).solve()
+    force = rolling.longitudinal_force
+    nothing = np.zeros_like(pressure)
+    rolling.set(longitudinal_creepage=0).set_slip(nothing - 1e-3, nothing).solve()
+    assert np.isclose(rolling.longitudinal_force, force, rtol=1e-5)
+    assert rolling.set_slip([], []).solve().longitudinal_force == 0
+    with pytest.raises(wrcontact.InvalidArgument):
+        rolling.set_slip(nothing, [])
+
+
 def test_a_shift_starts_from_previous_tractions():
     gap, step = sphere(32)
     pressure = wrcontact.NormalContact(gap, step, step, normal_load=8e4).solve().pressure

@@ -345,6 +345,7 @@ TEST(CreepForces, TwoPatchesOnTheFlangeCarryWhatAllForcesDo) {
   scene.right.creepages.reset();
   scene.motion = Motion{.speed = 1e3 * input.at("vx_m_s").get<double>(),
                         .pitch = -input.at("vpitch_rad_s").get<double>()};
+  scene.slip = SlipVariation::planar; // D = 2
   const double load = input.at("Fz_N");
   scene.right.load = load;
   TotalForce total = total_force(*solve_scene(scene).right);

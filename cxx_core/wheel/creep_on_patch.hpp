@@ -1,0 +1,70 @@
+/// Creep forces of a patch on its own pressures: by the full theory or FASTSIM by strips, with the
+/// slip of its elements.
+///
+/// Left-hand frame of the side. Units mm, N, MPa, rad. Thread rule: as the solver's.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "rolling/creep_laws.hpp"
+#include "wheel/constants.hpp"
+#include "wheel/patch_motion.hpp"
+#include "wheel/wheel_result.hpp"
+
+namespace wrc {
+
+/// A patch with what it is solved for.
+struct PatchTask {
+  const WheelResult& wheel;
+  const PatchResult& patch;
+  const PatchMotion& motion;
+  const CreepRequest& request;
+  const PatchRates* rates; ///< none where they are not known
+};
+
+/// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
+/// normal.
+inline Creepages turned(const Creepages& creepages) {
+  return {-creepages.longitudinal, -creepages.lateral, creepages.spin};
+}
+
+/// Fills in what `creep` has of grid, fields, areas, derivatives, error and power.
+CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep);
+
+/// Derivatives by creepages of the cheaper models: central differences over a small share of the
+/// creepage at which a sphere's contact of this size slides.
+template <class Forces>
+std::array<double, 9> difference_by_creepage(const PatchResult& patch, const CreepRequest& request,
+                                             const PatchMotion& motion, Creepages at,
+                                             const Forces& forces) {
+  const double size =
+      std::max(patch.semi_axis_longitudinal * patch.semi_axis_lateral, patch.grid.element_area());
+  // The linear law knows no friction, and has the same derivatives by any steps.
+  const double friction = request.model == CreepModel::linear
+                              ? std::max(motion.friction, least_linear_friction)
+                              : motion.friction;
+  const double translation =
+      creep_difference_step * friction * patch.normal_force / (request.material.modulus * size);
+  const std::array<Creepages, 3> steps{Creepages{translation, 0.0, 0.0},
+                                       {0.0, translation, 0.0},
+                                       {0.0, 0.0, translation / std::sqrt(size)}};
+  const std::array<double, 3> lengths{translation, translation, translation / std::sqrt(size)};
+  std::array<double, 9> derivatives{};
+  for (std::size_t i = 0; i < steps.size() && translation > 0.0; ++i) {
+    const Creepages& step = steps[i];
+    const CreepForces ahead = forces(
+        {at.longitudinal + step.longitudinal, at.lateral + step.lateral, at.spin + step.spin});
+    const CreepForces behind = forces(
+        {at.longitudinal - step.longitudinal, at.lateral - step.lateral, at.spin - step.spin});
+    const double scale = 0.5 / lengths[i];
+    derivatives[i] = scale * (ahead.longitudinal - behind.longitudinal);
+    derivatives[3 + i] = scale * (ahead.lateral - behind.lateral);
+    derivatives[6 + i] = scale * (ahead.spin_moment - behind.spin_moment);
+  }
+  return derivatives;
+}
+
+} // namespace wrc
