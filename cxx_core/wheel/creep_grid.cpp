@@ -18,7 +18,9 @@ struct CreepCounts {
   double along;
 };
 
-constexpr double fewest = 2.0; // each way
+/// Elements each way, at least.
+/// origin: derived: grids of creep forces have even numbers of elements.
+constexpr double fewest = 2.0;
 
 CreepCounts within(CreepCounts wanted, double limit) {
   const double times = std::sqrt(wanted.across * wanted.along / limit);
