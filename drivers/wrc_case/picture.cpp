@@ -25,9 +25,8 @@ std::string force_text(double newtons) {
   return fixed(value, decimals) + (thousands ? " kN" : " N");
 }
 
-/// At most 190 bytes and three points, whole letters of UTF-8.
-std::string shortened(const std::string& text) {
-  std::size_t length = 190;
+/// At most so many bytes and three points, whole letters of UTF-8.
+std::string shortened(const std::string& text, std::size_t length) {
   if (text.size() <= length) {
     return text;
   }
@@ -39,8 +38,9 @@ std::string shortened(const std::string& text) {
 
 /// Warnings as lines of text at the lower end of the picture, and the room for them.
 struct WarningNote {
-  explicit WarningNote(std::vector<std::string> warnings) {
+  WarningNote(std::vector<std::string> warnings, std::size_t columns) {
     constexpr std::size_t most_lines = 4;
+    constexpr std::size_t letters = 100; // in the width of a column
     const std::size_t count = warnings.size();
     if (count > most_lines) {
       warnings.resize(most_lines - 1);
@@ -51,8 +51,8 @@ struct WarningNote {
     for (const std::string& warning : warnings) {
       --from_below;
       labels += "set label " + std::to_string(first_label + from_below) + ' ' +
-                gnuplot_text(shortened(one_line(warning))) + " at screen 0.006,character " +
-                general(0.8 + line_height * from_below) +
+                gnuplot_text(shortened(one_line(warning), letters * columns)) +
+                " at screen 0.006,character " + general(0.8 + line_height * from_below) +
                 " left font ',9' tc rgb '#b00000' front\n";
     }
   }
@@ -448,7 +448,7 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   const std::size_t rows =
       1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U) + (has_stresses ? 1U : 0U);
   gnuplot.begin_multiplot(rows, sides.size());
-  const WarningNote note(scene.warnings());
+  const WarningNote note(scene.warnings(), std::max<std::size_t>(sides.size(), 1));
   std::size_t row = 0;
   const auto plot_row = [&](const auto& plot_side) {
     ++row;

@@ -58,7 +58,7 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
 void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side) {
   std::ostream& out = gnuplot.script();
   const auto patches = parts_with(scene, patches_of(scene, side), stress_result);
-  out << "unset label\nset size noratio\n";
+  out << "set size noratio\n";
   if (patches.empty()) {
     out << "set title '" << side << " wheel: no stresses'\nplot NaN notitle\n";
     return;

@@ -90,5 +90,21 @@ TEST_F(WrcCaseWarnings, NearContactsAreThreeAndACount) {
   EXPECT_EQ(outcome.out.find("Corrected: waves.wheel: warning"), std::string::npos);
 }
 
+/// Below stresses too, and no longer than the picture of one wheel is wide.
+TEST_F(WrcCaseWarnings, StandInPicturesOfEveryKind) {
+  NEEDS_GNUPLOT();
+  const std::string assigned = "--set pose.lateral=6.5 solve.accuracy=0.1 ";
+  const std::string text = "left: the largest pressure, 60";
+  ASSERT_EQ(run(assigned + "solve.results=stress --plot stress.svg").exit_code, 0);
+  EXPECT_NE(read("stress.svg").find(text), std::string::npos);
+  ASSERT_EQ(run(assigned + "solve.side=left --plot one.svg").exit_code, 0);
+  const std::string picture = read("one.svg");
+  const std::size_t begin = picture.find(text);
+  ASSERT_NE(begin, std::string::npos);
+  constexpr std::size_t most_letters = 105; // in 650 pixels
+  EXPECT_LE(picture.find('<', begin) - begin, most_letters);
+  EXPECT_NE(picture.find("...", begin), std::string::npos);
+}
+
 } // namespace
 } // namespace warnings_test
