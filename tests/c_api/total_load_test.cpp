@@ -154,6 +154,23 @@ TEST(TotalLoad, IsRefusedWhereNoLoadGivesIt) {
                "80000", "no load on the normal pressures gives that");
 }
 
+/// As such a load on the pressures is: nothing is pressed together, and a warning says so.
+TEST(TotalLoad, IsTreatedAsNoneWhereItIsTooSmall) {
+  for (const char* pitch : {"rolling", "free"}) {
+    const ScenePointer scene = moving_scene(3.0, 1e-3);
+    solve(scene.get(), {{"load.total_vertical", 1e-12}, {"motion.pitch", pitch}});
+    EXPECT_EQ(number_of(scene.get(), "left.patch_count"), 0.0) << pitch;
+    EXPECT_EQ(number_of(scene.get(), "warning_count"), 2.0) << pitch;
+    const char* kind = nullptr;
+    ASSERT_EQ(wrc_scene_text(scene.get(), "warning_classes.1", &kind), WRC_OK) << pitch;
+    EXPECT_STREQ(kind, "no_load") << pitch;
+    solve(scene.get(), {{"load.total_left", 80e3}});
+    EXPECT_LE(std::abs(relative(scene.get(), "left.vertical_force", 80e3)), total_tolerance)
+        << pitch;
+    EXPECT_EQ(number_of(scene.get(), "right.patch_count"), 0.0) << pitch;
+  }
+}
+
 TEST(TotalLoad, ReplacesOtherLoadsAndIsReplaced) {
   const ScenePointer scene = make_scene();
   wrc_scene* s = scene.get();
