@@ -121,6 +121,11 @@ GridChoice GridChoice::coarser(double times) const {
   return result;
 }
 
+int affordable_iterations(double elements, double limit) {
+  const double work = most_work * std::max(1.0, limit / default_element_limit);
+  return static_cast<int>(std::clamp(work / std::max(1.0, elements), 1.0, most_work));
+}
+
 std::string text_of_limit(double wanted, double limit) {
   return "the accuracy needs " + short_text_of(wanted) +
          " elements, solve.element_limit = " + text_of(limit) +

@@ -44,6 +44,9 @@ private:
 /// That a limit holds, how many elements would be needed, and what lifts it.
 std::string text_of_limit(double wanted, double limit);
 
+/// Iterations after which a solution on so many elements ends, at least 1.
+int affordable_iterations(double elements, double limit);
+
 /// The patches and their planes, without grids. `depth` > 0: vertical, from the first touch.
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
                           const WheelRequest& request, double depth);

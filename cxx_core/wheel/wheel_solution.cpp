@@ -166,8 +166,9 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   }
   problem.maximum_iterations = request_.maximum_iterations;
   if (!request_.grid) {
-    const auto affordable = static_cast<int>(most_work / element_count(solution));
-    problem.maximum_iterations = std::min(problem.maximum_iterations, affordable);
+    problem.maximum_iterations =
+        std::min(problem.maximum_iterations,
+                 affordable_iterations(element_count(solution), request_.element_limit));
   }
   problem.elements = request_.elements;
   problem.interaction = solution.interaction ? &*solution.interaction : nullptr;

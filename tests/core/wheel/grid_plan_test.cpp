@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/simple_profiles.hpp"
+#include "wheel/constants.hpp"
 
 namespace wrc::test::grid_plan_test {
 namespace {
@@ -104,6 +105,17 @@ TEST(GridPlan, TheVerticalConventionHasOnePlaneAndTellsWhatItLeavesOut) {
   EXPECT_EQ(plan.patches[0].approach_cosine, 1.0);
   ASSERT_TRUE(plan.left_out_s);
   EXPECT_NEAR(*plan.left_out_s, -30.0, 5.0);
+}
+
+/// A limit of elements that is raised permits as many iterations on them as the default one does.
+TEST(GridPlan, IterationsStayAffordableUnderAnyLimit) {
+  const int by_default = affordable_iterations(default_element_limit, default_element_limit);
+  EXPECT_EQ(by_default, 500);
+  const double raised = 67108864.0;
+  EXPECT_EQ(affordable_iterations(raised, raised), by_default);
+  EXPECT_EQ(affordable_iterations(default_element_limit, 1000.0), by_default);
+  EXPECT_EQ(affordable_iterations(raised, 1000.0), 1);
+  EXPECT_EQ(affordable_iterations(0.0, raised), static_cast<int>(most_work));
 }
 
 } // namespace
