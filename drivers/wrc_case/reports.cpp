@@ -219,14 +219,14 @@ void print_near_contacts(const Scene& scene, std::ostream& out) {
 
 void print_texts(const Scene& scene, std::ostream& out) {
   for (const std::string& correction : texts_of(scene, "corrections")) {
-    out << "Corrected: " << correction << '\n';
+    out << "Corrected: " << one_line(correction) << '\n';
   }
   for (const std::string& warning : warnings_of_profiles(scene)) {
-    out << "Warning: " << warning << '\n';
+    out << "Warning: " << one_line(warning) << '\n';
   }
   for (const std::string& side : sides_of(scene)) {
     for (const std::string& warning : texts_of(scene, side + ".warnings")) {
-      out << "Warning, " << side << ": " << warning << '\n';
+      out << "Warning, " << side << ": " << one_line(warning) << '\n';
     }
   }
 }

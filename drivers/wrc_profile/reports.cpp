@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "support/numbers.hpp"
+#include "support/scene.hpp"
 #include "support/text_table.hpp"
 
 namespace driver {
@@ -97,19 +98,19 @@ json json_of(const Comparison& comparison) {
 void print_table(const ProfileReport& report, std::ostream& out) {
   const Profile& profile = report.profile;
   const Measures& measures = report.measures;
-  out << profile.text("name") << ", " << kind_name(profile) << ": " << profile.text("title")
-      << '\n';
-  label(out, "source") << profile.text("source") << '\n';
-  label(out, "confidence") << profile.text("confidence") << '\n';
+  out << one_line(profile.text("name")) << ", " << kind_name(profile) << ": "
+      << one_line(profile.text("title")) << '\n';
+  label(out, "source") << one_line(profile.text("source")) << '\n';
+  label(out, "confidence") << one_line(profile.text("confidence")) << '\n';
   const auto corrections = profile.corrections();
   for (const std::string& correction : corrections) {
-    label(out, "corrected") << correction << '\n';
+    label(out, "corrected") << one_line(correction) << '\n';
   }
   if (corrections.empty()) {
     label(out, "corrected") << "nothing\n";
   }
   for (const std::string& warning : profile.warnings()) {
-    label(out, "warning") << warning << '\n';
+    label(out, "warning") << one_line(warning) << '\n';
   }
   label(out, "nodes") << measures.nodes.size() << '\n';
   label(out, "length") << fixed(measures.length, 3) << " mm\n";
@@ -133,11 +134,12 @@ void print_table(const ProfileReport& report, std::ostream& out) {
   }
   print_checks(measures.checks, out);
   if (report.comparison) {
-    out << "\nNormal distance to " << *report.other_name << " (positive: that one is higher)\n";
+    out << "\nNormal distance to " << one_line(*report.other_name)
+        << " (positive: that one is higher)\n";
     print_comparison(*report.comparison, out);
   }
   if (report.conversion) {
-    out << "\nWritten " << report.conversion->path << ", a point every "
+    out << "\nWritten " << one_line(report.conversion->path) << ", a point every "
         << report.conversion->spacing << " mm of arc; read back, it differs by\n";
     print_comparison(report.conversion->difference, out);
   }

@@ -1,4 +1,5 @@
 /// Texts that would be commands in gnuplot, a shell or a browser are drawn and shown as texts.
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,13 @@ std::string shell(const std::string& text) {
     out += letter == '\'' ? "'\\''" : std::string(1, letter);
   }
   return out + '\'';
+}
+
+/// Besides ends of lines: a terminal would obey them.
+bool has_control_characters(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char letter) {
+    return (letter < 0x20 && letter != '\n') || letter == 0x7F;
+  });
 }
 
 /// As the name of a file in this folder.
@@ -183,6 +191,8 @@ TEST_F(HostileText, IsDrawnInPicturesOfProfilesAndCases) {
                 "wheelset.profile_origin=tape --plot " +
                 shell(text + "c.svg"));
     EXPECT_EQ(scene.exit_code, 0) << scene.error;
+    EXPECT_FALSE(has_control_characters(profile.out)) << profile.out;
+    EXPECT_FALSE(has_control_characters(scene.out)) << scene.out;
     expect_no_trace();
     expect_pictures(2);
   }
