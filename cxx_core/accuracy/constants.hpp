@@ -110,8 +110,8 @@ inline constexpr double mean_over_element = 1.0 / 24.0;
 
 /// Error of a crest, in second differences of the strips at its top.
 /// origin: measured (wrc_tradeoff --practical 1500): together with the law of resolution.hpp it is
-/// exceeded by 2 of 3000 errors of pmax at 1e-2 and every miss is told; with 0.06 and 0.08 (of
-/// 6000) by 17 and 14, and two misses are not. From 0.06 to 0.1 second grids take 1.3 % more
+/// exceeded by 2 of 3000 errors of pmax at 1e-2, and each miss has a warning; with 0.06 and 0.08
+/// (of 6000) by 17 and 14, and two misses have none. From 0.06 to 0.1 second grids take 1.3 % more
 /// solutions.
 inline constexpr double error_by_second_difference = 0.1;
 

@@ -128,7 +128,7 @@ int affordable_iterations(double elements, double limit) {
 
 std::string text_of_limit(double wanted, double limit) {
   return "the accuracy needs " + short_text_of(wanted) +
-         " elements, solve.element_limit = " + text_of(limit) +
+         " elements, solve.element_limit = " + std::to_string(static_cast<long long>(limit)) +
          " permits no more: solved on as many, with the accuracy that they give";
 }
 
