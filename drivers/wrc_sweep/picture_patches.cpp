@@ -166,11 +166,11 @@ std::vector<MapRow> rows_of(Gnuplot& gnuplot, const PictureRequest& picture,
 
 /// Cells as wide and high as the largest of them, with room for labels; mm.
 struct Layout {
-  static constexpr double head = 5.0;    ///< for the values of the columns
-  static constexpr double margin = 14.0; ///< for the labels of the rows
-  static constexpr double foot = 5.0;    ///< for the scale
+  static constexpr double head = 5.0; ///< for the values of the columns
+  static constexpr double foot = 5.0; ///< for the scale
 
-  Layout(const std::vector<MapRow>& rows, std::size_t columns) {
+  /// `letters`: of the longest label beside the rows.
+  Layout(const std::vector<MapRow>& rows, std::size_t columns, std::size_t letters) {
     for (const MapRow& row : rows) {
       for (const Cell& cell : row.cells) {
         if (!cell.maps.empty()) {
@@ -184,8 +184,17 @@ struct Layout {
     cell_height += 8.0;
     width = cell_width * static_cast<double>(columns);
     height = cell_height * static_cast<double>(rows.size());
+    // As much of the picture's pixels as the letters take, up to half of them.
+    constexpr double letter_pixels = 8.0;
+    const double wanted = letter_pixels * static_cast<double>(std::min<std::size_t>(letters, 60));
+    const double share = std::min(0.5, wanted / std::clamp(6.0 * width, least_pixels, most_pixels));
+    margin = std::max(14.0, width * share / (1.0 - share));
   }
 
+  static constexpr double least_pixels = 900.0; ///< of rows with their labels
+  static constexpr double most_pixels = 1600.0;
+
+  double margin = 0.0; ///< for the labels of the rows
   double cell_width = 4.0;
   double cell_height = 4.0;
   double width = 0.0; ///< of all cells
@@ -202,10 +211,10 @@ void write_frame(std::ostream& out, const PictureRequest& picture, const Layout&
       << gnuplot_text(picture.title, Markup::subscripts)
       << " font ',12'\nset cblabel 'pressure, MPa" << (cut ? " (darkest: this and more)" : "")
       << "' offset 1\nset cbtics\n"
-      << pressure_palette << "set xrange [" << -Layout::margin << ':' << layout.width
+      << pressure_palette << "set xrange [" << -layout.margin << ':' << layout.width
       << "]\nset yrange [" << -layout.height - Layout::foot << ':' << Layout::head
       << "]\nset cbrange [0:" << darkest << "]\nset label "
-      << gnuplot_text(picture.x_label + ':', Markup::subscripts) << " at " << -Layout::margin << ','
+      << gnuplot_text(picture.x_label + ':', Markup::subscripts) << " at " << -layout.margin << ','
       << 0.5 * Layout::head << "\nset arrow from 0," << scale_y << " rto " << bar
       << ",0 heads size 1,90 lw 1.5\n"
       << "set label '10 mm; left is left, forward is up; below each patch p_{max} in MPa' at "
@@ -220,7 +229,11 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   std::ostream& out = gnuplot.script();
   const std::vector<double> columns = places_of(picture, data);
   const std::vector<MapRow> rows = rows_of(gnuplot, picture, data, columns);
-  const Layout layout(rows, columns.size());
+  std::size_t letters = picture.x_label.size() + 1;
+  for (const MapRow& row : rows) {
+    letters = std::max(letters, row.label.size());
+  }
+  const Layout layout(rows, columns.size(), letters);
   write_frame(out, picture, layout);
   out << warning_note(data, "by (!)", false);
   const auto column_middle = [&layout](std::size_t column) {
@@ -238,7 +251,7 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
         << (rows[i].label.empty()
                 ? side
                 : '(' + gnuplot_text(rows[i].label, Markup::subscripts) + ".\"\\n\"." + side + ')')
-        << " at " << -Layout::margin << ',' << y << '\n';
+        << " at " << -layout.margin << ',' << y << '\n';
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const Cell& cell = rows[i].cells[j];
       out << "set label '" << (std::isnan(cell.pmax) ? "failed" : fixed(cell.pmax, 0))
@@ -254,12 +267,10 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
   }
   gnuplot.plot(items);
 
-  constexpr double least_pixels = 900.0;
-  constexpr double most_pixels = 1600.0;
   constexpr double beside_width = 140.0; // pixels, for the colour box
   constexpr double above = 70.0;         // pixels, for the title
-  const double wide = layout.width + Layout::margin;
-  const double pixels = std::clamp(6.0 * wide, least_pixels, most_pixels);
+  const double wide = layout.width + layout.margin;
+  const double pixels = std::clamp(6.0 * wide, Layout::least_pixels, Layout::most_pixels);
   const double high = layout.height + Layout::head + Layout::foot;
   gnuplot.draw(path, static_cast<int>(pixels + beside_width),
                static_cast<int>(pixels / wide * high + above));

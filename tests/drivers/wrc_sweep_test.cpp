@@ -461,5 +461,27 @@ TEST_F(WrcSweep, RefusesBadArguments) {
   }
 }
 
+TEST_F(WrcSweep, MapsOfPatchesLeaveRoomForTheLabelsOfTheirRows) {
+  NEEDS_GNUPLOT();
+  const std::string label = "pose.yaw 0.005123456789";
+  write("s.toml", "[pose]\nyaw = [0.0, 0.005123456789]\nlateral = [0.0, 5.0, 6.0, 6.5]\n[solve]\n"
+                  "accuracy = 0.1\n[study]\nresults = [\"left.pmax\"]\n"
+                  "fields = [\"x\", \"y\", \"z\", \"pressure\"]\n[[picture]]\nkind = \"patches\"\n"
+                  "file = \"p.svg\"\nx = \"pose.lateral\"\nseries = \"pose.yaw\"\n"
+                  "sides = [\"left\"]\n");
+  const Outcome outcome = run("s.toml --out o");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const std::string picture = read("o/p.svg");
+  const auto number_behind = [&picture](const std::string& mark, std::size_t from) {
+    return std::stod(picture.substr(from + mark.size()));
+  };
+  const std::string group = "translate(";
+  const double begin = number_behind(group, picture.rfind(group, picture.find(label + '<')));
+  const std::string image = "<image x='";
+  constexpr double letter = 6.5; // pixels, DejaVu Sans 10
+  EXPECT_GE(number_behind(image, picture.find(image)),
+            begin + letter * static_cast<double>(label.size()));
+}
+
 } // namespace
 } // namespace wrc_sweep_test
