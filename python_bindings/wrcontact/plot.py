@@ -41,7 +41,8 @@ def draw_profile(profile: Profile, path: str | os.PathLike[str] | None) -> Any:
     axes.plot(curve.lateral, curve.height, color=_RAIL if profile.kind == "rail" else _WHEEL)
     if profile.kind == "wheel":
         axes.invert_yaxis()  # the flange points down
-    axes.set(title=profile.title, aspect="equal", xlabel="lateral, mm (to the field side)",
+    axes.set_title(profile.title, parse_math=False)  # a file's name may hold $
+    axes.set(aspect="equal", xlabel="lateral, mm (to the field side)",
              ylabel="height, mm" if profile.kind == "rail" else "larger radius, mm (downwards)")
     axes.grid(color="#dddddd")
     return _save(figure, path)

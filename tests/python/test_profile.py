@@ -28,6 +28,17 @@ def test_a_file_and_its_points_give_one_scene(tmp_path):
     assert found[0] == found[1] and np.isclose(found[2], found[0], rtol=1e-6)
 
 
+def test_the_name_of_a_file_is_drawn_as_it_is(tmp_path):
+    pytest.importorskip("matplotlib")
+    name = r"a$\frac{b$_^%.txt"
+    wrcontact.Profile("60E1").write(tmp_path / "rail.txt", spacing=0.5)
+    (tmp_path / "rail.txt").rename(tmp_path / name)
+    profile = wrcontact.Profile(tmp_path / name, kind="rail")
+    figure = profile.plot(tmp_path / "rail.png")
+    assert figure.axes[0].get_title() == profile.title
+    assert (tmp_path / "rail.png").stat().st_size > 0
+
+
 def test_what_is_wrong_is_told(tmp_path):
     with pytest.raises(TypeError, match="smoothing_wavelength"):
         wrcontact.Profile("rail.prr", smoothing=3)
