@@ -119,6 +119,7 @@ wrc_status call_scene() {
   case 17:
     wrc_scene_number_name(scene, any_count());
     wrc_scene_text_name(scene, any_count());
+    wrc_scene_warning(scene, any_count());
     return wrc_scene_number_count(scene) >= 0 && wrc_scene_text_count(scene) >= 0 ? WRC_OK : -1;
   case 18:
     return wrc_scene_error(scene) != nullptr ? WRC_OK : -1;
