@@ -378,10 +378,9 @@ std::vector<Key> accuracy_keys() {
       {1e-13, 0.1}, pure, &Scene::tolerance));
   Key limit = number_key(
       {"solve.element_limit", "100000", "a whole number, 1000 to 67108864",
-       "largest number of elements of the grids of a wheel together, and of its grids of creep "
-       "forces, that follow from the accuracy; where that needs more, they are as much larger, and "
-       "a "
-       "warning says so; not of solve.grid"},
+       "largest number of elements, by accuracy, of all patches of a wheel together, and of their "
+       "creep forces; where the accuracy needs more, elements are larger and a warning says so; "
+       "solve.grid has no limit"},
       {1e3, 67108864.0}, pure, &Scene::element_limit);
   limit.whole = true;
   keys.push_back(limit);
