@@ -99,7 +99,7 @@ def from_case(name, keys, folder):
     if any(of_wheel in row["warnings"].split(" | ") for row in rows):
         found.add("--csv")
     picture = html.unescape(re.sub("<[^>]*>", "", (folder / "case.svg").read_text(encoding="utf-8")))
-    if squeezed(text[:150]).replace("'", "’") in squeezed(picture):  # as gnuplot draws it
+    if squeezed(text[:95]).replace("'", "’") in squeezed(picture):  # as gnuplot draws it, cut
         found.add("--plot")
     if "wheelset.wheel" in keys and name.startswith("profile_") and not side:
         printed = run(BIN / "wrc_profile", keys["wheelset.wheel"], folder=folder).stdout
