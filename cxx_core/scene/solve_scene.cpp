@@ -54,6 +54,7 @@ CreepRequest creep_options_of(const Scene& scene, const SceneSide& side) {
   request.friction = side.friction;
   request.accuracy = scene.accuracy;
   request.element_limit = scene.element_limit;
+  request.pitch_is_free = scene.motion.has_value() && scene.pitch_is_free;
   request.derivatives = scene.derivatives;
   request.slip = {scene.slip, scene.slip_surface};
   request.material = shear_constants(scene.wheel_material, scene.rail_material);

@@ -133,6 +133,11 @@ inline constexpr double default_element_limit = 100000.0;
 /// and tractions take 3.8 s on 98,000 elements, like bodies at most 1.2 s.
 inline constexpr double cost_of_unlike_bodies = 4.0;
 
+/// Likewise one whose tractions are found at several pitch rates, where the pitch is free.
+/// origin: measured (bounded_scenes loaded, seed 2002, scene 25740): the search takes 3.7 s on
+/// 100,000 elements.
+inline constexpr double cost_of_free_pitch = 3.0;
+
 /// Iterations times elements of one solution whose elements follow from the accuracy; a limit of
 /// elements above the default permits as many times more.
 /// origin: measured (bounded_scenes loaded, seed 22): 1.6e8 take solve.solver = "paper" 3.6 s; the

@@ -15,24 +15,27 @@ bool unlike_bodies(const CreepRequest& request) {
 
 namespace {
 
+/// Elements are counted by how often they are solved.
 CreepGrid grid_within(const PatchResult& patch, const SmoothPressure& pressure,
                       const CreepRequest& request, double limit) {
   const PatchPressures pressures{patch.grid, patch.pressure, pressure};
-  if (!unlike_bodies(request)) {
-    return creep_grid(pressures, request.accuracy, limit);
-  }
-  // Counted by what they cost beside those of like bodies; returned is how many times as many.
-  const auto extend = [&](CreepGrid& chosen) {
+  double times = request.pitch_is_free ? cost_of_free_pitch : 1.0;
+  const auto extend = [&](CreepGrid& chosen) { // returned is how many times as many
     const double inner = static_cast<double>(chosen.grid.element_count());
     chosen.grid = extended_to(chosen.grid, patch.grid);
-    return cost_of_unlike_bodies * static_cast<double>(chosen.grid.element_count()) / inner;
+    return static_cast<double>(chosen.grid.element_count()) / inner;
   };
+  const bool unlike = unlike_bodies(request);
   CreepGrid chosen = creep_grid(pressures, request.accuracy, limit);
-  const double times = extend(chosen);
+  if (unlike) {
+    times *= cost_of_unlike_bodies * extend(chosen);
+  }
   const double wanted = times * chosen.wanted;
-  if (wanted > limit) {
+  if (wanted > limit && times > 1.0) {
     chosen = creep_grid(pressures, request.accuracy, limit / times);
-    extend(chosen);
+    if (unlike) {
+      extend(chosen);
+    }
   }
   chosen.wanted = wanted;
   return chosen;

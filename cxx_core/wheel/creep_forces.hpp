@@ -49,9 +49,10 @@ struct CreepRequest {
   RailDisplacement rail_velocity; ///< mm/s and rad/s, for the motion, track frame
   SlipChoice slip;                ///< from the motion
   FrictionLaw friction;
-  double accuracy = 1e-3;   ///< error of forces, and of the moment over sqrt(a b), over mu N
-  double speed = 0.0;       ///< mm/s, for the power of given creepages
-  bool derivatives = false; ///< whether CreepResult::derivatives are requested
+  double accuracy = 1e-3;     ///< error of forces, and of the moment over sqrt(a b), over mu N
+  double speed = 0.0;         ///< mm/s, for the power of given creepages
+  bool derivatives = false;   ///< whether CreepResult::derivatives are requested
+  bool pitch_is_free = false; ///< `motion` is one of several that are tried
   double element_limit = default_element_limit; ///< of the grids of a wheel together
   /// What that leaves of the elements of each; found if it is not set.
   std::optional<double> element_share{};

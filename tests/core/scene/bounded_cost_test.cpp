@@ -146,6 +146,19 @@ TEST(BoundedCost, ANearlyEmptyPatchStaysWithinTheDefault) {
   EXPECT_TRUE(warns(wheel, "creep forces: the accuracy needs"));
 }
 
+/// Tractions are found at some ten pitch rates where the pitch is free.
+TEST(BoundedCost, ElementsCountThreeTimesWithAFreePitchRate) {
+  Scene scene;
+  scene.motion = Motion{.speed = 2e4};
+  scene.element_limit = 1200.0;
+  const double given = creep_elements(*solve_scene(scene).left);
+  EXPECT_GT(given, 0.5 * scene.element_limit);
+  scene.pitch_is_free = true;
+  const WheelResult wheel = *solve_scene(scene).left;
+  EXPECT_LE(creep_elements(wheel), whole_rows * scene.element_limit / 3.0);
+  EXPECT_TRUE(warns(wheel, "creep forces: the accuracy needs"));
+}
+
 /// Forces are homogeneous in friction and creepages: where all slides they go with friction, whose
 /// smallest numbers gave infinite derivatives.
 TEST(BoundedCost, DerivativesByTheLeastFrictionAreThoseOfSliding) {
