@@ -249,7 +249,7 @@ void add_solution(const Scene& scene, SideTable& table) {
   if (has_creep_forces(scene)) {
     table.line("vertical force, total", "N", "vertical_force", 1);
     table.line("vertical, of pressures", "N", "pressure_force.z", 1);
-    table.line("lateral force on wheel, total", "N", "lateral_force", 1);
+    table.line("lateral force, total", "N", "lateral_force", 1);
     table.line("lateral, of pressures", "N", "pressure_force.y", 1);
   } else {
     table.line("vertical force", "N", "vertical_force", 1);

@@ -141,7 +141,7 @@ TEST_F(WrcCase, TellsTotalForcesAndThoseOfPressures) {
   EXPECT_GT(side.at("lateral_force").get<double>(), 5e3);
   EXPECT_LT(side.at("pressure_force").at("y").get<double>(), -5e3);
   const Outcome outcome = run(moving + "motion.speed=20000");
-  expect_parts(outcome.out, {"lateral force on wheel, total", "lateral, of pressures",
+  expect_parts(outcome.out, {"lateral force, total", "lateral, of pressures",
                              "vertical force, total", "vertical, of pressures", "N, total"});
   const Outcome still = run(moving);
   EXPECT_EQ(still.out.find("total  "), std::string::npos) << still.out;
