@@ -115,12 +115,12 @@ inline constexpr double mean_over_element = 1.0 / 24.0;
 /// solutions.
 inline constexpr double error_by_second_difference = 0.1;
 
-/// Share of what a top's width leaves unresolved (peak_section.cpp) that its error is.
+/// Error of a top, as a share of its unresolved part (peak_section.cpp).
 /// origin: measured (crests of five wheels): a halving of strips far wider than a crest adds 0.5 to
 /// 1 times as much, others less.
 inline constexpr double error_by_unresolved = 0.5;
 
-/// What a top may leave unresolved of itself, at least.
+/// Unresolved part of a top below which strips are not divided, relative.
 /// origin: reasoned: below the error of any other kind at the finest accuracies.
 inline constexpr double least_unresolved = 1e-4;
 
@@ -128,10 +128,9 @@ inline constexpr double least_unresolved = 1e-4;
 /// origin: reasoned: as many as strips_per_row.
 inline constexpr std::size_t strip_refinement = 4;
 
-/// Strips on each side of an unresolved top that are divided; on the inner half of them nothing
-/// stays.
-/// origin: measured (crests of five wheels at 1e-2 and 1e-3): with 8 they are off by up to 0.5 %,
-/// with 12 by 0.6 %, at 1e-3 by 0.18 and 0.08 %.
+/// Strips on each side of an unresolved top that are divided. On the inner half of them all
+/// pressure is solved for again. origin: measured (crests of five wheels at 1e-2 and 1e-3): with 8
+/// they are off by up to 0.5 %, with 12 by 0.6 %, at 1e-3 by 0.18 and 0.08 %.
 inline constexpr std::size_t window_reach = 12;
 
 /// How often they are divided, at most.

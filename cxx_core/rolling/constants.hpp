@@ -38,11 +38,11 @@ inline constexpr double edge_traction = 1.08;
 /// 0.031, 0.025 and 0.022 % of mu N; strips of the half-plane with such an edge give 0.03 to 0.08.
 inline constexpr double edge_advance = 0.08;
 
-/// What is taken off the slip that pressures of unlike bodies cause in the first element of a
-/// strip, as a share of what they cause in the plane problem: there they end with an infinite
-/// slope, which one value for the element overstates. origin: measured (ellipses a/b = 0.5 of
-/// aluminium on steel, 64 elements): with 0, 0.05 and 0.1 forces are off by up to 1.2e-3, 1.0e-3
-/// and 2.4e-3 of mu N. The half-plane without slip takes 0.1 in the mean over where the edge falls.
+/// Reduction of the slip that pressures of unlike bodies cause in the first element of a strip, as
+/// a share of its value in the plane problem. The slip has an infinite slope there, which one value
+/// per element overstates. origin: measured (ellipses a/b = 0.5 of aluminium on steel, 64
+/// elements): with 0, 0.05 and 0.1 forces are off by up to 1.2e-3, 1.0e-3 and 2.4e-3 of mu N. The
+/// half-plane without slip needs 0.1 on average over the position of the edge in its element.
 inline constexpr double edge_slip_share = 0.05;
 
 /// The least share of a first element in contact.

@@ -14,8 +14,8 @@
 /// the slip K/(pi G) d/dx of the integral of p (x, y)/r^2 to w, and tractions open the gap by
 /// `normal_displacement`, which changes the pressures in turn (rolling/unlike_bodies.hpp).
 /// Derivatives along x are upstream-biased differences inside the influence coefficients
-/// (traction_convolution.hpp), those of what pressures displace exact where edges are known.
-/// Pressures are given, and stay.
+/// (traction_convolution.hpp). The derivative of what pressures displace is exact where edges are
+/// known. Pressures are given, and stay.
 /// Thread rule: one RollingSolver serves one thread at a time. Same input, same bits, whatever was
 /// solved before.
 #pragma once

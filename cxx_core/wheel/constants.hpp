@@ -244,12 +244,12 @@ inline constexpr double min_creep_rows = 4.8;
 /// origin: reasoned: a tenth of what steps of forces are by themselves (creep_iteration_share).
 inline constexpr double free_pitch_tolerance = 0.01;
 
-/// Friction below which tractions are found with more of it, and of creepage.
+/// Below this friction tractions are computed with more friction and in proportion more creepage.
 /// origin: reasoned: far below any that shows beside normal forces; squares of its tractions, and
 /// of slips over them, are numbers for all moduli and loads.
 inline constexpr double least_friction = 1e-30;
 
-/// Evaluations of the torque between two pitch rates that bracket the one sought.
+/// Most evaluations of the torque once two pitch rates bracket the one sought.
 /// origin: reasoned: ten settle what is smooth, halving by these leaves 4e-9 of the bracket.
 /// Between unlike bodies the alternation's own tolerance may exceed that of the torque: 90 once
 /// took 28 s.
@@ -259,7 +259,7 @@ inline constexpr int pitch_evaluations = 28;
 /// slides. origin: reasoned: errors of truncation 1e-4, of rounding 1e-11.
 inline constexpr double creep_difference_step = 1e-2;
 
-/// Friction by which that is counted for the linear law, at least.
+/// Least friction that sets the steps of differences for the linear law, which has none itself.
 /// origin: reasoned: steps are then above the rounding of any creepage permitted.
 inline constexpr double least_linear_friction = 1e-2;
 

@@ -15,7 +15,7 @@ bool unlike_bodies(const CreepRequest& request) {
 
 namespace {
 
-/// Elements are counted by how often they are solved.
+/// Elements count as often as they are solved.
 CreepGrid grid_within(const PatchResult& patch, const SmoothPressure& pressure,
                       const CreepRequest& request, double limit) {
   const PatchPressures pressures{patch.grid, patch.pressure, pressure};

@@ -78,8 +78,8 @@ struct CreepDerivatives {
   /// Of Fx, Fy, Mz and the force along the normal in CreepResult::beyond_creepages (N), left-hand
   /// frame: by a common factor of the slip beyond creepages, and ...
   std::array<double, 4> by_slip{};
-  /// ... by what a velocity along the normal, over that of slip, adds to it. Other velocities add a
-  /// thousandth of what they change in creepages.
+  /// ... by what a velocity along the normal, over that of slip, adds to it. Other velocities are
+  /// left out: they act through the creepages, and a thousand times less through this.
   std::array<double, 4> by_normal_velocity{};
   /// Of that force along the normal, left-hand frame.
   std::array<double, 3> normal_by_creepage{};
@@ -93,7 +93,7 @@ struct CreepResult {
   /// From a motion the best fit to the slip of its elements; of parts, each on its own rolling
   /// radius, their mean by load, carried to the reference.
   Creepages creepages;
-  double slip_variation = 0.0; ///< root of the mean square of what they leave (rigid_slip.hpp)
+  double slip_variation = 0.0; ///< root mean square of the slip beyond them (rigid_slip.hpp)
   double friction = 0.0;       ///< coefficient, of parts in the mean over their loads
   double slip_speed = 0.0;     ///< what creepages are multiplied with to give velocities, mm/s
   double longitudinal_force = 0.0;
@@ -102,11 +102,10 @@ struct CreepResult {
   double slip_area = 0.0;
   double adhesion_area = 0.0;
   double largest_traction = 0.0;
-  /// What friction dissipates over the speed, N: -F.w, of parts each with its own w, with the sum
-  /// over elements of what creepages leave, and with what pressures do in the slip that they cause
-  /// between unlike bodies.
+  /// Power that friction dissipates over the speed, N: -F.w (of a patch with parts, the sum of
+  /// theirs), plus that of the slip beyond creepages, plus `power_of_pressures`.
   double power_per_speed = 0.0;
-  double power_of_pressures = 0.0; ///< the last of these
+  double power_of_pressures = 0.0; ///< in the slip that pressures of unlike bodies cause
   double friction_power = 0.0;     ///< N mm/s
   double numerical_loss = 0.0;     ///< share of it that the discretisation ate
   /// Of forces over mu N; of the full theory only.

@@ -52,8 +52,9 @@ public:
         value *= factor;
       }
     };
-    for (double* value : {&forces.longitudinal, &forces.lateral, &forces.spin_moment,
-                          &creep.largest_traction, &creep.pressure_change}) {
+    for (double* value :
+         {&forces.longitudinal, &forces.lateral, &forces.spin_moment, &creep.largest_traction,
+          &creep.pressure_change, &creep.power_of_pressures}) {
       *value *= of_forces_;
     }
     times(of_forces_, creep.beyond_creepages);

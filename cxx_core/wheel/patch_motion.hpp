@@ -1,7 +1,8 @@
 /// How a patch moves: its creepages from the motion of the wheelset or as given, the slip of its
 /// elements beyond them, and both a little later.
 ///
-/// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions of what is given.
+/// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions, except for
+/// find_slip_geometry, which fills in its argument.
 #pragma once
 
 #include <array>
