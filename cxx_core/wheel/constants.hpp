@@ -144,8 +144,13 @@ inline constexpr double cost_of_free_pitch = 3.0;
 /// default solver ends after a hundredth of it.
 inline constexpr double most_work = 5e7;
 
-/// Rounds in which grids are coarsened to the limit.
-/// origin: reasoned: a bound; most take one, those that reach two elements across some ten.
+/// Elements grow by this at least in each round that coarsens grids to the limit, since whole
+/// numbers of rows may hide a smaller growth, ...
+/// origin: reasoned: two more rows of a hundred.
+inline constexpr double least_coarsening = 1.02;
+
+/// ... and the rounds end here: the fewest elements of many patches may exceed a small limit.
+/// origin: reasoned: most grids take one or two rounds, those that reach two elements across ten.
 inline constexpr int coarsening_rounds = 60;
 
 /// Depth that positions can just tell apart, mm. On steel it takes about 2e-7 N.
@@ -241,7 +246,9 @@ inline constexpr double min_creep_rows = 4.8;
 
 /// Share of the accuracy, of friction's largest moment about the axle, to which a free pitch rate
 /// balances the torque.
-/// origin: reasoned: a tenth of what steps of forces are by themselves (creep_iteration_share).
+/// Forces of unlike bodies change by steps as their alternations end: their torque is balanced to
+/// creep_iteration_share, the size of these steps.
+/// origin: reasoned: a fortieth of creep_iteration_share, by which forces of like bodies may err.
 inline constexpr double free_pitch_tolerance = 0.01;
 
 /// Below this friction tractions are computed with more friction and in proportion more creepage.

@@ -62,10 +62,10 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy, double li
       std::max(std::min(wanted * creep_rows_by_columns, 2.0 * max_creep_columns / times_across),
                min_creep_rows);
   const CreepCounts counts{rows * times_across, columns * times_along};
-  const double all = counts.across * counts.along;
+  const Grid grid = grid_over(area, even_count(counts.across), even_count(counts.along));
+  const double all = static_cast<double>(grid.element_count());
   if (all <= limit) {
-    return {grid_over(area, even_count(counts.across), even_count(counts.along)),
-            std::min(columns / by_sides, rows / creep_rows_by_columns), all};
+    return {grid, std::min(columns / by_sides, rows / creep_rows_by_columns), all};
   }
   const CreepCounts fewer = within(counts, limit);
   return {grid_over(area, even_count_within(fewer.across), even_count_within(fewer.along)),

@@ -5,6 +5,7 @@
 
 #include "base/root_bracket.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/creep_elements.hpp"
 #include "wheel/total_force.hpp"
 
 namespace wrc {
@@ -36,13 +37,16 @@ public:
     }
     rolling_ = force > 0.0 ? motion.speed * force / radius : 0.0;
     creepage_ = std::hypot(motion.speed, standstill_speed) / wheels.front().request.nominal_radius;
-    tolerance_ = free_pitch_tolerance * accuracy * bound;
+    const bool unlike = std::ranges::any_of(
+        wheels, [](const DrivenWheel& driven) { return unlike_bodies(driven.request); });
+    tolerance_ = (unlike ? creep_iteration_share : free_pitch_tolerance) * accuracy * bound;
   }
 
   FreePitch find() {
     const Tangent cheap = find_cheaply();
     FreePitch found = find_from(cheap);
     found.ambiguous = cheap.another && !found.saturated;
+    found.evaluations = evaluations_;
     return found;
   }
 
@@ -67,6 +71,7 @@ private:
   /// With a model instead of the requested one, if any.
   Point unbalanced(double rate, std::optional<CreepModel> model) {
     double moment = torque_;
+    evaluations_ += model ? 0 : 1;
     for (DrivenWheel& driven : wheels_) {
       CreepRequest request = driven.request;
       request.motion->pitch = rate;
@@ -140,6 +145,7 @@ private:
   double creepage_ = 0.0; ///< what adds a longitudinal creepage of 1
   double tolerance_ = 0.0;
   Point last_;
+  int evaluations_ = 0; ///< by the requested model
 };
 
 } // namespace

@@ -28,6 +28,7 @@ struct FreePitch {
   bool saturated = false;
   /// Friction that falls with slip holds the torque at a rate with more slip as well.
   bool ambiguous = false;
+  int evaluations = 0; ///< of the torque by the requested model
 };
 
 /// Solves the creep forces of the wheels at the rate found.

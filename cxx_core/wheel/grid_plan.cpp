@@ -102,16 +102,6 @@ Grid GridChoice::grid_of(const ContactPatch& penetration, const PlaneArea& area)
   return grid_with_sizes(area, elements.lateral_step, elements.longitudinal_step, elements.middle);
 }
 
-double GridChoice::count_of(const ContactPatch& penetration, const PlaneArea& area) const {
-  if (elements_.empty()) {
-    return static_cast<double>(counts_.lateral) * static_cast<double>(counts_.longitudinal);
-  }
-  constexpr double least = 2.0; // as grid_with_sizes
-  const PatchElements& elements = nearest(penetration);
-  return std::max(area.width() / elements.lateral_step, least) *
-         std::max(area.length() / elements.longitudinal_step, least);
-}
-
 GridChoice GridChoice::coarser(double times) const {
   GridChoice result = *this;
   for (PatchElements& elements : result.elements_) {
@@ -184,7 +174,8 @@ double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoi
   const auto count_of = [&](const GridChoice& choice) {
     double count = 0.0;
     for (std::size_t k = 0; k < areas.size(); ++k) {
-      count += choice.count_of(solution.patches[k].penetration, areas[k]);
+      count += static_cast<double>(
+          choice.grid_of(solution.patches[k].penetration, areas[k]).element_count());
     }
     return count;
   };
@@ -192,11 +183,8 @@ double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoi
   GridChoice choice = grids;
   double count = wanted;
   for (int round = 0; grids.by_size() && count > limit && round < coarsening_rounds; ++round) {
-    choice = choice.coarser(std::sqrt(count / limit));
-    const double before = std::exchange(count, count_of(choice));
-    if (!(count < before)) {
-      break; // all have as few as they can
-    }
+    choice = choice.coarser(std::max(std::sqrt(count / limit), least_coarsening));
+    count = count_of(choice);
   }
   for (std::size_t k = 0; k < areas.size(); ++k) {
     solution.patches[k].grid = choice.grid_of(solution.patches[k].penetration, areas[k]);

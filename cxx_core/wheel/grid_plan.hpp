@@ -28,8 +28,6 @@ public:
 
   /// Over the potential contact area of a patch.
   [[nodiscard]] Grid grid_of(const ContactPatch& penetration, const PlaneArea& area) const;
-  /// As many as that grid has; a real number.
-  [[nodiscard]] double count_of(const ContactPatch& penetration, const PlaneArea& area) const;
   /// With elements so many times as long and wide; those of counts stay as they are.
   [[nodiscard]] GridChoice coarser(double times) const;
   [[nodiscard]] bool by_size() const { return !elements_.empty(); }

@@ -80,11 +80,9 @@ void check_elements(const wrcontact::Scene& scene, const DrawnScene& drawn, cons
     }
   }
   told.elements = std::max({told.elements, normal, creep});
-  // A whole number of elements each way rounds by a few of a hundred rows.
-  constexpr double rounding = 1.1;
   // Pressures of approximate models are sampled on a grid of their own.
   const bool by_accuracy = !drawn.has_grid() && scene.text(side + ".model") == "half-space";
-  if ((by_accuracy && normal > rounding * limit) || creep > rounding * limit) {
+  if ((by_accuracy && normal > limit) || creep > limit) {
     copy_text(std::to_string(std::max(normal, creep)) + " elements", told.wrong);
   }
 }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
 
@@ -189,6 +191,37 @@ TEST(FreePitch, OfCreepCasesWithAForce) {
     ++compared;
   }
   EXPECT_GE(compared, 2);
+}
+
+/// Forces of unlike bodies change by steps, at which 28 rates were tried in vain.
+TEST(FreePitch, StepsOfUnlikeBodiesEndTheSearch) {
+  Scene scene;
+  set_text(scene, "wheelset.wheel", "LM");
+  set_text(scene, "track.rail", "54E3");
+  set_text(scene, "track.cant", "1:30");
+  scene.wheel_material = {92084.7, 0.03215};
+  scene.rail_material = {530561.2, 0.03847};
+  scene.left.load = 4086.93;
+  scene.right.load = 587.137;
+  scene.lateral = 9.330174;
+  scene.roll = -0.00414804856;
+  scene.accuracy = 1.16786e-3;
+  scene.model = ModelRequest::hertz;
+  SceneResult normal = solve_scene(scene);
+  CreepRequest request;
+  request.model = CreepModel::full;
+  request.motion = Motion{.speed = -14972.414, .lateral = -261.35979, .yaw = -0.002248564};
+  request.nominal_radius = scene.nominal_radius();
+  request.friction = {1.15816816, {}, 0.58352634, 0.01168731};
+  request.accuracy = scene.accuracy;
+  request.pitch_is_free = true;
+  request.material = shear_constants(scene.wheel_material, scene.rail_material);
+  request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
+  std::vector<DrivenWheel> wheels{{&*normal.left, request}, {&*normal.right, request}};
+  RollingSolver solver;
+  const FreePitch found = solve_free_pitch(wheels, 104254.53, solver);
+  EXPECT_FALSE(found.saturated);
+  EXPECT_LE(found.evaluations, 10);
 }
 
 } // namespace
