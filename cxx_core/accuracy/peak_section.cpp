@@ -133,7 +133,7 @@ double strips_in_row(const Patch& patch) {
 }
 
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
-                              double approach, double combined_modulus, double tolerance) {
+                              double combined_modulus, double tolerance) {
   const Grid& grid = patch.grid;
   const std::size_t columns = grid.longitudinal_count;
   const std::size_t column = patch.contact.largest_element % columns;
@@ -157,8 +157,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
     if (pressure[row] > 0.0) {
       const double lateral = grid.lateral(row);
       pressures.add(lateral, pressure[row]);
-      smooth.add(lateral,
-                 approach - patch.undeformed_distance[row * columns + column] - displacement[row]);
+      smooth.add(lateral, -patch.undeformed_distance[row * columns + column] - displacement[row]);
     }
   }
 
@@ -177,9 +176,8 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
     distance[i] += smooth.cubic(lateral);
     fine[i] = std::max(0.0, pressures.linear(lateral));
   }
-  fine =
-      solve_strips({strips.lateral_step, length, combined_modulus, approach, distance, tolerance},
-                   std::move(fine));
+  fine = solve_strips({strips.lateral_step, length, combined_modulus, 0.0, distance, tolerance},
+                      std::move(fine));
   const PeakInSection peak = highest_of(fine);
   // No strip in contact: the overlap is lost in rounding.
   return peak.pressure > 0.0 ? peak : PeakInSection{patch.contact.peak_pressure, 0.0};

@@ -14,7 +14,7 @@ TotalForce total_force(const WheelResult& wheel) {
   TotalForce total;
   for (const PatchResult& patch : wheel.patches) {
     total.force = total.force + patch.force;
-    total.moment = total.moment + cross(arm(patch.centroid), patch.force);
+    total.moment = total.moment + patch.moment + cross(arm(patch.reference), patch.force);
     if (patch.creep) {
       const CreepResult& creep = *patch.creep;
       const Vector3 to_the_left = mirror * in_track(patch.frame.lateral);
