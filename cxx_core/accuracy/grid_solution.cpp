@@ -6,7 +6,7 @@
 
 namespace wrc {
 
-double Patch::overlap(double shared_approach) const {
+double Patch::overlap() const {
   const double least = least_of(undeformed_distance.data(), undeformed_distance.size());
   const auto index = static_cast<std::size_t>(
       std::find(undeformed_distance.begin(), undeformed_distance.end(), least) -
@@ -28,7 +28,7 @@ double Patch::overlap(double shared_approach) const {
   if (column > 0 && column + 1 < columns_of_grid) {
     deepen(undeformed_distance[index - 1], undeformed_distance[index + 1]);
   }
-  return approach_cosine * shared_approach - deepest;
+  return -deepest;
 }
 
 bool GridSolution::no_contact() const {
@@ -42,6 +42,27 @@ double GridSolution::peak_pressure() const {
     peak = std::max(peak, patch.contact.peak_pressure);
   }
   return peak;
+}
+
+Vector3 GridSolution::force() const {
+  Vector3 sum;
+  for (const Patch& patch : patches) {
+    sum = sum + patch.contact_force.force;
+  }
+  return sum;
+}
+
+Vector3 GridSolution::force_of_main() const {
+  std::size_t first = main;
+  while (first > 0 && patches[first].penetration.shares_plane_with_previous) {
+    --first;
+  }
+  Vector3 sum = patches[first].contact_force.force;
+  for (std::size_t k = first + 1;
+       k < patches.size() && patches[k].penetration.shares_plane_with_previous; ++k) {
+    sum = sum + patches[k].contact_force.force;
+  }
+  return sum;
 }
 
 double GridSolution::sharpest_ridge() const {

@@ -12,6 +12,7 @@
 #include "patches/contact_frame.hpp"
 #include "patches/contact_patches.hpp"
 #include "pressure/pressure_field.hpp"
+#include "remesh/rail_normals.hpp"
 
 namespace wrc {
 
@@ -20,17 +21,20 @@ struct Patch {
   ContactPatch penetration;
   ContactFrame frame;
   Grid grid;
-  double approach_cosine = 1.0; ///< share of the shared approach along the patch's normal
   double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
   std::vector<double> undeformed_distance;
-  std::vector<double> pressure; ///< empty: not solved yet
-  double normal_force = 0.0;
-  PressureRegion contact;  ///< all elements under pressure together
-  double peak_error = 0.0; ///< of a peak from a section (peak_section.hpp), MPa
-  double ridge = 0.0;      ///< under its pressures (peak_section.hpp), rad
-  double growth = 0.0;     ///< of the peak at that ridge with every element e times narrower, MPa
-  std::size_t plane = 0;   ///< patches of the same one are one contact
-  double approach = 0.0;   ///< deepest overlap of the undeformed bodies along the normal
+  std::vector<double> approach_shares; ///< with a load: of a vertical approach (rail_normals.hpp)
+  std::vector<double> pressure;        ///< empty: not solved yet
+  double normal_force = 0.0;           ///< sum of the pressures times the area of an element
+  ContactForce contact_force; ///< of the rail on the wheel; moment about the frame's origin
+  SurfaceTurn turn;           ///< of the rail under the pressures
+  double plane_error = 0.0;   ///< of its contact (model_error.hpp)
+  PressureRegion contact;     ///< all elements under pressure together
+  double peak_error = 0.0;    ///< of a peak from a section (peak_section.hpp), MPa
+  double ridge = 0.0;         ///< under its pressures (peak_section.hpp), rad
+  double growth = 0.0;   ///< of the peak at that ridge with every element e times narrower, MPa
+  std::size_t plane = 0; ///< patches of the same one are one contact
+  double approach = 0.0; ///< deepest overlap of the undeformed bodies along the normal
   std::optional<double> area; ///< of an approximate model, in closed form
 
   [[nodiscard]] bool no_contact() const { return contact.element_count == 0; }
@@ -42,9 +46,9 @@ struct Patch {
   [[nodiscard]] double rows() const {
     return static_cast<double>(contact.box.lateral_last - contact.box.lateral_first + 1);
   }
-  /// Deepest overlap of the undeformed bodies along the normal at an approach from the depth
-  /// sampled, by parabolas through the least distance and its neighbours.
-  [[nodiscard]] double overlap(double shared_approach) const;
+  /// Deepest overlap of the undeformed bodies along the normal, by parabolas through the least
+  /// distance and its neighbours.
+  [[nodiscard]] double overlap() const;
 };
 
 /// Patches that share a plane.
@@ -55,12 +59,10 @@ struct PlanePatches {
 
 struct GridSolution {
   Elements elements = Elements::smooth;
-  double depth = 0.0;         ///< at which distances were sampled
+  double depth = 0.0;         ///< vertical, from the first touch: of planes, grids and distances
   std::vector<Patch> patches; ///< ordered by y
   std::vector<double> links;  ///< coupling weight of each patch and the next
   std::size_t main = 0;       ///< the patch that holds the first contact
-  double approach = 0.0;      ///< answer to the normal problem, from that depth
-  double depth_found = 0.0;   ///< the depth that the solution asks for
   StopReason stop_reason = StopReason::tolerance_met;
   double pressure_error = 0.0;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
@@ -69,6 +71,9 @@ struct GridSolution {
 
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] double peak_pressure() const;
+  [[nodiscard]] Vector3 force() const;
+  /// Of the patches in the plane of the main one.
+  [[nodiscard]] Vector3 force_of_main() const;
   [[nodiscard]] double sharpest_ridge() const;
   /// Largest normal force first; without the patches that do not touch, if there are pressures.
   [[nodiscard]] std::vector<PlanePatches> patches_by_plane(bool solved) const;

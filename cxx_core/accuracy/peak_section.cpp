@@ -280,7 +280,7 @@ double strips_in_row(const Patch& patch) {
 }
 
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
-                              double approach, double combined_modulus, double tolerance) {
+                              double combined_modulus, double tolerance) {
   const Grid& grid = patch.grid;
   const std::size_t columns = grid.longitudinal_count;
   const std::size_t column = patch.contact.largest_element % columns;
@@ -304,8 +304,7 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
     if (pressure[row] > 0.0) {
       const double lateral = grid.lateral(row);
       pressures.add(lateral, pressure[row]);
-      smooth.add(lateral,
-                 approach - patch.undeformed_distance[row * columns + column] - displacement[row]);
+      smooth.add(lateral, -patch.undeformed_distance[row * columns + column] - displacement[row]);
     }
   }
 
@@ -315,7 +314,6 @@ PeakInSection peak_in_section(const Patch& patch, Elements elements, const Posed
   StripProblem problem;
   problem.length = length;
   problem.combined_modulus = combined_modulus;
-  problem.approach = approach;
   problem.tolerance = tolerance;
   Section section(patch, pair, problem);
   const Strips strips = section.solve(

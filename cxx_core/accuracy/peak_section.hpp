@@ -5,10 +5,10 @@
 /// a crest the half-space is in plane strain, and what is missing on the grid follows from a single
 /// line of strips (mechanics/strip_contact.hpp) over the column of the largest pressure. Its
 /// displacements differ from those of the patch by what is smooth:
-///   s = approach - h - K1 p  at the grid's elements under pressure,
+///   s = -h - K1 p  at the grid's elements under pressure,
 /// K1 the strips of the grid's rows. Cubic interpolation takes s to narrower strips
 /// (`strips_in_row`), undeformed distances h are sampled there, and
-///   h + s + K1 p - approach >= 0,  p >= 0,  p g = 0
+///   h + s + K1 p >= 0,  p >= 0,  p g = 0
 /// gives their pressures (the full approximation scheme of multigrid methods: Brandt, Math. Comp.
 /// 31 (1977) 333-390). A crest may still be as narrow as a strip, above all at an edge of contact.
 /// Its second difference then does not grow with the square of the distance it is taken over;
@@ -43,9 +43,8 @@ double growth_at_ridge(double angle, double combined_modulus);
 /// many.
 double strips_in_row(const Patch& patch);
 
-/// Of a patch in contact. `approach`: along the normal, from the position sampled; `tolerance`: of
-/// the pressures, relative.
+/// Of a patch in contact at the pair's position; `tolerance`: of the pressures, relative.
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
-                              double approach, double combined_modulus, double tolerance);
+                              double combined_modulus, double tolerance);
 
 } // namespace wrc

@@ -42,9 +42,9 @@ double size_in(double whole, double contact, double count) {
 }
 
 /// Of a force where a profile turns at once under the pressures, to first order in the rows.
-double error_at_ridge(const Patch& patch, double approach) {
+double error_at_ridge(const Patch& patch) {
   return patch.ridge > 0.0
-             ? error_by_ridge * patch.ridge * patch.grid.lateral_step / patch.overlap(approach)
+             ? error_by_ridge * patch.ridge * patch.grid.lateral_step / patch.overlap()
              : 0.0;
 }
 
@@ -92,8 +92,8 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
       error.elements = std::max(error.elements, error_of(rows, goal));
-      error.ridge = std::max({error.ridge, error_at_ridge(patch, solution.approach),
-                              patch.growth / solution.peak_pressure()});
+      error.ridge =
+          std::max({error.ridge, error_at_ridge(patch), patch.growth / solution.peak_pressure()});
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }

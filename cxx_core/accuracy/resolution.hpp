@@ -15,8 +15,8 @@
 /// contact is not counted: it is right to 11 to 22 accuracies. Creep forces need more elements
 /// than normal ones, by a law of their own: they follow from the shape of the contact, whose errors
 /// average out in normal forces, and a long contact needs more elements along it. Units mm. Thread
-/// rule: pure functions. Not known here: errors of planes and of the half-space, and crests that
-/// the penetration does not show.
+/// rule: pure functions. Not known here: errors of planes (model_error.hpp) and of the half-space,
+/// and crests that the penetration does not show.
 #pragma once
 
 #include <cmath>

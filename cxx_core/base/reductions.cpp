@@ -46,4 +46,15 @@ WRC_VECTOR_CLONES bool all_finite(const double* values, std::size_t count) {
   return sum == 0.0;
 }
 
+WRC_VECTOR_CLONES double least_ratio(const double* values, const double* others,
+                                     std::size_t count) {
+  double least = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : least)
+  for (std::size_t i = 0; i < count; ++i) {
+    const double ratio = values[i] / others[i];
+    least = ratio < least ? ratio : least;
+  }
+  return least;
+}
+
 } // namespace wrc

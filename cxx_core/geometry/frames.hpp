@@ -7,6 +7,8 @@
 /// (y -> -y), so both are symmetric to the last bit. Units mm and rad. Thread rule: plain values.
 #pragma once
 
+#include <cmath>
+
 namespace wrc {
 
 /// Of plain numbers, or of numbers with rates (base/value_with_rates.hpp).
@@ -33,6 +35,10 @@ template <class Real> struct VectorOf {
 };
 
 using Vector3 = VectorOf<double>;
+
+inline double norm(const Vector3& a) {
+  return std::sqrt(dot(a, a));
+}
 
 /// Position of the wheelset in the track frame, without its height.
 struct Pose {

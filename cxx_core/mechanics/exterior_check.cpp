@@ -56,20 +56,22 @@ void add_displacement_by_others(const ScaledProblem& problem, std::size_t k,
   coupling.add_others(field, k, displacement.data());
 }
 
-/// The box enlarged by the elements around it with a gap below a limit, with a margin; none if
-/// there is none. `displacement` is that on a rectangle around the box.
-std::optional<ElementBox> box_with_gap_below(double limit, const Level& level,
-                                             const ElementBox& box, const ElementBox& rectangle,
-                                             const std::vector<double>& displacement) {
+/// The box enlarged by the elements around it that overlap by more than a limit at an approach,
+/// with a margin; none if there is none. `displacement` is that on a rectangle around the box.
+std::optional<ElementBox> box_with_overlap(double limit, double approach, const Level& level,
+                                           const ElementBox& box, const ElementBox& rectangle,
+                                           const std::vector<double>& displacement) {
   const LevelSize& size = level.size;
   std::optional<ElementBox> larger;
   for (std::size_t row = rectangle.first_row; row <= rectangle.last_row; ++row) {
     const double* displaced =
         displacement.data() + (row - rectangle.first_row) * rectangle.columns();
     const double* distance = level.distance.data() + row * size.columns;
+    const double* shares = level.shares.data() + row * size.columns;
     for (std::size_t column = rectangle.first_column; column <= rectangle.last_column; ++column) {
-      const double gap = distance[column] + displaced[column - rectangle.first_column];
-      if (gap < limit && !box.holds(row, column)) {
+      const double overlap =
+          shares[column] * approach - distance[column] - displaced[column - rectangle.first_column];
+      if (overlap > limit && !box.holds(row, column)) {
         larger = larger.value_or(box);
         include(*larger,
                 {row - std::min(row, box_margin), std::min(row + box_margin, size.rows - 1),
@@ -106,7 +108,7 @@ std::optional<ElementBox> ExteriorCheck::larger_box(const ScaledProblem& problem
   if (problem.interaction != nullptr) {
     add_displacement_by_others(problem, k, rectangle, displacement);
   }
-  return box_with_gap_below(approach_here - overlap, level, box, rectangle, displacement);
+  return box_with_overlap(overlap, approach, level, box, rectangle, displacement);
 }
 
 } // namespace wrc

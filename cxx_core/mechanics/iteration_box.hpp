@@ -18,7 +18,7 @@ struct IterationBox {
   std::size_t rows = 0;
   std::size_t columns = 0;
   InfluenceKernel kernel;
-  double share = 1.0;  ///< s: of the approach, in this box's unit of length
+  double share = 1.0;  ///< a typical s: of the approach, in this box's unit of length
   double weight = 1.0; ///< w: element area times unit of length, in a unit that all boxes share
   /// Which sides have elements of the grid beyond them: contact there ends the iteration, since the
   /// rectangle is too small.
@@ -28,6 +28,7 @@ struct IterationBox {
   bool open_last_column = false;
   std::span<double> pressure; ///< start in, answer out
   std::span<const double> distance;
+  std::span<const double> shares; ///< s of each element
 
   [[nodiscard]] std::size_t count() const { return rows * columns; }
 };

@@ -23,6 +23,9 @@ constexpr double max_load = 1e60;
 /// Influence coefficients are right to 1e-12 between elements of these shapes (docs/stability.md).
 /// A permitted range, not a tuning constant.
 constexpr double max_aspect = 1e9;
+/// Of an element's share of the approach, and its inverse. A permitted range, not a tuning
+/// constant.
+constexpr double max_share = 1e9;
 
 void check_scale(const std::string& argument, double value) {
   if (!(value >= min_scale && value <= max_scale)) {
@@ -84,6 +87,17 @@ void check_distances(std::span<const double> distance, const Grid& grid) {
   }
 }
 
+void check_shares(std::span<const double> shares, const Grid& grid) {
+  check_entries("shares", shares.size(), grid.element_count());
+  const auto wrong = std::find_if(shares.begin(), shares.end(), [](double share) {
+    return !(share >= 1.0 / max_share && share <= max_share);
+  });
+  if (wrong != shares.end()) {
+    throw_invalid_argument("shares[" + std::to_string(wrong - shares.begin()) + "]", *wrong,
+                           "must lie in 1e-9 to 1e9");
+  }
+}
+
 void check_interaction(const PatchInteraction& interaction, std::size_t count) {
   check_entries("interaction.places", interaction.places.size(), count);
   check_entries("interaction.coupling_weight", interaction.coupling_weight.size(), count * count);
@@ -106,6 +120,9 @@ void check_problem(const NormalProblem& problem) {
     if (!(patch.approach_cosine > 0.0 && patch.approach_cosine <= 1.0)) {
       throw_invalid_argument("approach_cosine", patch.approach_cosine,
                              "must be greater than 0 and at most 1");
+    }
+    if (!patch.shares.empty()) {
+      check_shares(patch.shares, patch.grid);
     }
   }
   check_scale("combined_modulus", problem.combined_modulus);
@@ -157,35 +174,34 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
   check_entries("pressure", pressure.size(), patch.grid.element_count());
   check_entries("displacement", displacement.size(), patch.grid.element_count());
   const std::span<const double> distance = patch.undeformed_distance;
-  const double normal_approach = patch.approach_cosine * approach;
-  double pressure_sum = 0.0;
+  double load = 0.0;
   double largest_displacement = 0.0;
   double largest_contact_gap = 0.0;
   double least_outside_gap = std::numeric_limits<double>::infinity();
   for (std::size_t index = 0; index < pressure.size(); ++index) {
     // Distance and approach first: they are close to each other where it matters.
-    const double gap = (distance[index] - normal_approach) + displacement[index];
+    const double gap = (distance[index] - patch.share(index) * approach) + displacement[index];
     if (pressure[index] > 0.0) {
       largest_contact_gap = std::max(largest_contact_gap, std::abs(gap));
     } else {
       least_outside_gap = std::min(least_outside_gap, gap);
     }
-    pressure_sum += pressure[index];
+    load += patch.share(index) * pressure[index];
     largest_displacement = std::max(largest_displacement, displacement[index]);
   }
 
   double scale = largest_displacement;
   if (scale == 0.0) {
-    const double least_distance = *std::min_element(distance.begin(), distance.end());
-    scale = std::abs(normal_approach - least_distance);
+    const auto least = std::min_element(distance.begin(), distance.end());
+    scale = std::abs(patch.share(static_cast<std::size_t>(least - distance.begin())) * approach -
+                     *least);
   }
   const auto relative = [scale](double gap) { return gap == 0.0 ? 0.0 : gap / scale; };
   Residuals residuals;
   residuals.complementarity = relative(largest_contact_gap);
   residuals.least_gap = std::isfinite(least_outside_gap) ? relative(least_outside_gap) : 0.0;
   if (problem.load) {
-    const double force = pressure_sum * patch.grid.element_area();
-    const double imbalance = std::abs(patch.approach_cosine * force - *problem.load);
+    const double imbalance = std::abs(load * patch.grid.element_area() - *problem.load);
     residuals.load_balance = imbalance == 0.0 ? 0.0 : imbalance / *problem.load;
   }
   return residuals;

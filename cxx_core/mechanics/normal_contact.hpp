@@ -2,12 +2,13 @@
 ///
 /// One or several patches share the approach delta of the bodies. Each patch k has a plane, a grid
 /// and undeformed distances of its own. Find pressures p >= 0 with, for each element of patch k,
-///   g = h + u - s_k delta >= 0,  p g = 0,
-/// and either the prescribed load, sum_k s_k sum p a b = F, or the prescribed approach
-/// (Johnson, Contact Mechanics, 1985; the paper's equations 9.1 to 9.6). s_k is the share of the
-/// approach that acts along the patch's normal: the cosine of its angle, if delta is the vertical
-/// approach and F the vertical load. The conditions are those of least energy, so the shares in
-/// gap and load are the same.
+///   g = h + u - s delta >= 0,  p g = 0,
+/// and either the prescribed load, sum s p a b = F over all elements, or the prescribed approach
+/// (Johnson, Contact Mechanics, 1985; the paper's equations 9.1 to 9.6). s is the element's share
+/// of the approach, by how much its distance falls: the same for a patch, such as the cosine of its
+/// angle, or one for each element where the surface turns within it. If delta is the vertical
+/// approach, F is the vertical load. The conditions are those of least energy, so the shares in gap
+/// and load are the same.
 /// Patches are half-spaces of their own, u = A_k p (influence_coefficients.hpp). With `interaction`
 /// they also lie in one mean plane, and u_k gains coupling_weight[k, l] times what the pressures of
 /// patch l cause there (patch_coupling.hpp).
@@ -30,8 +31,13 @@ struct PatchGap {
   Grid grid;
   /// Undeformed distance h per element centre, mm; may be negative. Finite.
   std::span<const double> undeformed_distance;
-  double approach_cosine = 1.0;       ///< s, in (0, 1]
-  std::span<const double> start = {}; ///< pressures to start from, MPa; none: by itself
+  double approach_cosine = 1.0;        ///< s of all elements, in (0, 1]
+  std::span<const double> start = {};  ///< pressures to start from, MPa; none: by itself
+  std::span<const double> shares = {}; ///< s of each element, positive; none: of all the same
+
+  [[nodiscard]] double share(std::size_t element) const {
+    return shares.empty() ? approach_cosine : shares[element];
+  }
 };
 
 /// Where the patches lie in their mean plane, and how much of their interaction counts.
@@ -80,7 +86,7 @@ struct NormalSolution {
 
 /// How well pressures and approach solve the problem of one patch, in double precision.
 struct Residuals {
-  double load_balance = 0.0;    ///< |s sum p a b - F| / F; 0 for a prescribed approach
+  double load_balance = 0.0;    ///< |sum s p a b - F| / F; 0 for a prescribed approach
   double least_gap = 0.0;       ///< min g over elements without pressure / largest u; < 0: overlap
   double complementarity = 0.0; ///< max |g| over elements with pressure / largest u
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/reductions.hpp"
@@ -40,6 +41,7 @@ IterationBox iteration_box(PatchCascade& cascade, const Level& level) {
   const ElementBox& box = cascade.box;
   copy_box(level.size, box, level.pressure, cascade.box_pressure);
   copy_box(level.size, box, level.distance, cascade.box_distance);
+  copy_box(level.size, box, level.shares, cascade.box_shares);
   IterationBox request;
   request.rows = box.rows();
   request.columns = box.columns();
@@ -52,6 +54,7 @@ IterationBox iteration_box(PatchCascade& cascade, const Level& level) {
   request.open_last_column = box.last_column + 1 < level.size.columns;
   request.pressure = cascade.box_pressure;
   request.distance = cascade.box_distance;
+  request.shares = cascade.box_shares;
   return request;
 }
 
@@ -62,9 +65,12 @@ void choose_box(PatchCascade& cascade, const Level& level, double approach) {
     return;
   }
   if (!find_penetration_box(level, approach, box_margin, cascade.box)) {
-    const double nearest = std::max(0.0, least_of(level.distance.data(), level.distance.size()));
-    const double just_touching = (nearest * (1.0 + 1e-12) + 1e-300) / level.share;
-    find_penetration_box(level, just_touching, box_margin, cascade.box);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < level.distance.size(); ++i) {
+      nearest = std::min(nearest, std::max(0.0, level.distance[i]) / level.shares[i]);
+    }
+    find_penetration_box(level, nearest * (1.0 + 1e-12) + 1e-300 / level.share, box_margin,
+                         cascade.box);
   }
 }
 

@@ -21,7 +21,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "half_space/displacement_operator.hpp"
@@ -35,9 +37,10 @@ namespace {
 struct DimensionlessProblem {
   Grid grid;
   std::vector<double> distance;
+  std::vector<double> shares; ///< of the approach, by element
   bool load_prescribed;
   Elements elements;
-  double pressure_sum = 0.0;   ///< sought when the load is prescribed
+  double load = 0.0;           ///< sum of share times pressure, sought when it is prescribed
   double approach = 0.0;       ///< given when it is prescribed
   double pressure_scale = 0.0; ///< MPa for pressure 1
 };
@@ -56,28 +59,52 @@ double sum_of(std::span<const double> values) {
   return sum;
 }
 
-/// sqrt(level - h) where positive: the shape of a Hertzian pressure over the penetrated elements.
-/// Evenly spread over h <= level where nothing lies below the level (a punch).
-std::vector<double> start_shape(std::span<const double> distance, double level) {
+/// sqrt(s level - h) where positive: the shape of a Hertzian pressure over the penetrated elements.
+/// Evenly spread over h <= s level where nothing lies below the level (a punch).
+std::vector<double> start_shape(const DimensionlessProblem& problem, double level) {
+  const std::vector<double>& distance = problem.distance;
   std::vector<double> shape(distance.size());
   for (std::size_t index = 0; index < shape.size(); ++index) {
-    shape[index] = std::sqrt(std::max(0.0, level - distance[index]));
+    shape[index] = std::sqrt(std::max(0.0, level * problem.shares[index] - distance[index]));
   }
   if (sum_of(shape) == 0.0) {
     for (std::size_t index = 0; index < shape.size(); ++index) {
-      shape[index] = distance[index] <= level ? 1.0 : 0.0;
+      shape[index] = distance[index] <= level * problem.shares[index] ? 1.0 : 0.0;
     }
   }
   return shape;
 }
 
 /// The level below which the start draws pressures for a prescribed load.
-double quantile_of(std::span<const double> distance, double share) {
-  std::vector<double> ordered(distance.begin(), distance.end());
+double quantile_of(const DimensionlessProblem& problem, double share) {
+  std::vector<double> ordered = problem.distance;
+  std::transform(ordered.begin(), ordered.end(), problem.shares.begin(), ordered.begin(),
+                 std::divides<>());
   const auto rank = static_cast<std::size_t>(share * static_cast<double>(ordered.size() - 1));
   const auto place = ordered.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(ordered.begin(), place, ordered.end());
   return *place;
+}
+
+double load_of(std::span<const double> pressure, std::span<const double> shares) {
+  return std::inner_product(pressure.begin(), pressure.end(), shares.begin(), 0.0);
+}
+
+/// Relative to that of the patch.
+std::vector<double> shares_of(const PatchGap& patch) {
+  std::vector<double> shares(patch.grid.element_count(), 1.0);
+  std::transform(patch.shares.begin(), patch.shares.end(), shares.begin(),
+                 [&](double share) { return share / patch.approach_cosine; });
+  return shares;
+}
+
+/// The approach at which the first element touches.
+double first_touch(const PatchGap& patch) {
+  double touch = std::numeric_limits<double>::infinity();
+  for (std::size_t index = 0; index < patch.undeformed_distance.size(); ++index) {
+    touch = std::min(touch, patch.undeformed_distance[index] / patch.share(index));
+  }
+  return touch;
 }
 
 class ActiveSetIteration {
@@ -117,21 +144,20 @@ double ActiveSetIteration::evaluate_gap() {
   operator_.apply(pressure_, gap_);
   double largest_displacement = 0.0;
   double contact_sum = 0.0;
-  std::size_t contact_count = 0;
+  double squares = 0.0;
   for (std::size_t index = 0; index < gap_.size(); ++index) {
     largest_displacement = std::max(largest_displacement, gap_[index]);
     gap_[index] += problem_.distance[index];
     if (in_contact(index)) {
-      contact_sum += gap_[index];
-      ++contact_count;
+      const double share = problem_.shares[index];
+      contact_sum += share * gap_[index];
+      squares += share * share;
     }
   }
-  const double approach = problem_.load_prescribed
-                              ? contact_sum / static_cast<double>(contact_count)
-                              : problem_.approach;
+  const double approach = problem_.load_prescribed ? contact_sum / squares : problem_.approach;
   double largest_error = 0.0;
   for (std::size_t index = 0; index < gap_.size(); ++index) {
-    gap_[index] -= approach;
+    gap_[index] -= problem_.shares[index] * approach;
     largest_error =
         std::max(largest_error, in_contact(index) ? std::abs(gap_[index]) : -gap_[index]);
   }
@@ -143,21 +169,22 @@ double ActiveSetIteration::choose_step_along_direction() {
   operator_.apply(direction_, response_);
   double response_mean = 0.0;
   if (problem_.load_prescribed) {
-    std::size_t contact_count = 0;
+    double squares = 0.0;
     for (std::size_t index = 0; index < response_.size(); ++index) {
       if (in_contact(index)) {
-        response_mean += response_[index];
-        ++contact_count;
+        const double share = problem_.shares[index];
+        response_mean += share * response_[index];
+        squares += share * share;
       }
     }
-    response_mean /= static_cast<double>(contact_count);
+    response_mean /= squares;
   }
   double descent = 0.0;
   double curvature = 0.0;
   for (std::size_t index = 0; index < response_.size(); ++index) {
     if (in_contact(index)) {
       descent += gap_[index] * direction_[index];
-      curvature += (response_[index] - response_mean) * direction_[index];
+      curvature += (response_[index] - response_mean * problem_.shares[index]) * direction_[index];
     }
   }
   return descent > 0.0 && curvature > 0.0 ? descent / curvature : 0.0;
@@ -214,17 +241,18 @@ double ActiveSetIteration::move(double step) {
 
   double sum = sum_of(pressure_);
   if (problem_.load_prescribed) {
-    if (sum <= 0.0) {
+    const double load = load_of(pressure_, problem_.shares);
+    if (load <= 0.0) {
       // A direction kept over a change of contact may take all load away: start afresh instead.
       std::copy(response_.begin(), response_.end(), pressure_.begin());
       keep_direction_ = false;
       return std::numeric_limits<double>::infinity();
     }
-    const double factor = problem_.pressure_sum / sum;
+    const double factor = problem_.load / load;
     for (double& value : pressure_) {
       value *= factor;
     }
-    sum = problem_.pressure_sum;
+    sum *= factor;
   }
   double change = 0.0;
   for (std::size_t index = 0; index < pressure_.size(); ++index) {
@@ -261,42 +289,44 @@ DimensionlessResult ActiveSetIteration::run(double tolerance, int maximum_iterat
   }
 }
 
-/// A problem with a contact to be found: load > 0, or approach above the least distance. Both along
-/// the patch's normal, here and below.
-DimensionlessProblem scale_problem(const NormalProblem& problem, double least_distance) {
-  const Grid& grid = problem.patches.front().grid;
-  const std::span<const double> distances = problem.patches.front().undeformed_distance;
+/// A problem with a contact to be found: load > 0, or approach above the first touch.
+DimensionlessProblem scale_problem(const NormalProblem& problem, double touch) {
+  const PatchGap& patch = problem.patches.front();
+  const Grid& grid = patch.grid;
+  const std::span<const double> distances = patch.undeformed_distance;
   const double step = grid.longitudinal_step;
   DimensionlessProblem scaled{
       {grid.lateral_count, grid.longitudinal_count, grid.lateral_step / step, 1.0, 0.0, 0.0},
       std::vector<double>(distances.size()),
+      shares_of(patch),
       problem.load.has_value(),
       problem.elements};
   // Where the load is given, one element that carries it all has pressure 1; lengths follow from
   // u ~ p step / E*. Where the approach is given, it is the unit of normal distances.
   double normal_scale = 0.0;
   if (scaled.load_prescribed) {
-    scaled.pressure_sum = 1.0;
-    scaled.pressure_scale = *problem.load / step / grid.lateral_step;
+    scaled.load = 1.0;
+    scaled.pressure_scale = *problem.load / patch.approach_cosine / step / grid.lateral_step;
     normal_scale = scaled.pressure_scale / problem.combined_modulus * step;
   } else {
-    normal_scale = *problem.approach - least_distance;
+    normal_scale = (*problem.approach - touch) * patch.approach_cosine;
     scaled.approach = 1.0;
     scaled.pressure_scale = normal_scale / step * problem.combined_modulus;
   }
-  std::transform(distances.begin(), distances.end(), scaled.distance.begin(),
-                 [=](double distance) { return (distance - least_distance) / normal_scale; });
+  std::transform(distances.begin(), distances.end(), scaled.shares.begin(), scaled.distance.begin(),
+                 [=](double distance, double share) {
+                   return (distance - touch * patch.approach_cosine * share) / normal_scale;
+                 });
   return scaled;
 }
 
 std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
-  const double level = scaled.load_prescribed
-                           ? quantile_of(scaled.distance, polonsky_keer_start_quantile)
-                           : scaled.approach;
-  std::vector<double> pressure = start_shape(scaled.distance, level);
+  const double level =
+      scaled.load_prescribed ? quantile_of(scaled, polonsky_keer_start_quantile) : scaled.approach;
+  std::vector<double> pressure = start_shape(scaled, level);
   double factor = 0.0;
   if (scaled.load_prescribed) {
-    factor = scaled.pressure_sum / sum_of(pressure);
+    factor = scaled.load / load_of(pressure, scaled.shares);
   } else {
     // The multiple of the shape with the least energy.
     std::vector<double> displacement(pressure.size());
@@ -304,7 +334,7 @@ std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
     double work = 0.0;
     double energy = 0.0;
     for (std::size_t index = 0; index < pressure.size(); ++index) {
-      work += pressure[index] * (scaled.approach - scaled.distance[index]);
+      work += pressure[index] * (scaled.approach * scaled.shares[index] - scaled.distance[index]);
       energy += pressure[index] * displacement[index];
     }
     factor = work / energy;
@@ -326,34 +356,36 @@ Residuals finish_solution(const NormalProblem& problem, NormalSolution& solution
   if (problem.approach) {
     solution.approach = *problem.approach;
   } else {
-    const double least_distance = *std::min_element(distance.begin(), distance.end());
+    const double touch = first_touch(patch);
     double sum = 0.0;
-    std::size_t contact_count = 0;
+    double squares = 0.0;
     for (std::size_t index = 0; index < distance.size(); ++index) {
       if (pressure[index] > 0.0) {
-        sum += (distance[index] - least_distance) + displacement[index];
-        ++contact_count;
+        const double share = patch.share(index);
+        sum += share * ((distance[index] - share * touch) + displacement[index]);
+        squares += share * share;
       }
     }
-    solution.approach =
-        least_distance + (contact_count > 0 ? sum / static_cast<double>(contact_count) : 0.0);
+    solution.approach = touch + (squares > 0.0 ? sum / squares : 0.0);
   }
   solution.patches.front().normal_force = sum_of(pressure) * patch.grid.element_area();
   return compute_residuals(problem, pressure, displacement, solution.approach);
 }
 
-NormalSolution solve_along_normal(const NormalProblem& problem) {
-  const std::span<const double> distance = problem.patches.front().undeformed_distance;
-  const double least_distance = *std::min_element(distance.begin(), distance.end());
+} // namespace
+
+NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
+  const PatchGap& patch = single_patch(problem);
+  const double touch = first_touch(patch);
   NormalSolution solution;
   std::vector<double>& pressure = solution.patches.emplace_back().pressure;
-  if (problem.load ? *problem.load == 0.0 : *problem.approach <= least_distance) {
-    pressure.assign(distance.size(), 0.0);
+  if (problem.load ? *problem.load == 0.0 : *problem.approach <= touch) {
+    pressure.assign(patch.grid.element_count(), 0.0);
     finish_solution(problem, solution);
     return solution;
   }
 
-  const DimensionlessProblem scaled = scale_problem(problem, least_distance);
+  const DimensionlessProblem scaled = scale_problem(problem, touch);
   DimensionlessResult result = ActiveSetIteration(scaled, start_pressures(scaled))
                                    .run(problem.tolerance, problem.maximum_iterations);
   pressure = std::move(result.pressure);
@@ -371,23 +403,6 @@ NormalSolution solve_along_normal(const NormalProblem& problem) {
   if (solution.stop_reason == StopReason::tolerance_met && error > problem.tolerance) {
     solution.stop_reason = StopReason::stagnation;
   }
-  return solution;
-}
-
-} // namespace
-
-NormalSolution solve_with_polonsky_keer(const NormalProblem& problem) {
-  PatchGap patch = single_patch(problem);
-  const double cosine = std::exchange(patch.approach_cosine, 1.0);
-  NormalProblem along_normal = problem;
-  along_normal.patches = {&patch, 1};
-  if (problem.load) {
-    along_normal.load = *problem.load / cosine;
-  } else {
-    along_normal.approach = *problem.approach * cosine;
-  }
-  NormalSolution solution = solve_along_normal(along_normal);
-  solution.approach /= cosine;
   return solution;
 }
 

@@ -95,16 +95,16 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
     for (std::size_t k = 0; k < count; ++k) {
       const IterationBox& box = boxes[k];
       const Fields& fields = *fields_[k];
-      const JointStepSums& sums = step_sums_[k] =
-          sum_joint_step(box.pressure.data(), fields.displacement.data(), fields.residual.data(),
-                         fields.direction.data(), fields.response.data(), box.count());
+      const JointStepSums& sums = step_sums_[k] = sum_joint_step(
+          box.pressure.data(), fields.displacement.data(), fields.residual.data(),
+          fields.direction.data(), fields.response.data(), box.shares.data(), box.count());
       joint_step_.set_energy(k, k, box.weight * sums.v_q);
       joint_step_.set_energy(k, count + k, box.weight * sums.p_q);
       joint_step_.set_energy(count + k, count + k, box.weight * sums.p_u);
       joint_step_.set_work(k, box.weight * sums.r_v);
       joint_step_.set_work(count + k, box.weight * sums.r_p);
-      joint_step_.set_load(k, box.weight * box.share * sums.v);
-      joint_step_.set_load(count + k, box.weight * box.share * sums.p);
+      joint_step_.set_load(k, box.weight * sums.s_v);
+      joint_step_.set_load(count + k, box.weight * sums.s_p);
     }
     if (request_->coupling != nullptr) {
       add_coupled_energies();
@@ -199,14 +199,13 @@ template <typename Real> void ProjectedCg<Real>::final_correction(double z_mean)
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const IterationBox& box = boxes[k];
     const Fields& fields = *fields_[k];
-    const double shift = z_mean * box.share;
     double sum = 0.0;
     for (std::size_t i = 0; i < box.count(); ++i) {
-      const double z = fields.correction.data()[i] - shift * fields.contact.data()[i];
-      box.pressure[i] = std::max(0.0, box.pressure[i] + z);
-      sum += box.pressure[i];
+      const double shift = z_mean * box.shares[i] * fields.contact.data()[i];
+      box.pressure[i] = std::max(0.0, box.pressure[i] + (fields.correction.data()[i] - shift));
+      sum += box.shares[i] * box.pressure[i];
     }
-    load += box.weight * box.share * sum;
+    load += box.weight * sum;
   }
   if (request_->load) {
     scale_pressures(boxes, *request_->load / load);
@@ -229,11 +228,11 @@ template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>:
     prepare(box, *fields_[k]);
     longest = std::max({longest, box.rows, box.columns});
     double sum = 0.0;
-    for (const double p : box.pressure) {
-      sum += p;
-      outcome.largest_pressure = std::max(outcome.largest_pressure, p);
+    for (std::size_t i = 0; i < box.count(); ++i) {
+      sum += box.shares[i] * box.pressure[i];
+      outcome.largest_pressure = std::max(outcome.largest_pressure, box.pressure[i]);
     }
-    load += box.weight * box.share * sum;
+    load += box.weight * sum;
   }
   if (request_->load) {
     const double factor = *request_->load / load;
@@ -252,9 +251,9 @@ template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>:
   refresh_displacement(in_double);
   progress.rounding =
       (in_double ? progress.least_drift : progress.drift_rate) * outcome.largest_pressure;
-  outcome.approach = request_->load
-                         ? (fields_[0]->displacement.data()[0] + distance_of(0)[0]) / boxes[0].share
-                         : request_->approach;
+  outcome.approach =
+      request_->load ? (fields_[0]->displacement.data()[0] + distance_of(0)[0]) / boxes[0].shares[0]
+                     : request_->approach;
   return progress;
 }
 
@@ -263,20 +262,20 @@ template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>:
 template <typename Real> void ProjectedCg<Real>::update_approach(Progress& progress) {
   IterationOutcome& outcome = progress.outcome;
   double gap_sum = 0.0;
-  double gap_count = 0.0;
+  double squares = 0.0;
   for (std::size_t k = 0; k < request_->boxes.size(); ++k) {
     const IterationBox& box = request_->boxes[k];
     Fields& fields = *fields_[k];
     const ContactMean mean =
         scale_and_average(box.pressure.data(), fields.displacement.data(), distance_of(k),
-                          fields.factor, box.share * outcome.approach, box.count());
+                          box.shares.data(), fields.factor, outcome.approach, box.count());
     fields.factor = 1.0;
-    gap_sum += box.weight * box.share * mean.sum;
-    gap_count += box.weight * box.share * box.share * mean.count;
+    gap_sum += box.weight * mean.sum;
+    squares += box.weight * mean.squares;
   }
   progress.drift = progress.rounding / std::max(outcome.largest_pressure, 1e-300);
   if (request_->load) {
-    outcome.approach += gap_sum / gap_count;
+    outcome.approach += gap_sum / squares;
   }
 }
 
@@ -286,8 +285,8 @@ template <typename Real> void ProjectedCg<Real>::form_residuals(IterationOutcome
     Fields& fields = *fields_[k];
     std::swap(fields.residual, fields.last_residual);
     form_residual(box.pressure.data(), fields.displacement.data(), distance_of(k),
-                  box.share * outcome.approach, fields.residual.data(), fields.contact.data(),
-                  box.count());
+                  box.shares.data(), outcome.approach, fields.residual.data(),
+                  fields.contact.data(), box.count());
     outcome.reached[k] = reached_sides(box, fields.contact.data());
     outcome.reached_any = outcome.reached_any || outcome.reached[k].any();
   }
@@ -307,16 +306,15 @@ typename ProjectedCg<Real>::Correction ProjectedCg<Real>::precondition(Progress&
     fields.preconditioner.apply(fields.residual.data(), fields.correction.data(), workspace_);
     sums_[k] = sum_correction(fields.correction.data(), fields.residual.data(),
                               fields.last_residual.data(), fields.direction.data(),
-                              fields.contact.data(), box.count());
-    const double load_weight = box.weight * box.share;
-    z_sum += load_weight * sums_[k].z;
-    correction.contacts += load_weight * box.share * sums_[k].contacts;
+                              fields.contact.data(), box.shares.data(), box.count());
+    z_sum += box.weight * sums_[k].s_z;
+    correction.contacts += box.weight * sums_[k].s_s;
   }
   correction.z_mean = mean_over(correction.contacts, z_sum);
   double largest_z = 0.0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const double shift = correction.z_mean * boxes[k].share;
-    if (sums_[k].contacts > 0.0) {
+    if (sums_[k].s_s > 0.0) {
       largest_z = std::max({largest_z, sums_[k].largest_z - shift, shift - sums_[k].least_z});
     }
   }
@@ -352,26 +350,25 @@ void ProjectedCg<Real>::choose_directions(const Correction& correction, bool ste
   if (steepest) {
     double r_sum = 0.0;
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      r_sum += boxes[k].weight * boxes[k].share * sums_[k].r;
+      r_sum += boxes[k].weight * sums_[k].s_r;
     }
     mean = mean_over(correction.contacts, r_sum);
   }
   double v_sum = 0.0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     Fields& fields = *fields_[k];
-    const double shift = correction.z_mean * boxes[k].share;
-    const double z_r = sums_[k].z_r - shift * sums_[k].r;
-    const double z_old_r = sums_[k].z_old_r - shift * sums_[k].old_r;
+    const double z_r = sums_[k].z_r - correction.z_mean * sums_[k].s_r;
+    const double z_old_r = sums_[k].z_old_r - correction.z_mean * sums_[k].s_old_r;
     fields.beta = fields.last_z_r > 0.0 ? std::max(0.0, (z_r - z_old_r) / fields.last_z_r) : 0.0;
     fields.last_z_r = steepest ? 0.0 : z_r;
-    v_sum += boxes[k].weight * boxes[k].share * fields.beta * sums_[k].v;
+    v_sum += boxes[k].weight * fields.beta * sums_[k].s_v;
   }
   const double v_mean = mean_over(correction.contacts, v_sum);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     Fields& fields = *fields_[k];
     form_direction(steepest ? fields.residual.data() : fields.correction.data(),
-                   fields.direction.data(), fields.contact.data(), fields.beta,
-                   (mean + v_mean) * boxes[k].share, boxes[k].count());
+                   fields.direction.data(), fields.contact.data(), boxes[k].shares.data(),
+                   fields.beta, mean + v_mean, boxes[k].count());
   }
 }
 
@@ -389,11 +386,11 @@ template <typename Real> void ProjectedCg<Real>::move_pressures(Progress& progre
     Fields& fields = *fields_[k];
     const MoveSums moved =
         move(box.pressure.data(), fields.displacement.data(), fields.direction.data(),
-             fields.response.data(), fields.step, box.count());
+             fields.response.data(), box.shares.data(), fields.step, box.count());
     fields.cut = moved.negative_count;
     largest_change = std::max(largest_change, fields.factor * moved.largest_change);
     outcome.largest_pressure = std::max(outcome.largest_pressure, fields.factor * moved.largest);
-    load += box.weight * box.share * fields.factor * moved.pressure;
+    load += box.weight * fields.factor * moved.load;
     if (fields.step == 0.0) {
       fields.last_z_r = 0.0; // no descent along this direction: steepest descent next
     } else {

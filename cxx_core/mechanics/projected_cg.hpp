@@ -1,9 +1,10 @@
 /// Projected, preconditioned conjugate gradients for contact on rectangles of elements, one or
 /// several that share one approach.
 ///
-/// Find p >= 0 with r = s_k approach - h - K p <= 0, p r = 0 on every box k, and the load,
-/// sum_k w_k s_k sum p, given, or the approach given. s_k and w_k: share of the approach and weight
-/// in the energy, both in the box's own unit of length. Each iteration, with one application of K:
+/// Find p >= 0 with r = s approach - h - K p <= 0, p r = 0 on every box k, and the load,
+/// sum_k w_k sum s p, given, or the approach given. s and w_k: each element's share of the approach
+/// and the box's weight in the energy, both in the box's own unit of length. Each iteration, with
+/// one application of K:
 ///   contact C = {p > 0 or r > 0}
 ///   approach: least squares of r over p > 0 (if the load is given)
 ///   z = M r on C, M the inverse of the periodic convolution on each rectangle
@@ -11,7 +12,7 @@
 ///   p = max(0, (1 + gamma_k) p + alpha_k v), and what this cut off is added to u directly
 /// with <a, b>_k = sum a b over box k. One box: gamma = 0, alpha = <r, v>/<v, K v>; several: both
 /// for each box by joint_step.hpp. With the load given, z and v carry none in sum over the boxes (a
-/// multiple of s_k on C is taken off), which keeps the load inside the iteration, and p and u are
+/// multiple of s on C is taken off), which keeps the load inside the iteration, and p and u are
 /// scaled to it after the cut. No gamma goes beyond -0.5 and 1: all go the same part of the way
 /// then. Where z leads to no less energy, which happens far from the answer, r takes its place.
 /// The method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
@@ -47,7 +48,7 @@ namespace wrc {
 
 struct IterationRequest {
   std::span<const IterationBox> boxes;
-  std::optional<double> load;  ///< sum w s p; or else
+  std::optional<double> load;  ///< sum of w s p; or else
   double approach = 0.0;       ///< the approach
   double tolerance = 1e-4;     ///< of max|z|, relative to the largest pressure
   double rounding_share = 0.1; ///< of the tolerance: what rounding may take
@@ -95,10 +96,10 @@ private:
     [[nodiscard]] bool met(double tolerance) const { return outcome.error <= tolerance; }
     [[nodiscard]] bool stuck() const;
   };
-  /// Means over contact, 0 without a load to keep.
+  /// Over contact, 0 without a load to keep.
   struct Correction {
-    double z_mean = 0.0;
-    double contacts = 0.0;
+    double z_mean = 0.0;   ///< the multiple of s that carries the load of z
+    double contacts = 0.0; ///< sum w s^2
   };
 
   void prepare(const IterationBox& box, Fields& fields);

@@ -1,9 +1,9 @@
 /// Loops over the elements of one rectangle, of which projected_cg.hpp consists: each goes through
 /// the fields once. Names are those there: p pressure, u displacement, h distance, r residual, z
-/// correction, v direction, q = K v, `contact` 1 on C and 0 elsewhere. Directions are in single or
-/// double precision, sums always in double; their order is fixed by the instruction set, so that
-/// the same machine gives the same bits. In units of influence_cache.hpp. Thread rule: pure
-/// functions of what they are given.
+/// correction, v direction, q = K v, s share of the approach, `contact` 1 on C and 0 elsewhere.
+/// Directions are in single or double precision, sums always in double; their order is fixed by the
+/// instruction set, so that the same machine gives the same bits. In units of influence_cache.hpp.
+/// Thread rule: pure functions of what they are given.
 #pragma once
 
 #include <cstddef>
@@ -12,44 +12,44 @@ namespace wrc {
 
 struct ContactMean {
   double sum;
-  double count;
+  double squares;
 };
 
-/// Scales p and u by a factor; sums h + u - level over p > 0. With a level near the answer nothing
-/// is lost to rounding, however many elements there are.
-ContactMean scale_and_average(double* p, double* u, const double* h, double factor, double level,
-                              std::size_t n);
+/// Scales p and u by a factor; sums s (h + u - s approach) and s^2 over p > 0. With an approach
+/// near the answer nothing is lost to rounding, however many elements there are.
+ContactMean scale_and_average(double* p, double* u, const double* h, const double* s, double factor,
+                              double approach, std::size_t n);
 
-/// r = approach - h - u on C = {p > 0 or r > 0}, 0 elsewhere.
-void form_residual(const double* p, const double* u, const double* h, double approach, float* r,
-                   float* contact, std::size_t n);
-void form_residual(const double* p, const double* u, const double* h, double approach, double* r,
-                   double* contact, std::size_t n);
+/// r = s approach - h - u on C = {p > 0 or r > 0}, 0 elsewhere.
+void form_residual(const double* p, const double* u, const double* h, const double* s,
+                   double approach, float* r, float* contact, std::size_t n);
+void form_residual(const double* p, const double* u, const double* h, const double* s,
+                   double approach, double* r, double* contact, std::size_t n);
 
-/// Sums over C from which the mean of z, the coefficient beta and the error follow.
+/// Sums over C from which the load of z, the coefficient beta and the error follow.
 struct CorrectionSums {
-  double contacts = 0.0;
-  double z = 0.0;
-  double r = 0.0;
-  double old_r = 0.0;
+  double s_s = 0.0;
+  double s_z = 0.0;
+  double s_r = 0.0;
+  double s_old_r = 0.0;
   double z_r = 0.0;
   double z_old_r = 0.0;
-  double v = 0.0;
+  double s_v = 0.0;
   double least_z = 0.0;
   double largest_z = 0.0;
 };
 
 /// Sets z to 0 outside C.
 CorrectionSums sum_correction(float* z, const float* r, const float* old_r, const float* v,
-                              const float* contact, std::size_t n);
+                              const float* contact, const double* s, std::size_t n);
 CorrectionSums sum_correction(double* z, const double* r, const double* old_r, const double* v,
-                              const double* contact, std::size_t n);
+                              const double* contact, const double* s, std::size_t n);
 
-/// v = z + beta v - shift on C.
-void form_direction(const float* z, float* v, const float* contact, double beta, double shift,
-                    std::size_t n);
-void form_direction(const double* z, double* v, const double* contact, double beta, double shift,
-                    std::size_t n);
+/// v = z + beta v - shift s on C.
+void form_direction(const float* z, float* v, const float* contact, const double* s, double beta,
+                    double shift, std::size_t n);
+void form_direction(const double* z, double* v, const double* contact, const double* s, double beta,
+                    double shift, std::size_t n);
 
 /// <r, v> and <v, q>.
 struct StepSums {
@@ -68,21 +68,25 @@ struct JointStepSums {
   double r_p;
   double v;
   double p;
+  double s_v;
+  double s_p;
 };
 JointStepSums sum_joint_step(const double* p, const double* u, const float* r, const float* v,
-                             const float* q, std::size_t n);
+                             const float* q, const double* s, std::size_t n);
 JointStepSums sum_joint_step(const double* p, const double* u, const double* r, const double* v,
-                             const double* q, std::size_t n);
+                             const double* q, const double* s, std::size_t n);
 
 struct MoveSums {
-  double pressure = 0.0; ///< of the positive ones
+  double load = 0.0; ///< sum s p of the positive ones
   double largest = 0.0;
   double largest_change = 0.0;
   double negative_count = 0.0;
 };
 /// p += step v, u += step q.
-MoveSums move(double* p, double* u, const float* v, const float* q, double step, std::size_t n);
-MoveSums move(double* p, double* u, const double* v, const double* q, double step, std::size_t n);
+MoveSums move(double* p, double* u, const float* v, const float* q, const double* s, double step,
+              std::size_t n);
+MoveSums move(double* p, double* u, const double* v, const double* q, const double* s, double step,
+              std::size_t n);
 
 /// What p has changed by, when it is cut at 0 after the step: step v + max(0, -p).
 void form_change(const double* p, const float* v, double step, float* change, std::size_t n);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "base/reductions.hpp"
 #include "mechanics/constants.hpp"
@@ -15,28 +17,35 @@ double sum_of(const std::vector<double>& values) {
   return wrc::sum_of(values.data(), values.size());
 }
 
+/// The approach at which each element touches.
+std::vector<double> heights_of(const Level& level) {
+  std::vector<double> heights(level.distance.size());
+  std::transform(level.distance.begin(), level.distance.end(), level.shares.begin(),
+                 heights.begin(), std::divides<>());
+  return heights;
+}
+
 /// The approach below which a share of the elements lies.
 double start_height(const Level& level) {
-  std::vector<double> ordered = level.distance;
+  std::vector<double> ordered = heights_of(level);
   const auto rank =
       static_cast<std::ptrdiff_t>(start_quantile * static_cast<double>(ordered.size() - 1));
   std::nth_element(ordered.begin(), ordered.begin() + rank, ordered.end());
-  return ordered[static_cast<std::size_t>(rank)] / level.share;
+  return ordered[static_cast<std::size_t>(rank)];
 }
 
 /// Pressures like Hertz's over the elements below a height; even ones where nothing lies below it
 /// (a punch).
 void draw_pressure_below(Level& level, double height) {
-  const double limit = height * level.share;
   double deepest = 0.0;
   for (std::size_t i = 0; i < level.pressure.size(); ++i) {
-    const double depth = std::max(0.0, limit - level.distance[i]);
+    const double depth = std::max(0.0, height * level.shares[i] - level.distance[i]);
     level.pressure[i] = std::sqrt(depth);
     deepest = std::max(deepest, depth);
   }
   if (deepest == 0.0) {
     for (std::size_t i = 0; i < level.pressure.size(); ++i) {
-      level.pressure[i] = level.distance[i] <= limit ? 1.0 : 0.0;
+      level.pressure[i] = level.distance[i] <= height * level.shares[i] ? 1.0 : 0.0;
     }
   }
 }
@@ -48,18 +57,22 @@ void draw_pressure_below(Level& level, double height) {
 bool find_penetration_box(const Level& level, double approach, std::size_t margin,
                           ElementBox& box) {
   std::vector<double> depth(level.distance.size());
-  const double reach = level.share * approach;
-  std::transform(level.distance.begin(), level.distance.end(), depth.begin(),
-                 [reach](double distance) { return reach - distance; });
+  std::transform(level.distance.begin(), level.distance.end(), level.shares.begin(), depth.begin(),
+                 [approach](double distance, double share) { return share * approach - distance; });
   return find_pressure_box(level.size, depth, margin, box);
 }
 
 double ScaledProblem::first_touch(const NormalProblem& problem) {
   double touch = std::numeric_limits<double>::infinity();
   for (const PatchGap& patch : problem.patches) {
-    const double least =
-        least_of(patch.undeformed_distance.data(), patch.undeformed_distance.size());
-    touch = std::min(touch, least / patch.approach_cosine);
+    if (patch.shares.empty()) {
+      const double least =
+          least_of(patch.undeformed_distance.data(), patch.undeformed_distance.size());
+      touch = std::min(touch, least / patch.approach_cosine);
+      continue;
+    }
+    touch = std::min(touch, least_ratio(patch.undeformed_distance.data(), patch.shares.data(),
+                                        patch.shares.size()));
   }
   return touch;
 }
@@ -105,9 +118,13 @@ void ScaledProblem::set_scales(const NormalProblem& problem) {
       cascades[k].place = {interaction->places[k].lateral + patch.grid.lateral_first,
                            interaction->places[k].longitudinal + patch.grid.longitudinal_first};
     }
-    finest.share = patch.approach_cosine * (step / patch.grid.longitudinal_step);
+    const double unit = step / patch.grid.longitudinal_step;
+    finest.share = patch.approach_cosine * unit;
+    finest.shares.assign(patch.grid.element_count(), finest.share);
+    std::transform(patch.shares.begin(), patch.shares.end(), finest.shares.begin(),
+                   [unit](double share) { return unit * share; });
     finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);
-    elements += finest.load_weight() * static_cast<double>(patch.grid.element_count());
+    elements += finest.weight * sum_of(finest.shares);
   }
   if (problem.load) {
     pressure_scale = *problem.load / step / problem.patches[0].grid.lateral_step / elements;
@@ -138,11 +155,11 @@ void ScaledProblem::set_levels(const NormalProblem& problem, double farthest) {
     finest.size = {patch.grid.lateral_count, patch.grid.longitudinal_count};
     finest.distance.resize(patch.grid.element_count());
     const double unit = approach_scale * (patch.grid.longitudinal_step / step);
-    const double least = least_approach * patch.approach_cosine;
     const double limit = 4.0 * farthest * finest.share;
-    std::transform(patch.undeformed_distance.begin(), patch.undeformed_distance.end(),
-                   finest.distance.begin(),
-                   [=](double distance) { return std::min((distance - least) / unit, limit); });
+    for (std::size_t i = 0; i < finest.distance.size(); ++i) {
+      const double above = patch.undeformed_distance[i] - least_approach * patch.share(i);
+      finest.distance[i] = std::min(above / unit, limit);
+    }
     for (std::size_t i = 1; i < cascade.level_count; ++i) {
       const Level& finer = cascade.levels[i - 1];
       Level& level = cascade.levels[i];
@@ -157,6 +174,7 @@ void ScaledProblem::set_levels(const NormalProblem& problem, double farthest) {
       level.share = finer.share / 2.0;
       level.weight = finer.weight * 8.0;
       coarsen_distance(finer.size, finer.distance, level.distance);
+      coarsen_distance(finer.size, finer.shares, level.shares);
     }
   }
 }
@@ -172,7 +190,8 @@ void ScaledProblem::draw_pressure(std::size_t index) {
     level.pressure.assign(level.size.count(), 0.0);
     if (load) {
       draw_pressure_below(level, height);
-      drawn += level.load_weight() * sum_of(level.pressure);
+      drawn += level.weight * std::inner_product(level.pressure.begin(), level.pressure.end(),
+                                                 level.shares.begin(), 0.0);
     }
     cascades[k].box = {0, level.size.rows - 1, 0, level.size.columns - 1};
   }

@@ -23,7 +23,8 @@ struct Level {
   Grid grid; ///< in mm, from the finest level's first element
   std::vector<double> distance;
   std::vector<double> pressure;
-  double share = 1.0;  ///< of the approach, in this level's unit
+  std::vector<double> shares; ///< of the approach, by element, in this level's unit
+  double share = 1.0;         ///< a typical one of these
   double weight = 1.0; ///< element area times unit of length, relative to the first patch's grid
   [[nodiscard]] double load_weight() const { return share * weight; }
 };
@@ -37,6 +38,7 @@ struct PatchCascade {
   ElementBox box;
   std::vector<double> box_pressure;
   std::vector<double> box_distance;
+  std::vector<double> box_shares;
 
   /// The grid of this patch that goes with a grid of the longest cascade.
   [[nodiscard]] Level& at(std::size_t index) { return levels[std::min(index, level_count - 1)]; }
@@ -59,7 +61,7 @@ struct ScaledProblem {
   std::vector<PatchCascade> cascades; ///< at least as many
   std::size_t level_count = 0;        ///< of the longest cascade
   const PatchInteraction* interaction = nullptr;
-  std::optional<double> load; ///< sum of load_weight p
+  std::optional<double> load; ///< sum of weight times share times p
   double approach = 0.0;
   double pressure_scale = 0.0; ///< MPa
   double approach_scale = 0.0; ///< mm

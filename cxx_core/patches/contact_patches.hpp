@@ -5,12 +5,12 @@
 /// g), 1/R the curvature there (patches/locus_samples.hpp). Every local maximum of penetration is a
 /// lobe. Lobes that are close are joined, others are patches.
 ///
-/// Plane: every place counts with the integral of the squared vertical penetration over the track
-/// plane, along the rail in closed form, W = int int g^2 dx dy = 16/15 int g^2 x_l dy. The plane's
-/// normal is the mean of the rail's normals and its place the mean place, both weighted so. In 23
-/// wheel/rail cases this meets the contact reference of CONTACT to 0.1 mrad and 0.01 mm; the
-/// penetrated volume, int int g dx dy, is up to 10 mrad off. The angle weighted with
-/// the pressures of a half-space solution differs by 0.4 mrad in the median, up to 13 mrad with two
+/// Plane: every place counts with the integral of the squared penetration g along the rail's
+/// normal, along the rail in closed form, W = int int g^2 dx ds = 16/15 int g^2 x_l ds. That normal
+/// meets the rail at another place than the vertical does, since a wheel that sinks under a contact
+/// angle slides along the tangent; by that the rail's slope there is extrapolated. The plane's
+/// normal is the mean of the rail's normals and its place the mean place, both weighted so. The
+/// direction of the force differs by 1 mrad on treads and flanges, and by 10 to 15 mrad with two
 /// lobes.
 ///
 /// Separation of two neighbours, without dimension:

@@ -35,11 +35,12 @@ template <class Real> struct LocusSample {
   Real y;
   Real z; ///< of the rail
   Real s;
-  Real penetration;  ///< vertical, < 0 outside
-  Real slope;        ///< of the rail
-  Real curvature;    ///< of the wheel in rolling direction; LocusSampler: along the rail
-  bool top;          ///< a local maximum: a parabola to both sides
-  Real second = 0.0; ///< derivative of the penetration
+  Real penetration;      ///< vertical, < 0 outside
+  Real slope;            ///< of the rail
+  Real curvature;        ///< of the wheel in rolling direction; LocusSampler: along the rail
+  bool top;              ///< a local maximum: a parabola to both sides
+  Real second = 0.0;     ///< derivative of the penetration
+  Real slope_rate = 0.0; ///< of the rail's slope, by y
 };
 
 /// From the curvature in rolling direction to that of distances along the rail. With yaw these
@@ -95,13 +96,14 @@ LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>
           mix(from.slope, to.slope),
           mix(from.curvature, to.curvature),
           false,
-          Real(0.0)};
+          Real(0.0),
+          mix(from.slope_rate, to.slope_rate)};
 }
 
-/// Second derivative by differences.
+/// Derivatives by differences.
 template <class Real>
-void set_second(const LocusSample<Real>& before, LocusSample<Real>& here,
-                const LocusSample<Real>& after) {
+void set_derivatives(const LocusSample<Real>& before, LocusSample<Real>& here,
+                     const LocusSample<Real>& after) {
   const Real length_before = here.y - before.y;
   const Real length_after = after.y - here.y;
   if (length_before > 0.0 && length_after > 0.0) {
@@ -109,6 +111,10 @@ void set_second(const LocusSample<Real>& before, LocusSample<Real>& here,
                   ((after.penetration - here.penetration) / length_after -
                    (here.penetration - before.penetration) / length_before) /
                   (length_before + length_after);
+  }
+  const Real length = after.y - before.y;
+  if (abs(length) > same_place) {
+    here.slope_rate = (after.slope - before.slope) / length;
   }
 }
 
@@ -228,7 +234,7 @@ private:
     for (std::size_t i = from; i < places_.size(); ++i) {
       const LocusSample<Real>& before = places_[std::max(i, from + 1) - 1];
       const LocusSample<Real>& after = places_[std::min(i + 1, places_.size() - 1)];
-      set_second(before, places_[i], after);
+      set_derivatives(before, places_[i], after);
       turn_curvature<Real>(before, places_[i], after, source_.yaw_tangent());
     }
   }

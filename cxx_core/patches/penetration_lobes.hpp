@@ -96,22 +96,48 @@ public:
   }
 
 private:
-  /// What a place counts per length in y; also its reach along the rail.
-  Moments<Real> density(const LocusSample<Real>& place, Lobe<Real>& lobe) const {
+  /// Where the rail's normal through a place of the wheel meets the rail: under a contact angle
+  /// that is not where the vertical does.
+  struct Partner {
+    Real y;
+    Real slope;
+    Real cosine;
+    Real overlap; ///< along that normal
+  };
+  /// As if that were where the vertical does.
+  static Partner below(const LocusSample<Real>& place) {
+    const Real cosine = 1.0 / sqrt(1.0 + place.slope * place.slope);
+    return {place.y, place.slope, cosine, place.penetration * cosine};
+  }
+  static Partner partner_of(const LocusSample<Real>& place) {
+    Partner partner = below(place);
+    if (place.penetration > 0.0) {
+      const Real across = partner.overlap * partner.slope * partner.cosine;
+      partner.y = place.y - across;
+      partner.slope = place.slope - across * place.slope_rate;
+      partner.cosine = 1.0 / sqrt(1.0 + partner.slope * partner.slope);
+      partner.overlap = place.penetration * partner.cosine;
+    }
+    return partner;
+  }
+
+  /// What a place counts per length in y of its partner; also its reach along the rail.
+  Moments<Real> density(const LocusSample<Real>& place, const Partner& partner,
+                        Lobe<Real>& lobe) const {
     if (!(place.penetration > 0.0)) {
       return {}; // an end, or where the parabola between two ends dips out of the rail
     }
-    const Real cosine = 1.0 / sqrt(1.0 + place.slope * place.slope);
-    const Real reach = sqrt(place.penetration * cosine / place.curvature);
+    const Real reach = sqrt(partner.overlap / place.curvature);
     const Real half_length = std::numbers::sqrt2 * reach;
     lobe.half_length = std::max(lobe.half_length, half_length);
     lobe.x_first = std::min(lobe.x_first, place.x - half_length);
     lobe.x_last = std::max(lobe.x_last, place.x + half_length);
-    // g^2 x_l dy, made free of the depth's magnitude.
-    const Real relative = place.penetration / depth_;
-    const Real weight = relative * relative * reach * reach_scale_;
-    return {weight,           weight * cosine,  weight * place.slope * cosine,
-            weight * place.x, weight * place.y, weight * place.s};
+    // g^2 x_l ds, made free of the depth's magnitude.
+    const Real relative = partner.overlap / depth_;
+    const Real level = relative * relative * reach * reach_scale_;
+    const Real weight = level / partner.cosine;
+    return {weight,          level, level * partner.slope, weight * place.x, weight * partner.y,
+            weight * place.s};
   }
 
   void begin_lobe(std::size_t place, const LocusSample<Real>& begin) {
@@ -122,21 +148,24 @@ private:
     lobe.x_first = lobe.x_last = begin.x;
     lobe.deepest = begin;
     lobe.moments = {};
-    begin_density_ = density(begin, lobe);
+    begin_partner_ = partner_of(begin);
+    begin_density_ = density(begin, begin_partner_, lobe);
     lobes_.push_back(lobe);
   }
 
   /// Simpson's rule from where the last one ended.
-  void add_to_lobe(const LocusSample<Real>& from, const LocusSample<Real>& to, const Real& length,
-                   const Real& bulge) {
+  void add_to_lobe(const LocusSample<Real>& from, const LocusSample<Real>& to, const Real& bulge) {
     Lobe<Real>& lobe = lobes_.back();
     LocusSample<Real> middle = between(from, to, Real(0.5));
     middle.penetration = 0.5 * (from.penetration + to.penetration) + 0.25 * bulge;
-    const Moments<Real> end = density(to, lobe);
+    const Partner end_partner = partner_of(to);
+    const Moments<Real> end = density(to, end_partner, lobe);
+    const Real length = abs(end_partner.y - begin_partner_.y);
     lobe.moments.add(length / 6.0, begin_density_);
-    lobe.moments.add(length * 4.0 / 6.0, density(middle, lobe));
+    lobe.moments.add(length * 4.0 / 6.0, density(middle, partner_of(middle), lobe));
     lobe.moments.add(length / 6.0, end);
     begin_density_ = end;
+    begin_partner_ = end_partner;
     if (to.penetration > lobe.deepest.penetration) {
       lobe.deepest = to;
     }
@@ -155,19 +184,16 @@ private:
       LocusSample<Real> from = places_[i];
       LocusSample<Real> to = places_[i + 1];
       Real bulge = bulge_between(from, to);
-      Real length = abs(to.y - from.y);
       const bool rising = to.penetration > from.penetration;
       bool ends = false;
       if (from.penetration <= 0.0) {
         const Real share = way_down(to, from, bulge, Real(0.0));
         from = between(to, from, share);
-        length *= share;
         bulge *= share * share;
         open = false;
       } else if (to.penetration <= 0.0) {
         const Real share = way_down(from, to, bulge, Real(0.0));
         to = between(from, to, share);
-        length *= share;
         bulge *= share * share;
         ends = true;
       }
@@ -178,7 +204,7 @@ private:
         lobes_.back().penetration_next = from.penetration;
         begin_lobe(i, from);
       }
-      add_to_lobe(from, to, length, bulge);
+      add_to_lobe(from, to, bulge);
       lobes_.back().last_place = i + 1;
       open = !ends;
       falling = to.penetration < from.penetration || (falling && !rising);
@@ -191,7 +217,8 @@ private:
     for (Lobe<Real>& lobe : lobes_) {
       if (!(lobe.moments.weight > 0.0)) {
         // No width that a number could tell from nothing.
-        lobe.moments.add(std::numeric_limits<double>::epsilon(), density(lobe.deepest, lobe));
+        lobe.moments.add(std::numeric_limits<double>::epsilon(),
+                         density(lobe.deepest, below(lobe.deepest), lobe));
       }
       lobe.settle();
     }
@@ -202,6 +229,7 @@ private:
   double depth_;
   double reach_scale_;          ///< makes weights free of the depth's magnitude
   Moments<Real> begin_density_; ///< where the next stretch of a lobe begins
+  Partner begin_partner_;
   std::vector<Lobe<Real>> lobes_;
 };
 

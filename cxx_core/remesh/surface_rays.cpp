@@ -10,6 +10,7 @@ namespace wrc {
 RailRay::RailRay(const RailSurface& rail, const ContactFrame& frame)
     : graph_(rail.graph()), frame_(frame) {
   point_ = graph_.at_lateral(frame.origin.y, start_);
+  arc_of_point_ = start_;
   restart();
 }
 
@@ -37,7 +38,10 @@ std::optional<double> RailRay::solve(double longitudinal, double lateral) {
   double arc = arc_;
   double largest_step = first_ray_step;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
-    point_ = at(arc);
+    if (iteration > 0 || arc != arc_of_point_) {
+      point_ = at(arc);
+      arc_of_point_ = arc;
+    }
     const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
     const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
     // Places that are no numbers are met by no ray either.

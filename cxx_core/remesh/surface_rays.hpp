@@ -47,6 +47,7 @@ private:
   const ContactFrame& frame_;
   double start_ = 0.0;
   double arc_ = 0.0;
+  double arc_of_point_ = 0.0;
   std::size_t piece_ = 0;
   CurvePoint point_;
 };

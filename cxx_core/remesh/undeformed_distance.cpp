@@ -19,8 +19,9 @@ std::size_t nearest_index(double first, double step, std::size_t count) {
 /// middle of the row, each from the height that its neighbour met.
 class RowSampler {
 public:
-  RowSampler(const PosedPair& pair, const ContactFrame& frame, const Grid& grid)
-      : pair_(pair), frame_(frame), grid_(grid),
+  RowSampler(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
+             const RailNormals* known)
+      : pair_(pair), frame_(frame), grid_(grid), known_(known),
         rail_constant_along_rows_(frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0),
         middle_column_(nearest_index(grid.longitudinal_first, grid.longitudinal_step,
                                      grid.longitudinal_count)),
@@ -46,7 +47,7 @@ public:
     const double lateral = grid_.lateral(row);
     std::optional<double> rail_position;
     if (rail_constant_along_rows_) {
-      rail_position = rail_.solve(0.0, lateral);
+      rail_position = known_ != nullptr ? known_->position(row) : rail_.solve(0.0, lateral);
       if (!rail_position) {
         std::fill_n(values, longitudinal_.size(), no_material_distance);
         return;
@@ -131,6 +132,7 @@ private:
   const PosedPair& pair_;
   const ContactFrame& frame_;
   const Grid& grid_;
+  const RailNormals* known_;
   const bool rail_constant_along_rows_;
   const std::size_t middle_column_;
   RailRay rail_;
@@ -142,12 +144,10 @@ private:
   std::vector<double> longitudinal_;
 };
 
-} // namespace
-
-void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
-                                std::vector<double>& distance) {
+void sample(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
+            const RailNormals* known, std::vector<double>& distance) {
   distance.resize(grid.element_count());
-  RowSampler sampler(pair, frame, grid);
+  RowSampler sampler(pair, frame, grid, known);
   const std::size_t middle =
       nearest_index(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   const auto values_of = [&](std::size_t row) {
@@ -162,10 +162,24 @@ void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame
   }
 }
 
+} // namespace
+
+void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
+                                std::vector<double>& distance) {
+  sample(pair, frame, grid, nullptr, distance);
+}
+
 std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
                                                const Grid& grid) {
   std::vector<double> distance;
-  sample_undeformed_distance(pair, frame, grid, distance);
+  sample(pair, frame, grid, nullptr, distance);
+  return distance;
+}
+
+std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
+                                               const Grid& grid, const RailNormals& rail) {
+  std::vector<double> distance;
+  sample(pair, frame, grid, &rail, distance);
   return distance;
 }
 

@@ -14,6 +14,7 @@
 #include "base/grid.hpp"
 #include "patches/contact_frame.hpp"
 #include "remesh/constants.hpp"
+#include "remesh/rail_normals.hpp"
 #include "remesh/surface_rays.hpp"
 
 namespace wrc {
@@ -21,6 +22,9 @@ namespace wrc {
 /// One value per element of the grid, in the grid's order.
 std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
                                                const Grid& grid);
+/// The same with the rail's places known: those of this frame and grid.
+std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
+                                               const Grid& grid, const RailNormals& rail);
 /// The same, into memory that is kept from call to call.
 void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
                                 std::vector<double>& distance);

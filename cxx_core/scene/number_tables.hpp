@@ -82,11 +82,16 @@ inline double regions_of_patch(const PatchResult& patch) {
   return count;
 }
 
+/// None of an approximate model.
+inline std::optional<double> of_plane(const PatchResult& patch, double value) {
+  return patch.area ? std::nullopt : std::optional(value);
+}
+
 inline constexpr std::array patch_numbers{
     OfPatch{"pmax", stress, member<&PatchResult::pmax>},
     OfPatch{"area", surface, [](const PatchResult& p) { return area_of_patch(p); }},
     OfPatch{"pmax_element", stress, member<&PatchResult::pmax_element>},
-    OfPatch{"normal_force", force, member<&PatchResult::normal_force>},
+    OfPatch{"normal_force", force, [](const PatchResult& p) { return norm(p.force); }},
     OfPatch{"vertical_force", turning_force, member<&PatchResult::total_force, &Vector3::z>},
     OfPatch{"lateral_force", turning_force, member<&PatchResult::total_force, &Vector3::y>},
     OfPatch{"longitudinal_force", force, member<&PatchResult::total_force, &Vector3::x>},
@@ -98,6 +103,9 @@ inline constexpr std::array patch_numbers{
     OfPatch{"pressure_moment.z", turning_moment, member<&PatchResult::moment, &Vector3::z>},
     OfPatch{"approach", length, member<&PatchResult::approach>},
     OfPatch{"angle", angle, member<&PatchResult::angle>},
+    OfPatch{"plane_angle", angle, member<&PatchResult::plane_angle>},
+    OfPatch{"turn", pure, [](const PatchResult& p) { return of_plane(p, p.turn.range()); }},
+    OfPatch{"plane_error", pure, [](const PatchResult& p) { return of_plane(p, p.plane_error); }},
     OfPatch{"semi_axes.longitudinal", length, member<&PatchResult::semi_axis_longitudinal>},
     OfPatch{"semi_axes.lateral", length, member<&PatchResult::semi_axis_lateral>},
     OfPatch{"radii.longitudinal", length, member<&PatchResult::radius_longitudinal>},
@@ -195,6 +203,8 @@ inline constexpr std::array side_numbers{
     OfWheel{"element_size.longitudinal", length,
             [](const WheelResult& r) { return first_patch(r).grid.longitudinal_step; }},
     OfWheel{"error_estimate", pure, member<&WheelResult::error_estimate>},
+    OfWheel{"discretisation_error", pure, member<&WheelResult::discretisation_error>},
+    OfWheel{"model_error", pure, member<&WheelResult::model_error>},
     OfWheel{"validity", pure, member<&WheelResult::validity>},
     OfWheel{"warning_count", pure, [](const WheelResult& r) { return r.warnings.size(); }},
 };

@@ -110,7 +110,7 @@ void add_names(std::vector<std::string>& names, const std::string& prefix,
 
 void add_patch_names(std::vector<std::string>& names, const std::string& prefix,
                      const PatchResult& patch) {
-  add_names(names, prefix, patch_numbers);
+  add_names(names, prefix, patch_numbers, &patch);
   add_names(names, prefix, place_numbers);
   add_names(names, prefix + "centroid.", centroid_numbers);
   if (patch.creep) {

@@ -71,7 +71,7 @@ PatchSummary summary_of(const PatchResult& patch, const Convention& convention, 
   summary.contact_angle = told(patch.angle, pure);
   summary.rolling_radius = told(patch.reference.rolling_radius, length);
   summary.s_wheel = told(patch.reference.s_wheel, length);
-  summary.normal_force = patch.normal_force;
+  summary.normal_force = norm(patch.force);
   summary.longitudinal_creep_force = told(creep.longitudinal_force, force);
   summary.lateral_creep_force = told(creep.lateral_force, turning_force);
   summary.spin_moment = told(creep.spin_moment, turning_moment);

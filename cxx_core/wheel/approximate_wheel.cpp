@@ -88,20 +88,17 @@ void ApproximateWheel::find_patches(double depth) {
                           ? make_hertz_patch(side_, patch.penetration)
                           : make_kik_piotrowski_patch(side_, patch.penetration, patch.frame));
   }
-  const Vector3 main_normal = models_[planned_.main]->frame().normal;
   for (std::size_t k = 0; k < models_.size(); ++k) {
-    Patch& patch = planned_.patches[k];
-    patch.frame = models_[k]->frame();
-    const Vector3 normal = patch.frame.normal;
-    patch.approach_cosine =
-        request_.normal_load ? std::min(dot(normal, main_normal), 1.0) : normal.z;
+    planned_.patches[k].frame = models_[k]->frame();
   }
 }
 
 double ApproximateWheel::load_at(double depth) const {
+  const Vector3 along =
+      request_.normal_load ? models_[planned_.main]->frame().normal : Vector3{0.0, 0.0, 1.0};
   double load = 0.0;
-  for (std::size_t k = 0; k < models_.size(); ++k) {
-    load += planned_.patches[k].approach_cosine * models_[k]->load(depth);
+  for (const auto& model : models_) {
+    load += dot(model->frame().normal, along) * model->load(depth);
   }
   return load;
 }
@@ -161,6 +158,11 @@ void ApproximateWheel::sample(Patch& patch, const PatchModel& model,
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth_};
   patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
   patch.normal_force = modelled.normal_force;
+  // Along the normal of its plane: a model knows no pressures of single places.
+  patch.contact_force.force = modelled.normal_force * patch.frame.normal;
+  patch.contact_force.moment = cross(modelled.centroid_longitudinal * patch.frame.longitudinal +
+                                         modelled.centroid_lateral * patch.frame.lateral,
+                                     patch.contact_force.force);
   patch.approach = modelled.approach;
   patch.area = modelled.area;
   patch.contact.peak_pressure = modelled.peak_pressure;
@@ -223,7 +225,6 @@ WheelSolution ApproximateWheel::solve() {
   }
   settle_depth();
   result_.depth = depth_;
-  result_.depth_found = depth_;
   result_.vertical = equilibrium_.vertical - depth_;
   result_.combined_modulus = request_.combined_modulus;
   result_.gap = request_.gap;

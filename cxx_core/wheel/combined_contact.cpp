@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "accuracy/model_error.hpp"
 #include "half_space/displacement_operator.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
@@ -188,12 +189,19 @@ Patch combined(std::span<const Patch> parts, const RailSurface& rail) {
     mean = mean +
            part.penetration.weight * Vector3{part.penetration.mean_x, part.penetration.mean_y, 0.0};
     whole.normal_force += part.normal_force;
+    whole.turn = combined_turn(whole.turn, part.turn);
+    whole.plane_error = std::max(whole.plane_error, part.plane_error);
+    whole.contact_force.force = whole.contact_force.force + part.contact_force.force;
     whole.approach = std::max(whole.approach, part.approach);
   }
   mean = (1.0 / weight) * mean;
   whole.frame = parts.front().frame;
   whole.frame.origin = {mean.x, mean.y, rail.graph().at_lateral(mean.y).height};
-  whole.approach_cosine = parts.front().approach_cosine;
+  for (const Patch& part : parts) {
+    const Vector3 arm = part.frame.origin - whole.frame.origin;
+    whole.contact_force.moment = whole.contact_force.moment + part.contact_force.moment +
+                                 cross(arm, part.contact_force.force);
+  }
   std::vector<Shift> shifts;
   for (const Patch& part : parts) {
     shifts.push_back(shift_of(part.frame, whole.frame));

@@ -25,37 +25,6 @@ inline constexpr int max_attempts = 20;
 /// origin: reasoned: keeps a first depth far too large from a step to below the first touch.
 inline constexpr double min_depth_ratio = 0.1;
 
-/// Where the step changes by less than this with the depth, the secant would lead astray.
-/// origin: reasoned: its step would be more than ten times the plain one.
-inline constexpr double min_rate = -0.1;
-
-/// What may be left to be done of a relative change of distances, in accuracies.
-/// origin: measured (smoothness): with accuracies of pressures slopes of forces differ from
-/// sensitivities by 5 % under steep angles with 0.2, by 1 % with 0.02.
-inline constexpr double max_change = 0.01;
-
-/// The same with accuracies of forces, where one solution more has shown the depth.
-/// origin: measured (smoothness, 150 positions; wrc_tradeoff): with 0.1 steps of 0.1 um leave their
-/// slope by up to 1.9e-6 of the load where one solution more is made or not, at 3 positions; with
-/// 0.3 by more than 1e-6 only where contact comes or goes, with the same errors.
-inline constexpr double max_change_of_forces = 0.3;
-
-/// How much coarser than requested the elements are of that solution.
-/// origin: measured (wrc_benchmark --case service): with 1 S1002 on 60E1 takes 8 % more time at
-/// 1e-3 and one step of 1000 takes 3.3 pairs, with 4 it takes 2.5; with 10, for 2 % less time,
-/// steps leave their slope by a fifth more.
-inline constexpr double coarser_for_depth = 4.0;
-
-/// Where the wheel slides by less than this, in accuracies, planes stay at the coarse solution's
-/// depth, which is off by up to 0.5 %.
-/// origin: measured (wrc_tradeoff): with 0, 10 and 20 the same errors; 0 takes 30 % more time at
-/// 1e-3. Derived: 0.5 % of twice this is a tenth of the accuracy.
-inline constexpr double min_sliding = 10.0;
-
-/// As max_change where the rows of a crest make solutions dear, for pmax alone.
-/// origin: reasoned: half of the accuracy in distances changes pmax by a sixth of it.
-inline constexpr double max_change_for_crests = 0.5;
-
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 /// origin: derived: they are longer than normal ones by 1 - cos = 1 % there.
 inline constexpr double vertical_convention_limit = 0.15;
@@ -86,10 +55,10 @@ inline constexpr double max_rounding = 0.1;
 /// flange under 1e-5 N is 1.15e-3 off without a word (wrc_extremes).
 inline constexpr double told_rounding = 1.0 - share_of_law - iteration_share;
 
-/// Angle by which the rail's surface may turn away from a patch's plane before a warning, rad.
-/// origin: derived: the share of the normal then taken as vertical is wrong by 2 %
-/// there.
-inline constexpr double planar_limit = 0.2;
+/// By how much more steeply than at a place a wheel falls towards the taping line if that place is
+/// on the tip of its flange, rad. origin: reasoned: flanks fall by 1 rad and more, crests of tips
+/// by less.
+inline constexpr double tip_fall = 0.2;
 
 /// Pressure that no steel of wheels and rails carries, MPa: 440 kgf/mm2. A material flows all round
 /// a contact when the mean pressure is its hardness, about three times its yield stress (Johnson,
@@ -305,5 +274,9 @@ inline constexpr double section_depth = 2.0;
 /// Utilised friction up to which the shakedown map goes.
 /// origin: derived: the range of shakedown_limits.
 inline constexpr double max_map_friction = 2.0;
+
+/// Share of an error estimate from which on a warning names what it is due to.
+/// origin: reasoned: less does not show in the three digits that are printed.
+inline constexpr double least_share_said = 0.01;
 
 } // namespace wrc

@@ -65,7 +65,7 @@ ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
     const CreepResult& creep = *patch.creep;
     Fatigue& fatigue = damage.fatigue.emplace();
     fatigue.friction =
-        std::hypot(creep.longitudinal_force, creep.lateral_force) / patch.normal_force;
+        std::hypot(creep.longitudinal_force, creep.lateral_force) / norm(patch.force);
     fatigue.pressure_ratio = patch.pmax / request.shear_yield;
     fatigue.limits = shakedown_limits(std::min(fatigue.friction, max_map_friction));
     fatigue.surface_index =

@@ -77,7 +77,7 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
   double pressure = 0.0;
   for (const Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
-      overlap = std::max(overlap, patch.overlap(solution.approach));
+      overlap = std::max(overlap, patch.overlap());
       pressure = std::max(pressure, pressure_rounding(patch, request, wheel_radius));
     }
   }

@@ -181,8 +181,11 @@ ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates
   const WheelDetails& details = wheel.details;
   const Vector3 centre{0.0, details.pose.lateral, wheel.vertical - wheel.depth};
   ForceJacobian jacobian{};
-  add_normal_forces(jacobian, details.mirror > 0.0 ? rates.force : mirrored(rates.force));
   const std::vector<const PatchResult*> patches = solved_patches(wheel);
+  const bool slides = std::ranges::any_of(
+      patches, [](const PatchResult* patch) { return patch->creep && patch->creep->derivatives; });
+  const ForceRates& normal = slides ? rates.by_pressures : rates.force;
+  add_normal_forces(jacobian, details.mirror > 0.0 ? normal : mirrored(normal));
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
     if (!patch.creep || !patch.creep->derivatives) {

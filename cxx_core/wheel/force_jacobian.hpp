@@ -1,9 +1,10 @@
 /// How all contact forces of a wheel change with the wheelset's positions and velocities.
 ///
 /// For implicit integrators. Forces and moments about the wheelset's centre as those of
-/// wheel/total_force.hpp, F = sum (N n + T) and M = sum (r x (N n + T) + M_spin n), by lateral
+/// wheel/total_force.hpp, F = sum (F_n + T) and M = sum (M_n + r x T + M_spin n), by lateral
 /// position, height, roll and yaw and by six velocities; by the position along the track and the
-/// angle of the axle nothing changes. Normal forces as in wheel/sensitivities.hpp. Tangential ones,
+/// angle of the axle nothing changes. Normal forces as in wheel/sensitivities.hpp, with equal
+/// pairs where there are no creep forces. Tangential ones,
 /// with creepages c and the derivatives of the tangential solution (CreepDerivatives), change by
 ///   dT = (dT/dc) dc + (dT/dp) dp + (dT/dmu) dmu
 /// and with their plane, which turns. dc and dmu from the motion of wheelset and patch

@@ -142,13 +142,6 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
                       : vertical_frame(origin, Rotation(equilibrium.pose));
   }
   solution.main = found.main;
-  const Vector3 main_normal = solution.patches[found.main].frame.normal;
-  for (Patch& patch : solution.patches) {
-    // Rounding may lift the product of two unit vectors above 1.
-    patch.approach_cosine = request.normal_load
-                                ? std::min(dot(patch.frame.normal, main_normal), 1.0)
-                                : patch.frame.normal.z;
-  }
   set_interaction(solution, found, request.interaction);
   solution.links = std::move(found.links);
   return solution;

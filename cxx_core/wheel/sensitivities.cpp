@@ -1,10 +1,13 @@
 #include "wheel/sensitivities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include "remesh/gap_rates.hpp"
+#include "remesh/rail_normals.hpp"
 
 namespace wrc {
 namespace {
@@ -23,32 +26,14 @@ std::vector<std::span<const double>> spans_of(const Fields& fields) {
   return {fields.begin(), fields.end()};
 }
 
-/// Force of pressures, and its first moments in the plane.
-constexpr std::size_t weight_count = 3; // not a tuning constant
-using Weighted = std::array<double, weight_count>;
-
-Weighted weights_at(const Grid& grid, std::size_t element) {
-  return {1.0, grid.longitudinal(element % grid.longitudinal_count),
-          grid.lateral(element / grid.longitudinal_count)};
-}
-
-/// Force and moments of a field of pressures.
-Weighted weighted_sums(const Grid& grid, std::span<const double> pressure) {
-  Weighted sums{};
-  for (std::size_t element = 0; element < pressure.size(); ++element) {
-    const Weighted weights = weights_at(grid, element);
-    for (std::size_t i = 0; i < weight_count; ++i) {
-      sums[i] += grid.element_area() * pressure[element] * weights[i];
+/// Calls `visit` with row, column and index of each element under pressure.
+template <class Visit> void for_each_loaded(const LoadedPatch& patch, Visit visit) {
+  const std::size_t columns = patch.grid.longitudinal_count;
+  for (std::size_t element = 0; element < patch.pressure.size(); ++element) {
+    if (patch.pressure[element] > 0.0) {
+      visit(element / columns, element % columns, element);
     }
   }
-  return sums;
-}
-
-/// Force and moment about a centre from those in the plane.
-WheelForce about_centre(const ContactFrame& frame, const Vector3& centre, const Weighted& sums) {
-  const Vector3 place =
-      sums[0] * (frame.origin - centre) + sums[1] * frame.longitudinal + sums[2] * frame.lateral;
-  return {sums[0] * frame.normal, cross(place, frame.normal)};
 }
 
 template <class Value> std::array<Value, motion_count> by_motion(const ByMotion<Value>& rates) {
@@ -98,16 +83,62 @@ void add_motion_of_elements(const LoadedPatch& patch, const ElementMotions& moti
   }
 }
 
-/// Rates of the force and its moments in the plane, of elements that move.
-Weighted rates_of_sums(const LoadedPatch& patch, std::span<const double> pressure_rate,
-                       const ElementMotion& motion, const Weighted& sums) {
-  Weighted rate = weighted_sums(patch.grid, pressure_rate);
-  for (std::size_t i = 0; i < weight_count; ++i) {
-    rate[i] += (motion.longitudinal_growth + motion.lateral_growth) * sums[i];
+/// A plane that turns measures distances along another direction: those between the points P_w and
+/// P_r of a ray from the plane change with its angle by -d/ds (P_w^2 - P_r^2)/2.
+void add_turning_plane(const LoadedPatch& patch, const RailNormals& rail, Fields& gap_rates) {
+  const Grid& grid = patch.grid;
+  std::vector<double> squares;
+  for (std::size_t element = 0; element < patch.undeformed_distance.size(); ++element) {
+    const double height = dot(rail.arm(element / grid.longitudinal_count, 0), patch.frame.normal);
+    const double distance = patch.undeformed_distance[element];
+    squares.push_back(distance * (height + 0.5 * distance));
   }
-  rate[1] += motion.along * sums[0] + motion.longitudinal_growth * sums[1];
-  rate[2] += motion.across * sums[0] + motion.lateral_growth * sums[2];
-  return rate;
+  const auto by = by_motion(patch.angle_rates);
+  for_each_loaded(patch, [&](std::size_t row, std::size_t /*column*/, std::size_t element) {
+    if (squares.empty()) {
+      return;
+    }
+    const double slope = slope_at(squares, element, row, grid.lateral_count,
+                                  grid.longitudinal_count, grid.lateral_step);
+    for (std::size_t motion = 0; motion < motion_count; ++motion) {
+      gap_rates[motion][element] -= by[motion] * slope;
+    }
+  });
+}
+
+/// How the force of moving elements of a plane that turns changes, and its moment about the frame's
+/// origin.
+ContactForce rate_of_force(const LoadedPatch& patch, const RailNormals& rail,
+                           std::span<const double> pressure_rate, const ElementMotion& motion,
+                           double angle_rate) {
+  const Grid& grid = patch.grid;
+  const double growth = motion.longitudinal_growth + motion.lateral_growth;
+  ContactForce rate;
+  for_each_loaded(patch, [&](std::size_t row, std::size_t column, std::size_t element) {
+    const double p = patch.pressure[element];
+    const Vector3& direction = rail.direction(row, column);
+    const Vector3 arm = rail.arm(row, column);
+    const RailNormals::Rates moved = rail.rates(
+        row, column, motion.along + motion.longitudinal_growth * grid.longitudinal(column),
+        motion.across + motion.lateral_growth * grid.lateral(row) -
+            angle_rate * dot(arm, patch.frame.normal));
+    const double turned = angle_rate * dot(direction, patch.frame.lateral);
+    const Vector3 force =
+        (pressure_rate[element] + (growth + turned) * p) * direction + p * moved.direction;
+    rate.force = rate.force + force;
+    rate.moment = rate.moment + cross(arm, force) + p * cross(moved.arm, direction);
+  });
+  return {grid.element_area() * rate.force, grid.element_area() * rate.moment};
+}
+
+double rate_of_sum(const LoadedPatch& patch, std::span<const double> pressure_rate,
+                   const ElementMotion& motion) {
+  double rate = 0.0;
+  for_each_loaded(patch, [&](std::size_t /*row*/, std::size_t /*column*/, std::size_t element) {
+    rate += pressure_rate[element] +
+            (motion.longitudinal_growth + motion.lateral_growth) * patch.pressure[element];
+  });
+  return patch.grid.element_area() * rate;
 }
 
 /// Elements that follow the centre of pressure and the root mean square distances from it, from
@@ -117,20 +148,20 @@ ElementMotion following(const LoadedPatch& patch, std::span<const double> pressu
   double force = 0.0;
   double force_rate = 0.0;
   std::array<double, 2> first{}, first_rate{}, second{}, second_rate{};
-  for (std::size_t element = 0; element < patch.pressure.size(); ++element) {
+  for_each_loaded(patch, [&](std::size_t row, std::size_t column, std::size_t element) {
     const double p = patch.pressure[element];
     const double rate = pressure_rate[element];
-    const Weighted weights = weights_at(patch.grid, element);
+    const std::array<double, 2> places{patch.grid.longitudinal(column), patch.grid.lateral(row)};
     force += p;
     force_rate += rate;
     for (std::size_t i = 0; i < 2; ++i) {
-      const double place = weights[i + 1];
+      const double place = places[i];
       first[i] += p * place;
       first_rate[i] += rate * place;
       second[i] += p * place * place;
       second_rate[i] += rate * place * place;
     }
-  }
+  });
   std::array<double, 2> centre_rate{}, growth{};
   std::array<double, 2> centre{};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -182,10 +213,13 @@ public:
     }
   }
 
-  [[nodiscard]] Weighted of_sums(std::size_t patch, std::size_t motion,
-                                 const Weighted& sums) const {
-    return rates_of_sums(patches_[patch], pressures_[patch][motion], elements_[patch][motion],
-                         sums);
+  [[nodiscard]] ContactForce of_force(std::size_t patch, std::size_t motion,
+                                      const RailNormals& rail) const {
+    return rate_of_force(patches_[patch], rail, pressures_[patch][motion], elements_[patch][motion],
+                         by_motion(patches_[patch].angle_rates)[motion]);
+  }
+  [[nodiscard]] double of_sum(std::size_t patch, std::size_t motion) const {
+    return rate_of_sum(patches_[patch], pressures_[patch][motion], elements_[patch][motion]);
   }
   [[nodiscard]] const ElementMotions& elements(std::size_t patch) const { return elements_[patch]; }
   std::array<std::vector<double>, motion_count> pressures(std::size_t patch) {
@@ -278,6 +312,8 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
   for (std::size_t k = 0; k < patches.size(); ++k) {
     compute_gap_rates(pair, patches[k].frame, patches[k].grid, patches[k].pressure, motions,
                       gap_rates[k]);
+    add_turning_plane(patches[k], RailNormals(pair.rail, patches[k].frame, patches[k].grid),
+                      gap_rates[k]);
   }
   add_influence_rates(patches, request, gap_rates);
   WheelSensitivity result;
@@ -286,33 +322,67 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
 
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const LoadedPatch& patch = patches[k];
-    const Weighted sums = weighted_sums(patch.grid, patch.pressure);
-    PatchSensitivity sensitivity;
-    sensitivity.normal_force = sums[0];
-    const WheelForce force = about_centre(patch.frame, centre, sums);
-    result.force = result.force + force;
-    // A plane that turns by one rad about its centre of pressure.
-    ContactFrame turned = patch.frame;
-    turned.normal = -1.0 * patch.frame.lateral;
-    WheelForce turning = about_centre(turned, centre, sums);
-    const auto rated = [&](std::size_t motion) { return rates.of_sums(k, motion, sums); };
-    const auto fixed = [&](std::size_t motion) {
-      WheelForce change = about_centre(patch.frame, centre, rated(motion));
-      change.moment = change.moment - cross(motions[motion].translation, force.force);
-      return change;
+    const RailNormals rail(pair.rail, patch.frame, patch.grid);
+    const Vector3 arm = patch.frame.origin - centre;
+    const auto about_centre = [&](const ContactForce& about_origin) {
+      return WheelForce{about_origin.force, about_origin.moment + cross(arm, about_origin.force)};
     };
-    sensitivity.normal_force_rates = {rated(0)[0], rated(1)[0], rated(2)[0], rated(3)[0]};
-    sensitivity.fixed_plane = {fixed(0), fixed(1), fixed(2), fixed(3)};
+    const WheelForce force = about_centre(rail.force(patch.pressure));
+    result.force = result.force + force;
+    PatchSensitivity sensitivity;
+    sensitivity.normal_force = force_of(patch.grid, patch.pressure);
+    const auto rated = [&](std::size_t motion) {
+      WheelForce rate = about_centre(rates.of_force(k, motion, rail));
+      rate.moment = rate.moment - cross(motions[motion].translation, force.force);
+      return rate;
+    };
+    sensitivity.force_rates = {rated(0), rated(1), rated(2), rated(3)};
+    sensitivity.normal_force_rates = {rates.of_sum(k, 0), rates.of_sum(k, 1), rates.of_sum(k, 2),
+                                      rates.of_sum(k, 3)};
     sensitivity.elements = to_rates(rates.elements(k));
     sensitivity.pressure_rates = to_rates(rates.pressures(k));
-    const ByMotion<double>& by = patch.angle_rates;
-    sensitivity.turning_plane = {by.lateral * turning, by.vertical * turning, by.roll * turning,
-                                 by.yaw * turning};
-    result.fixed_planes = result.fixed_planes + sensitivity.fixed_plane;
-    result.turning_planes = result.turning_planes + sensitivity.turning_plane;
+    result.force_rates = result.force_rates + sensitivity.force_rates;
     result.patches.push_back(std::move(sensitivity));
   }
   return result;
+}
+
+void make_symmetric(ForceRates& rates, const WheelForce& force, const Pose& pose) {
+  const Vector3 roll_axis = roll_motion(pose.yaw).rotation;
+  const Vector3 roll_axis_by_yaw{-roll_axis.y, roll_axis.x, 0.0};
+  const Vector3 up{0.0, 0.0, 1.0};
+  const std::array<WheelForce*, motion_count> by{&rates.lateral, &rates.vertical, &rates.roll,
+                                                 &rates.yaw};
+  std::array<std::array<double, motion_count>, motion_count> along{};
+  for (std::size_t j = 0; j < motion_count; ++j) {
+    along[0][j] = by[j]->force.y;
+    along[1][j] = by[j]->force.z;
+    along[2][j] = dot(by[j]->moment, roll_axis);
+    along[3][j] = by[j]->moment.z;
+  }
+  along[2][3] += dot(force.moment, roll_axis_by_yaw);
+  // Of each pair the motion counts that rolls the wheel less into the rail: height, then lateral
+  // position and yaw with the height following the load, at last the roll.
+  constexpr std::size_t height = 1;
+  constexpr std::array<int, motion_count> order{1, 0, 3, 2};
+  const double stiffness = along[height][height];
+  const auto symmetric = [&](std::size_t i, std::size_t j) {
+    const auto [column, row] = order[i] < order[j] ? std::pair(i, j) : std::pair(j, i);
+    if (column == height || stiffness == 0.0) {
+      return along[row][column];
+    }
+    const double at_load =
+        along[row][column] - along[row][height] * along[height][column] / stiffness;
+    return at_load + along[row][height] * along[column][height] / stiffness;
+  };
+  for (std::size_t j = 0; j < motion_count; ++j) {
+    const auto change = [&](std::size_t i) { return symmetric(i, j) - along[i][j]; };
+    by[j]->force.y += change(0);
+    by[j]->force.z += change(1);
+    // Not about the axle, about which a surface of revolution takes no moment.
+    by[j]->moment = by[j]->moment + change(2) * roll_axis +
+                    change(3) * (up - std::tan(pose.roll) * roll_axis_by_yaw);
+  }
 }
 
 std::optional<CondensedRates> condense_at_vertical_load(const ForceRates& rates) {

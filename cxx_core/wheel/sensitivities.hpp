@@ -5,19 +5,15 @@
 /// the derivatives are those of the discrete forces; of several they move with its centre of
 /// pressure and grow with its semi-axes, as a first solution with elements that stay tells (of
 /// patches that interact they move along the rail alone). What the fixed set leaves out is then
-/// only how the contact changes its form. With N_k and n_k force and normal of patch k, F = sum N_k
-/// n_k:
-///   dF/dq = sum dN_k/dq n_k  (planes fixed)  +  sum N_k dn_k/dalpha dalpha_k/dq  (planes turning)
-/// dN_k/dq from the change of the gap (remesh/gap_rates.hpp) and one linear solution for each
-/// motion (mechanics/contact_stiffness.hpp). How the planes' angles change is the caller's
-/// knowledge (remesh/plane_rates.hpp); dn/dalpha is minus the plane's lateral axis. The second part
-/// is what a rigid contact has alone (the gravitational stiffness); it leaves out that gaps are
-/// measured along another direction. The moment is M = sum (r - r_c) x n p a b, r_c the wheelset's
-/// centre, r the element's place in its plane; its derivative includes that r_c moves. A turning
-/// plane turns about its centre of pressure.
+/// only how the contact changes its form. With the directions f of elements, p their pressures and
+/// r the ends of their rays on the rail (remesh/rail_normals.hpp),
+///   F = sum p f dA,  M = sum (r - r_c) x p f dA,
+/// r_c the wheelset's centre. dp/dq follows from the change of the gap (remesh/gap_rates.hpp) and
+/// one linear solution for each motion (mechanics/contact_stiffness.hpp). f and r change as
+/// elements move, and as the plane turns, along whose normal gaps are measured; how fast it turns
+/// is the caller's knowledge (remesh/plane_rates.hpp). The derivative of M includes that r_c moves.
 ///
-/// The position is the one at which the pressures have the approach 0: `vertical` of the pair is
-/// the height of the sampled distance, lowered by what the solution added to it.
+/// The position is that of the pair, at which the pressures have the approach 0.
 /// At constant vertical load the height follows: dz/dq = -(dF_z/dq) / (dF_z/dz), and
 ///   dF_y/dq at constant load = dF_y/dq + dF_y/dz dz/dq.
 ///
@@ -71,8 +67,8 @@ struct ElementMotion {
 struct LoadedPatch {
   ContactFrame frame;
   Grid grid;
-  std::span<const double> pressure; ///< MPa
-  ByMotion<double> angle_rates;     ///< of the plane's angle, rad/mm and rad/rad
+  std::span<const double> pressure;  ///< MPa
+  ByMotion<double> angle_rates = {}; ///< of the plane, which turns about the frame's origin
   /// How fast the contact moves along the rail, mm/mm and mm/rad, and the undeformed distance, mm,
   /// so that elements can follow the contact; without it they stay.
   ByMotion<double> along_rates = {};
@@ -82,23 +78,19 @@ struct LoadedPatch {
 };
 
 struct PatchSensitivity {
-  double normal_force = 0.0;           ///< N
-  ByMotion<double> normal_force_rates; ///< planes fixed
+  double normal_force = 0.0; ///< sum of the pressures, N
+  ByMotion<double> normal_force_rates;
   ByMotion<ElementMotion> elements;
   ByMotion<std::vector<double>> pressure_rates; ///< of these elements, MPa per mm or rad
-  ForceRates fixed_plane;
-  ForceRates turning_plane; ///< to be added
+  ForceRates force_rates;
 };
 
 struct WheelSensitivity {
   std::vector<PatchSensitivity> patches;
   WheelForce force; ///< at this position
-  ForceRates fixed_planes;
-  ForceRates turning_planes; ///< to be added
-  int iterations = 0;        ///< of all linear solutions (contact_stiffness.hpp)
+  ForceRates force_rates;
+  int iterations = 0; ///< of all linear solutions (contact_stiffness.hpp)
   StopReason stop_reason = StopReason::tolerance_met;
-
-  [[nodiscard]] ForceRates total() const { return fixed_planes + turning_planes; }
 };
 
 struct SensitivityRequest {
@@ -113,6 +105,12 @@ struct SensitivityRequest {
 /// Throws Error(invalid_argument) as the solver does.
 WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const LoadedPatch> patches,
                                        const SensitivityRequest& request, ContactStiffness& solver);
+
+/// Of all patches of a wheel together, whose force is `force`: dQ_i/dq_j = dQ_j/dq_i, Q the forces
+/// along the coordinates q, since they are derivatives of an energy. Elements of a finite size
+/// break that by what they leave of sums. Both of a pair become the more accurate one, such that
+/// what is left when the height follows a load stays as it is. Left-hand side.
+void make_symmetric(ForceRates& rates, const WheelForce& force, const Pose& pose);
 
 /// What lateral position and roll change when the height follows so that the vertical force stays.
 struct CondensedRates {

@@ -52,7 +52,7 @@ TotalForce total_force(const WheelResult& wheel) {
   TotalForce total;
   for (const PatchResult& patch : wheel.patches) {
     total.force = total.force + patch.force;
-    total.moment = total.moment + cross(arm(patch.centroid), patch.force);
+    total.moment = total.moment + patch.moment + cross(arm(patch.reference), patch.force);
   }
   for (const PatchResult* patch : solved_patches(wheel)) {
     if (patch->creep) {

@@ -62,13 +62,19 @@ PatchResult patch_of(Patch solved, const PosedPair& pair, double combined_modulu
   const PressureRegion& contact = patch.contact;
   result.pmax = contact.peak_pressure;
   result.pmax_element = contact.largest_element_pressure;
-  result.angle = side * patch.frame.angle();
+  result.plane_angle = side * patch.frame.angle();
   result.reference = point_on(pair, patch.frame, 0.0, 0.0, side);
   result.centroid =
       point_on(pair, patch.frame, contact.centroid_longitudinal, contact.centroid_lateral, side);
-  const Vector3 normal{patch.frame.normal.x, side * patch.frame.normal.y, patch.frame.normal.z};
-  result.force = patch.normal_force * normal;
-  result.moment = cross(position_of(result.centroid) - position_of(result.reference), result.force);
+  const Vector3 force = patch.contact_force.force;
+  result.force = {force.x, side * force.y, force.z};
+  result.angle =
+      norm(force) > 0.0 ? std::atan2(-result.force.y, result.force.z) : result.plane_angle;
+  // About the reference, and seen in the mirror.
+  const Vector3 arm = patch.frame.origin -
+                      Vector3{result.reference.x, side * result.reference.y, result.reference.z};
+  const Vector3 moment = patch.contact_force.moment + cross(arm, force);
+  result.moment = {side * moment.x, moment.y, side * moment.z};
   result.semi_axis_longitudinal = contact.semi_axis_longitudinal;
   result.semi_axis_lateral = contact.semi_axis_lateral;
   if (contact.semi_axis_longitudinal > 0.0 && contact.semi_axis_lateral > 0.0) {
@@ -123,7 +129,7 @@ double weight_outside(const PatchInteraction& interaction, std::size_t first, st
 ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_force) {
   ContactPoint mean;
   for (const PatchResult& patch : patches) {
-    const double weight = patch.normal_force / normal_force;
+    const double weight = norm(patch.force) / normal_force;
     const ContactPoint& point = patch.centroid;
     mean.x += weight * point.x;
     mean.y += weight * point.y;
@@ -165,7 +171,6 @@ WheelResult make_wheel_result(WheelSolution solution,
                     std::move(solution.interaction),
                     solution.joining_distance,
                     solution.load,
-                    solution.approach,
                     solution.gap,
                     {},
                     {},
@@ -180,8 +185,12 @@ WheelResult make_wheel_result(WheelSolution solution,
     return result;
   }
   result.pmax = solution.peak_pressure;
-  result.depth = solution.depth_found;
-  result.error_estimate = solution.error_estimate;
+  result.depth = solution.depth;
+  result.discretisation_error = solution.discretisation_error;
+  result.model_error = solution.model_error;
+  if (solution.discretisation_error && solution.model_error) {
+    result.error_estimate = *solution.discretisation_error + *solution.model_error;
+  }
   result.validity = solution.validity;
   result.stop_reason = solution.stop_reason;
   const PosedPair pair{*wheel, *rail, equilibrium.pose, solution.vertical};
@@ -200,7 +209,7 @@ WheelResult make_wheel_result(WheelSolution solution,
     }
     first = last;
     result.pmax_element = std::max(result.pmax_element, made.pmax_element);
-    result.normal_force += made.normal_force;
+    result.normal_force += norm(made.force);
     result.force = result.force + made.force;
     const Vector3 arm = position_of(made.reference) - position_of(result.patches.front().reference);
     result.moment = result.moment + made.moment + cross(arm, made.force);
@@ -238,11 +247,10 @@ void add_displacement_by_others(const WheelResult& side,
   std::vector<SolvedPatch> rectangles;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
-    const double approach = patch.approach_cosine * side.details.problem_approach;
     pressures.push_back(patch.pressure);
     std::vector<double>& here = touched.emplace_back(patch.pressure);
     for (std::size_t i = 0; i < here.size(); ++i) {
-      here[i] = std::max(here[i], approach - patch.undeformed_distance[i] - displacements[k][i]);
+      here[i] = std::max(here[i], -patch.undeformed_distance[i] - displacements[k][i]);
     }
     rectangles.push_back({patch.grid, here});
   }
@@ -274,12 +282,12 @@ const Residuals& residuals_of(WheelResult& side) {
     NormalProblem problem;
     problem.patches = {&gap, 1};
     problem.combined_modulus = side.details.combined_modulus;
-    problem.approach = patch.approach_cosine * side.details.problem_approach;
+    problem.approach = 0.0;
     const Residuals residuals =
         compute_residuals(problem, patch.pressure, displacements[k], *problem.approach);
     worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
     worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
-    load += patch.approach_cosine * patch.normal_force;
+    load += patch.force.z;
   }
   if (side.details.load && !side.patches.empty()) {
     worst.load_balance = std::abs(load - *side.details.load) / *side.details.load;

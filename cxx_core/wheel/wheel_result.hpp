@@ -42,7 +42,8 @@ struct PatchResult : Patch {
   Vector3 force;             ///< of the pressures
   Vector3 total_force;       ///< with creep forces
   Vector3 moment;            ///< of the pressures, about the contact reference
-  double angle = 0.0;        ///< of the plane about x, > 0: rises to the left
+  double angle = 0.0;        ///< about x, of the tangent across the force; > 0: rises to the left
+  double plane_angle = 0.0;  ///< likewise, of the plane
   ContactPoint reference;    ///< weighted mean place of penetration, through which the plane goes
   ContactPoint centroid;     ///< centre of pressure, on the rail's surface
   double semi_axis_longitudinal = 0.0;
@@ -64,13 +65,12 @@ struct PatchResult : Patch {
 struct WheelDetails {
   double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
   Pose pose;             ///< left-hand frame of the side
-  double vertical = 0.0; ///< height of the wheelset's centre where the distance was sampled
+  double vertical = 0.0; ///< height of the wheelset's centre
   double combined_modulus = 0.0;
   Elements elements = Elements::constant;
   std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
   double joining_distance = 0.0;               ///< of the patches, mm
-  std::optional<double> load;                  ///< of the normal problem; or approach 0 is given
-  double problem_approach = 0.0;               ///< answer to that problem
+  std::optional<double> load;                  ///< vertical, of the normal problem; or none
   GapConvention gap = GapConvention::tangent;
   std::optional<WheelsetMotion> motion; ///< from which creepages follow, left-hand frame
   FrictionLaw friction;                 ///< of creep forces
@@ -92,8 +92,9 @@ struct PatchRates {
 /// How the normal forces change with the wheelset's position, track frame
 /// (wheel/sensitivities.hpp).
 struct WheelRates {
-  ForceRates force;
-  ForceRates fixed_planes; ///< the part of it that is there without the planes' turning
+  ForceRates force; ///< pairs of it are equal (make_symmetric)
+  /// Each motion by itself, as the rates of pressures are from which creep forces follow.
+  ForceRates by_pressures;
   std::optional<CondensedRates> at_load;
   std::vector<PatchRates> patches; ///< as solved_patches
 };
@@ -110,17 +111,19 @@ struct WheelResult {
   double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
   double pmax = 0.0;     ///< largest one of the patches
   double pmax_element = 0.0;
-  double normal_force = 0.0; ///< sum over the patches
+  double normal_force = 0.0; ///< sum over the patches of the amounts of their forces
   Vector3 force;             ///< of the pressures; with creep forces: `total`
   Vector3 moment;            ///< of the pressures, about the reference of the first patch
   /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
   ContactPoint centroid;
-  std::optional<TotalForce> total;     ///< if the mechanics have run
-  std::optional<ContactDamage> damage; ///< worst of the patches, if any of it was requested
-  double approach = 0.0;               ///< of the first patch
-  double depth = 0.0;                  ///< vertical approach, from the first touch
-  double angle = 0.0;                  ///< of the first patch
-  std::optional<double> error_estimate;
+  std::optional<TotalForce> total;            ///< if the mechanics have run
+  std::optional<ContactDamage> damage;        ///< worst of the patches, if any of it was requested
+  double approach = 0.0;                      ///< of the first patch
+  double depth = 0.0;                         ///< vertical approach, from the first touch
+  double angle = 0.0;                         ///< of the first patch
+  std::optional<double> error_estimate;       ///< discretisation and model together, ...
+  std::optional<double> discretisation_error; ///< ... and each alone
+  std::optional<double> model_error;
   std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
   std::string model;              ///< used for this side, and ...
   std::string model_reason;       ///< ... why

@@ -162,6 +162,11 @@ ByMotion<double> least_gap_rates(const PosedPair& pair, const Patch& patch) {
   return {at_vertex(rates[0]), at_vertex(rates[1]), at_vertex(rates[2]), at_vertex(rates[3])};
 }
 
+/// Planes of vertical gaps turn with the wheelset.
+ByMotion<double> angle_rates_of(const PlaneRates& plane, GapConvention gap) {
+  return gap == GapConvention::vertical ? ByMotion<double>{0.0, 0.0, 1.0, 0.0} : plane.angle;
+}
+
 WheelRates compute_rates(const WheelResult& side) {
   const WheelDetails& details = side.details;
   const std::vector<const PatchResult*> patches = solved_patches(side);
@@ -171,17 +176,13 @@ WheelRates compute_rates(const WheelResult& side) {
   std::vector<SolvedPatch> solved;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
-    // Planes of vertical gaps turn with the wheelset.
-    const ByMotion<double> angle_rates = details.gap == GapConvention::vertical
-                                             ? ByMotion<double>{0.0, 0.0, 1.0, 0.0}
-                                             : planes.moving.rates[planes.index[k]].angle;
     const ByMotion<Vector3>& reference = references.emplace_back(reference_rates(
         patch.frame, planes.moving.rates[planes.index[k]], details.rail->graph().heights()));
     const auto along = [&](const Vector3& rate) { return dot(rate, patch.frame.longitudinal); };
     loaded.push_back({patch.frame,
                       patch.grid,
                       patch.pressure,
-                      angle_rates,
+                      angle_rates_of(planes.moving.rates[planes.index[k]], details.gap),
                       {along(reference.lateral), along(reference.vertical), along(reference.roll),
                        along(reference.yaw)},
                       patch.undeformed_distance,
@@ -215,9 +216,15 @@ WheelRates compute_rates(const WheelResult& side) {
   const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
   WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
   const bool is_left = details.mirror > 0.0;
+  const auto in_track = [is_left](const ForceRates& rates) {
+    return is_left ? rates : mirrored(rates);
+  };
   WheelRates result;
-  result.force = is_left ? found.total() : mirrored(found.total());
-  result.fixed_planes = is_left ? found.fixed_planes : mirrored(found.fixed_planes);
+  result.by_pressures = in_track(found.force_rates);
+  if (!details.interaction || !is_changing(*details.interaction)) {
+    make_symmetric(found.force_rates, found.force, details.pose);
+  }
+  result.force = in_track(found.force_rates);
   result.at_load = condense_at_vertical_load(result.force);
   for (std::size_t k = 0; k < patches.size(); ++k) {
     PatchSensitivity& patch = found.patches[k];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy/constants.hpp"
+#include "accuracy/model_error.hpp"
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"
 #include "base/error.hpp"
@@ -12,7 +13,6 @@
 #include "patches/depth_estimate.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
-#include "wheel/depth_iteration.hpp"
 #include "wheel/grid_plan.hpp"
 #include "wheel/wheel_warnings.hpp"
 
@@ -55,20 +55,18 @@ private:
   /// Starting from the pressures of `before`, if that has as many patches.
   GridSolution solve_at(double depth, const GridChoice& grids, double tolerance,
                         const GridSolution* before);
-  /// Relative change of distances within patches, as a share of that of the depth.
-  [[nodiscard]] double sliding(const GridSolution& solution) const;
-  [[nodiscard]] double depth_found(const GridSolution& solution) const {
-    // Not above the first touch, where there is nothing to sample.
-    return request_.position_is_prescribed()
-               ? solution.depth
-               : std::max(solution.depth_found, min_depth_ratio * solution.depth);
+  /// That of a solution from another depth; not above the first touch, where there is nothing to
+  /// sample.
+  [[nodiscard]] static double next_depth(const GridSolution& solution, double depth) {
+    return std::max(solution.depth, min_depth_ratio * depth);
   }
+  [[nodiscard]] Vector3 load_direction(const GridSolution& patches) const;
+  [[nodiscard]] double vertical_load(const GridSolution& patches) const;
+  void settle(GridSolution& solution, double approach);
   [[nodiscard]] double tolerance() const;
   GridChoice final_grids(double depth, const AccuracyGoal& goal);
   GridSolution solve_coarsely(double depth);
-  void settle_planes(GridSolution& solution);
-  [[nodiscard]] double share_to_follow(const GridSolution& patches) const;
-  GridSolution solve_finally(double depth, double follows, std::optional<GridSolution> before);
+  GridSolution solve_finally(double depth, std::optional<GridSolution> before);
   void find_peaks(GridSolution& solution);
   [[nodiscard]] PosedPair posed(double depth) const {
     return {wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth};
@@ -83,8 +81,10 @@ private:
   const WheelRequest& request_;
   NormalSolver& solver_;
   AccuracyGoal goal_;
-  std::optional<GridSolution> patches_; ///< at the depth asked for last
-  double ridge_error_ = 0.0;
+  std::optional<GridSolution> patches_;   ///< at the depth asked for last
+  std::vector<RailNormals> rail_normals_; ///< of the grids sampled last
+  ErrorEstimate error_;
+  double load_imbalance_ = 0.0;  ///< of the last solution, before its pressures were scaled
   double elements_wanted_ = 0.0; ///< most that grids would have without their limit
   WheelSolution result_;
 };
@@ -132,11 +132,69 @@ GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const double wanted = set_grids(solution, rail_, grids, request_.element_limit);
   elements_wanted_ = std::max(elements_wanted_, wanted);
   const PosedPair pair = posed(depth);
+  rail_normals_.clear();
   for (Patch& patch : solution.patches) {
-    patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
+    const RailNormals& rail = rail_normals_.emplace_back(rail_, patch.frame, patch.grid);
+    patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid, rail);
   }
   result_.times.remesh += watch.seconds();
   return solution;
+}
+
+/// That in which the load presses. With distances along the wheelset's axis that is the gap's.
+Vector3 WheelSolver::load_direction(const GridSolution& patches) const {
+  if (!request_.normal_load) {
+    return {0.0, 0.0, 1.0};
+  }
+  const Vector3 of_main = patches.force_of_main();
+  const double amount = norm(of_main);
+  return request_.gap == GapConvention::vertical || !(amount > 0.0)
+             ? patches.patches[patches.main].frame.normal
+             : (1.0 / amount) * of_main;
+}
+
+/// As patches before have shared it, or as their planes do.
+double WheelSolver::vertical_load(const GridSolution& patches) const {
+  const Vector3 direction = load_direction(patches);
+  const Vector3 force = patches.force();
+  const double along = dot(force, direction);
+  return request_.load() * (along > 0.0 ? force.z / along : direction.z);
+}
+
+/// From the height sampled to the one that bears the load, by the approach found. Planes go with
+/// the wheel, distances change by the shares of the rail's rise. There the rail's surface has
+/// turned a little under the pressures; they are scaled to the load.
+void WheelSolver::settle(GridSolution& solution, double approach) {
+  solution.depth += approach;
+  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
+    Patch& patch = solution.patches[k];
+    RailNormals& rail = rail_normals_[k];
+    for (std::size_t i = 0; i < patch.approach_shares.size(); ++i) {
+      patch.undeformed_distance[i] -= approach * patch.approach_shares[i];
+    }
+    patch.frame.origin.z -= approach;
+    rail.shift({0.0, 0.0, -approach});
+    patch.contact_force = rail.force(patch.pressure);
+  }
+  const double borne = dot(solution.force(), load_direction(solution));
+  load_imbalance_ = 0.0;
+  if (!request_.position_is_prescribed() && borne > 0.0) {
+    const double factor = request_.load() / borne;
+    load_imbalance_ = std::abs(factor - 1.0);
+    for (Patch& patch : solution.patches) {
+      for (double& pressure : patch.pressure) {
+        pressure *= factor;
+      }
+      patch.normal_force *= factor;
+      patch.contact_force = {factor * patch.contact_force.force,
+                             factor * patch.contact_force.moment};
+    }
+  }
+  for (std::size_t k = 0; k < solution.patches.size(); ++k) {
+    Patch& patch = solution.patches[k];
+    patch.contact = summarise_pressure(patch.grid, patch.pressure);
+    patch.turn = rail_normals_[k].turn(patch.pressure, patch.contact.largest_element);
+  }
 }
 
 GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double tolerance,
@@ -150,7 +208,11 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     if (starts) {
       patch.pressure = pressure_at(patch, before->patches[k]);
     }
-    gaps.push_back({patch.grid, patch.undeformed_distance, patch.approach_cosine, patch.pressure});
+    if (!request_.position_is_prescribed()) {
+      patch.approach_shares = rail_normals_[k].shares({0.0, 0.0, 1.0});
+    }
+    gaps.push_back({patch.grid, patch.undeformed_distance, patch.frame.normal.z, patch.pressure,
+                    patch.approach_shares});
   }
   NormalProblem problem;
   problem.patches = gaps;
@@ -158,7 +220,7 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   if (request_.position_is_prescribed()) {
     problem.approach = 0.0; // the wheel has been lowered already
   } else {
-    problem.load = request_.load();
+    problem.load = vertical_load(starts ? *before : solution);
   }
   problem.tolerance = tolerance;
   if (!request_.grid) {
@@ -180,38 +242,18 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     Patch& patch = solution.patches[k];
     patch.pressure = std::move(solved.patches[k].pressure);
     patch.normal_force = solved.patches[k].normal_force;
-    patch.contact = summarise_pressure(patch.grid, patch.pressure);
   }
   result_.iterations += solved.iterations;
   result_.convolutions += solved.convolutions;
-  solution.approach = solved.approach;
   solution.stop_reason = solved.stop_reason;
   solution.pressure_error = solved.pressure_error;
-  const double main_cosine = solution.patches[solution.main].frame.normal.z;
-  solution.depth_found = depth + solved.approach / (request_.normal_load ? main_cosine : 1.0);
+  check_found_depth(request_, depth + solved.approach);
+  settle(solution, solved.approach);
+  if (problem.load) {
+    result_.load = solution.force().z;
+  }
   result_.times.mechanics += watch.seconds();
-  check_found_depth(request_, solution.depth_found); // before planes are turned there
   return solution;
-}
-
-/// A wheel that sinks along a plane under the angle a slides along it by sin(a) of the step, and
-/// distances then change by that times the angle to the plane: at most tan(a) times the turn of the
-/// rail within the patch, as shares of the step along the normal. Where interactions and planes
-/// follow from how close patches are, all may change with the depth.
-double WheelSolver::sliding(const GridSolution& solution) const {
-  double most = 0.0;
-  for (const double link : solution.links) {
-    most = std::max(most, 4.0 * link * (1.0 - link));
-  }
-  for (const Patch& patch : solution.patches) {
-    const auto angle_at = [this](double y) {
-      return std::atan(rail_.graph().at_lateral(y).slope());
-    };
-    const double turn = angle_at(patch.penetration.y_last) - angle_at(patch.penetration.y_first);
-    most =
-        std::max(most, patch.penetration.weight * std::abs(std::tan(patch.frame.angle()) * turn));
-  }
-  return most;
 }
 
 /// Shows the depth for the load on few elements.
@@ -230,8 +272,7 @@ void WheelSolver::find_peaks(GridSolution& solution) {
   for (Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
       const PeakInSection peak =
-          peak_in_section(patch, solution.elements, pair, patch.approach_cosine * solution.approach,
-                          request_.combined_modulus, tolerance());
+          peak_in_section(patch, solution.elements, pair, request_.combined_modulus, tolerance());
       // What no element has of a crest is missing in the stresses below them.
       const double missing = peak.pressure - patch.contact.largest_element_pressure;
       patch.peak_error =
@@ -243,32 +284,6 @@ void WheelSolver::find_peaks(GridSolution& solution) {
   result_.times.mechanics += watch.seconds();
 }
 
-/// How far the planes are to follow from the depth of the coarse solution to the one found: not at
-/// all where wheels hardly slide along them, in full where they slide twice as much. In full, too,
-/// on a grid given by hand, whose errors the accuracy says nothing of.
-double WheelSolver::share_to_follow(const GridSolution& patches) const {
-  if (request_.grid) {
-    return 1.0;
-  }
-  return std::clamp(sliding(patches) / (min_sliding * request_.accuracy) - 1.0, 0.0, 1.0);
-}
-
-/// To creep forces the shape of the contact counts: a depth for their planes from the elements of
-/// normal forces, from two solutions where planes follow.
-void WheelSolver::settle_planes(GridSolution& solution) {
-  AccuracyGoal goal = goal_;
-  goal.creep_forces = false;
-  const auto solve_again = [&](double share) {
-    const double depth = depth_found(solution);
-    solution = solve_at(depth, final_grids(depth, goal), coarse_tolerance, &solution);
-    solution.depth_found = depth + share * (depth_found(solution) - depth);
-  };
-  solve_again(1.0);
-  if (const double follows = share_to_follow(solution); follows > 0.0) {
-    solve_again(follows);
-  }
-}
-
 /// A patch just born: its penetration at a depth less than the one found is too small for it.
 bool outgrows_grid(const GridSolution& solution) {
   return std::ranges::any_of(solution.patches, [](const Patch& patch) {
@@ -277,45 +292,23 @@ bool outgrows_grid(const GridSolution& solution) {
 }
 
 /// Near the depth found, on more elements where the estimate asks for them.
-GridSolution WheelSolver::solve_finally(double depth, double follows,
-                                        std::optional<GridSolution> before) {
+GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
   const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
   GridChoice grids = final_grids(depth, goal_);
   bool finer = false;
   const bool may_grow = !of_forces && !request_.position_is_prescribed();
-  const double planes_begin = depth;
-  // Always one more, on larger elements, where planes follow: forces are to be smooth.
-  bool shows_depth_only =
-      follows > 0.0 && !request_.grid && request_.accuracy_of == AccuracyOf::forces;
-  AccuracyGoal of_depth = goal_;
-  of_depth.accuracy *= coarser_for_depth;
-  DepthIteration iteration;
   for (int attempt = 1;; ++attempt) {
-    const double coarser = shows_depth_only ? coarse_tolerance : 0.0;
-    GridSolution solution = solve_at(depth, shows_depth_only ? final_grids(depth, of_depth) : grids,
-                                     std::max(coarser, tolerance()), before ? &*before : nullptr);
+    GridSolution solution = solve_at(depth, grids, tolerance(), before ? &*before : nullptr);
     if (solution.no_contact() || attempt == max_attempts) {
       mark_unsettled(solution, attempt, result_.warnings);
       return solution;
     }
-    if (may_grow && attempt == 1 && outgrows_grid(solution)) {
-      depth = depth_found(solution);
-      grids = final_grids(depth, goal_);
-      follows = 1.0;
-      before = std::move(solution);
-      continue;
-    }
-    const double found = planes_begin + follows * (depth_found(solution) - planes_begin);
-    const double change = std::abs(found / depth - 1.0) * sliding(solution);
-    const double limit = finer                         ? max_change_for_crests
-                         : of_forces && !request_.grid ? max_change_of_forces
-                                                       : max_change;
-    const std::optional<double> next =
-        shows_depth_only ? found
-                         : iteration.next(depth, found, change / (limit * request_.accuracy));
-    if (next) {
-      depth = *next;
-      shows_depth_only = false;
+    const bool outgrown = may_grow && attempt == 1 && outgrows_grid(solution);
+    if (outgrown || load_imbalance_ > tolerance()) {
+      depth = next_depth(solution, depth);
+      if (outgrown) {
+        grids = final_grids(depth, goal_);
+      }
       before = std::move(solution);
       continue;
     }
@@ -323,19 +316,18 @@ GridSolution WheelSolver::solve_finally(double depth, double follows,
     if (!of_forces) {
       find_peaks(solution);
     }
-    const ErrorEstimate error = estimate_error(solution, goal_);
-    result_.error_estimate = error.total();
-    ridge_error_ = error.ridge;
+    error_ = estimate_error(solution, goal_);
+    result_.discretisation_error = error_.total();
+    result_.model_error = estimate_model_error(solution, request_.accuracy_of);
     // Forces stay as they are: a second grid would be no continuous function of the scene.
     // More elements than the limit permits are not to be had.
-    if (error.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
+    if (error_.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
         elements_wanted_ > request_.element_limit) {
       return solution;
     }
-    grids = GridChoice(finer_elements(solution, error, goal_));
+    grids = GridChoice(finer_elements(solution, error_, goal_));
     finer = true;
-    iteration = {};
-    depth = found;
+    depth = next_depth(solution, depth);
     before = std::move(solution);
   }
 }
@@ -350,8 +342,6 @@ void WheelSolver::warn_of_limit() {
 void WheelSolver::publish(GridSolution solution) {
   result_.in_contact = !result_.solved || !solution.no_contact();
   result_.depth = solution.depth;
-  result_.approach = solution.approach;
-  result_.depth_found = solution.depth_found;
   result_.vertical = equilibrium_.vertical - solution.depth;
   result_.peak_pressure = solution.peak_pressure();
   result_.combined_modulus = request_.combined_modulus;
@@ -359,9 +349,6 @@ void WheelSolver::publish(GridSolution solution) {
   result_.gap = request_.gap;
   result_.joining_distance = request_.joining_distance;
   result_.stop_reason = solution.stop_reason;
-  if (!request_.position_is_prescribed()) {
-    result_.load = request_.load();
-  }
   const std::vector<PlanePatches> planes = solution.patches_by_plane(result_.solved);
   std::vector<std::size_t> order;
   for (const PlanePatches& plane : planes) {
@@ -381,7 +368,7 @@ void WheelSolver::publish(GridSolution solution) {
     for (const std::size_t k : planes[plane].patches) {
       Patch& patch = result_.patches.emplace_back(std::move(solution.patches[k]));
       patch.plane = plane;
-      patch.approach = patch.overlap(solution.approach);
+      patch.approach = patch.overlap();
     }
   }
 }
@@ -393,7 +380,6 @@ GridSolution WheelSolver::sample_only(double depth) {
   for (Patch& patch : solution.patches) {
     patch.pressure.assign(patch.grid.element_count(), 0.0);
   }
-  solution.depth_found = depth;
   return solution;
 }
 
@@ -416,19 +402,13 @@ WheelSolution WheelSolver::solve() {
     publish(sample_only(depth));
     return std::move(result_);
   }
-  double follows = 0.0;
   std::optional<GridSolution> coarse;
   if (!request_.position_is_prescribed()) {
     coarse = solve_coarsely(depth);
-    if (request_.creep_forces && !request_.grid && request_.accuracy < coarsest_accuracy) {
-      settle_planes(*coarse);
-    } else {
-      follows = share_to_follow(patches_at(depth_found(*coarse)));
-    }
-    depth = depth_found(*coarse);
+    depth = next_depth(*coarse, depth);
   }
-  GridSolution solution = solve_finally(depth, follows, std::move(coarse));
-  warn_of_solution(solution, request_, wheel_.radius(), ridge_error_, result_);
+  GridSolution solution = solve_finally(depth, std::move(coarse));
+  warn_of_solution(solution, request_, wheel_.radius(), error_.ridge, result_);
   warn_of_limit();
   publish(std::move(solution));
   warn_of_patches(request_, result_);

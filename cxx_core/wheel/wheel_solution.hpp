@@ -6,28 +6,29 @@
 ///  2. the patches of penetration at that depth (patches/contact_patches.hpp), each with a plane,
 ///     an area and a grid of its own, are solved together (mechanics/normal_contact.hpp) on few
 ///     elements: this coarse solution finds the depth;
-///  3. planes, grids and undeformed distance at the depth found (not at the first touch: under a
-///     contact angle a sinking wheel also slides along the tangent), and the final solution on as
-///     many elements as the accuracy takes (accuracy/resolution.hpp);
+///  3. planes, grids and undeformed distance at the depth found, and the final solution on as many
+///     elements as the accuracy takes (accuracy/resolution.hpp);
 ///  4. with accuracy of pressures, the largest one from a finer section
 ///     (accuracy/peak_section.hpp).
 /// Nothing is kept from one solution to the next, so the result depends on the scene alone. Grids
-/// span the penetration, which contact cannot leave. Exceptions cost another solution each: planes
-/// that follow to the depth that the final solution finds, where the wheel slides along them or
-/// close patches' planes turn, and on a grid by hand; planes for creep forces, whose depth is found
-/// on the elements of normal forces instead; with pressures, a patch just born whose contact
-/// outgrows its penetration; and a crest that the section has not resolved. `solutions` counts them
-/// all.
-/// The shared unknown is the vertical approach and the load is the vertical one, so the share of a
-/// patch is the cosine of its angle; with `normal_load` they are those along the normal of the main
-/// patch. Patches that are close turn their planes towards each other and interact in part
-/// (contact_patches.hpp), so that nothing jumps when they become one contact or are joined on one
-/// grid; patches that are far apart do not interact unless `interaction` is set.
-/// A side may also stop after the geometry (no patches), or after the remesh: the patches of
-/// penetration at the depth estimated or prescribed, their grids and undeformed distances.
-/// Units mm, N, MPa, rad; left-hand frame of the side (geometry/frames.hpp).
-/// Thread rule: a solver serves one thread at a time; otherwise a pure function.
-/// Not known here: friction; forces between the wheels; patches that are not plane.
+/// span the penetration, which contact cannot leave. The shared unknown is the vertical approach,
+/// the load is the vertical one, and both count at each element with w, by how much its distance
+/// grows as the wheel is lifted (remesh/rail_normals.hpp): a step in depth is right to first order,
+/// planes and grids go with the wheel. Forces are sums over elements with the same directions, so
+/// they are derivatives of an energy, and the direction of a plane counts to second order only.
+/// Exceptions cost another solution each: loads that the rail's turn under the same pressures
+/// changes by more than the iteration may leave; with pressures, a patch just born whose contact
+/// outgrows its penetration, and a crest that the section has not resolved. `solutions` counts them
+/// all. With `normal_load` the load is that along the force of the patches in the main plane, or
+/// along the gap with vertical distances; the vertical load is taken from how the forces of the
+/// solution before lie. Patches that are close turn their planes towards each other and interact in
+/// part (contact_patches.hpp), so that nothing jumps when they become one contact or are joined on
+/// one grid; patches that are far apart do not interact unless `interaction` is set. A side may
+/// also stop after the geometry (no patches), or after the remesh: the patches of penetration at
+/// the depth estimated or prescribed, their grids and undeformed distances. Units mm, N, MPa, rad;
+/// left-hand frame of the side (geometry/frames.hpp). Thread rule: a solver serves one thread at a
+/// time; otherwise a pure function. Not known here: friction; forces between the wheels; patches
+/// that are not plane.
 #pragma once
 
 #include <cstddef>
@@ -57,19 +58,19 @@ struct WheelSolution {
   /// With pressure only. By contact, the one with the largest normal force first; within a contact
   /// by force, too.
   std::vector<Patch> patches;
-  double vertical = 0.0;      ///< height of the wheelset's centre at which the distance was sampled
+  double vertical = 0.0;      ///< height of the wheelset's centre
   double depth = 0.0;         ///< vertical, from the first touch to that height
-  double approach = 0.0;      ///< answer to the normal problem, from that height
-  double depth_found = 0.0;   ///< vertical, from the first touch to the height solved for
-  std::optional<double> load; ///< of the normal problem; or the approach was prescribed
+  std::optional<double> load; ///< vertical, of the normal problem; or the height was prescribed
   double combined_modulus = 0.0;
   Elements elements = Elements::constant;
   GapConvention gap = GapConvention::tangent;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
   double joining_distance = 0.0;               ///< mm, see patches/contact_patches.hpp
   double peak_pressure = 0.0;
-  std::optional<double> error_estimate; ///< relative, of what the accuracy is of; none if not known
-  std::optional<double> validity;       ///< of an approximate model, see patch_model.hpp
+  /// Relative, of what the accuracy is of; none if not known.
+  std::optional<double> discretisation_error;
+  std::optional<double> model_error; ///< of planes (accuracy/model_error.hpp)
+  std::optional<double> validity;    ///< of an approximate model, see patch_model.hpp
   StopReason stop_reason = StopReason::tolerance_met;
   int iterations = 0;   ///< of all solutions together
   int convolutions = 0; ///< likewise: applications of the influence coefficients

@@ -30,7 +30,7 @@ bool is_on_flange_tip(const ProfileNodes& nodes, double s) {
       steepest = std::min(steepest, nodes.slope[i]);
     }
   }
-  return std::atan(steepest) < std::atan(slope_at(nodes, s)) - planar_limit;
+  return std::atan(steepest) < std::atan(slope_at(nodes, s)) - tip_fall;
 }
 
 bool is_on_chamfer(const ProfileNodes& nodes, double s) {

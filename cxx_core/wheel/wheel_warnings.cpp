@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "wheel/constants.hpp"
@@ -29,6 +30,25 @@ std::string edge_text(const Patch& patch) {
   return reaches_neighbour(patch)
              ? "contact reaches the boundary to the neighbouring patch"
              : "contact touches the edge of the grid: elements too large, or a patch just born";
+}
+
+/// Where patches are planes too large for the accuracy, the warning is theirs (warn_of_patches).
+void warn_of_accuracy(double accuracy, WheelSolution& result) {
+  const double of_model = result.model_error.value_or(0.0);
+  const double all =
+      result.discretisation_error.value_or(std::numeric_limits<double>::infinity()) + of_model;
+  if (result.discretisation_error && *result.discretisation_error <= accuracy &&
+      (all <= accuracy || of_model > accuracy)) {
+    return;
+  }
+  std::string text = "accuracy " + text_of(accuracy) + " not reached";
+  if (result.discretisation_error) {
+    text += ": estimated error " + short_text_of(all);
+  }
+  if (of_model > least_share_said * all) {
+    text += ", " + short_text_of(of_model) + " of it because patches are planes";
+  }
+  result.warnings.push_back({WarningClass::accuracy, text});
 }
 
 } // namespace
@@ -60,12 +80,8 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
                                   " rad at once under the pressures: they have no bound there, and "
                                   "forces converge slowly"});
   }
-  if (!request.grid && (!result.error_estimate || *result.error_estimate > request.accuracy)) {
-    warnings.push_back(
-        {WarningClass::accuracy,
-         "accuracy " + text_of(request.accuracy) + " not reached" +
-             (result.error_estimate ? ": estimated error " + short_text_of(*result.error_estimate)
-                                    : std::string())});
+  if (!request.grid) {
+    warn_of_accuracy(request.accuracy, result);
   }
   if (solution.left_out_s) {
     warnings.push_back(
@@ -84,8 +100,6 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
     if (patch.contact.touches_edge.any()) {
       warn(WarningClass::grid_edge, edge_text(patch));
     }
-    const double turn = std::max(std::abs(patch.penetration.angle_first - patch.frame.angle()),
-                                 std::abs(patch.penetration.angle_last - patch.frame.angle()));
     if (request.gap == GapConvention::vertical) {
       if (std::abs(patch.penetration.angle_unturned) > vertical_convention_limit) {
         warn(WarningClass::vertical_angle,
@@ -93,10 +107,11 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
                  short_text_of(patch.penetration.angle_unturned) + " rad (good up to " +
                  text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
       }
-    } else if (turn > planar_limit) {
-      warn(WarningClass::patch_turn, "the rail turns by " + short_text_of(turn) +
-                                         " rad within a patch (a plane is good up to " +
-                                         text_of(planar_limit) + ")");
+    } else if (patch.plane_error > request.accuracy) {
+      warn(WarningClass::patch_turn,
+           "the rail turns by " + short_text_of(patch.turn.range()) +
+               " rad under the pressures of a patch, which is taken as a plane: estimated error " +
+               short_text_of(patch.plane_error));
     }
   }
 }

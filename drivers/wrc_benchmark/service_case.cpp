@@ -95,7 +95,7 @@ public:
                           number(side, "vertical_force"),
                           number(side, "pmax"),
                           number(side, "solutions"),
-                          scene_of(side).number_or(result_name(side, "error_estimate"), 0.0)};
+                          scene_of(side).number_or(result_name(side, "discretisation_error"), 0.0)};
     }
     return results;
   }

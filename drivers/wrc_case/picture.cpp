@@ -239,7 +239,7 @@ DrawnSide write_side(Gnuplot& gnuplot, const Scene& scene, const std::string& na
     drawn.name = patch;
     drawn.y = number("y");
     drawn.z = number("z");
-    drawn.angle = number("angle");
+    drawn.angle = number("plane_angle");
     drawn.force = number("normal_force");
     write_pressure(gnuplot, scene, drawn);
     write_tractions(gnuplot, scene, drawn);

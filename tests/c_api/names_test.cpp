@@ -135,7 +135,7 @@ TEST(PlainForces, AreTotals) {
       const double z = of(patch + "pressure_force.z");
       EXPECT_NEAR(std::hypot(x, y, z), of(patch + "normal_force"), rounding * 1e5);
       // In the plane of the patch, which is inclined about x. (By element tangents are off it.)
-      const double angle = of(patch + "angle");
+      const double angle = of(patch + "plane_angle");
       const double along = of(patch + "creep_force.longitudinal");
       const double across = of(patch + "creep_force.lateral");
       EXPECT_NEAR(of(patch + "longitudinal_force"), x + along, 1e-3 * std::abs(across) + 1.0);

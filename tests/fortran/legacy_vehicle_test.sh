@@ -25,8 +25,8 @@ awk '
     # S1002 on 60E1 inclined 1:40.
     expect(conicity > 0.15 && conicity < 0.22, "conicity " conicity)
     expect(near(first[2], 3, 0.01), "starts at 3 mm: " first[2])
-    # At an accuracy of 1e-3 1.750; with slip of the patches'\'' planes 1.76.
-    expect(near(second[2], 1.750, 0.03), "decay as known: " second[2])
+    # At an accuracy of 1e-3 1.718 (1.76 with normal forces along the normals of planes).
+    expect(near(second[2], 1.718, 0.03), "decay as known: " second[2])
     # The gauge corners are reached at 5 mm and stop the motion before 8 mm; a limit cycle, since
     # both halves reach the same.
     expect(second[3] > 5 && second[3] < 8, "between the gauge corners: " second[3])

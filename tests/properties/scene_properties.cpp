@@ -108,8 +108,25 @@ std::string first_part(const std::string& patch) {
   return patch + ".parts.0";
 }
 
-/// A patch or a part of one.
-std::string check_patch(const Outcome& outcome, const std::string& patch) {
+bool is_vertical(const DrawnScene& scene) {
+  return scene.text_or("solve.gap", "tangent") == "vertical";
+}
+
+/// Share of a plane's normal across the rail that is across it: planes of vertical gaps are yawed.
+double share_across(const DrawnScene& scene) {
+  return is_vertical(scene) && scene.has("pose.yaw") ? std::cos(scene.number("pose.yaw")) : 1.0;
+}
+
+/// Of a patch, along the normal of its plane.
+double force_along_normal(const Outcome& outcome, const std::string& patch, double across) {
+  const double angle = outcome.at(patch + ".plane_angle");
+  return std::abs(outcome.at(patch + ".vertical_force") * std::cos(angle) -
+                  outcome.at(patch + ".lateral_force") * std::sin(angle) * across);
+}
+
+/// A patch or a part of one. `across`: share of the plane's normal across the rail that is across
+/// it.
+std::string check_patch(const Outcome& outcome, const std::string& patch, double across) {
   const std::vector<double>& pressure = outcome.pressures.at(patch);
   const double element = outcome.at(patch + ".element_size.lateral") *
                          outcome.at(patch + ".element_size.longitudinal");
@@ -122,8 +139,12 @@ std::string check_patch(const Outcome& outcome, const std::string& patch) {
     sum += p * element;
     largest = std::max(largest, p);
   }
-  if (!near(sum, outcome.at(patch + ".normal_force"), summation)) {
-    return differ(patch + ", sum of pressures and force", sum, outcome.at(patch + ".normal_force"));
+  // Whatever the inclination of the rail's surface, along the plane's normal pressures add up to
+  // the force.
+  const bool has_plane = outcome.has(patch + ".plane_error");
+  const double along = force_along_normal(outcome, patch, across);
+  if (!near(sum, has_plane ? along : outcome.at(patch + ".normal_force"), summation)) {
+    return differ(patch + ", sum of pressures and force", sum, along);
   }
   // Fields of a whole are means over its elements.
   const double told = outcome.at(patch + ".pmax_element");
@@ -144,8 +165,12 @@ std::string check_load(const DrawnScene& scene, const Outcome& outcome, const st
     const double force = outcome.at(side + ".pressure_force.z");
     return near(force, load, share) ? "" : differ(side + ", force and load", force, load);
   }
-  // Along the normal of the deepest patch, whichever that is.
+  // Along the force of the deepest patch, whichever that is; or along the gap.
   const double load = scene.number("load.normal");
+  if (is_vertical(scene)) {
+    const double force = force_along_normal(outcome, patch_name(side, 0), share_across(scene));
+    return near(force, load, share) ? "" : differ(side + ", force and load", force, load);
+  }
   double force = 0.0;
   for (int main = 0; outcome.has(patch_name(side, main) + ".pmax"); ++main) {
     force = 0.0;
@@ -181,13 +206,14 @@ std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
   }
   for (const std::string& side : outcome.sides()) {
     int patches = 0; // as they were solved
+    const double across = share_across(scene);
     for (const auto& [patch, pressure] : outcome.pressures) {
       if (!patch.starts_with(side)) {
         continue;
       }
       patches += outcome.has(first_part(patch) + ".pmax") ? 0 : 1;
       if (is_half_space(scene)) {
-        if (std::string wrong = check_patch(outcome, patch); !wrong.empty()) {
+        if (std::string wrong = check_patch(outcome, patch, across); !wrong.empty()) {
           return wrong;
         }
       }

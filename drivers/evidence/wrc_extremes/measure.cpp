@@ -253,8 +253,8 @@ void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,
     compare_with_dense(setup, row);
   }
   const double permitted = row.asked;
-  if (!options.finer_grid.empty() && scene.has_number("left.error_estimate")) {
-    row.asked = scene.number("left.error_estimate");
+  if (!options.finer_grid.empty() && scene.has_number("left.discretisation_error")) {
+    row.asked = scene.number("left.discretisation_error");
   }
   const bool leaves_residual = std::max(*row.overlap, *row.complementarity) > permitted;
   if (!all_finite(row) || *row.load_balance > permitted_imbalance ||

@@ -123,8 +123,8 @@ WheelError error_of(const Figures& found, const Figures& truth) {
 
 WheelError error_of(const driver::Scene& scene, const std::string& side, const Figures& truth) {
   WheelError error = error_of(figures_of(scene, side), truth);
-  for (auto [name, value] :
-       {std::pair{".error_estimate", &error.estimate}, std::pair{".validity", &error.validity}}) {
+  for (auto [name, value] : {std::pair{".discretisation_error", &error.estimate},
+                             std::pair{".validity", &error.validity}}) {
     if (scene.has_number(side + name)) {
       *value = scene.number(side + name);
     }

@@ -25,7 +25,7 @@ template <class Penetration> std::vector<Sample> samples_of(const Penetration& p
     sample.curvature = 1.0 / 460.0;
   }
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    set_second(samples[i - 1], samples[i], samples[i + 1]);
+    set_derivatives(samples[i - 1], samples[i], samples[i + 1]);
   }
   return samples;
 }

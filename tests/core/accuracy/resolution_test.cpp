@@ -113,8 +113,7 @@ TEST(Resolution, ErrorsFollowTheFewerElements) {
 /// In proportion to the angle and the width of a row, over the overlap of 0.05 mm.
 TEST(Resolution, WhereAProfileTurnsAtOnceForcesHaveAnErrorOfFirstOrder) {
   GridSolution solution = block_contact();
-  solution.patches[0].undeformed_distance.assign(800, 0.0);
-  solution.approach = 0.05;
+  solution.patches[0].undeformed_distance.assign(800, -0.05);
   const double smooth = estimate_error(solution, {}).total();
   EXPECT_EQ(estimate_error(solution, {}).ridge, 0.0);
   solution.patches[0].ridge = 0.5;

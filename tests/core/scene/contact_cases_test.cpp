@@ -71,6 +71,14 @@ Grid equal_grid(const Grid& area, double element) {
   return {rows, columns, element, element, lateral, longitudinal};
 }
 
+double deepest_overlap(const PatchGap& gap, double approach) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < gap.shares.size(); ++i) {
+    deepest = std::max(deepest, gap.shares[i] * approach - gap.undeformed_distance[i]);
+  }
+  return deepest;
+}
+
 /// The scene, with all of its patches on CONTACT's elements at the depth found.
 std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, double load,
                                        WheelResult& side) {
@@ -79,14 +87,17 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   const WheelDetails& details = side.details;
   const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
   std::vector<std::vector<double>> distances;
+  std::vector<std::vector<double>> shares;
   std::vector<PatchGap> gaps;
   for (const PatchResult* patch : solved_patches(side)) {
     const Grid grid = equal_grid(patch->grid, element);
     distances.push_back(sample_undeformed_distance(pair, patch->frame, grid));
-    gaps.push_back({grid, {}, patch->approach_cosine});
+    shares.push_back(RailNormals(*details.rail, patch->frame, grid).shares({0.0, 0.0, 1.0}));
+    gaps.push_back({grid, {}});
   }
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     gaps[k].undeformed_distance = distances[k];
+    gaps[k].shares = shares[k];
   }
   NormalProblem problem;
   problem.patches = gaps;
@@ -98,9 +109,7 @@ std::vector<Told> solve_on_equal_grids(const Scene& scene, double element, doubl
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const std::vector<double>& pressure = solution.patches[k].pressure;
     told.push_back({*std::max_element(pressure.begin(), pressure.end()),
-                    gaps[k].approach_cosine * solution.approach -
-                        *std::min_element(distances[k].begin(), distances[k].end()),
-                    solution.patches[k].normal_force});
+                    deepest_overlap(gaps[k], solution.approach), solution.patches[k].normal_force});
   }
   return told;
 }
@@ -161,7 +170,8 @@ TEST(ContactCases, AllAgree) {
       EXPECT_NEAR(patch.reference.y, value("y_track_mm"), place_tolerance);
       EXPECT_NEAR(patch.reference.z, value("z_track_mm"), place_tolerance);
       EXPECT_NEAR(patch.reference.s_wheel, value("s_wheel_mm"), place_tolerance);
-      EXPECT_NEAR(patch.angle, value("contact_angle_rad"), angle_tolerance);
+      // CONTACT states the plane.
+      EXPECT_NEAR(patch.plane_angle, value("contact_angle_rad"), angle_tolerance);
     }
     // On the right wheel the rail pushes to the left: positive in both conventions.
     const double lateral = entry.at("total_lateral_force_N_right_positive");

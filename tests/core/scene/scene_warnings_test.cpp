@@ -73,7 +73,7 @@ TEST(SceneWarnings, TheSameOnBothSidesIsTheirsTogether) {
 TEST(SceneWarnings, EveryNumberOfThemIsATextByName) {
   Scene scene = geometry_of(holed(-5.0, 8.0));
   scene.until = Module::mechanics;
-  scene.lateral = 5.0;
+  scene.lateral = 6.5;
   scene.accuracy = 0.1;
   SceneResult result = solve_scene(scene);
   std::size_t texts = 0;

@@ -207,9 +207,9 @@ TEST(SlipByElement, TotalForcesDoTheWorkOfFriction) {
       TotalForce normal;
       for (const PatchResult& patch : wheel.patches) {
         const Vector3 centre{0.0, -wheel.details.pose.lateral, wheel.vertical - wheel.depth};
-        const Vector3 place{patch.centroid.x, patch.centroid.y, patch.centroid.z};
+        const Vector3 place{patch.reference.x, patch.reference.y, patch.reference.z};
         normal.force = normal.force + patch.force;
-        normal.moment = normal.moment + cross(place - centre, patch.force);
+        normal.moment = normal.moment + patch.moment + cross(place - centre, patch.force);
       }
       const Motion& motion = *scene.motion;
       const Vector3 axle = {0.0, std::cos(*scene.roll), std::sin(*scene.roll)};

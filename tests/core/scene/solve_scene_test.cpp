@@ -116,7 +116,7 @@ TEST(SolveScene, ForcesAndPlacesAreConsistent) {
                 1e-9 * side->normal_force);
     double force = 0.0;
     for (const PatchResult& patch : side->patches) {
-      force += patch.normal_force;
+      force += norm(patch.force);
       EXPECT_GT(sign * patch.centroid.y, 700.0);
       EXPECT_LE(patch.pmax, side->pmax * (1.0 + 1e-12));
     }

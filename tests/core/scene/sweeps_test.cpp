@@ -127,7 +127,7 @@ TEST_P(LateralSweep, FailsNowhere) {
       EXPECT_EQ(here.stop_reason, StopReason::tolerance_met);
       solutions += here.solutions;
       for (const Warning& warning : here.warnings) {
-        not_reached += warning.text.find("not reached") != std::string::npos ? 1 : 0;
+        not_reached += warning.text.find("not reached:") != std::string::npos ? 1 : 0;
       }
     }
   }
@@ -137,14 +137,14 @@ TEST_P(LateralSweep, FailsNowhere) {
   EXPECT_LE(solutions, 2.5 * 2 * (2 * half_count + 1));
 }
 
-/// A coarse one, one that shows the depth where planes follow it, and the final one.
-TEST(Sweeps, ForcesTakeThreeSolutionsWherePlanesFollow) {
+/// A coarse one and the final one, also where wheels slide along their planes.
+TEST(Sweeps, ForcesTakeTwoSolutions) {
   Scene scene = scene_of("S1002", "60E1");
   scene.accuracy_of = AccuracyOf::forces;
   for (const double lateral : {4.5, 5.2, 5.4, 5.8}) {
     scene.lateral = lateral;
     const SceneResult result = solve_scene(scene);
-    EXPECT_EQ(result.left->solutions, 3) << lateral;
+    EXPECT_EQ(result.left->solutions, 2) << lateral;
     EXPECT_EQ(result.right->solutions, 2) << lateral;
   }
 }

@@ -20,7 +20,6 @@ GridSolution solution_with(double overlap) {
   GridSolution solution;
   Patch& patch = solution.patches.emplace_back();
   patch.grid = {1, 1, 1.0, 1.0, 0.0, 0.0};
-  patch.approach_cosine = 1.0;
   patch.undeformed_distance = {-overlap};
   patch.pressure = {1.0};
   patch.contact = summarise_pressure(patch.grid, patch.pressure);

@@ -1,0 +1,71 @@
+#include "accuracy/model_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/constants.hpp"
+
+namespace wrc {
+
+SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other) {
+  if (!(one.weight > 0.0) || !(other.weight > 0.0)) {
+    return one.weight > 0.0 ? one : other;
+  }
+  const double weight = one.weight + other.weight;
+  const auto mean = [&](double of_one, double of_other) {
+    return (one.weight * of_one + other.weight * of_other) / weight;
+  };
+  const double middle = mean(one.mean, other.mean);
+  const auto square = [middle](const SurfaceTurn& turn) {
+    const double apart = turn.mean - middle;
+    return turn.deviation * turn.deviation + apart * apart;
+  };
+  return {weight,
+          middle,
+          std::sqrt(mean(square(one), square(other))),
+          std::min(one.first, other.first),
+          std::max(one.last, other.last),
+          std::abs(one.at_peak) > std::abs(other.at_peak) ? one.at_peak : other.at_peak};
+}
+
+double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
+  return (force_error_by_deviation * std::pow(turn.deviation, 3) +
+          force_error_by_mean * turn.mean * turn.mean) /
+         std::cos(plane_angle);
+}
+
+double pressure_error_of_plane(const SurfaceTurn& turn) {
+  return std::max(pressure_error_by_turn * turn.range() * turn.range(),
+                  pressure_error_by_tilt * turn.at_peak * turn.at_peak);
+}
+
+double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of) {
+  const bool of_pressures = accuracy_of == AccuracyOf::pressures;
+  const double peak = solution.peak_pressure();
+  double weighted = 0.0;
+  double forces = 0.0;
+  double pressures = 0.0;
+  for (const PlanePatches& plane : solution.patches_by_plane(true)) {
+    SurfaceTurn turn;
+    double of_plane = 0.0;
+    for (const std::size_t k : plane.patches) {
+      const Patch& patch = solution.patches[k];
+      turn = combined_turn(turn, patch.turn);
+      if (of_pressures) {
+        const double error = pressure_error_of_plane(patch.turn);
+        of_plane = std::max(of_plane, error);
+        pressures = std::max(pressures, error * patch.contact.peak_pressure / peak);
+      }
+    }
+    const double of_force =
+        force_error_of_plane(turn, solution.patches[plane.patches.front()].frame.angle());
+    for (const std::size_t k : plane.patches) {
+      solution.patches[k].plane_error = std::max(of_plane, of_force);
+    }
+    weighted += plane.normal_force * of_force;
+    forces += plane.normal_force;
+  }
+  return std::max(pressures, forces > 0.0 ? weighted / forces : 0.0);
+}
+
+} // namespace wrc

@@ -1,0 +1,33 @@
+/// How far a plane is off for a contact whose surface turns.
+///
+/// Measured against curved patches (tests/core/wheel/energy_test.cpp): with the inclination beta of
+/// the rail's surface to the plane, delta the mean of its tangent and s its standard deviation,
+/// both weighted with the pressures, and the plane's angle alpha, at a given vertical load
+///   dF_y / F_z <= (0.75 s^3 + 0.4 delta^2) / cos^2(alpha),
+/// and over its turn t, from one end of the contact to the other, and its inclination beta_p at the
+/// largest pressure, which lobes stand out by,
+///   dpmax / pmax <= 0.06 t^2 or 0.75 tan^2(beta_p), whichever is more.
+/// The second is derived: Hertz's contact in a plane that is tilted by beta has distances longer by
+/// 1/cos(beta), and curvatures across by 1/cos^3(beta): pressures higher by cos(beta)^(-3/2).
+/// Units rad. Thread rule: pure functions.
+/// Not known here: bodies that are no half-spaces, and forces of patches on each other.
+#pragma once
+
+#include "accuracy/accuracy_of.hpp"
+#include "accuracy/grid_solution.hpp"
+
+namespace wrc {
+
+/// Of several patches in one plane together.
+SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other);
+
+/// Of the force of a contact in a plane of an angle, over its amount.
+double force_error_of_plane(const SurfaceTurn& turn, double plane_angle);
+/// Of the largest pressure of a patch, relative.
+double pressure_error_of_plane(const SurfaceTurn& turn);
+
+/// Sets Patch::plane_error, patches of one plane alike: that of forces or the greater one of both.
+/// Returns the error of the wheel.
+double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of);
+
+} // namespace wrc

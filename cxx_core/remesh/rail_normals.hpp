@@ -1,0 +1,97 @@
+/// The rail's surface under the elements of a patch: which way their pressures push the wheel.
+///
+/// Without friction the force of a contact is the derivative of an elastic energy: a coordinate q
+/// of the wheelset has the force sum p (dh/dq) dA, h the undeformed distance along the plane's
+/// normal n. If a body is shifted by d against the other, a distance changes by
+///   dh = d . f,  f = n_r / (n . n_r),
+/// n_r the normal of the rail's surface at the ray's end (the plane then goes with the wheel; with
+/// the wheel's normal it stays in the track, and the sums are the same but for the discretisation,
+/// since sum p dh/ds vanishes along the plane). A pressure on dA so pushes with p f dA at that end.
+/// With the surface inclined by beta to the plane f = n - tan(beta) t, t the plane's lateral axis:
+/// the plane's own direction counts to second order only. A prismatic rail takes no force along
+/// itself.
+/// Units mm, N, MPa; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
+/// functions. Not known here: friction.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/grid.hpp"
+#include "geometry/rail_surface.hpp"
+#include "patches/contact_frame.hpp"
+
+namespace wrc {
+
+/// A force and its moment about some place.
+struct ContactForce {
+  Vector3 force;  ///< N
+  Vector3 moment; ///< N mm
+};
+
+/// How the rail's surface lies to the plane of a patch, over its pressures.
+struct SurfaceTurn {
+  double weight = 0.0;    ///< sum of the pressures times the area of an element, N
+  double mean = 0.0;      ///< of the tangent of its inclination, weighted with the pressures
+  double deviation = 0.0; ///< its standard deviation, likewise
+  double first = 0.0;     ///< least inclination, rad
+  double last = 0.0;      ///< greatest one
+  double at_peak = 0.0;   ///< tangent of it at the largest pressure
+
+  [[nodiscard]] double range() const { return last - first; }
+};
+
+class RailNormals {
+public:
+  /// Of the rows of a grid; of each element, where the frame is yawed against the rail.
+  RailNormals(const RailSurface& rail, const ContactFrame& frame, const Grid& grid);
+
+  /// The plane goes by so much, with the elements; to first order.
+  void shift(const Vector3& by);
+
+  /// Where the ray of a row meets the rail, along the plane's normal; none where it does not.
+  [[nodiscard]] std::optional<double> position(std::size_t row) const;
+  /// f of an element.
+  [[nodiscard]] const Vector3& direction(std::size_t row, std::size_t column) const {
+    return places_[index(row, column)].direction;
+  }
+  /// The end of its ray, from the frame's origin.
+  [[nodiscard]] Vector3 arm(std::size_t row, std::size_t column) const;
+
+  /// Changes of the direction and of the end of the ray, as the element moves in the plane.
+  struct Rates {
+    Vector3 direction;
+    Vector3 arm;
+  };
+  [[nodiscard]] Rates rates(std::size_t row, std::size_t column, double along, double across) const;
+
+  /// `up` . f of each element: its share of a shift along `up`. At least 0.02: where the rail turns
+  /// upright no contact lies.
+  [[nodiscard]] std::vector<double> shares(const Vector3& up) const;
+  /// Force of the rail on the wheel, and its moment about the frame's origin.
+  [[nodiscard]] ContactForce force(std::span<const double> pressure) const;
+  /// `peak`: the element with the largest pressure.
+  [[nodiscard]] SurfaceTurn turn(std::span<const double> pressure, std::size_t peak) const;
+
+private:
+  struct Place {
+    bool met;
+    Vector3 foot; ///< from the origin, less what lies along the row
+    Vector3 direction;
+    Vector3 tangent;     ///< of the rail, and ...
+    Vector3 normal;      ///< ... its normal, ...
+    Vector3 normal_rate; ///< ... which changes so along the arc
+  };
+  [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const {
+    return by_row_ ? row : row * grid_.longitudinal_count + column;
+  }
+
+  ContactFrame frame_;
+  Grid grid_;
+  bool by_row_;
+  std::vector<Place> places_;
+};
+
+} // namespace wrc
