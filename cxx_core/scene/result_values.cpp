@@ -150,9 +150,9 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
       (converged || sensitivities_of(side) != nullptr)) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
-  }
-  if (has_creep_derivatives(side) && !side.validity) {
-    add_names(names, prefix + "jacobian.", jacobian_numbers);
+    if (has_creep_derivatives(side)) {
+      add_names(names, prefix + "jacobian.", jacobian_numbers);
+    }
   }
   for (std::size_t i = 0; i < side.patches.size(); ++i) {
     add_patch_names(names, prefix + "patches." + std::to_string(i) + '.', side.patches[i]);

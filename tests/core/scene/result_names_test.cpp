@@ -1,6 +1,12 @@
 #include "scene/result_names.hpp"
 
+#include <limits>
+#include <string>
+
 #include <gtest/gtest.h>
+
+#include "scene/solve_scene.hpp"
+#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc::test::result_names_test {
 namespace {
@@ -23,6 +29,42 @@ TEST(ResultNames, IndexBelowTheCount) {
     std::string_view rest = wrong;
     EXPECT_FALSE(strip_index(rest, 12, index)) << wrong;
   }
+}
+
+SceneResult rolling_wheel() {
+  Scene scene;
+  scene.side = SideChoice::left;
+  scene.accuracy = 0.1;
+  scene.left.creepages = Creepages{1e-3, 5e-4, 1e-4};
+  scene.derivatives = true;
+  return solve_scene(scene);
+}
+
+/// Whether a name has this part; each of them has a value.
+bool lists(SceneResult& result, const std::string& part) {
+  bool found = false;
+  for (const std::string& name : number_names(result)) {
+    EXPECT_TRUE(number_value(result, name).has_value()) << name;
+    found = found || name.find(part) != std::string::npos;
+  }
+  return found;
+}
+
+TEST(ResultNames, HaveAValueEach) {
+  SceneResult result = rolling_wheel();
+  EXPECT_TRUE(lists(result, "sensitivities."));
+  EXPECT_TRUE(lists(result, "jacobian."));
+}
+
+/// A solution that had not converged listed a Jacobian that it did not have.
+TEST(ResultNames, LeaveOutRatesThatAreNoNumbers) {
+  SceneResult result = rolling_wheel();
+  WheelResult& wheel = result.left.value();
+  ASSERT_NE(sensitivities_of(wheel), nullptr);
+  wheel.sensitivities->force.yaw.moment.z = std::numeric_limits<double>::quiet_NaN();
+  wheel.stop_reason = StopReason::iteration_limit;
+  EXPECT_FALSE(lists(result, "sensitivities."));
+  EXPECT_FALSE(lists(result, "jacobian."));
 }
 
 } // namespace
