@@ -10,7 +10,7 @@ Vector3 in_track(const Vector3& vector, double mirror) {
 
 struct ForceAndMoment {
   Vector3 force;
-  Vector3 moment; ///< about the reference
+  Vector3 moment; ///< about the origin of the patch's frame
 };
 
 /// Of a patch without parts.
@@ -59,7 +59,7 @@ TotalForce total_force(const WheelResult& wheel) {
       const ForceAndMoment creep = creep_wrench_on(*patch, mirror);
       // Where the velocity is that creepages stand for (wheel/kinematics.hpp).
       const Vector3 place =
-          arm(patch->reference) - patch->approach * in_track(patch->frame.normal, mirror);
+          in_track(patch->frame.origin - patch->approach * patch->frame.normal, mirror) - centre;
       total.force = total.force + creep.force;
       total.moment = total.moment + cross(place, creep.force) + creep.moment;
     }

@@ -188,9 +188,7 @@ WheelResult make_wheel_result(WheelSolution solution,
   result.depth = solution.depth;
   result.discretisation_error = solution.discretisation_error;
   result.model_error = solution.model_error;
-  if (solution.discretisation_error && solution.model_error) {
-    result.error_estimate = *solution.discretisation_error + *solution.model_error;
-  }
+  result.error_estimate = solution.error_estimate();
   result.validity = solution.validity;
   result.stop_reason = solution.stop_reason;
   const PosedPair pair{*wheel, *rail, equilibrium.pose, solution.vertical};

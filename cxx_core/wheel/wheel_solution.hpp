@@ -31,6 +31,7 @@
 /// that are not plane.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -70,7 +71,13 @@ struct WheelSolution {
   /// Relative, of what the accuracy is of; none if not known.
   std::optional<double> discretisation_error;
   std::optional<double> model_error; ///< of planes (accuracy/model_error.hpp)
-  std::optional<double> validity;    ///< of an approximate model, see patch_model.hpp
+  /// Both together; the error of elements is independent of that of planes.
+  [[nodiscard]] std::optional<double> error_estimate() const {
+    return discretisation_error && model_error
+               ? std::optional(std::hypot(*discretisation_error, *model_error))
+               : std::nullopt;
+  }
+  std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
   StopReason stop_reason = StopReason::tolerance_met;
   int iterations = 0;   ///< of all solutions together
   int convolutions = 0; ///< likewise: applications of the influence coefficients

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
 #include "wheel/constants.hpp"
@@ -35,18 +34,17 @@ std::string edge_text(const Patch& patch) {
 /// Where patches are planes too large for the accuracy, the warning is theirs (warn_of_patches).
 void warn_of_accuracy(double accuracy, WheelSolution& result) {
   const double of_model = result.model_error.value_or(0.0);
-  const double all =
-      result.discretisation_error.value_or(std::numeric_limits<double>::infinity()) + of_model;
-  if (result.discretisation_error && *result.discretisation_error <= accuracy &&
-      (all <= accuracy || of_model > accuracy)) {
+  const std::optional<double> all = result.error_estimate();
+  const bool elements_suffice = result.discretisation_error.value_or(2.0) <= accuracy;
+  if (all && elements_suffice && (*all <= accuracy || of_model > accuracy)) {
     return;
   }
   std::string text = "accuracy " + text_of(accuracy) + " not reached";
-  if (result.discretisation_error) {
-    text += ": estimated error " + short_text_of(all);
-  }
-  if (of_model > least_share_said * all) {
-    text += ", " + short_text_of(of_model) + " of it because patches are planes";
+  if (all) {
+    text += ": estimated error " + short_text_of(*all);
+    if (of_model > least_share_said * *all) {
+      text += " (planes of patches " + short_text_of(of_model) + ')';
+    }
   }
   result.warnings.push_back({WarningClass::accuracy, text});
 }
@@ -110,7 +108,7 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
     } else if (patch.plane_error > request.accuracy) {
       warn(WarningClass::patch_turn,
            "the rail turns by " + short_text_of(patch.turn.range()) +
-               " rad under the pressures of a patch, which is taken as a plane: estimated error " +
+               " rad under the pressures of a patch that is taken as a plane: estimated error " +
                short_text_of(patch.plane_error));
     }
   }

@@ -91,10 +91,11 @@ TEST_F(WrcSweep, RowsAreThoseOfWrcCase) {
 
 TEST_F(WrcSweep, ThreadsDoNotChangeABit) {
   write("s.toml", study);
-  const auto one = files("s.toml --threads 1", "one");
+  const auto one = files("s.toml --threads 1", "one", "the rail turns by");
   EXPECT_GT(one[1].size(), 100000U) << "fields are missing";
   for (const char* threads : {"2", "5"}) {
-    EXPECT_EQ(files(std::string("s.toml --threads ") + threads, threads), one) << threads;
+    EXPECT_EQ(files(std::string("s.toml --threads ") + threads, threads, "the rail turns by"), one)
+        << threads;
   }
 }
 
@@ -105,7 +106,7 @@ TEST_F(WrcSweep, RanksDoNotChangeABit) {
   write("s.toml", study);
   // Leaks of the MPI library are not ours to find.
   const std::string in_mpi = std::string("ASAN_OPTIONS=detect_leaks=0 '") + WRC_MPIEXEC + "'";
-  const auto alone = files("s.toml", "alone");
+  const auto alone = files("s.toml", "alone", "the rail turns by");
   for (const char* ranks : {"1", "2", "3"}) {
     for (const char* threads : {"1", "2"}) {
       const std::string folder = std::string("ranks") + ranks + threads;
@@ -186,7 +187,7 @@ TEST_F(WrcSweep, TwoRunsDoNotWriteTheSameResults) {
   ASSERT_EQ(flock(other, LOCK_EX), 0);
   run("s.toml --out o --restart").expect_refusal({"o/s.rows", "another run"});
   close(other);
-  (void)files("s.toml --restart", "o");
+  (void)files("s.toml --restart", "o", "the rail turns by");
 }
 
 TEST_F(WrcSweep, FailuresAreRows) {
