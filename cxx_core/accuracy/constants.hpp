@@ -151,19 +151,15 @@ inline constexpr double min_strips = 64.0;
 /// Error of the force of a contact in a plane, over its vertical load and the square of the cosine
 /// of the plane's angle: this times the third power of the surface's standard deviation from the
 /// plane's direction, ... origin: measured (34 scenes against curved patches, tread to flange):
-/// errors are 0.1 to 1.3 times as large.
-inline constexpr double force_error_by_deviation = 0.75;
+/// errors are 0.1 to 1.1 times as large.
+inline constexpr double force_error_by_deviation = 1.0;
 
 /// ... and this times the square of its mean.
 /// origin: measured: see force_error_by_deviation.
 inline constexpr double force_error_by_mean = 0.4;
 
-/// Error of the largest pressure in a plane, over the square of the surface's turn, ...
+/// Error of the largest pressure in a plane, over the square of the surface's turn.
 /// origin: measured (the same scenes, one lobe): 0.02 to 0.16 % for turns of 0.12 to 0.36.
 inline constexpr double pressure_error_by_turn = 0.06;
-
-/// ... and over that of the tangent of its inclination where it is.
-/// origin: derived: see model_error.hpp. Two lobes were off by 2.4, 1.6 and 0.6 %.
-inline constexpr double pressure_error_by_tilt = 0.75;
 
 } // namespace wrc

@@ -23,6 +23,7 @@ struct Patch {
   Grid grid;
   double coupling_weight = 0.0; ///< of the interaction with another patch: the largest
   std::vector<double> undeformed_distance;
+  std::vector<double> row_scales;      ///< of rows inclined to the plane (remesh/row_scales.hpp)
   std::vector<double> approach_shares; ///< with a load: of a vertical approach (rail_normals.hpp)
   std::vector<double> pressure;        ///< empty: not solved yet
   double normal_force = 0.0;           ///< sum of the pressures times the area of an element

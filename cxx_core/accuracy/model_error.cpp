@@ -20,12 +20,8 @@ SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other) {
     const double apart = turn.mean - middle;
     return turn.deviation * turn.deviation + apart * apart;
   };
-  return {weight,
-          middle,
-          std::sqrt(mean(square(one), square(other))),
-          std::min(one.first, other.first),
-          std::max(one.last, other.last),
-          std::abs(one.at_peak) > std::abs(other.at_peak) ? one.at_peak : other.at_peak};
+  return {weight, middle, std::sqrt(mean(square(one), square(other))),
+          std::min(one.first, other.first), std::max(one.last, other.last)};
 }
 
 double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
@@ -35,8 +31,7 @@ double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
 }
 
 double pressure_error_of_plane(const SurfaceTurn& turn) {
-  return std::max(pressure_error_by_turn * turn.range() * turn.range(),
-                  pressure_error_by_tilt * turn.at_peak * turn.at_peak);
+  return pressure_error_by_turn * turn.range() * turn.range();
 }
 
 double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of) {

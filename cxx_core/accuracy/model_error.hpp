@@ -3,12 +3,10 @@
 /// Measured against curved patches (tests/core/wheel/energy_test.cpp): with the inclination beta of
 /// the rail's surface to the plane, delta the mean of its tangent and s its standard deviation,
 /// both weighted with the pressures, and the plane's angle alpha, at a given vertical load
-///   dF_y / F_z <= (0.75 s^3 + 0.4 delta^2) / cos^2(alpha),
-/// and over its turn t, from one end of the contact to the other, and its inclination beta_p at the
-/// largest pressure, which lobes stand out by,
-///   dpmax / pmax <= 0.06 t^2 or 0.75 tan^2(beta_p), whichever is more.
-/// The second is derived: Hertz's contact in a plane that is tilted by beta has distances longer by
-/// 1/cos(beta), and curvatures across by 1/cos^3(beta): pressures higher by cos(beta)^(-3/2).
+///   dF_y / F_z <= (s^3 + 0.4 delta^2) / cos^2(alpha),
+/// and over its turn t, from one end of the contact to the other,
+///   dpmax / pmax <= 0.06 t^2.
+/// What inclined rows would add is in the solution (remesh/row_scales.hpp).
 /// Units rad. Thread rule: pure functions.
 /// Not known here: bodies that are no half-spaces, and forces of patches on each other.
 #pragma once

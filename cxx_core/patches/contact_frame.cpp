@@ -17,7 +17,7 @@ double ContactFrame::angle() const {
 ContactFrame tangent_frame(Vector3 origin, double contact_angle) {
   const double sine = std::sin(contact_angle);
   const double cosine = std::cos(contact_angle);
-  return {origin, {1.0, 0.0, 0.0}, {0.0, cosine, sine}, {0.0, -sine, cosine}};
+  return {origin, {1.0, 0.0, 0.0}, {0.0, cosine, sine}, {0.0, -sine, cosine}, true};
 }
 
 ContactFrame vertical_frame(Vector3 origin, const Rotation& wheelset_rotation) {

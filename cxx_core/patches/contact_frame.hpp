@@ -20,6 +20,7 @@ struct ContactFrame {
   Vector3 longitudinal{1.0, 0.0, 0.0};
   Vector3 lateral{0.0, 1.0, 0.0}; ///< towards the field side
   Vector3 normal{0.0, 0.0, 1.0};  ///< from the rail to the wheel
+  bool tangent = false;           ///< by that convention
 
   [[nodiscard]] Vector3 to_track(double longitudinal_position, double lateral_position,
                                  double normal_position) const;

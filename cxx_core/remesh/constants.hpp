@@ -50,4 +50,8 @@ inline constexpr double no_material_distance = 1e3;
 /// purpose.
 inline constexpr double kink_sine = 1e-6;
 
+/// Power of the cosine of a row's inclination in its scale.
+/// origin: derived: see row_scales.hpp.
+inline constexpr double scale_by_inclination = 0.75;
+
 } // namespace wrc

@@ -102,7 +102,7 @@ ContactForce RailNormals::force(std::span<const double> pressure) const {
   return {area * sum.force, area * sum.moment};
 }
 
-SurfaceTurn RailNormals::turn(std::span<const double> pressure, std::size_t peak) const {
+SurfaceTurn RailNormals::turn(std::span<const double> pressure) const {
   const std::size_t together = by_row_ ? grid_.longitudinal_count : 1;
   double sum = 0.0;
   double first = 0.0;
@@ -124,12 +124,8 @@ SurfaceTurn RailNormals::turn(std::span<const double> pressure, std::size_t peak
     return {};
   }
   const double mean = first / sum;
-  return {grid_.element_area() * sum,
-          mean,
-          std::sqrt(std::max(0.0, second / sum - mean * mean)),
-          std::atan(least),
-          std::atan(most),
-          -dot(places_[peak / together].direction, frame_.lateral)};
+  return {grid_.element_area() * sum, mean, std::sqrt(std::max(0.0, second / sum - mean * mean)),
+          std::atan(least), std::atan(most)};
 }
 
 } // namespace wrc

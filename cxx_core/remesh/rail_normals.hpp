@@ -38,7 +38,6 @@ struct SurfaceTurn {
   double deviation = 0.0; ///< its standard deviation, likewise
   double first = 0.0;     ///< least inclination, rad
   double last = 0.0;      ///< greatest one
-  double at_peak = 0.0;   ///< tangent of it at the largest pressure
 
   [[nodiscard]] double range() const { return last - first; }
 };
@@ -57,6 +56,10 @@ public:
   [[nodiscard]] const Vector3& direction(std::size_t row, std::size_t column) const {
     return places_[index(row, column)].direction;
   }
+  /// Tangent of the rail's angle to the plane in the first column of a row.
+  [[nodiscard]] double inclination(std::size_t row) const {
+    return -dot(direction(row, 0), frame_.lateral);
+  }
   /// The end of its ray, from the frame's origin.
   [[nodiscard]] Vector3 arm(std::size_t row, std::size_t column) const;
 
@@ -72,8 +75,7 @@ public:
   [[nodiscard]] std::vector<double> shares(const Vector3& up) const;
   /// Force of the rail on the wheel, and its moment about the frame's origin.
   [[nodiscard]] ContactForce force(std::span<const double> pressure) const;
-  /// `peak`: the element with the largest pressure.
-  [[nodiscard]] SurfaceTurn turn(std::span<const double> pressure, std::size_t peak) const;
+  [[nodiscard]] SurfaceTurn turn(std::span<const double> pressure) const;
 
 private:
   struct Place {

@@ -123,4 +123,11 @@ std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
   return std::nullopt;
 }
 
+double WheelRay::inclination(double longitudinal, double lateral, double position) const {
+  const Vector3 met = base(longitudinal, lateral) + position * normal_;
+  const HeightPoint profile = wheel_.graph().heights().at(met.y);
+  const Vector3 gradient{met.x, -(wheel_.radius() + profile.height) * profile.slope, met.z};
+  return -dot(gradient, cross(normal_, longitudinal_)) / dot(gradient, normal_);
+}
+
 } // namespace wrc

@@ -64,6 +64,9 @@ public:
   /// Position along the normal at which the ray meets the wheel from below.
   std::optional<double> solve(double longitudinal, double lateral);
 
+  /// Tangent of the wheel's angle to the plane across, where the last ray met it.
+  [[nodiscard]] double inclination(double longitudinal, double lateral, double position) const;
+
   /// A place of the plane in the wheelset frame, with Y from the taping line: that of the profile.
   [[nodiscard]] Vector3 base(double longitudinal, double lateral) const;
   /// Directions of the frame in the wheelset frame.

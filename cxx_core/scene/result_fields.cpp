@@ -3,6 +3,7 @@
 #include <array>
 
 #include "half_space/displacement_operator.hpp"
+#include "remesh/row_scales.hpp"
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 #include "wheel/combined_contact.hpp"
@@ -55,6 +56,11 @@ Values undeformed_distance(const WheelDetails& side, const PatchResult& patch) {
   return patch.parts.empty() ? patch.undeformed_distance : combined_distance(patch, side);
 }
 
+/// Of inclined rows (remesh/row_scales.hpp); of a contact with parts theirs count.
+Values row_scale(const WheelDetails& /*side*/, const PatchResult& patch) {
+  return times_scales(patch.grid, patch.row_scales, Values(patch.grid.element_count(), 1.0));
+}
+
 Values pressure(const WheelDetails& /*side*/, const PatchResult& patch) {
   return patch.parts.empty() ? patch.pressure : combined_pressure(patch);
 }
@@ -65,8 +71,8 @@ Values displacement(const WheelDetails& side, const PatchResult& patch) {
   }
   Values values(patch.grid.element_count());
   DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
-      .apply(patch.pressure, values);
-  return values;
+      .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), values);
+  return over_scales(patch.grid, patch.row_scales, values);
 }
 
 /// The rail's outline at the nodes of its curve.
@@ -100,6 +106,7 @@ constexpr std::array patch_fields{
     PatchField{"y", turning_length, element_places<&Vector3::y>},
     PatchField{"z", turning_length, element_places<&Vector3::z>},
     PatchField{"undeformed_distance", length, undeformed_distance},
+    PatchField{"row_scale", pure, row_scale},
     PatchField{"pressure", stress, pressure},
     PatchField{"displacement", length, displacement},
     PatchField{"traction_x", stress, creep_field<&CreepResult::traction_x>},

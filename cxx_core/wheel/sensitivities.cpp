@@ -6,8 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "remesh/constants.hpp"
 #include "remesh/gap_rates.hpp"
 #include "remesh/rail_normals.hpp"
+#include "remesh/row_scales.hpp"
 
 namespace wrc {
 namespace {
@@ -178,21 +180,87 @@ ElementMotion following(const LoadedPatch& patch, std::span<const double> pressu
           motion.longitudinal_growth + growth[0], motion.lateral_growth + growth[1]};
 }
 
+/// How the scales of a patch's rows (remesh/row_scales.hpp) change as its plane turns and as
+/// elements move over wheel and rail, which both take them along.
+class ScaleRates {
+public:
+  ScaleRates(const LoadedPatch& patch, const RailNormals& rail,
+             std::span<const RigidMotion> motions, const Vector3& centre)
+      : patch_(patch) {
+    const auto turns = by_motion(patch.angle_rates);
+    const Vector3 arm = patch.frame.origin - centre;
+    for (std::size_t motion = 0; motion < motion_count; ++motion) {
+      const RigidMotion& of_wheel = motions[motion];
+      across_[motion] =
+          dot(of_wheel.translation + cross(of_wheel.rotation, arm), patch.frame.lateral);
+      turns_[motion] = turns[motion];
+    }
+    const std::size_t rows = patch.row_scales.size();
+    for (std::size_t row = 0; row < rows; ++row) {
+      by_place_.push_back(slope_at(patch.row_scales, row, row, rows, 1, patch.grid.lateral_step));
+      by_turn_.push_back(scale_by_inclination * patch.row_scales[row] * rail.inclination(row));
+    }
+  }
+
+  /// Of the scale of a row.
+  [[nodiscard]] double of(std::size_t row, std::size_t motion,
+                          const ElementMotion& elements) const {
+    return by_turn_[row] * turns_[motion] +
+           by_place_[row] * (elements.across + elements.lateral_growth * patch_.grid.lateral(row) -
+                             0.5 * across_[motion]);
+  }
+
+  /// From the rates of distances to those that the solver sees.
+  void scale_distances(std::size_t motion, const ElementMotion& elements,
+                       std::vector<double>& rates) const {
+    change(rates, patch_.undeformed_distance, [&](std::size_t row, double rate, double distance) {
+      return patch_.row_scales[row] * rate + of(row, motion, elements) * distance;
+    });
+  }
+  /// From the rates of the solver's pressures to those of the patch's.
+  void scale_pressures(std::size_t motion, const ElementMotion& elements,
+                       std::vector<double>& rates) const {
+    change(rates, patch_.pressure, [&](std::size_t row, double rate, double pressure) {
+      return patch_.row_scales[row] * rate +
+             of(row, motion, elements) / patch_.row_scales[row] * pressure;
+    });
+  }
+
+private:
+  template <class Change>
+  void change(std::vector<double>& rates, std::span<const double> field,
+              const Change& changed) const {
+    if (patch_.row_scales.empty() || field.empty()) {
+      return;
+    }
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      rates[i] = changed(i / patch_.grid.longitudinal_count, rates[i], field[i]);
+    }
+  }
+
+  const LoadedPatch& patch_;
+  MotionValues across_{}; ///< of the wheel, in the plane
+  MotionValues turns_{};
+  std::vector<double> by_place_;
+  std::vector<double> by_turn_;
+};
+
 /// Rates of all pressures: first of elements that stay or go along the rail with the contact, then
 /// of elements that follow it.
 class RateSolver {
 public:
   RateSolver(std::span<const LoadedPatch> patches, const SensitivityRequest& request,
-             ContactStiffness& solver, const std::vector<Fields>& gap_rates)
+             ContactStiffness& solver, const std::vector<Fields>& gap_rates,
+             std::span<const ScaleRates> scales)
       : patches_(patches), tolerance_(request.tolerance), solver_(solver), gap_rates_(gap_rates),
-        elements_(patches.size()), pressures_(patches.size()) {
+        scales_(scales), elements_(patches.size()), pressures_(patches.size()) {
     follows_ = request.influence == nullptr || patches.size() == 1;
     for (std::size_t k = 0; k < patches.size(); ++k) {
       const auto along = by_motion(patches[k].along_rates);
       for (std::size_t motion = 0; motion < motion_count; ++motion) {
         elements_[k][motion].along = along[motion];
       }
-      displacements_.push_back(solver.displacements_of(k, patches[k].pressure));
+      displacements_.push_back(displacements_of(k));
       follows_ = follows_ && !patches[k].undeformed_distance.empty() && !patches[k].grid_motion;
       if (patches[k].grid_motion) {
         elements_[k] = by_motion(*patches[k].grid_motion);
@@ -227,6 +295,15 @@ public:
   }
 
 private:
+  [[nodiscard]] ContactStiffness::Displacements displacements_of(std::size_t k) const {
+    const LoadedPatch& patch = patches_[k];
+    auto found =
+        solver_.displacements_of(k, over_scales(patch.grid, patch.row_scales, patch.pressure));
+    found.displacement = over_scales(patch.grid, patch.row_scales, found.displacement);
+    found.by_lateral_step = over_scales(patch.grid, patch.row_scales, found.by_lateral_step);
+    return found;
+  }
+
   void solve_once(WheelSensitivity& result) {
     std::vector<Fields> gaps = gap_rates_;
     for (std::size_t k = 0; k < patches_.size(); ++k) {
@@ -235,8 +312,9 @@ private:
     for (std::size_t motion = 0; motion < motion_count; ++motion) {
       Fields closing(patches_.size());
       for (std::size_t k = 0; k < patches_.size(); ++k) {
-        std::transform(gaps[k][motion].begin(), gaps[k][motion].end(),
-                       std::back_inserter(closing[k]), std::negate<>());
+        closing[k] = gaps[k][motion];
+        scales_[k].scale_distances(motion, elements_[k][motion], closing[k]);
+        std::ranges::transform(closing[k], closing[k].begin(), std::negate<>());
       }
       Fields pressure;
       const StiffnessOutcome outcome = solver_.solve(spans_of(closing), pressure, tolerance_);
@@ -245,6 +323,7 @@ private:
         result.stop_reason = outcome.stop_reason;
       }
       for (std::size_t k = 0; k < patches_.size(); ++k) {
+        scales_[k].scale_pressures(motion, elements_[k][motion], pressure[k]);
         pressures_[k][motion] = std::move(pressure[k]);
       }
     }
@@ -254,6 +333,7 @@ private:
   double tolerance_;
   ContactStiffness& solver_;
   const std::vector<Fields>& gap_rates_; ///< by patch and motion, of elements that stay
+  std::span<const ScaleRates> scales_;
   std::vector<ElementMotions> elements_;
   std::vector<std::array<std::vector<double>, motion_count>> pressures_;
   std::vector<ContactStiffness::Displacements> displacements_;
@@ -273,14 +353,18 @@ void add_influence_rates(std::span<const LoadedPatch> patches, const Sensitivity
       continue;
     }
     for (std::size_t k = 0; k < patches.size(); ++k) {
+      const LoadedPatch& patch = patches[k];
       if (pressure.size() < patches.size()) {
-        pressure.emplace_back(patches[k].pressure.begin(), patches[k].pressure.end());
+        pressure.push_back(over_scales(patch.grid, patch.row_scales, patch.pressure));
       }
-      displacement[k] = std::move(gap_rates[k][motion]);
+      displacement[k].assign(patch.pressure.size(), 0.0);
     }
     changes[motion]->add(pressure, displacement);
     for (std::size_t k = 0; k < patches.size(); ++k) {
-      gap_rates[k][motion] = std::move(displacement[k]);
+      std::vector<double>& rates = gap_rates[k][motion];
+      const std::vector<double> added =
+          over_scales(patches[k].grid, patches[k].row_scales, displacement[k]);
+      std::ranges::transform(rates, added, rates.begin(), std::plus<>());
     }
   }
 }
@@ -309,20 +393,23 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
                                                       roll_motion(pair.pose.yaw), yaw_motion()};
   const Vector3 centre{0.0, pair.pose.lateral, pair.vertical};
   std::vector<Fields> gap_rates(patches.size());
+  std::vector<RailNormals> rails;
+  std::vector<ScaleRates> scales;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     compute_gap_rates(pair, patches[k].frame, patches[k].grid, patches[k].pressure, motions,
                       gap_rates[k]);
-    add_turning_plane(patches[k], RailNormals(pair.rail, patches[k].frame, patches[k].grid),
-                      gap_rates[k]);
+    const RailNormals& rail = rails.emplace_back(pair.rail, patches[k].frame, patches[k].grid);
+    add_turning_plane(patches[k], rail, gap_rates[k]);
+    scales.emplace_back(patches[k], rail, motions, centre);
   }
   add_influence_rates(patches, request, gap_rates);
   WheelSensitivity result;
-  RateSolver rates(patches, request, solver, gap_rates);
+  RateSolver rates(patches, request, solver, gap_rates, scales);
   rates.solve(result);
 
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const LoadedPatch& patch = patches[k];
-    const RailNormals rail(pair.rail, patch.frame, patch.grid);
+    const RailNormals& rail = rails[k];
     const Vector3 arm = patch.frame.origin - centre;
     const auto about_centre = [&](const ContactForce& about_origin) {
       return WheelForce{about_origin.force, about_origin.moment + cross(arm, about_origin.force)};

@@ -73,6 +73,7 @@ struct LoadedPatch {
   /// so that elements can follow the contact; without it they stay.
   ByMotion<double> along_rates = {};
   std::span<const double> undeformed_distance = {};
+  std::span<const double> row_scales = {}; ///< remesh/row_scales.hpp
   /// How its grid moves, where that is known: elements then go with it.
   std::optional<ByMotion<ElementMotion>> grid_motion = {};
 };

@@ -8,6 +8,7 @@
 #include "half_space/displacement_operator.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "models/hertz.hpp"
+#include "remesh/row_scales.hpp"
 #include "wheel/combined_contact.hpp"
 
 namespace wrc {
@@ -245,10 +246,12 @@ void add_displacement_by_others(const WheelResult& side,
   std::vector<SolvedPatch> rectangles;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
-    pressures.push_back(patch.pressure);
-    std::vector<double>& here = touched.emplace_back(patch.pressure);
+    pressures.push_back(over_scales(patch.grid, patch.row_scales, patch.pressure));
+    std::vector<double>& here = touched.emplace_back(pressures.back());
+    const std::vector<double> distance =
+        times_scales(patch.grid, patch.row_scales, patch.undeformed_distance);
     for (std::size_t i = 0; i < here.size(); ++i) {
-      here[i] = std::max(here[i], -patch.undeformed_distance[i] - displacements[k][i]);
+      here[i] = std::max(here[i], -distance[i] - displacements[k][i]);
     }
     rectangles.push_back({patch.grid, here});
   }
@@ -265,8 +268,10 @@ const Residuals& residuals_of(WheelResult& side) {
   const std::vector<const PatchResult*> patches = solved_patches(side);
   std::vector<std::vector<double>> displacements;
   for (const PatchResult* patch : patches) {
+    const std::vector<double> pressure =
+        over_scales(patch->grid, patch->row_scales, patch->pressure);
     DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements)
-        .apply(patch->pressure, displacements.emplace_back(patch->pressure.size()));
+        .apply(pressure, displacements.emplace_back(pressure.size()));
   }
   if (side.details.interaction) {
     add_displacement_by_others(side, patches, displacements);
@@ -276,13 +281,16 @@ const Residuals& residuals_of(WheelResult& side) {
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const PatchResult& patch = *patches[k];
     // Along its normal by itself.
-    const PatchGap gap{patch.grid, patch.undeformed_distance};
+    const std::vector<double> distance =
+        times_scales(patch.grid, patch.row_scales, patch.undeformed_distance);
+    const PatchGap gap{patch.grid, distance};
     NormalProblem problem;
     problem.patches = {&gap, 1};
     problem.combined_modulus = side.details.combined_modulus;
     problem.approach = 0.0;
     const Residuals residuals =
-        compute_residuals(problem, patch.pressure, displacements[k], *problem.approach);
+        compute_residuals(problem, over_scales(patch.grid, patch.row_scales, patch.pressure),
+                          displacements[k], *problem.approach);
     worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
     worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
     load += patch.force.z;

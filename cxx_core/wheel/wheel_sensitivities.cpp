@@ -186,6 +186,7 @@ WheelRates compute_rates(const WheelResult& side) {
                       {along(reference.lateral), along(reference.vertical), along(reference.roll),
                        along(reference.yaw)},
                       patch.undeformed_distance,
+                      patch.row_scales,
                       motion_of_grid(patch, planes.moving, details)});
     solved.push_back({patch.grid, patch.pressure, details.elements});
   }

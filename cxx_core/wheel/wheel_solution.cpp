@@ -8,9 +8,11 @@
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"
 #include "base/error.hpp"
+#include "base/reductions.hpp"
 #include "base/stopwatch.hpp"
 #include "mechanics/cascade.hpp"
 #include "patches/depth_estimate.hpp"
+#include "remesh/row_scales.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
 #include "wheel/grid_plan.hpp"
@@ -37,6 +39,13 @@ double element_count(const GridSolution& solution) {
   }
   return count;
 }
+
+/// What a solver sees of a patch (remesh/row_scales.hpp).
+struct ScaledPatch {
+  std::vector<double> distance;
+  std::vector<double> approach_shares;
+  std::vector<double> pressure;
+};
 
 class WheelSolver {
 public:
@@ -136,6 +145,7 @@ GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   for (Patch& patch : solution.patches) {
     const RailNormals& rail = rail_normals_.emplace_back(rail_, patch.frame, patch.grid);
     patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid, rail);
+    patch.row_scales = row_scales(pair, patch.frame, patch.grid, rail);
   }
   result_.times.remesh += watch.seconds();
   return solution;
@@ -193,7 +203,7 @@ void WheelSolver::settle(GridSolution& solution, double approach) {
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
     patch.contact = summarise_pressure(patch.grid, patch.pressure);
-    patch.turn = rail_normals_[k].turn(patch.pressure, patch.contact.largest_element);
+    patch.turn = rail_normals_[k].turn(patch.pressure);
   }
 }
 
@@ -202,6 +212,7 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   GridSolution solution = sample(depth, grids);
   const Stopwatch watch;
   std::vector<PatchGap> gaps;
+  std::vector<ScaledPatch> scaled(solution.patches.size()); // that the gaps refer to
   const bool starts = before != nullptr && before->patches.size() == solution.patches.size();
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
@@ -211,8 +222,11 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     if (!request_.position_is_prescribed()) {
       patch.approach_shares = rail_normals_[k].shares({0.0, 0.0, 1.0});
     }
-    gaps.push_back({patch.grid, patch.undeformed_distance, patch.frame.normal.z, patch.pressure,
-                    patch.approach_shares});
+    scaled[k] = {times_scales(patch.grid, patch.row_scales, patch.undeformed_distance),
+                 times_scales(patch.grid, patch.row_scales, patch.approach_shares),
+                 over_scales(patch.grid, patch.row_scales, patch.pressure)};
+    gaps.push_back({patch.grid, scaled[k].distance, patch.frame.normal.z, scaled[k].pressure,
+                    scaled[k].approach_shares});
   }
   NormalProblem problem;
   problem.patches = gaps;
@@ -240,8 +254,9 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
                               : solver_.solve(problem);
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
     Patch& patch = solution.patches[k];
-    patch.pressure = std::move(solved.patches[k].pressure);
-    patch.normal_force = solved.patches[k].normal_force;
+    patch.pressure = times_scales(patch.grid, patch.row_scales, solved.patches[k].pressure);
+    patch.normal_force =
+        patch.grid.element_area() * sum_of(patch.pressure.data(), patch.pressure.size());
   }
   result_.iterations += solved.iterations;
   result_.convolutions += solved.convolutions;

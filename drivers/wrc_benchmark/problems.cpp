@@ -324,13 +324,24 @@ private:
     reference.set_grid(grid_.lateral, grid_.longitudinal,
                        scene.number(side + ".element_size.lateral"),
                        scene.number(side + ".element_size.longitudinal"));
-    reference.set_distance(scene.field(side + ".undeformed_distance"));
-    reference.set("normal_load", scene.number(side + ".normal_force"));
+    // The half-space has the distances times the scales of rows, and the pressures over them.
+    const std::vector<double> scale = scene.field(side + ".row_scale");
+    std::vector<double> distance = scene.field(side + ".undeformed_distance");
+    std::vector<double> pressure = scene.field(side + ".pressure");
+    double load = 0.0;
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+      distance[i] *= scale[i];
+      pressure[i] /= scale[i];
+      load += pressure[i] * scene.number(side + ".element_size.lateral") *
+              scene.number(side + ".element_size.longitudinal");
+    }
+    reference.set_distance(distance);
+    reference.set("normal_load", load);
     reference.set("tolerance", reference_tolerance(grid_));
     reference.set("precision", "double");
     reference.set("elements", "constant");
     reference.solve();
-    return largest_error(scene.field(side + ".pressure"), reference.field("pressure"));
+    return largest_error(pressure, reference.field("pressure"));
   }
 
   std::string case_name_;

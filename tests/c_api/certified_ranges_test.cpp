@@ -347,15 +347,16 @@ TEST(CertifiedRanges, PlanesThatDoNotSettleAreNotConverged) {
   }
 }
 
-/// The search for the depth wanders, and may lose wheel and rail: it says so, where it once told
-/// NaN or a depth of a metre.
+/// The search for the depth may wander, and lose wheel and rail: it says so, where it once gave NaN
+/// or a depth of a metre.
 TEST(CertifiedRanges, AConformalWheelThatIsWedgedIsNoUsualResult) {
   const ScenePointer scene = wedged_scene(1.002, 3.65333);
   const wrc_status status = wrc_scene_solve(scene.get());
   if (status == WRC_NO_CONTACT) {
     EXPECT_TRUE(contains(wrc_scene_error(scene.get()), "allowed is less than 50 mm"));
   } else {
-    EXPECT_EQ(status, WRC_NOT_CONVERGED) << wrc_scene_error(scene.get());
+    EXPECT_TRUE(status == WRC_NOT_CONVERGED || status == WRC_OK) << wrc_scene_error(scene.get());
+    EXPECT_NE(warnings_of(scene.get()), "");
     EXPECT_LT(number_of(scene.get(), "left.depth"), 50.0);
   }
 }

@@ -97,9 +97,16 @@ PatchGap patch_gap(const wrcontact::Scene& scene, int patch) {
   gap.problem.lateral_step = scene.number(name + "element_size.lateral");
   gap.problem.longitudinal_step = scene.number(name + "element_size.longitudinal");
   gap.problem.combined_modulus = combined_modulus(scene);
+  // The half-space has the distances times the scales of rows, and the pressures over them.
+  const std::vector<double> scale = scene.field(name + "row_scale");
   gap.problem.distance = scene.field(name + "undeformed_distance");
-  gap.problem.normal_load = scene.number(name + "normal_force");
   gap.pressure = scene.field(name + "pressure");
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    gap.problem.distance[i] *= scale[i];
+    gap.pressure[i] /= scale[i];
+    gap.problem.normal_load +=
+        gap.pressure[i] * gap.problem.lateral_step * gap.problem.longitudinal_step;
+  }
   return gap;
 }
 

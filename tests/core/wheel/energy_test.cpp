@@ -7,6 +7,7 @@
 
 #include "mechanics/normal_solver.hpp"
 #include "remesh/rail_normals.hpp"
+#include "remesh/row_scales.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "support/energy_pairs.hpp"
 
@@ -47,7 +48,10 @@ Vector3 force_in_plane(const WheelResult& wheel, double turn) {
   const double room = 0.2 * grid.lateral_step * static_cast<double>(grid.lateral_count);
   grid.lateral_first -= room;
   grid.lateral_step *= 1.4;
-  const std::vector<double> distance = sample_undeformed_distance(pair, frame, grid);
+  const RailNormals rail(pair.rail, frame, grid);
+  const std::vector<double> scales = row_scales(pair, frame, grid, rail);
+  const std::vector<double> distance =
+      times_scales(grid, scales, sample_undeformed_distance(pair, frame, grid));
   const PatchGap gap{grid, distance};
   NormalProblem problem;
   problem.patches = {&gap, 1};
@@ -55,7 +59,7 @@ Vector3 force_in_plane(const WheelResult& wheel, double turn) {
   problem.approach = 0.0;
   problem.elements = wheel.details.elements;
   const NormalSolution solution = NormalSolver().solve(problem);
-  return RailNormals(pair.rail, frame, grid).force(solution.patches[0].pressure).force;
+  return rail.force(times_scales(grid, scales, solution.patches[0].pressure)).force;
 }
 
 TEST(Energy, TheDirectionOfAPlaneHardlyMatters) {
@@ -68,9 +72,10 @@ TEST(Energy, TheDirectionOfAPlaneHardlyMatters) {
     const SceneResult result = solve_scene(scene);
     ASSERT_EQ(solved_patches(*result.left).size(), 1u) << lateral;
     const Vector3 here = force_in_plane(*result.left, 0.0);
-    for (const double turn : {-0.02, 0.02}) {
+    for (const double turn : {-0.1, -0.02, 0.02, 0.1}) {
       const Vector3 turned = force_in_plane(*result.left, turn);
-      EXPECT_LE(norm(turned - here), limit * norm(here)) << lateral << ", " << turn;
+      const double allowed = std::abs(turn) > 0.05 ? 3.0 * limit : limit;
+      EXPECT_LE(norm(turned - here), allowed * norm(here)) << lateral << ", " << turn;
     }
   }
 }
@@ -106,7 +111,7 @@ TEST(Energy, TheLateralForceIsThatOfCurvedPatches) {
     // takes on flanges, by its own account; with two lobes it takes 1e-3.
     const double error = std::abs(result.left->force.y - curved.at("Fy").get<double>());
     ASSERT_TRUE(result.left->model_error);
-    EXPECT_LE(error, 1.3 * *result.left->model_error * norm(result.left->force) + 1e-4 * load);
+    EXPECT_LE(error, 1.1 * *result.left->model_error * norm(result.left->force) + 1e-4 * load);
     EXPECT_NEAR(result.left->vertical - result.left->depth, curved.at("z").get<double>(), 1e-3);
   }
 }

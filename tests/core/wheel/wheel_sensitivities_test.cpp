@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"turned to a neighbour", "S1002", "60E1", 4.1, 1e-3},
         Case{"two patches", "S1002", "60E1", 6.4, 0.0, 0.02, 5e-3, GapConvention::tangent, false,
              2},
-        Case{"two patches that interact", "S1002", "60E1", 6.4, 0.0, 0.02, 5e-3,
+        // Elements stay in place.
+        Case{"two patches that interact", "S1002", "60E1", 6.4, 0.0, 0.02, 6e-3,
              GapConvention::tangent, true, 2},
         Case{"planes turned by distance", "S1002", "UIC60-Manchester", 5.0, 0.0, 0.0, 5e-3,
              GapConvention::tangent, false, 2, 1000.0},

@@ -9,6 +9,7 @@
 #include "half_space/displacement_operator.hpp"
 #include "half_space/material.hpp"
 #include "models/hertz.hpp"
+#include "remesh/row_scales.hpp"
 #include "support/simple_profiles.hpp"
 
 namespace wrc::test::wheel_solution_test {
@@ -85,7 +86,8 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
     for (const Patch& patch : solution.patches) {
       std::vector<double> displacement(patch.grid.element_count());
       DisplacementOperator(patch.grid, modulus, request.elements)
-          .apply(patch.pressure, displacement);
+          .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), displacement);
+      displacement = over_scales(patch.grid, patch.row_scales, displacement);
       const double largest = *std::max_element(displacement.begin(), displacement.end());
       // Gaps hold to the tolerance of the iteration, 1e-6 of the largest displacement.
       const double gap_tolerance = 1e-6 * largest;
