@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "half_space/displacement_operator.hpp"
-#include "remesh/row_scales.hpp"
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 #include "wheel/combined_contact.hpp"
@@ -58,7 +56,7 @@ Values undeformed_distance(const WheelDetails& side, const PatchResult& patch) {
 
 /// Of inclined rows (remesh/row_scales.hpp); of a contact with parts theirs count.
 Values row_scale(const WheelDetails& /*side*/, const PatchResult& patch) {
-  return times_scales(patch.grid, patch.row_scales, Values(patch.grid.element_count(), 1.0));
+  return scales_of_elements(patch);
 }
 
 Values pressure(const WheelDetails& /*side*/, const PatchResult& patch) {
@@ -69,10 +67,7 @@ Values displacement(const WheelDetails& side, const PatchResult& patch) {
   if (!patch.parts.empty()) {
     return combined_displacement(patch, side);
   }
-  Values values(patch.grid.element_count());
-  DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
-      .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), values);
-  return over_scales(patch.grid, patch.row_scales, values);
+  return displacement_of(patch, side);
 }
 
 /// The rail's outline at the nodes of its curve.

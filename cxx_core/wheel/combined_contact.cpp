@@ -6,6 +6,7 @@
 
 #include "accuracy/model_error.hpp"
 #include "half_space/displacement_operator.hpp"
+#include "remesh/row_scales.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
 
@@ -218,6 +219,18 @@ std::vector<double> combined_pressure(const PatchResult& whole) {
     std::transform(values.begin(), values.end(), of_part.begin(), values.begin(), std::plus<>());
   }
   return values;
+}
+
+std::vector<double> displacement_of(const PatchResult& patch, const WheelDetails& side) {
+  std::vector<double> values(patch.grid.element_count());
+  DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
+      .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), values);
+  return over_scales(patch.grid, patch.row_scales, values);
+}
+
+std::vector<double> scales_of_elements(const PatchResult& patch) {
+  return times_scales(patch.grid, patch.row_scales,
+                      std::vector<double>(patch.grid.element_count(), 1.0));
 }
 
 std::vector<double> combined_distance(const PatchResult& whole, const WheelDetails& side) {

@@ -24,6 +24,11 @@ namespace wrc {
 /// first, in parallel planes.
 Patch combined(std::span<const Patch> parts, const RailSurface& rail);
 
+/// Of a patch without parts, mm.
+std::vector<double> displacement_of(const PatchResult& patch, const WheelDetails& side);
+/// The scale of each element's row (remesh/row_scales.hpp); 1 of a patch with parts.
+std::vector<double> scales_of_elements(const PatchResult& patch);
+
 /// Of a patch that has parts, on its grid: MPa, and mm.
 std::vector<double> combined_pressure(const PatchResult& whole);
 std::vector<double> combined_distance(const PatchResult& whole, const WheelDetails& side);
