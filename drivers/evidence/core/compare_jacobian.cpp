@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "evidence/random_wheels.hpp"
+#include "support/random_wheels.hpp"
 #include "support/state_differences.hpp"
 
 namespace {
