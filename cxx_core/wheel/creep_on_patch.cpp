@@ -17,24 +17,6 @@
 namespace wrc {
 namespace {
 
-Grid turned(Grid grid) {
-  grid.longitudinal_first = -grid.longitudinal(grid.longitudinal_count - 1);
-  grid.lateral_first = -grid.lateral(grid.lateral_count - 1);
-  return grid;
-}
-
-std::vector<double> turned(std::vector<double> values, double factor) {
-  std::reverse(values.begin(), values.end());
-  for (double& value : values) {
-    value *= factor;
-  }
-  return values;
-}
-
-SlipField turned(SlipField slip) {
-  return {turned(std::move(slip.x), -1.0), turned(std::move(slip.y), -1.0)};
-}
-
 /// Pressures on a grid, of this force together: at the centres of elements, or, where the shares in
 /// contact are asked for, their means.
 std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
@@ -80,13 +62,11 @@ RollingSolution solve_both_ways(const PatchResult& patch, const PatchMotion& mot
   problem.difference_parameter = request.material.difference_parameter;
   std::vector<double> distance;
   interpolate(patch.grid, patch.undeformed_distance, creep.grid, distance);
-  if (motion.backwards) {
-    distance = turned(std::move(distance), 1.0);
-  }
+  distance = motion.frame.turned_numbers(std::move(distance));
   UnlikeSolution both =
       solve_unlike(problem, distance, request.combined_modulus, problem.tolerance, solver);
   creep.pressure_change = both.pressure_change;
-  creep.pressure = motion.backwards ? turned(std::move(both.pressure), 1.0) : both.pressure;
+  creep.pressure = motion.frame.turned_numbers(std::move(both.pressure));
   return std::move(both.rolling);
 }
 
@@ -96,16 +76,15 @@ struct PatchFields {
   ProblemFields fields;
 };
 
-PatchFields turned(PatchFields patch) {
+PatchFields turned(PatchFields patch, const RollingFrame& frame) {
   ProblemFields& fields = patch.fields;
-  fields.pressure = turned(std::move(fields.pressure), 1.0);
-  std::reverse(fields.covered.begin(), fields.covered.end());
-  return {turned(patch.grid),
-          {std::move(fields.pressure), std::move(fields.covered), turned(std::move(fields.slip)),
-           turned(std::move(fields.weights))}};
+  return {frame.turned(patch.grid),
+          {frame.turned_numbers(std::move(fields.pressure)),
+           frame.turned_numbers(std::move(fields.covered)), frame.turned(std::move(fields.slip)),
+           frame.turned(std::move(fields.weights))}};
 }
 
-/// By position; `now`: as it rolls forwards, on `grid` of the patch's plane.
+/// By position; `now`: in the rolling frame, on `grid` of the patch's plane.
 std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
                                        const RollingProblem& now) {
   std::vector<ProblemRate> result;
@@ -126,9 +105,7 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
       ahead.fields.slip = slip_beyond(geometry, rows, ahead.grid, contact.twist());
       ahead.fields.weights = slip_beyond(geometry, rows, ahead.grid, along_the_normal);
     }
-    if (task.motion.backwards) {
-      ahead = turned(std::move(ahead));
-    }
+    ahead = turned(std::move(ahead), task.motion.frame);
     result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
   }
   return result;
@@ -144,22 +121,14 @@ ProblemRate rate_by(const RollingProblem& problem, std::span<const double> slip_
   return rate;
 }
 
-/// Of a solution that was turned by half a turn if `sign` is -1.
-void take_derivatives(const RollingSolution& solution, double sign, CreepDerivatives& derivatives) {
+void take_derivatives(const RollingSolution& solution, CreepDerivatives& derivatives) {
   derivatives.by_creepage = solution.by_creepage;
-  for (const std::size_t turning : {2U, 5U, 6U, 7U}) { // forces by spin, moments by creepages
-    derivatives.by_creepage[turning] *= sign;
-  }
-  const auto& [by_along, by_across, by_spin] = solution.weighted_by_creepage;
-  derivatives.normal_by_creepage = {sign * by_along, sign * by_across, by_spin};
-  const auto taken = [sign](const std::array<double, 4>& rate) {
-    return std::array<double, 4>{sign * rate[0], sign * rate[1], rate[2], rate[3]};
-  };
+  derivatives.normal_by_creepage = solution.weighted_by_creepage;
   std::size_t next = 0;
   if (solution.by_rate.size() >= position_count) {
     auto& by = derivatives.by_position.emplace();
     for (; next < position_count; ++next) {
-      const std::array<double, 4> rate = taken(solution.by_rate[next]);
+      const std::array<double, 4>& rate = solution.by_rate[next];
       by[next] = rate[0];
       by[position_count + next] = rate[1];
       by[2 * position_count + next] = rate[2];
@@ -167,12 +136,11 @@ void take_derivatives(const RollingSolution& solution, double sign, CreepDerivat
     }
   }
   if (solution.by_rate.size() > next) {
-    derivatives.by_slip = taken(solution.by_rate[next]);
-    derivatives.by_normal_velocity = taken(solution.by_rate[next + 1]);
+    derivatives.by_slip = solution.by_rate[next];
+    derivatives.by_normal_velocity = solution.by_rate[next + 1];
   }
 }
 
-/// What does not turn with the patch.
 void take_facts(const RollingSolution& solution, CreepResult& creep) {
   creep.slip_area = solution.slip_area;
   creep.adhesion_area = solution.adhesion_area;
@@ -235,10 +203,7 @@ CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepR
     }
   }
   creep.pressure = now.fields.pressure;
-  const double sign = motion.backwards ? -1.0 : 1.0;
-  if (motion.backwards) {
-    now = turned(std::move(now));
-  }
+  now = turned(std::move(now), motion.frame);
   RollingProblem problem;
   problem.grid = now.grid;
   problem.slip_x = now.fields.slip.x;
@@ -250,7 +215,7 @@ CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepR
   problem.friction = motion.friction;
   problem.shear_modulus = request.material.modulus;
   problem.poisson = request.material.poisson;
-  problem.creepages = motion.backwards ? turned(motion.creepages) : motion.creepages;
+  problem.creepages = motion.frame.turned(motion.creepages);
   const double of_elements = creep_error_of_one_column / (chosen.columns * chosen.columns);
   // An iteration beyond what fewer elements than the accuracy needs can show would be in vain.
   problem.tolerance =
@@ -271,18 +236,13 @@ CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepR
   } else {
     solution = solve_by_strips(patch, motion, request, problem, solver);
   }
+  solution = motion.frame.turned(std::move(solution));
   if (request.derivatives) {
-    take_derivatives(solution, sign, creep.derivatives.emplace());
+    take_derivatives(solution, creep.derivatives.emplace());
   }
   take_facts(solution, creep);
   if (request.model == CreepModel::full) {
     creep.error_estimate = of_elements + creep_error_by_residual * solution.residual;
-  }
-  if (motion.backwards) {
-    for (auto* field :
-         {&solution.traction_x, &solution.traction_y, &solution.slip_x, &solution.slip_y}) {
-      *field = turned(std::move(*field), -1.0);
-    }
   }
   if (motion.twist) {
     take_in_slip(task, rows, slip, solution, creep);
@@ -291,7 +251,7 @@ CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepR
   creep.traction_y = std::move(solution.traction_y);
   creep.slip_x = std::move(solution.slip_x);
   creep.slip_y = std::move(solution.slip_y);
-  return {sign * solution.longitudinal_force, sign * solution.lateral_force, solution.spin_moment};
+  return {solution.longitudinal_force, solution.lateral_force, solution.spin_moment};
 }
 
 } // namespace wrc

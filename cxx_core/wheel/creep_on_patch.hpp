@@ -25,12 +25,6 @@ struct PatchTask {
   const PatchRates* rates; ///< none where they are not known
 };
 
-/// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
-/// normal.
-inline Creepages turned(const Creepages& creepages) {
-  return {-creepages.longitudinal, -creepages.lateral, creepages.spin};
-}
-
 /// Fills in what `creep` has of grid, fields, areas, derivatives, error and power.
 CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep);
 

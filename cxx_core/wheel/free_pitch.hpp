@@ -12,6 +12,7 @@
 
 #include <span>
 
+#include "wheel/creep_forces.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {

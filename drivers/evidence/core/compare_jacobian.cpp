@@ -23,6 +23,7 @@
 #include "base/error.hpp"
 #include "support/random_wheels.hpp"
 #include "support/state_differences.hpp"
+#include "wheel/force_jacobian.hpp"
 
 namespace {
 

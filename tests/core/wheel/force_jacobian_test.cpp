@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/state_differences.hpp"
+#include "wheel/rolling_frame.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc::test::force_jacobian_test {
