@@ -22,6 +22,8 @@ others = {
     "cxx_core/scene/load_keys.cpp",  # permitted ranges
     "cxx_core/scene/number_tables.hpp",
     "cxx_core/scene/old_names.hpp",
+    "cxx_core/scene/patch_summary.cpp",
+    "cxx_core/scene/patch_summary.hpp",
     "cxx_core/scene/rate_tables.hpp",
     "cxx_core/scene/result_fields.cpp",
     "cxx_core/scene/scene_key_table.cpp",  # permitted ranges
