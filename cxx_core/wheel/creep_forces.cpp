@@ -9,6 +9,7 @@
 #include "rolling/fastsim.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_elements.hpp"
+#include "wheel/creep_of_unlike_bodies.hpp"
 #include "wheel/creep_on_patch.hpp"
 #include "wheel/creep_rates.hpp"
 #include "wheel/least_friction.hpp"
@@ -103,8 +104,10 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
   }
   const LeastFriction least(motion, request.model);
   const PatchMotion& solved = least.motion();
-  CreepForces forces = on_own_pressures(request)
-                           ? forces_on_patch({wheel, patch, solved, request, rates}, solver, creep)
+  const PatchTask solved_task{wheel, patch, solved, request, rates};
+  CreepForces forces = unlike_bodies(request) ? forces_of_unlike_bodies(solved_task, solver, creep)
+                       : on_own_pressures(request)
+                           ? forces_on_patch(solved_task, solver, creep)
                            : solve_on_ellipse(patch, solved, request, rates, creep);
   if (request.derivatives) {
     const bool by_friction = request.model != CreepModel::linear;
