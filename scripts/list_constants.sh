@@ -15,7 +15,7 @@ import sys
 rooms = sys.argv[1:]
 others = {
     "cxx_core/models/elliptic_integrals.cpp",  # published coefficients
-    "cxx_core/profile/readers.hpp",  # permitted ranges
+    "cxx_core/profile/read_options.hpp",  # permitted ranges
     "cxx_core/scene/convention.hpp",  # units
     "cxx_core/scene/damage_fields.cpp",  # tables of names
     "cxx_core/scene/damage_tables.hpp",

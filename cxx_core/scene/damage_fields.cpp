@@ -3,6 +3,7 @@
 #include <array>
 
 #include "scene/patch_fields.hpp"
+#include "wheel/contact_damage.hpp"
 #include "wheel/rolling_frame.hpp"
 
 namespace wrc {

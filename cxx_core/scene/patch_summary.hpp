@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/solve_scene.hpp"
+#include "scene/scene_result.hpp"
 
 namespace wrc {
 

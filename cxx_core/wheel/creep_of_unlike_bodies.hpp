@@ -7,6 +7,7 @@
 /// Not known here: derivatives by positions and by the slip beyond creepages.
 #pragma once
 
+#include "rolling/rolling_contact.hpp"
 #include "wheel/creep_problem.hpp"
 
 namespace wrc {

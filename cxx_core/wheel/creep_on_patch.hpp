@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "rolling/creep_laws.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_problem.hpp"
 #include "wheel/patch_motion.hpp"

@@ -10,9 +10,9 @@
 
 #include "base/grid.hpp"
 #include "rolling/creep_laws.hpp"
-#include "rolling/rolling_contact.hpp"
-#include "wheel/creep_forces.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "wheel/creep_rates.hpp"
+#include "wheel/creep_request.hpp"
 #include "wheel/patch_motion.hpp"
 #include "wheel/wheel_result.hpp"
 

@@ -15,7 +15,7 @@
 
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "wheel/kinematics.hpp"
 #include "wheel/rigid_slip.hpp"
 #include "wheel/sensitivities.hpp"

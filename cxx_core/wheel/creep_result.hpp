@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/grid.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "wheel/kinematics.hpp"
 #include "wheel/rigid_slip.hpp"
 

@@ -6,6 +6,7 @@
 #include "base/root_bracket.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_elements.hpp"
+#include "wheel/creep_forces.hpp"
 #include "wheel/rolling_frame.hpp"
 #include "wheel/total_force.hpp"
 

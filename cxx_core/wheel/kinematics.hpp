@@ -30,7 +30,7 @@
 #include "geometry/frames.hpp"
 #include "geometry/rail_surface.hpp"
 #include "patches/contact_frame.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 
 namespace wrc {
 

@@ -9,12 +9,16 @@
 #include <optional>
 #include <span>
 
-#include "wheel/creep_forces.hpp"
 #include "wheel/creep_rates.hpp"
+#include "wheel/creep_request.hpp"
 #include "wheel/rigid_slip.hpp"
 #include "wheel/rolling_frame.hpp"
 
 namespace wrc {
+
+struct PatchRates;
+struct PatchResult;
+struct WheelResult;
 
 /// Of a patch, or of patches of one plane together.
 struct PatchMotion {

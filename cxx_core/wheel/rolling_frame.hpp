@@ -26,7 +26,7 @@
 #include "geometry/frames.hpp"
 #include "geometry/rail_surface.hpp"
 #include "rolling/creep_laws.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "wheel/creep_result.hpp"
 #include "wheel/kinematics.hpp"
 #include "wheel/rigid_slip.hpp"

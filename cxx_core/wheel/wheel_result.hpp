@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "remesh/plane_rates.hpp"
-#include "wheel/contact_damage.hpp"
 #include "wheel/creep_result.hpp"
+#include "wheel/damage_result.hpp"
 #include "wheel/friction.hpp"
 #include "wheel/kinematics.hpp"
 #include "wheel/rigid_slip.hpp"
