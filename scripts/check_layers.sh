@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Dependencies point one way: fortran_bindings, octave_bindings -> c_api -> cxx_core; drivers see only
-# the public interface; in the core the folders follow the way of the data. Read from the include lines.
+# the public interface; in the core the folders follow the way of the data. Files within a folder have
+# an order as well: no header, with the source of its name, includes one that needs it in turn. Read
+# from the include lines.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -50,6 +52,46 @@ check tests/fuzz 'base/error\.hpp|profile/readers\.hpp|call_sequences\.hpp|suppo
 check tests/properties '(drawn_scene|outcome|rolling_scene|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
 check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp|support/(csv_table|gnuplot)\.hpp'
+
+# No circles between files. A header and the source of its name count as one; the two public headers,
+# which include each other for old callers, are left out.
+excepted=(
+  # Until what a wheel's result holds has a header below what computes it.
+  'cxx_core/wheel/wheel_result cxx_core/wheel/combined_contact'
+  'cxx_core/wheel/wheel_solution cxx_core/wheel/wheel_warnings'
+)
+mapfile -t sources < <(git ls-files cxx_core c_api octave_bindings drivers | grep -E '\.(c|h|cpp|hpp)$' |
+  grep -vE '^c_api/(include|abi)/')
+arrows=$(awk '
+  BEGIN { for (i = 1; i < ARGC; i++) { known[ARGV[i]] = 1 } }
+  /^[[:space:]]*#[[:space:]]*include[[:space:]]+"/ {
+    split($0, quoted, "\"")
+    folder = FILENAME
+    sub(/[^\/]*$/, "", folder)
+    count = split("cxx_core/ c_api/ octave_bindings/ drivers/ drivers/evidence/ " folder, roots, " ")
+    for (i = 1; i <= count; i++) {
+      to = roots[i] quoted[2]
+      if (to in known) {
+        from = FILENAME
+        sub(/\.[a-z]+$/, "", from)
+        sub(/\.[a-z]+$/, "", to)
+        if (from != to) { print from, to }
+        break
+      }
+    }
+  }' "${sources[@]}" | sort -u)
+for arrow in "${excepted[@]}"; do
+  if ! grep -qxF "$arrow" <<<"$arrows"; then
+    echo "excepted in this script, but not there: $arrow"
+    failures=1
+  fi
+done
+circles=$(grep -vxFf <(printf '%s\n' "${excepted[@]}") <<<"$arrows" | tsort 2>&1 >/dev/null || true)
+if [ -n "$circles" ]; then
+  echo "files that include each other in a circle:"
+  sed -n 's/^tsort: \(-: \)\?//p' <<<"$circles"
+  failures=1
+fi
 
 # One file of the library sees FFTW. Beside it one of the tests, which plays a host program, and the
 # benchmark's yardstick: what solutions are compared with is not to be measured by the library itself.
