@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "batch.hpp"
+#include "scene/patch_summary.hpp"
 #include "scene/vehicle_step.hpp"
 
 namespace {

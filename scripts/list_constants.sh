@@ -15,13 +15,15 @@ import sys
 rooms = sys.argv[1:]
 others = {
     "cxx_core/models/elliptic_integrals.cpp",  # published coefficients
-    "cxx_core/profile/readers.hpp",  # permitted ranges
+    "cxx_core/profile/read_options.hpp",  # permitted ranges
     "cxx_core/scene/convention.hpp",  # units
     "cxx_core/scene/damage_fields.cpp",  # tables of names
     "cxx_core/scene/damage_tables.hpp",
     "cxx_core/scene/load_keys.cpp",  # permitted ranges
     "cxx_core/scene/number_tables.hpp",
     "cxx_core/scene/old_names.hpp",
+    "cxx_core/scene/patch_summary.cpp",
+    "cxx_core/scene/patch_summary.hpp",
     "cxx_core/scene/rate_tables.hpp",
     "cxx_core/scene/result_fields.cpp",
     "cxx_core/scene/scene_key_table.cpp",  # permitted ranges

@@ -153,16 +153,21 @@ bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, 
 }
 
 void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
-              std::vector<double>& inside) {
-  inside.resize(box.rows() * box.columns());
+              std::span<double> inside) {
   for (std::size_t row = 0; row < box.rows(); ++row) {
     std::copy_n(field.data() + (box.first_row + row) * size.columns + box.first_column,
                 box.columns(), inside.data() + row * box.columns());
   }
 }
 
+void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
+              std::vector<double>& inside) {
+  inside.resize(box.count());
+  copy_box(size, box, field, std::span<double>(inside));
+}
+
 void put_box(const LevelSize& size, const ElementBox& box, std::span<const double> inside,
-             std::vector<double>& field) {
+             std::span<double> field) {
   for (std::size_t row = 0; row < box.rows(); ++row) {
     std::copy_n(inside.data() + row * box.columns(), box.columns(),
                 field.data() + (box.first_row + row) * size.columns + box.first_column);

@@ -43,6 +43,7 @@ struct ElementBox {
 
   [[nodiscard]] std::size_t rows() const { return last_row - first_row + 1; }
   [[nodiscard]] std::size_t columns() const { return last_column - first_column + 1; }
+  [[nodiscard]] std::size_t count() const { return rows() * columns(); }
   [[nodiscard]] bool holds(std::size_t row, std::size_t column) const {
     return row >= first_row && row <= last_row && column >= first_column && column <= last_column;
   }
@@ -53,10 +54,13 @@ struct ElementBox {
 bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, std::size_t margin,
                        ElementBox& box);
 
-/// A field within a box, and back.
+/// A field within a box, and back; what is outside the box stays. `inside` has as many values as
+/// the box has elements, and takes this size where it is a vector.
+void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
+              std::span<double> inside);
 void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
               std::vector<double>& inside);
 void put_box(const LevelSize& size, const ElementBox& box, std::span<const double> inside,
-             std::vector<double>& field);
+             std::span<double> field);
 
 } // namespace wrc

@@ -54,14 +54,6 @@ void check_size(const std::string& argument, std::size_t size, std::size_t expec
   }
 }
 
-/// Calls `visit` with the places of a box's first elements of each row in a box and in its grid.
-template <class Visit>
-void for_each_row(const ElementBox& box, std::size_t grid_columns, Visit visit) {
-  for (std::size_t row = 0; row < box.rows(); ++row) {
-    visit(row * box.columns(), (box.first_row + row) * grid_columns + box.first_column);
-  }
-}
-
 } // namespace
 
 void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double combined_modulus,
@@ -88,8 +80,7 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
     patch.grid = solved.grid;
     patch.elements = solved.elements;
     patch.begin = count;
-    patch.in_contact = find_pressure_box(
-        {solved.grid.lateral_count, solved.grid.longitudinal_count}, solved.pressure, 0, patch.box);
+    patch.in_contact = find_pressure_box(patch.size(), solved.pressure, 0, patch.box);
     patch.unit = step / solved.grid.lateral_step;
     if (patch.in_contact) {
       const InfluenceKernel kernel{
@@ -113,12 +104,11 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
     if (!patch.in_contact) {
       continue;
     }
-    for_each_row(
-        patch.box, patch.grid.longitudinal_count, [&](std::size_t in_box, std::size_t in_grid) {
-          for (std::size_t i = 0; i < patch.box.columns(); ++i) {
-            contact_[patch.begin + in_box + i] = patches[k].pressure[in_grid + i] > 0.0 ? 1.0 : 0.0;
-          }
-        });
+    const std::span<double> contact = patch.within(contact_.data());
+    copy_box(patch.size(), patch.box, patches[k].pressure, contact);
+    for (double& value : contact) {
+      value = value > 0.0 ? 1.0 : 0.0;
+    }
   }
   groups_.clear();
   const std::size_t together = influence_ != nullptr ? patches_.size() : 1;
@@ -147,10 +137,10 @@ void ContactStiffness::displace(const Group& group, const double* force, double*
   for (std::size_t k = group.first; k < group.last; ++k) {
     const Patch& patch = patches_[k];
     if (patch.in_contact) {
-      double* values = displacement + patch.begin;
-      patch.convolution.apply(force + patch.begin, values, workspace_);
-      for (std::size_t i = 0; i < patch.count(); ++i) {
-        values[i] *= patch.unit;
+      const std::span<double> values = patch.within(displacement);
+      patch.convolution.apply(patch.within(force).data(), values.data(), workspace_);
+      for (double& value : values) {
+        value *= patch.unit;
       }
     }
   }
@@ -169,16 +159,7 @@ ContactStiffness::displacements_of(std::size_t patch_index, std::span<const doub
   }
   const std::size_t rows = patch.box.rows();
   const std::size_t columns = patch.box.columns();
-  std::vector<double> in_box(patch.count());
-  const auto in_grid = [&](const auto& visit) {
-    for_each_row(patch.box, patch.grid.longitudinal_count,
-                 [&](std::size_t from_box, std::size_t from_grid) {
-                   for (std::size_t i = 0; i < columns; ++i) {
-                     visit(from_box + i, from_grid + i);
-                   }
-                 });
-  };
-  in_grid([&](std::size_t box, std::size_t grid) { in_box[box] = pressure[grid]; });
+  copy_box(patch.size(), patch.box, pressure, in_box_);
   const double unit = patch.unit * patch.grid.element_area() / force_unit_;
   const double aspect = patch.grid.lateral_step / patch.grid.longitudinal_step;
   const auto displaced = [&](double factor) {
@@ -186,18 +167,31 @@ ContactStiffness::displacements_of(std::size_t patch_index, std::span<const doub
         BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0},
                                        {shared_aspect(factor * aspect), patch.elements}, cache_);
     std::vector<double> values(patch.count());
-    convolution.apply(in_box.data(), values.data(), workspace_);
+    convolution.apply(in_box_.data(), values.data(), workspace_);
     return values;
   };
-  const std::vector<double> here = displaced(1.0);
-  const std::vector<double> wider = displaced(1.0 + stiffness_aspect_step);
+  std::vector<double> here = displaced(1.0);
+  std::vector<double> by_step = displaced(1.0 + stiffness_aspect_step);
   const std::vector<double> narrower = displaced(1.0 - stiffness_aspect_step);
-  in_grid([&](std::size_t box, std::size_t grid) {
-    result.displacement[grid] = unit * here[box];
-    result.by_lateral_step[grid] =
-        unit * (wider[box] - narrower[box]) / (2.0 * stiffness_aspect_step);
-  });
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    here[i] *= unit;
+    by_step[i] = unit * (by_step[i] - narrower[i]) / (2.0 * stiffness_aspect_step);
+  }
+  put_box(patch.size(), patch.box, here, result.displacement);
+  put_box(patch.size(), patch.box, by_step, result.by_lateral_step);
   return result;
+}
+
+/// Forces within the box as pressures on the grid, MPa.
+void ContactStiffness::put_pressure(const Patch& patch, const double* force,
+                                    std::vector<double>& pressure) {
+  const std::span<const double> forces = patch.within(force);
+  in_box_.assign(forces.begin(), forces.end());
+  const double scale = force_unit_ / patch.grid.element_area();
+  for (double& value : in_box_) {
+    value *= scale;
+  }
+  put_box(patch.size(), patch.box, in_box_, pressure);
 }
 
 void ContactStiffness::add_influence(const double* force, double* displacement) {
@@ -207,13 +201,7 @@ void ContactStiffness::add_influence(const double* force, double* displacement) 
     if (!patch.in_contact) {
       continue;
     }
-    const double pressure = force_unit_ / patch.grid.element_area();
-    for_each_row(patch.box, patch.grid.longitudinal_count,
-                 [&](std::size_t in_box, std::size_t in_grid) {
-                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
-                     full_pressure_[k][in_grid + i] = pressure * force[patch.begin + in_box + i];
-                   }
-                 });
+    put_pressure(patch, force, full_pressure_[k]);
   }
   influence_->add(full_pressure_, full_displacement_);
   for (std::size_t k = 0; k < patches_.size(); ++k) {
@@ -221,12 +209,8 @@ void ContactStiffness::add_influence(const double* force, double* displacement) 
     if (!patch.in_contact) {
       continue;
     }
-    for_each_row(patch.box, patch.grid.longitudinal_count,
-                 [&](std::size_t in_box, std::size_t in_grid) {
-                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
-                     displacement[patch.begin + in_box + i] += full_displacement_[k][in_grid + i];
-                   }
-                 });
+    copy_box(patch.size(), patch.box, full_displacement_[k], in_box_);
+    add_multiple(1.0, in_box_.data(), patch.within(displacement).data(), patch.count());
   }
 }
 
@@ -235,11 +219,11 @@ void ContactStiffness::precondition(const Group& group, const double* residual,
   for (std::size_t k = group.first; k < group.last; ++k) {
     const Patch& patch = patches_[k];
     if (patch.in_contact) {
-      double* values = correction + patch.begin;
-      patch.preconditioner.apply(residual + patch.begin, values, workspace_);
+      const std::span<double> values = patch.within(correction);
+      patch.preconditioner.apply(patch.within(residual).data(), values.data(), workspace_);
       const double inverse = 1.0 / patch.unit;
-      for (std::size_t i = 0; i < patch.count(); ++i) {
-        values[i] *= inverse;
+      for (double& value : values) {
+        value *= inverse;
       }
     }
   }
@@ -347,18 +331,16 @@ StiffnessOutcome ContactStiffness::solve(std::span<const std::span<const double>
     if (!displacement[k].empty()) {
       check_size("displacement", displacement[k].size(), patch.grid.element_count());
     }
-    double* values = residual_.data() + patch.begin;
-    std::fill_n(values, patch.count(), 0.0);
+    const std::span<double> values = patch.within(residual_.data());
+    std::fill(values.begin(), values.end(), 0.0);
     if (!patch.in_contact || displacement[k].empty()) {
       continue;
     }
-    for_each_row(patch.box, patch.grid.longitudinal_count,
-                 [&](std::size_t in_box, std::size_t in_grid) {
-                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
-                     const bool inside = contact_[patch.begin + in_box + i] > 0.0;
-                     values[in_box + i] = inside ? displacement[k][in_grid + i] : 0.0;
-                   }
-                 });
+    copy_box(patch.size(), patch.box, displacement[k], values);
+    const std::span<const double> contact = patch.within(contact_.data());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = contact[i] > 0.0 ? values[i] : 0.0;
+    }
   }
   StiffnessOutcome outcome;
   for (Group& group : groups_) {
@@ -373,16 +355,9 @@ StiffnessOutcome ContactStiffness::solve(std::span<const std::span<const double>
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     const Patch& patch = patches_[k];
     pressure[k].assign(patch.grid.element_count(), 0.0);
-    if (!patch.in_contact) {
-      continue;
+    if (patch.in_contact) {
+      put_pressure(patch, force_.data(), pressure[k]);
     }
-    const double scale = force_unit_ / patch.grid.element_area();
-    for_each_row(patch.box, patch.grid.longitudinal_count,
-                 [&](std::size_t in_box, std::size_t in_grid) {
-                   for (std::size_t i = 0; i < patch.box.columns(); ++i) {
-                     pressure[k][in_grid + i] = scale * force_[patch.begin + in_box + i];
-                   }
-                 });
   }
   return outcome;
 }

@@ -98,7 +98,13 @@ private:
     BoxConvolution<double> convolution;
     BoxConvolution<double> preconditioner;
 
-    [[nodiscard]] std::size_t count() const { return in_contact ? box.rows() * box.columns() : 0; }
+    [[nodiscard]] std::size_t count() const { return in_contact ? box.count() : 0; }
+    [[nodiscard]] LevelSize size() const { return {grid.lateral_count, grid.longitudinal_count}; }
+    /// Its part of a field over all boxes.
+    [[nodiscard]] std::span<double> within(double* field) const { return {field + begin, count()}; }
+    [[nodiscard]] std::span<const double> within(const double* field) const {
+      return {field + begin, count()};
+    }
   };
   /// Patches that are solved together, and what is known of their answers.
   struct Group {
@@ -113,6 +119,7 @@ private:
 
   void displace(const Group& group, const double* force, double* displacement);
   void precondition(const Group& group, const double* residual, double* correction);
+  void put_pressure(const Patch& patch, const double* force, std::vector<double>& pressure);
   void add_influence(const double* force, double* displacement);
   static void keep_answer(Group& group, std::vector<double> forces,
                           std::vector<double> displacements);
@@ -132,6 +139,7 @@ private:
   std::vector<double> direction_;
   std::vector<double> response_;
   std::vector<double> gained_; ///< forces that the iteration has added to its start
+  std::vector<double> in_box_; ///< of one patch
   std::vector<std::vector<double>> full_pressure_;
   std::vector<std::vector<double>> full_displacement_;
 };

@@ -56,14 +56,11 @@ void CoupledInfluence::add(std::span<const std::vector<double>> pressure,
     Box& box = boxes_[k];
     std::fill(box.values.begin(), box.values.end(), 0.0);
     coupling_.add_others(field_, k, box.values.data());
-    const std::size_t columns = box.elements.columns();
-    for (std::size_t row = 0; row < box.elements.rows(); ++row) {
-      double* to = displacement[k].data() + (box.elements.first_row + row) * box.size.columns +
-                   box.elements.first_column;
-      for (std::size_t column = 0; column < columns; ++column) {
-        to[column] += box.unit * box.values[row * columns + column];
-      }
+    copy_box(box.size, box.elements, displacement[k], sum_);
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+      sum_[i] += box.unit * box.values[i];
     }
+    put_box(box.size, box.elements, sum_, displacement[k]);
   }
 }
 

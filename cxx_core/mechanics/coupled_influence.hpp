@@ -44,6 +44,7 @@ private:
   std::vector<Box> boxes_;
   PatchCoupling coupling_;
   NodeField field_;
+  std::vector<double> sum_; ///< over a box
 };
 
 } // namespace wrc

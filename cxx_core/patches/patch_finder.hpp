@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "patches/constants.hpp"
-#include "patches/contact_patches.hpp"
+#include "patches/contact_patch.hpp"
 #include "patches/locus_samples.hpp"
 #include "patches/penetration_lobes.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "profile/profile_shape.hpp"
-#include "profile/readers.hpp"
+#include "profile/read_options.hpp"
 
 namespace wrc::reading {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "profile/readers.hpp"
+#include "profile/read_options.hpp"
 
 namespace wrc::reading {
 

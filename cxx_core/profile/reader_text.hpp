@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "profile/read_options.hpp"
 #include "profile/reader_lines.hpp"
-#include "profile/readers.hpp"
 
 namespace wrc::reading {
 

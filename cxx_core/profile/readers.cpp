@@ -45,21 +45,6 @@ namespace {
 using reading::Log;
 using reading::RawProfile;
 
-struct Extension {
-  std::string_view name;
-  FileType type;
-};
-
-constexpr std::array<Extension, 8> extensions{
-    {{".prr", {ProfileFormat::simpack, ProfileKind::rail}},
-     {".prw", {ProfileFormat::simpack, ProfileKind::wheel}},
-     {".ban", {ProfileFormat::miniprof, ProfileKind::rail}},
-     {".whl", {ProfileFormat::miniprof, ProfileKind::wheel}},
-     {".slcs", {ProfileFormat::slices, ProfileKind::rail}},
-     {".slcw", {ProfileFormat::slices, ProfileKind::wheel}},
-     {".rail", {ProfileFormat::columns, ProfileKind::rail}},
-     {".wheel", {ProfileFormat::columns, ProfileKind::wheel}}}};
-
 void check_options(const ReadOptions& options) {
   if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
     throw_invalid_argument("scale", *options.scale, "a positive finite number");
@@ -162,13 +147,6 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
 }
 
 } // namespace
-
-FileType type_of(const std::filesystem::path& path) {
-  const std::string name = reading::lower(path.extension().string());
-  const auto* const found = std::find_if(extensions.begin(), extensions.end(),
-                                         [&](const Extension& each) { return each.name == name; });
-  return found == extensions.end() ? FileType{} : found->type;
-}
 
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
                              const ReadOptions& options) {

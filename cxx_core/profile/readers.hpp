@@ -15,38 +15,16 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "profile/file_type.hpp"
 #include "profile/profile.hpp"
+#include "profile/read_options.hpp"
 
 namespace wrc {
-
-enum class ProfileFormat { columns, simpack, miniprof, slices };
-
-/// Where a wheel's file has lateral 0.
-enum class WheelOrigin { by_file, tape, flange_back };
-
-struct ReadOptions {
-  std::optional<ProfileKind> kind; ///< wins over what the file says
-  /// Mirroring on top of what the format defines; if set, replaces the check of the shape.
-  std::optional<bool> mirror_lateral;
-  std::optional<bool> mirror_height;
-  std::optional<double> scale;       ///< mm per unit of the file; if not set, units may be guessed
-  double smoothing_wavelength = 0.0; ///< mm, waves of this length are halved; 0 = no smoothing
-  /// mm; points closer to the one before are dropped, since the rounding of their digits would
-  /// dominate the curvature.
-  double least_point_distance = 0.01;
-  bool strict = false; ///< corrections that are guesses, and warnings, are errors
-  /// Of a wheel; `tape` leaves lateral and heights as they are.
-  WheelOrigin origin = WheelOrigin::by_file;
-  std::optional<double> tape_offset;   ///< flange back to taping line, mm; else by the file, or 70
-  std::optional<double> lateral_shift; ///< instead of `origin`: to the taping line, mm
-  int slice = 0; ///< of a slices file (.slcs, .slcw): which one, from 1; 0: refused with a list
-};
 
 struct ReadResult {
   Profile profile;
@@ -54,26 +32,6 @@ struct ReadResult {
   std::vector<Position> measured{}; ///< the points before they were smoothed
   std::vector<Position> dropped{};  ///< points that were removed, in the same frame
 };
-
-/// Bounds on what is read.
-struct ReadLimits {
-  static constexpr std::size_t file_bytes = std::size_t{64} << 20;
-  static constexpr std::size_t line_bytes = 4096;
-  static constexpr std::size_t min_points = 5;
-  static constexpr std::size_t max_points = 200000;
-  static constexpr double min_length = 5.0;        ///< mm, total chord length
-  static constexpr double max_length = 500.0;      ///< mm
-  static constexpr double max_coordinate = 1e5;    ///< mm
-  static constexpr double min_tape_offset = 20.0;  ///< mm
-  static constexpr double max_tape_offset = 120.0; ///< mm
-};
-
-/// What a file's extension says.
-struct FileType {
-  ProfileFormat format = ProfileFormat::columns;
-  std::optional<ProfileKind> kind;
-};
-FileType type_of(const std::filesystem::path& path);
 
 /// Reads a profile, of a slices file (slices.hpp) the one of options.slice. Throws Error:
 /// file_unreadable, file_malformed, or invalid_argument for options.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "profile/file_type.hpp"
 #include "profile/plausibility.hpp"
 #include "profile/profile_cleaning.hpp"
 #include "profile/profile_shape.hpp"

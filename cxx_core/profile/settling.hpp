@@ -5,8 +5,8 @@
 /// state.
 #pragma once
 
+#include "profile/read_options.hpp"
 #include "profile/reader_formats.hpp"
-#include "profile/readers.hpp"
 
 namespace wrc::reading {
 

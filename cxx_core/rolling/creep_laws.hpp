@@ -26,7 +26,7 @@
 #pragma once
 
 #include "rolling/kalker_coefficients.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 
 namespace wrc {
 

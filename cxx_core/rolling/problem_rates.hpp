@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_newton.hpp"
 

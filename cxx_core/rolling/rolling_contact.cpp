@@ -8,10 +8,10 @@
 #include "half_space/traction_convolution.hpp"
 #include "rolling/constants.hpp"
 #include "rolling/leading_edge.hpp"
+#include "rolling/normal_displacement.hpp"
 #include "rolling/problem_rates.hpp"
 #include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_newton.hpp"
-#include "rolling/unlike_bodies.hpp"
 
 namespace wrc {
 

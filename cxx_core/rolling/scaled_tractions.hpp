@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "half_space/traction_convolution.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 
 namespace wrc {
 

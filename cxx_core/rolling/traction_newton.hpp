@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "half_space/traction_convolution.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "rolling/traction_loops.hpp"
 #include "rolling/traction_march.hpp"
 

@@ -17,12 +17,6 @@
 
 namespace wrc {
 
-/// What tractions on the whole grid open the gap by, mm per element: K/(pi G) times the integral of
-/// q.(x, y)/r^2.
-std::vector<double> normal_displacement(const RollingProblem& problem,
-                                        std::span<const double> traction_x,
-                                        std::span<const double> traction_y, LinePlans& plans);
-
 struct UnlikeSolution {
   RollingSolution rolling;
   std::vector<double> pressure; ///< MPa per element, of the same sum as those given

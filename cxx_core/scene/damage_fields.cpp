@@ -3,6 +3,8 @@
 #include <array>
 
 #include "scene/patch_fields.hpp"
+#include "wheel/contact_damage.hpp"
+#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
 namespace {
@@ -22,12 +24,12 @@ Values section_field(const WheelDetails& side, const PatchResult& patch, Number&
   return values;
 }
 
-/// A component; those with one y turn on the right, where y is the other way round.
+/// A component, in the track frame.
 template <StressComponent component>
 Values stress_field(const WheelDetails& side, const PatchResult& patch) {
-  const double mirror = component == xy || component == yz ? side.mirror : 1.0;
-  return section_field(side, patch, [mirror](const StressSection& section, std::size_t i) {
-    return mirror * section.stresses[i][component];
+  const RollingFrame frame(side.mirror);
+  return section_field(side, patch, [&frame](const StressSection& section, std::size_t i) {
+    return frame.mirrored(section.stresses[i])[component];
   });
 }
 

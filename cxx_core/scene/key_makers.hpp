@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene_key_table.hpp"
+#include "scene/scene_key.hpp"
 
 namespace wrc::key_makers {
 

@@ -12,30 +12,9 @@
 #include <optional>
 #include <string_view>
 
-namespace wrc {
+#include "scene/number_group.hpp"
 
-/// Names that have a table. Of the scene; of a wheel; of one of its near contacts; of a patch or a
-/// part of it.
-enum class NumberGroup : std::uint8_t {
-  scene,
-  time,
-  wheelset,
-  side,
-  total,
-  rigid_contact,
-  centroid,
-  residuals,
-  sensitivities,
-  at_load,
-  jacobian,
-  side_damage,
-  near_contact,
-  patch,
-  reference, ///< place of a patch
-  patch_centroid,
-  creep,
-  damage
-};
+namespace wrc {
 
 struct NumberId {
   NumberGroup group = NumberGroup::scene;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "scene/solve_scene.hpp"
+#include "scene/scene_result.hpp"
 
 namespace wrc::number_tables {
 

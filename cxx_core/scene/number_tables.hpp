@@ -13,9 +13,10 @@
 
 #include "pressure/contact_area.hpp"
 #include "scene/damage_tables.hpp"
-#include "scene/number_ids.hpp"
+#include "scene/number_group.hpp"
 #include "scene/number_table.hpp"
 #include "scene/rate_tables.hpp"
+#include "scene/scene_warnings.hpp"
 
 namespace wrc::number_tables {
 

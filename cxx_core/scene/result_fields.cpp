@@ -5,6 +5,7 @@
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 #include "wheel/combined_contact.hpp"
+#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
 namespace {
@@ -16,13 +17,13 @@ using Values = std::vector<double>;
 /// Centres of a grid's elements in the track frame, one coordinate.
 template <double Vector3::*coordinate>
 Values places_on(const Grid& grid, const WheelDetails& side, const PatchResult& patch) {
-  const double mirror = coordinate == &Vector3::y ? side.mirror : 1.0;
+  const RollingFrame frame(side.mirror);
   Values values;
   values.reserve(grid.element_count());
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
       const Vector3 place = patch.frame.to_track(grid.longitudinal(column), grid.lateral(row), 0.0);
-      values.push_back(mirror * place.*coordinate);
+      values.push_back(frame.mirrored(place).*coordinate);
     }
   }
   return values;
@@ -39,13 +40,19 @@ Values creep_places(const WheelDetails& side, const PatchResult& patch) {
   return patch.creep ? places_on<coordinate>(patch.creep->grid, side, patch) : Values{};
 }
 
-/// Of the creep grid; empty without creep forces, and of a patch with parts. Some turn on the
-/// right.
-template <Values CreepResult::*field, bool turns = false>
-Values creep_field(const WheelDetails& side, const PatchResult& patch) {
-  Values values = patch.creep ? (*patch.creep).*field : Values{};
+/// Of the creep grid; empty without creep forces, and of a patch with parts.
+template <Values CreepResult::*field>
+Values creep_field(const WheelDetails& /*side*/, const PatchResult& patch) {
+  return patch.creep ? (*patch.creep).*field : Values{};
+}
+
+/// A component along y, in the track frame.
+template <Values CreepResult::*field>
+Values lateral_creep_field(const WheelDetails& side, const PatchResult& patch) {
+  const RollingFrame frame(side.mirror);
+  Values values = creep_field<field>(side, patch);
   for (double& value : values) {
-    value *= turns ? side.mirror : 1.0;
+    value = frame.mirrored_lateral(value);
   }
   return values;
 }
@@ -105,9 +112,9 @@ constexpr std::array patch_fields{
     PatchField{"pressure", stress, pressure},
     PatchField{"displacement", length, displacement},
     PatchField{"traction_x", stress, creep_field<&CreepResult::traction_x>},
-    PatchField{"traction_y", turning_stress, creep_field<&CreepResult::traction_y, true>},
+    PatchField{"traction_y", turning_stress, lateral_creep_field<&CreepResult::traction_y>},
     PatchField{"slip_x", pure, creep_field<&CreepResult::slip_x>},
-    PatchField{"slip_y", turning, creep_field<&CreepResult::slip_y, true>},
+    PatchField{"slip_y", turning, lateral_creep_field<&CreepResult::slip_y>},
     PatchField{"creep_pressure", stress, creep_field<&CreepResult::pressure>},
     PatchField{"creep_x", length, creep_places<&Vector3::x>},
     PatchField{"creep_y", turning_length, creep_places<&Vector3::y>},
@@ -123,9 +130,10 @@ struct Outline {
 constexpr std::array outlines{
     Outline{"rail_y",
             [](const WheelResult& side) {
-              const double mirror = side.details.mirror;
-              return rail_outline(
-                  side, [mirror](const CurvePoint& point) { return mirror * point.lateral; });
+              const RollingFrame frame(side.details.mirror);
+              return rail_outline(side, [&frame](const CurvePoint& point) {
+                return frame.mirrored_lateral(point.lateral);
+              });
             }},
     Outline{"rail_z",
             [](const WheelResult& side) {
@@ -133,9 +141,9 @@ constexpr std::array outlines{
             }},
     Outline{"wheel_y",
             [](const WheelResult& side) {
-              const double mirror = side.details.mirror;
-              return wheel_outline(side,
-                                   [mirror](const Vector3& place) { return mirror * place.y; });
+              const RollingFrame frame(side.details.mirror);
+              return wheel_outline(
+                  side, [&frame](const Vector3& place) { return frame.mirrored(place).y; });
             }},
     Outline{"wheel_z",
             [](const WheelResult& side) {

@@ -7,6 +7,7 @@
 #include "scene/number_ids.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
+#include "wheel/force_jacobian.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "scene/key_makers.hpp"
+#include "scene/scene_key_table.hpp"
 
 namespace wrc {
 namespace {

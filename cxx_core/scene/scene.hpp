@@ -17,8 +17,8 @@
 #include "profile/profile.hpp"
 #include "profile/readers.hpp"
 #include "scene/convention.hpp"
-#include "wheel/contact_damage.hpp"
-#include "wheel/creep_forces.hpp"
+#include "wheel/creep_request.hpp"
+#include "wheel/damage_result.hpp"
 #include "wheel/wheel_request.hpp"
 
 namespace wrc {

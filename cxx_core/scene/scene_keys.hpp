@@ -6,29 +6,15 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
-#include <variant>
-#include <vector>
 
 #include "scene/scene.hpp"
+#include "scene/scene_key.hpp"
 
 namespace wrc {
 
-/// What users are told about a key.
-struct KeyDescription {
-  std::string_view name;          ///< for example "track.gauge"
-  std::string_view default_value; ///< as it stands in a scene file
-  std::string_view allowed;       ///< permitted values, with the unit
-  std::string_view meaning;
-};
-
 /// All keys, in the order of a scene file.
 std::span<const KeyDescription> scene_keys();
-
-/// A value of a key: none if it is not set, or if it has no single value (load.vertical with
-/// different loads on the two wheels).
-using KeyValue = std::variant<std::monostate, double, std::string, std::vector<double>>;
 
 /// Value of a key, in the scene's convention. Throws Error(unknown_name).
 KeyValue key_value(const Scene& scene, std::string_view key);

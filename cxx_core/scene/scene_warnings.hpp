@@ -1,37 +1,18 @@
-/// Warnings of the profiles that a scene is solved with.
+/// All warnings of a result: those of the profiles, and of both wheels.
 ///
-/// They are kept with the profiles, and a result refers to them: texts are put together when they
-/// are read. Thread rule: a plain value.
+/// Thread rule: pure functions.
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "base/warning.hpp"
-#include "profile/profile.hpp"
-#include "scene/scene.hpp"
+#include "scene/scene_result.hpp"
 
 namespace wrc {
 
-class ProfileWarnings {
-public:
-  struct Entry {
-    ProfileKind kind = ProfileKind::wheel;
-    SideChoice side = SideChoice::both; ///< that uses it
-    std::string name;                   ///< of the profile, or its file
-    std::shared_ptr<const Warnings> warnings;
-  };
-
-  /// A profile of both sides is one entry.
-  void add(Entry entry);
-  [[nodiscard]] std::size_t count() const;
-  /// Appends them, each with what it is of: "wheel profile worn.prw: ", "left rail profile x: ".
-  void append_to(Warnings& all) const;
-
-private:
-  std::vector<Entry> entries_;
-};
-
+/// How many warnings there are: of profiles and both wheels.
+std::size_t warning_count(const SceneResult& result);
+/// All of them, those of profiles first, then those of the left and the right wheel; each begins
+/// with what it is of: "wheel profile worn.prw: ", "left: ".
+Warnings all_warnings(const SceneResult& result);
 } // namespace wrc

@@ -8,6 +8,8 @@
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
+#include "wheel/contact_damage.hpp"
+#include "wheel/creep_forces.hpp"
 #include "wheel/free_pitch.hpp"
 #include "wheel/total_force.hpp"
 #include "wheel/wheel_state.hpp"

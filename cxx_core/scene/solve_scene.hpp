@@ -17,38 +17,10 @@
 
 #include "scene/number_ids.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_result.hpp"
 #include "scene/scene_warnings.hpp"
-#include "wheel/wheel_result.hpp"
 
 namespace wrc {
-
-/// Milliseconds by stage; a stage's threads are added up, the total is wall time.
-struct StageMilliseconds {
-  double profile = 0.0;
-  double setup = 0.0;
-  double geometry = 0.0;
-  double remesh = 0.0;
-  double mechanics = 0.0;
-  double rolling = 0.0; ///< creep forces
-  double damage = 0.0;  ///< stresses, wear and fatigue, if requested
-  double total = 0.0;
-};
-
-struct SceneResult {
-  double roll = 0.0;
-  double vertical = 0.0; ///< height of the wheelset's centre at the first touch
-  std::optional<double> rolling_radius_difference; ///< left - right; with both sides
-  std::optional<double> pitch;     ///< rate of the axle, rad/s; with a motion and creep forces
-  bool pitch_is_ambiguous = false; ///< friction falls: another rate holds the torque, too
-  bool pitch_is_saturated = false; ///< friction cannot hold the torque of a free pitch rate
-  std::string model;
-  SolverChoice solver = SolverChoice::standard;
-  std::optional<WheelResult> left;
-  std::optional<WheelResult> right;
-  StageMilliseconds time;
-  std::vector<std::string> corrections; ///< made to profiles read from files
-  ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
-};
 
 /// A scene by itself: a pure function.
 SceneResult solve_scene(const Scene& scene);
@@ -91,11 +63,6 @@ std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention = {});
 /// "N mm/s", "N m/s"; "1" of what has none.
 std::string number_unit(const NumberId& id, Units units);
-/// How many warnings there are: of profiles and both wheels.
-std::size_t warning_count(const SceneResult& result);
-/// All of them, those of profiles first, then those of the left and the right wheel; each begins
-/// with what it is of: "wheel profile worn.prw: ", "left: ".
-Warnings all_warnings(const SceneResult& result);
 /// All texts by name ("model", "warnings.0", "left.warnings.0", ...).
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,
                                                              const Convention& convention = {});

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "scene/profile_warnings.hpp"
 #include "scene/scene.hpp"
-#include "scene/scene_warnings.hpp"
 
 namespace wrc {
 

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
+#include "scene/patch_summary.hpp"
 #include "scene/scene_keys.hpp"
 #include "wheel/force_jacobian.hpp"
 
@@ -54,54 +55,6 @@ WheelForces forces_of(WheelResult& wheel, const Convention& convention, bool der
   return result;
 }
 
-PatchSummary summary_of(const PatchResult& patch, const Convention& convention, bool right) {
-  const auto told = [&convention](double value, const Dimension& dimension) {
-    return to_caller(value, convention, dimension);
-  };
-  const CreepResult creep = patch.creep ? *patch.creep : CreepResult{};
-  const double side = right ? -1.0 : 1.0;
-  PatchSummary summary;
-  summary.wheel = right ? 1.0 : 0.0;
-  summary.x = told(patch.reference.x, length);
-  summary.y = told(patch.reference.y, turning_length);
-  summary.z = told(patch.reference.z, turning_length);
-  summary.normal_x = told(patch.frame.normal.x, pure);
-  summary.normal_y = told(side * patch.frame.normal.y, turning_force);
-  summary.normal_z = told(patch.frame.normal.z, turning_force);
-  summary.contact_angle = told(patch.angle, pure);
-  summary.rolling_radius = told(patch.reference.rolling_radius, length);
-  summary.s_wheel = told(patch.reference.s_wheel, length);
-  summary.normal_force = norm(patch.force);
-  summary.longitudinal_creep_force = told(creep.longitudinal_force, force);
-  summary.lateral_creep_force = told(creep.lateral_force, turning_force);
-  summary.spin_moment = told(creep.spin_moment, turning_moment);
-  summary.longitudinal_creepage = told(creep.creepages.longitudinal, pure);
-  summary.lateral_creepage = told(creep.creepages.lateral, turning);
-  summary.spin_creepage = told(creep.creepages.spin, turning_curvature);
-  summary.longitudinal_semi_axis = told(patch.semi_axis_longitudinal, length);
-  summary.lateral_semi_axis = told(patch.semi_axis_lateral, length);
-  summary.approach = told(patch.approach, length);
-  summary.largest_pressure = told(patch.pmax, stress);
-  summary.friction_power = told(creep.friction_power, moment);
-  summary.pmax = summary.largest_pressure;
-  summary.semi_axes_longitudinal = summary.longitudinal_semi_axis;
-  summary.semi_axes_lateral = summary.lateral_semi_axis;
-  summary.creep_force_longitudinal = summary.longitudinal_creep_force;
-  summary.creep_force_lateral = summary.lateral_creep_force;
-  summary.creepage_longitudinal = summary.longitudinal_creepage;
-  summary.creepage_lateral = summary.lateral_creepage;
-  summary.creepage_spin = summary.spin_creepage;
-  summary.angle = summary.contact_angle;
-  summary.longitudinal_force = told(patch.total_force.x, force);
-  summary.lateral_force = told(patch.total_force.y, turning_force);
-  summary.vertical_force = told(patch.total_force.z, turning_force);
-  summary.pressure_force_x = told(patch.force.x, force);
-  summary.pressure_force_y = told(patch.force.y, turning_force);
-  summary.pressure_force_z = told(patch.force.z, turning_force);
-  summary.coupling_weight = patch.coupling_weight;
-  return summary;
-}
-
 } // namespace
 
 Scene scene_at(const Scene& scene, const VehicleState& state) {
@@ -147,40 +100,6 @@ std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& c
     forces[1] = forces_of(*result.right, convention, derivatives);
   }
   return forces;
-}
-
-namespace {
-
-struct FoundPatch {
-  const WheelResult* wheel;
-  const PatchResult* patch;
-};
-
-/// In the order of patch_summaries.
-std::vector<FoundPatch> ordered_patches(const SceneResult& result) {
-  std::vector<FoundPatch> found;
-  for (const std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
-    const auto first = static_cast<std::ptrdiff_t>(found.size());
-    if (*wheel) {
-      for (const PatchResult& patch : (*wheel)->patches) {
-        found.push_back({&**wheel, &patch});
-      }
-    }
-    std::sort(found.begin() + first, found.end(), [](const auto& one, const auto& other) {
-      return one.patch->reference.s_wheel < other.patch->reference.s_wheel;
-    });
-  }
-  return found;
-}
-
-} // namespace
-
-std::vector<PatchSummary> patch_summaries(const SceneResult& result, const Convention& convention) {
-  std::vector<PatchSummary> summaries;
-  for (const FoundPatch& found : ordered_patches(result)) {
-    summaries.push_back(summary_of(*found.patch, convention, found.wheel->details.mirror < 0.0));
-  }
-  return summaries;
 }
 
 PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t index,

@@ -4,10 +4,13 @@
 /// Thread rule: pure functions.
 #pragma once
 
-#include "wheel/creep_forces.hpp"
 #include "wheel/creep_grid.hpp"
+#include "wheel/creep_request.hpp"
 
 namespace wrc {
+
+struct PatchResult;
+struct WheelResult;
 
 /// Whether tractions are found on the pressures of patches, on grids of their own.
 bool on_own_pressures(const CreepRequest& request);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_elements.hpp"
+#include "wheel/creep_of_unlike_bodies.hpp"
 #include "wheel/creep_on_patch.hpp"
 #include "wheel/creep_rates.hpp"
 #include "wheel/least_friction.hpp"
@@ -17,10 +19,6 @@
 
 namespace wrc {
 namespace {
-
-Creepages mirrored(const Creepages& creepages, double mirror) {
-  return {creepages.longitudinal, mirror * creepages.lateral, mirror * creepages.spin};
-}
 
 /// The Hertzian ellipse with the second moments of pressures, and its centre from the reference.
 struct EllipseInPlane {
@@ -44,8 +42,7 @@ CreepForces forces_on_ellipse(const EllipseInPlane& contact, const PatchMotion& 
       request.material.modulus,       request.material.poisson};
   const double x = contact.x;
   const double y = contact.y;
-  const Creepages forwards = creepages_at(motion.creepages, x, y);
-  const Creepages centre = motion.backwards ? turned(forwards) : forwards;
+  const Creepages centre = motion.frame.turned(creepages_at(motion.creepages, x, y));
   const KalkerCoefficients coefficients = kalker_coefficients(ellipse);
   CreepForces forces;
   if (request.model == CreepModel::linear) {
@@ -61,10 +58,7 @@ CreepForces forces_on_ellipse(const EllipseInPlane& contact, const PatchMotion& 
     creep.slip_area = fastsim.slip_area;
     creep.adhesion_area = fastsim.adhesion_area;
   }
-  if (motion.backwards) {
-    forces.longitudinal = -forces.longitudinal;
-    forces.lateral = -forces.lateral;
-  }
+  forces = motion.frame.turned(forces);
   forces.spin_moment += x * forces.lateral - y * forces.longitudinal;
   return forces;
 }
@@ -98,9 +92,8 @@ CreepForces solve_on_ellipse(const PatchResult& patch, const PatchMotion& motion
 /// `motion`: at the patch's origin.
 CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
   const auto& [wheel, patch, motion, request, rates] = task;
-  const double mirror = wheel.details.mirror;
   CreepResult creep;
-  creep.creepages = mirrored(motion.creepages, mirror);
+  creep.creepages = motion.frame.mirrored(motion.creepages);
   creep.friction = motion.friction;
   creep.slip_speed = motion.slip_speed;
   if (motion.twist) {
@@ -111,8 +104,10 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
   }
   const LeastFriction least(motion, request.model);
   const PatchMotion& solved = least.motion();
-  CreepForces forces = on_own_pressures(request)
-                           ? forces_on_patch({wheel, patch, solved, request, rates}, solver, creep)
+  const PatchTask solved_task{wheel, patch, solved, request, rates};
+  CreepForces forces = unlike_bodies(request) ? forces_of_unlike_bodies(solved_task, solver, creep)
+                       : on_own_pressures(request)
+                           ? forces_on_patch(solved_task, solver, creep)
                            : solve_on_ellipse(patch, solved, request, rates, creep);
   if (request.derivatives) {
     const bool by_friction = request.model != CreepModel::linear;
@@ -121,14 +116,15 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
   }
   least.take_back(forces, creep);
   if (request.derivatives) {
-    mirror_derivatives(*creep.derivatives, mirror);
+    creep.derivatives = motion.frame.mirrored(std::move(*creep.derivatives));
     if (rates != nullptr && patch.slip) {
       creep.derivatives->slip_by_position = slip_rates(wheel, patch, *rates, request.slip);
     }
   }
-  creep.longitudinal_force = forces.longitudinal;
-  creep.lateral_force = mirror * forces.lateral;
-  creep.spin_moment = mirror * forces.spin_moment;
+  const CreepForces in_track = motion.frame.mirrored(forces);
+  creep.longitudinal_force = in_track.longitudinal;
+  creep.lateral_force = in_track.lateral;
+  creep.spin_moment = in_track.spin_moment;
   creep.power_per_speed +=
       creep.power_of_pressures -
       (creep.longitudinal_force * creep.creepages.longitudinal +
@@ -199,13 +195,12 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
   if (!request.element_share) {
     request.element_share = share_of_elements(wheel, request);
   }
-  const double mirror = wheel.details.mirror;
   const PatchMotion motion = motion_of(patch, patch, wheel, request);
   if (patch.parts.empty()) {
     return solve_patch({wheel, patch, motion, request, rates}, solver);
   }
   CreepResult whole;
-  whole.creepages = mirrored(motion.creepages, mirror);
+  whole.creepages = motion.frame.mirrored(motion.creepages);
   whole.slip_speed = motion.slip_speed;
   if (motion.twist) {
     whole.slip_variation = patch.slip->variation(*motion.twist, motion.creepages);
@@ -219,7 +214,7 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
                                        solver));
     const double weight = part.normal_force / patch.normal_force;
     const double along = dot(apart, patch.frame.longitudinal);
-    const double across = mirror * dot(apart, patch.frame.lateral);
+    const double across = motion.frame.mirrored_lateral(dot(apart, patch.frame.lateral));
     add_part(whole, creep, weight, along, across);
     const Creepages at_whole = creepages_at(creep.creepages, -along, -across);
     mean.longitudinal += weight * at_whole.longitudinal;

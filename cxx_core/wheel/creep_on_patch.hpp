@@ -10,26 +10,13 @@
 #include <cstddef>
 
 #include "rolling/creep_laws.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "wheel/constants.hpp"
+#include "wheel/creep_problem.hpp"
 #include "wheel/patch_motion.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {
-
-/// A patch with what it is solved for.
-struct PatchTask {
-  const WheelResult& wheel;
-  const PatchResult& patch;
-  const PatchMotion& motion;
-  const CreepRequest& request;
-  const PatchRates* rates; ///< none where they are not known
-};
-
-/// Rolling backwards is rolling forwards seen from the other side: turned by half a turn about the
-/// normal.
-inline Creepages turned(const Creepages& creepages) {
-  return {-creepages.longitudinal, -creepages.lateral, creepages.spin};
-}
 
 /// Fills in what `creep` has of grid, fields, areas, derivatives, error and power.
 CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep);

@@ -151,16 +151,6 @@ void complete(CreepDerivatives& derivatives, const CreepForces& forces, const Cr
   }
 }
 
-void mirror_derivatives(CreepDerivatives& derivatives, double mirror) {
-  for (const std::size_t turning : {1U, 2U, 3U, 6U}) {
-    derivatives.by_creepage[turning] *= mirror;
-  }
-  for (const std::size_t turning : {1U, 2U}) {
-    derivatives.by_load[turning] *= mirror;
-    derivatives.by_friction[turning] *= mirror;
-  }
-}
-
 void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, double weight,
                      double longitudinal, double lateral) {
   const std::array<std::array<double, 3>, 3> transfer{

@@ -15,7 +15,7 @@
 
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "wheel/kinematics.hpp"
 #include "wheel/rigid_slip.hpp"
 #include "wheel/sensitivities.hpp"
@@ -82,8 +82,6 @@ ForcesByPosition differences_of(const std::array<PatchMove, position_count>& mov
 /// Those by load and friction, from those by creepages (CreepDerivatives).
 void complete(CreepDerivatives& derivatives, const CreepForces& forces, const Creepages& at,
               double friction, double normal_force);
-/// Into the left-hand frame of a side (`mirror` -1 on the right), or back; not those by positions.
-void mirror_derivatives(CreepDerivatives& derivatives, double mirror);
 /// Adds those of a part at a place of the plane, whose creepages there follow from those at the
 /// origin: c' = T c, and forces about it are T^t of the part's; not those by positions.
 void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, double weight,

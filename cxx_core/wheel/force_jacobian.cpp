@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "remesh/gap_rates.hpp"
-#include "wheel/creep_rates.hpp"
+#include "wheel/rolling_frame.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {
@@ -86,10 +86,8 @@ std::array<std::array<RatedByState, twist_count>, 3> rated_geometry(const PatchR
 CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
                           const MovingFrame& frame,
                           const std::array<std::array<RatedByState, twist_count>, 3>& geometry) {
-  const double mirror = details.mirror;
-  std::array<RatedByState, 3> creepages{creep.creepages.longitudinal,
-                                        mirror * creep.creepages.lateral,
-                                        mirror * creep.creepages.spin};
+  const Creepages constant = RollingFrame(details.mirror).mirrored(creep.creepages);
+  std::array<RatedByState, 3> creepages{constant.longitudinal, constant.lateral, constant.spin};
   RatedByState slip_speed = creep.slip_speed;
   RatedByState normal_velocity;
   if (details.motion) {
@@ -110,13 +108,14 @@ CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
 
 /// Of a patch's longitudinal and lateral creep force, its spin moment and the force along the
 /// normal beyond them, left-hand frame.
-std::array<RatedByState, 4> rated_creep_forces(const CreepResult& creep, double mirror,
+std::array<RatedByState, 4> rated_creep_forces(const CreepResult& creep, const RollingFrame& side,
                                                const PatchRates& rates, const CreepState& state) {
-  const std::array<double, 4> forces{creep.longitudinal_force, mirror * creep.lateral_force,
-                                     mirror * creep.spin_moment, creep.beyond_creepages[2]};
+  const CreepForces fitted =
+      side.mirrored(CreepForces{creep.longitudinal_force, creep.lateral_force, creep.spin_moment});
+  const std::array<double, 4> forces{fitted.longitudinal, fitted.lateral, fitted.spin_moment,
+                                     creep.beyond_creepages[2]};
   const auto by_position_of_load = by_position(rates.normal_force);
-  CreepDerivatives derivatives = *creep.derivatives;
-  mirror_derivatives(derivatives, mirror);
+  const CreepDerivatives derivatives = side.mirrored(*creep.derivatives);
   std::array<RatedByState, 4> rated;
   for (std::size_t row = 0; row < forces.size(); ++row) {
     const bool beyond = row == 3;
@@ -165,20 +164,9 @@ void add_normal_forces(ForceJacobian& jacobian, const ForceRates& rates) {
   add(jacobian, force, moment);
 }
 
-/// From the left-hand frame of a right side to the track frame, or back.
-void mirror_rows_and_columns(ForceJacobian& jacobian) {
-  constexpr std::array<double, 6> rows{1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
-  constexpr std::array<double, state_count> columns{-1.0, 1.0, -1.0, -1.0, 1.0,
-                                                    -1.0, 1.0, -1.0, 1.0,  -1.0};
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      jacobian[row][i] *= rows[row] * columns[i];
-    }
-  }
-}
-
 ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates) {
   const WheelDetails& details = wheel.details;
+  const RollingFrame side(details.mirror);
   const Vector3 centre{0.0, details.pose.lateral, wheel.vertical - wheel.depth};
   ForceJacobian jacobian{};
   const std::vector<const PatchResult*> patches = solved_patches(wheel);
@@ -194,7 +182,7 @@ ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates
     const MovingFrame frame = moving_frame(patch, rates.patches[k], centre, details.pose);
     const auto geometry = rated_geometry(patch);
     const std::array<RatedByState, 4> forces =
-        rated_creep_forces(*patch.creep, details.mirror, rates.patches[k],
+        rated_creep_forces(*patch.creep, side, rates.patches[k],
                            creep_state_of(*patch.creep, details, frame, geometry));
     const auto along = [&](std::size_t i) {
       return forces[0] * geometry[0][i] + forces[1] * geometry[1][i] + forces[2] * geometry[2][i] +
@@ -207,10 +195,7 @@ ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates
     const Vector force = in_frame(0);
     add(jacobian, force, cross(frame.place - frame.centre, force) + in_frame(3));
   }
-  if (details.mirror < 0.0) {
-    mirror_rows_and_columns(jacobian);
-  }
-  return jacobian;
+  return side.mirrored(jacobian);
 }
 
 } // namespace

@@ -17,16 +17,11 @@
 /// tangential forces of a pitch rate that is sought change in it.
 #pragma once
 
-#include <array>
-
 #include "wheel/kinematics.hpp"
 
 namespace wrc {
 
 struct WheelResult;
-
-/// Rows Fx, Fy, Fz, Mx, My, Mz; columns as StateVariable.
-using ForceJacobian = std::array<std::array<double, state_count>, 6>;
 
 /// Computed once. None without contact, of an approximate model of normal contact, and where there
 /// are creep forces without their derivatives (CreepRequest). Creepages that are given stay.

@@ -6,6 +6,8 @@
 #include "base/root_bracket.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/creep_elements.hpp"
+#include "wheel/creep_forces.hpp"
+#include "wheel/rolling_frame.hpp"
 #include "wheel/total_force.hpp"
 
 namespace wrc {
@@ -14,8 +16,8 @@ namespace {
 /// The axle in the track frame.
 Vector3 axle_of(const WheelResult& wheel) {
   const WheelDetails& details = wheel.details;
-  const Vector3 left_hand = Rotation(details.pose).to_track({0.0, 1.0, 0.0});
-  return {details.mirror * left_hand.x, left_hand.y, details.mirror * left_hand.z};
+  return RollingFrame(details.mirror)
+      .mirrored_moment(Rotation(details.pose).to_track({0.0, 1.0, 0.0}));
 }
 
 class PitchSearch {

@@ -12,6 +12,8 @@
 
 #include <span>
 
+#include "rolling/rolling_contact.hpp"
+#include "wheel/creep_request.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc {

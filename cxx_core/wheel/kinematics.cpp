@@ -6,15 +6,6 @@
 
 namespace wrc {
 
-Motion mirrored(const Motion& motion) {
-  Motion other = motion;
-  other.lateral = -motion.lateral;
-  other.roll = -motion.roll;
-  other.yaw = -motion.yaw;
-  other.curvature = -motion.curvature;
-  return other;
-}
-
 namespace {
 
 /// The formulas of the header for plain numbers or numbers with rates.

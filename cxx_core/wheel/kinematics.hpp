@@ -30,7 +30,7 @@
 #include "geometry/frames.hpp"
 #include "geometry/rail_surface.hpp"
 #include "patches/contact_frame.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 
 namespace wrc {
 
@@ -45,9 +45,6 @@ struct Motion {
   double yaw = 0.0;       ///< rad/s
   double curvature = 0.0; ///< kappa, 1/mm
 };
-
-/// The motion seen in the mirror y -> -y.
-Motion mirrored(const Motion& motion);
 
 /// A wheelset that moves: what is the same for all patches of a wheel.
 struct WheelsetMotion {
@@ -96,6 +93,9 @@ constexpr std::size_t position_count = 4; // not a tuning constant
 constexpr std::size_t state_count = 10;   // not a tuning constant
 /// A number with its derivatives by all of them.
 using RatedByState = WithRates<state_count>;
+/// Of all contact forces of a wheel (wheel/force_jacobian.hpp): rows Fx, Fy, Fz, Mx, My, Mz;
+/// columns as StateVariable.
+using ForceJacobian = std::array<std::array<double, state_count>, 6>;
 
 /// A patch's frame and its place on the wheel, with their derivatives by the positions.
 struct MovingFrame {

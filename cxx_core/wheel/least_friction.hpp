@@ -8,7 +8,7 @@
 
 #include "rolling/creep_laws.hpp"
 #include "wheel/constants.hpp"
-#include "wheel/creep_forces.hpp"
+#include "wheel/creep_request.hpp"
 #include "wheel/patch_motion.hpp"
 
 namespace wrc {

@@ -43,13 +43,13 @@ Creepages creepages_at(const Creepages& reference, double longitudinal, double l
 }
 
 WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& request) {
-  const bool left = wheel.details.mirror > 0.0;
+  const RollingFrame frame(wheel.details.mirror);
   const RailSurface& rail = *wheel.details.rail;
-  return {left ? *request.motion : mirrored(*request.motion),
+  return {frame.mirrored(*request.motion),
           wheel.details.pose,
           wheel.vertical - wheel.depth,
           request.nominal_radius,
-          left ? request.rail_velocity : mirrored(request.rail_velocity),
+          frame.mirrored(request.rail_velocity),
           rail.origin_y(),
           rail.origin_z()};
 }
@@ -86,21 +86,21 @@ void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {
 
 PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const WheelResult& wheel,
                       const CreepRequest& request) {
+  const double mirror = wheel.details.mirror;
   PatchMotion motion;
   if (request.motion) {
     const RigidSlip slip = rigid_slip(*wheel.details.motion, patch.frame, patch.approach);
-    motion = {slip.creepages, slip.reference_speed < 0.0, slip.slip_speed};
+    motion = {slip.creepages, RollingFrame(mirror, slip.reference_speed < 0.0), slip.slip_speed};
     if (patch.slip) {
       motion.creepages = patch.slip->creepages(slip.twist);
       motion.twist = slip.twist;
     }
   } else {
     const Vector3 apart = patch.frame.origin - whole.frame.origin;
-    const Creepages& given = request.creepages;
-    const double mirror = wheel.details.mirror;
-    motion = {creepages_at({given.longitudinal, mirror * given.lateral, mirror * given.spin},
-                           dot(apart, whole.frame.longitudinal), dot(apart, whole.frame.lateral)),
-              false, request.speed};
+    const RollingFrame frame(mirror);
+    motion = {creepages_at(frame.mirrored(request.creepages), dot(apart, whole.frame.longitudinal),
+                           dot(apart, whole.frame.lateral)),
+              frame, request.speed};
   }
   motion.friction = friction_of(
       request.friction, patch.reference.s_wheel,

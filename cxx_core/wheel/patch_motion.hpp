@@ -9,16 +9,21 @@
 #include <optional>
 #include <span>
 
-#include "wheel/creep_forces.hpp"
 #include "wheel/creep_rates.hpp"
+#include "wheel/creep_request.hpp"
 #include "wheel/rigid_slip.hpp"
+#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
+
+struct PatchRates;
+struct PatchResult;
+struct WheelResult;
 
 /// Of a patch, or of patches of one plane together.
 struct PatchMotion {
   Creepages creepages; ///< at the plane's origin
-  bool backwards = false;
+  RollingFrame frame;
   double slip_speed = 0.0; ///< of a creepage of 1, mm/s
   double friction = 0.0;   ///< coefficient
   /// If slip varies within the patch as the wheelset moves.

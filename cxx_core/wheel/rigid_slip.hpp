@@ -31,7 +31,7 @@
 
 #include "base/grid.hpp"
 #include "remesh/surface_rays.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_problem.hpp"
 #include "wheel/kinematics.hpp"
 
 namespace wrc {

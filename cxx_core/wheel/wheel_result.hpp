@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "remesh/plane_rates.hpp"
-#include "wheel/contact_damage.hpp"
-#include "wheel/creep_forces.hpp"
-#include "wheel/force_jacobian.hpp"
+#include "wheel/creep_result.hpp"
+#include "wheel/damage_result.hpp"
+#include "wheel/friction.hpp"
+#include "wheel/kinematics.hpp"
 #include "wheel/rigid_slip.hpp"
 #include "wheel/sensitivities.hpp"
 #include "wheel/wheel_solution.hpp"

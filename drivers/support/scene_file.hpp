@@ -2,22 +2,14 @@
 /// library (wrc_scene_key).
 #pragma once
 
-#include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "support/numbers.hpp"
 #include "support/scene.hpp"
+#include "support/values.hpp"
 
 namespace driver {
-
-/// A value that stands for itself, without quotes: a word or a number, as the key needs it.
-struct Bare {
-  std::string text;
-};
-using Value = std::variant<double, std::string, std::vector<double>, Bare>;
-using Values = std::map<std::string, Value>;
 
 /// Shortest text that reads back as the same value; texts as they are.
 std::string text_of(const Value& value);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "support/input_file.hpp"
+#include "support/scene.hpp"
 
 namespace driver {
 namespace {

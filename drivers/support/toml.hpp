@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/scene_file.hpp"
+#include "support/values.hpp"
 
 // toml++ is a well-kept library whose headers do not follow our warning levels.
 #pragma GCC diagnostic push

@@ -191,6 +191,17 @@ TEST(Patches, HaveTheNamesOfResults) {
   const auto of = [&](const std::string& name) {
     return number_of(scene.get(), ("left.patches.0." + name).c_str());
   };
+  EXPECT_EQ(patch.wheel, 0.0);
+  EXPECT_EQ(patches[1].wheel, 1.0);
+  EXPECT_EQ(patch.x, of("x"));
+  EXPECT_EQ(patch.y, of("y"));
+  EXPECT_EQ(patch.z, of("z"));
+  EXPECT_EQ(patch.rolling_radius, of("rolling_radius"));
+  EXPECT_EQ(patch.s_wheel, of("s_wheel"));
+  EXPECT_EQ(patch.normal_force, of("normal_force"));
+  EXPECT_EQ(patch.spin_moment, of("spin_moment"));
+  EXPECT_EQ(patch.approach, of("approach"));
+  EXPECT_EQ(patch.friction_power, of("friction_power"));
   EXPECT_EQ(patch.pmax, of("pmax"));
   EXPECT_EQ(patch.semi_axes_longitudinal, of("semi_axes.longitudinal"));
   EXPECT_EQ(patch.semi_axes_lateral, of("semi_axes.lateral"));

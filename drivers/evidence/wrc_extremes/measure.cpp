@@ -6,6 +6,7 @@
 
 #include "support/scene.hpp"
 #include "wrc_extremes/dense_solution.hpp"
+#include "wrc_extremes/own_residuals.hpp"
 
 namespace extremes {
 namespace {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/output_file.hpp"
+#include "support/scene_file.hpp"
 #include "support/toml.hpp"
 
 namespace driver {

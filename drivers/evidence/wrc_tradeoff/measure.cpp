@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "support/statistics.hpp"
 #include "support/stopwatch.hpp"
-#include "wrc_tradeoff/reports.hpp"
 
 namespace tradeoff {
 namespace {
@@ -118,7 +118,7 @@ private:
       times.push_back(watch.lap());
       spent += times.back();
     }
-    made.time_ms = median(times);
+    made.time_ms = driver::median(times);
     for (std::size_t side = 0; side < 2; ++side) {
       made.errors[side] = error_of(scene_of(scenes, side), driver::side_names[side], truth_[side]);
       if (way.accuracy > 0.0) {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "evidence/no_slip_samples.hpp"
+#include "support/no_slip_samples.hpp"
 
 namespace wrc::test::kalker_coefficients_test {
 namespace {

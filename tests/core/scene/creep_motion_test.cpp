@@ -10,6 +10,7 @@
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
+#include "wheel/rolling_frame.hpp"
 
 namespace wrc::test::creep_motion_test {
 namespace {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/solve_scene.hpp"
+#include "wheel/force_jacobian.hpp"
 
 namespace wrc::test::number_ids_test {
 namespace {

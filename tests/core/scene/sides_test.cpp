@@ -11,6 +11,7 @@
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/errors.hpp"
+#include "wheel/rolling_frame.hpp"
 
 namespace wrc::test::sides_test {
 namespace {

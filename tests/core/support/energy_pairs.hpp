@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "evidence/random_wheels.hpp"
 #include "profile/profile.hpp"
 #include "scene/solve_scene.hpp"
+#include "support/random_wheels.hpp"
 #include "wheel/total_force.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 

@@ -1,7 +1,7 @@
 /// Jacobians of contact forces against central differences of whole scenes.
 ///
 /// They are those of fixed sets of elements, which follow the contact; how far they are off over
-/// random scenes shows tests/core/evidence/compare_jacobian.
+/// random scenes shows drivers/evidence/core/compare_jacobian.
 #include "wheel/force_jacobian.hpp"
 
 #include <cmath>
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "support/state_differences.hpp"
+#include "wheel/rolling_frame.hpp"
 #include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc::test::force_jacobian_test {

@@ -52,15 +52,6 @@ TEST(Kinematics, CurvesAreTurningOfTheWheelset) {
   EXPECT_NEAR(slip.creepages.spin, 1e-6 / share, 1e-12);
 }
 
-TEST(Kinematics, MirrorImagesMirror) {
-  const Motion motion{.speed = 2e4, .lateral = 5.0, .roll = 0.01, .yaw = 0.02, .curvature = 1e-6};
-  const Motion other = mirrored(motion);
-  EXPECT_EQ(other.lateral, -motion.lateral);
-  EXPECT_EQ(other.yaw, -motion.yaw);
-  EXPECT_EQ(other.speed, motion.speed);
-  EXPECT_EQ(mirrored(other).roll, motion.roll);
-}
-
 // With the velocities, whatever their ratio.
 TEST(Kinematics, CreepagesGoToZeroAtStandstill) {
   for (const double factor : {1.0, 1e-3, 1e-6, 0.0}) {

@@ -26,8 +26,8 @@
 #include <utility>
 #include <vector>
 
-#include "evidence/no_slip_samples.hpp"
 #include "rolling/kalker_coefficients.hpp"
+#include "support/no_slip_samples.hpp"
 
 extern "C" void dgels_(const char* transposed, const int* rows, const int* columns,
                        const int* right_sides, double* matrix, const int* matrix_rows,

@@ -17,7 +17,7 @@
 
 #include "base/error.hpp"
 #include "damage/subsurface_stress.hpp"
-#include "evidence/random_wheels.hpp"
+#include "support/random_wheels.hpp"
 #include "wheel/contact_damage.hpp"
 
 namespace {

@@ -21,8 +21,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "evidence/random_wheels.hpp"
+#include "support/random_wheels.hpp"
 #include "support/state_differences.hpp"
+#include "wheel/force_jacobian.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "wrc_extremes/gap_problem.hpp"
+#include "wrc_extremes/own_residuals.hpp"
 
 #include <algorithm>
 #include <cmath>

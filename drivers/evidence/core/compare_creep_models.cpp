@@ -16,13 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "evidence/creep_cases.hpp"
+#include "core/creep_cases.hpp"
 #include "rolling/fastsim.hpp"
 
 namespace {
 
 using namespace wrc;
-using namespace wrc::test;
+using namespace wrc::evidence;
 
 constexpr double reference_tolerance = 2e-4;
 

@@ -9,9 +9,9 @@
 
 #include "base/stopwatch.hpp"
 #include "damage/subsurface_stress.hpp"
-#include "evidence/random_wheels.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "support/patch_problem.hpp"
+#include "support/random_wheels.hpp"
 
 namespace {
 

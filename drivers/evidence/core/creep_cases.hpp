@@ -12,7 +12,7 @@
 #include "rolling/creep_laws.hpp"
 #include "rolling/rolling_contact.hpp"
 
-namespace wrc::test {
+namespace wrc::evidence {
 
 class CaseDraw {
 public:
@@ -163,4 +163,4 @@ inline CreepCase draw_case(PatchShape shape, CaseDraw& draw) {
   return drawn;
 }
 
-} // namespace wrc::test
+} // namespace wrc::evidence

@@ -1,0 +1,57 @@
+/// Patches of virtual penetration, as patches/contact_patches.hpp finds them.
+///
+/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: plain values.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace wrc {
+
+/// A region of penetration that shares one plane.
+struct ContactPatch {
+  double y_first = 0.0; ///< ends of penetration, track side and ...
+  double y_last = 0.0;  ///< ... field side
+  double x_first = 0.0;
+  double x_last = 0.0;
+  double half_length = 0.0;    ///< largest x_l
+  double deepest = 0.0;        ///< largest vertical penetration
+  double deepest_y = 0.0;      ///< its place in the track frame and ...
+  double deepest_s = 0.0;      ///< ... on the wheel's profile
+  double weight = 1.0;         ///< share of the weight W of all patches of the wheel
+  double angle_unturned = 0.0; ///< of the rail's mean normal in this patch by itself
+  double angle = 0.0;          ///< of its plane, turned towards close neighbours
+  double mean_x = 0.0;         ///< mean place, weighted like the angle
+  double mean_y = 0.0;
+  double mean_s = 0.0;
+  /// Ends of the region that approximates the contact itself, where penetration exceeds 0.45 of the
+  /// deepest (virtual penetration after Kik & Piotrowski), and the rail's angles there.
+  double contact_first = 0.0;
+  double contact_last = 0.0;
+  double angle_first = 0.0;
+  double angle_last = 0.0;
+  /// Limits in y for its potential contact area: the valley or the middle of the gap towards a
+  /// neighbour, infinite on the outside.
+  double limit_first = -std::numeric_limits<double>::infinity();
+  double limit_last = std::numeric_limits<double>::infinity();
+  int lobes = 1; ///< joined in it
+  bool shares_plane_with_previous =
+      false; ///< shares its plane with the patch before: both are one contact
+
+  /// Whether the deepest place of another patch, at another depth, lies in this one.
+  [[nodiscard]] bool holds(const ContactPatch& other) const {
+    return y_first <= other.deepest_y && other.deepest_y <= y_last;
+  }
+};
+
+struct ContactPatches {
+  std::vector<ContactPatch> patches; ///< ordered by y, never empty
+  std::vector<double> links;         ///< coupling weight of each one and the next
+  std::size_t main = 0;              ///< the one that holds the first contact
+
+  /// 0: no interaction; 1: in full.
+  [[nodiscard]] double coupling_weight(std::size_t i, std::size_t j) const;
+};
+
+} // namespace wrc

@@ -1,0 +1,50 @@
+/// What contact does to the steel: what is requested of it, and what is found.
+///
+/// Depths are positive into the body. Units mm, N, MPa. Thread rule: plain values.
+#pragma once
+
+#include <optional>
+
+#include "damage/fatigue.hpp"
+#include "damage/subsurface_stress.hpp"
+#include "damage/wear.hpp"
+
+namespace wrc {
+
+struct DamageRequest {
+  bool stress = false;
+  bool wear = false;
+  bool fatigue = false;
+  bool of_wheel = false;       ///< stresses in the wheel instead of the rail
+  bool section_across = false; ///< the section of stresses lies across the rail, else along it
+  double poisson = 0.3;        ///< of that body
+  double shear_yield = 300.0;  ///< k, MPa
+  WearRequest law{WearLaw::usfd, 6.75e-7, 3000.0, 1.0};
+
+  [[nodiscard]] bool any() const { return stress || wear || fatigue; }
+};
+
+struct WearTotals {
+  double tgamma = 0.0;           ///< -(Fx xi + Fy eta), N
+  double tgamma_with_spin = 0.0; ///< -F.w, N
+  std::optional<double> volume;  ///< per distance rolled, mm^2; needs tractions by element
+  std::optional<double> depth;   ///< greatest across the profile, mm
+};
+
+struct Fatigue {
+  double friction = 0.0;       ///< utilised: tangential over normal force
+  double pressure_ratio = 0.0; ///< p0/k
+  ShakedownLimits limits;
+  double surface_index = 0.0;
+  double rail_damage = 0.0;
+};
+
+/// Of a patch, or the worst of several; amounts of wear are added.
+struct ContactDamage {
+  /// Place in the patch's plane, left-hand frame; the estimate with that of the pressures.
+  std::optional<GreatestStress> stress;
+  std::optional<WearTotals> wear;
+  std::optional<Fatigue> fatigue;
+};
+
+} // namespace wrc
