@@ -26,10 +26,10 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 TEST(ReaderLines, EveryEndOfALineCounts) {
-  const std::vector<std::string> expected{"a", "b c", "", "d"};
-  EXPECT_EQ(lines_of("a\nb c\n\nd"), expected);
-  EXPECT_EQ(lines_of("a\r\n  b c \r\n\r\nd\r\n"), expected);
-  EXPECT_EQ(lines_of("a\rb c\r\rd\r"), expected);
+  const std::vector<std::string> expected{"a", "b c", "", "e"};
+  EXPECT_EQ(lines_of("a\nb c\n\ne"), expected);
+  EXPECT_EQ(lines_of("a\r\n  b c \r\n\r\ne\r\n"), expected);
+  EXPECT_EQ(lines_of("a\rb c\r\re\r"), expected);
 }
 
 TEST(ReaderLines, ControlCharactersAreRefusedWithTheirLine) {
