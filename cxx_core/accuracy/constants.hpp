@@ -1,8 +1,8 @@
 /// Constants of behaviour of this room: elements for a requested accuracy, and the error of a
 /// solution.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -134,7 +134,7 @@ inline constexpr std::size_t strip_refinement = 4;
 inline constexpr std::size_t window_reach = 12;
 
 /// How often they are divided, at most.
-/// origin: reasoned: strips are then shorter by 256, some tenths of a micrometre.
+/// origin: bound: strips are then shorter by 256, some tenths of a micrometre.
 inline constexpr int most_refinements = 4;
 
 /// Strips of a section for each row, at least.

@@ -10,7 +10,7 @@ namespace {
 /// origin: derived: ten times the rounding of positions of 500 mm, as the contact search.
 constexpr double table_tolerance = 1e-12;
 /// Halvings of a piece of 0.5 mm at most; the last is used as it is.
-/// origin: derived: the error falls by 2^6 a halving, and slopes up to 100 stretch pieces so much.
+/// origin: bound: the error falls by 2^6 a halving, and slopes up to 100 stretch pieces so much.
 constexpr int max_halvings = 12;
 
 QuinticValues graph_values(const CurvePoint& point) {

@@ -16,13 +16,13 @@ constexpr double distance_tolerance = 1e-12;
 /// ... and accepts this where rounding allows no better.
 /// origin: reasoned: 1e-9 mm is 1e-8 of the depth under 80 kN, far below any accuracy.
 constexpr double acceptable_distance = 1e-9;
-/// origin: derived: every halving_period-th search halves the bracket of 0.4 rad: 4e-7 rad are left
+/// origin: bound: every halving_period-th search halves the bracket of 0.4 rad: 4e-7 rad are left
 /// after 100 at the worst.
 constexpr int iteration_limit = 100;
 /// Newton's method on the contacts followed ends at this, mm, or after some steps.
 /// origin: derived: a fifth of distance_tolerance, so that the global search confirms it.
 constexpr double followed_tolerance = 2e-13;
-/// origin: reasoned: quadratic convergence takes 3 to 5 steps; more only where contacts change.
+/// origin: bound: quadratic convergence takes 3 to 5 steps; more only where contacts change.
 constexpr int follow_limit = 12;
 /// Every so many global searches the bracket is halved, whatever Newton's method says.
 /// origin: reasoned: usually one or two searches do, which this must not disturb.

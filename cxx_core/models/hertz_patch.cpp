@@ -14,7 +14,7 @@ namespace {
 /// origin: reasoned: enough to see a second lobe within a patch.
 constexpr int compared_places = 4;
 /// The narrowest contact, in half lengths, that is given a width where curvature gives none.
-/// origin: reasoned: keeps Hertz's axis ratio finite; profiles leave it at 0 validity anyway.
+/// origin: bound: keeps Hertz's axis ratio finite; profiles leave it at 0 validity anyway.
 constexpr double min_axis_ratio = 1e-4;
 
 class HertzPatch final : public PatchModel {

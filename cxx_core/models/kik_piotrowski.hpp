@@ -27,7 +27,7 @@
 namespace wrc {
 
 /// Share of the approach by which the bodies are laid over each other.
-/// origin: source: Piotrowski & Kik, Vehicle System Dynamics 46, 2008.
+/// origin: published: Piotrowski & Kik, Vehicle System Dynamics 46, 2008.
 inline constexpr double virtual_penetration_share = 0.55;
 
 /// A strip of the virtual penetration, and what it counts in an integral over y.
