@@ -31,8 +31,8 @@ inline constexpr std::size_t vector_places = 16;
 inline constexpr std::size_t coarsest_elements = 4;
 
 /// Likewise for the search of the greatest stress, which is computed anew where it is found.
-/// origin: reasoned: half of the above; it chooses between places only.
-inline constexpr double depth_of_search_element = 1.5;
+/// origin: derived: half of depth_of_element; it chooses between places only.
+inline constexpr double depth_of_search_element = 0.5 * depth_of_element;
 
 /// Least depth, in element sizes.
 /// origin: bound: the logarithms at the edges of elements are infinite on the surface itself.
@@ -121,11 +121,11 @@ inline constexpr double rail_damage_peak = 65.0;
 inline constexpr double rail_damage_last = 175.0;
 inline constexpr double rail_damage_greatest = 1e-5;
 
-/// Steps of the scan of a line contact's stresses over x/a and z/a, and greatest friction.
-/// origin: reasoned: a smooth field; limits are right to 2e-3, as FatigueTest finds.
+/// Steps of the scan of a line contact's stresses over x/a and z/a, how far it goes to each side
+/// and down, and greatest friction. origin: reasoned: a smooth field; limits are right to 2e-3, as
+/// FatigueTest finds.
 inline constexpr double map_step = 0.025;
-inline constexpr double map_half_width = 1.5;
-inline constexpr double map_depth = 1.5;
+inline constexpr double map_reach = 1.5;
 inline constexpr double map_friction = 2.0;
 
 /// Poisson's ratio of the map's elastic limit.

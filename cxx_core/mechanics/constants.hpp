@@ -83,10 +83,10 @@ inline constexpr double double_drift = 2e-16;
 /// origin: measured: see single_drift.
 inline constexpr double drift_exponent = 1.15;
 
-/// Iterations of the projected CG without a smaller error after which no more is to be had.
-/// origin: bound: longer than any plateau of converging cases, some ten iterations; costs only
-/// those that fail.
-inline constexpr int cg_stagnation_window = 60;
+/// Iterations of the projected CG, and of the stiffness, without a smaller error after which no
+/// more is to be had. origin: bound: longer than any plateau of converging cases, some ten
+/// iterations; costs only those that fail.
+inline constexpr int stagnation_window = 60;
 
 /// By which share the pressures of one box may shrink or grow in an iteration of several. Where
 /// the least energy lies beyond, all go the same part of the way, which keeps the load; where
@@ -106,10 +106,6 @@ inline constexpr double min_joint_step_part = 0.1;
 /// origin: derived: between the squared rounding of single precision, 4e-15, and what would
 /// change a step by 1e-6.
 inline constexpr double joint_step_ridge = 1e-9;
-
-/// Iterations of the stiffness without a smaller error after which no more is to be had.
-/// origin: bound: as cg_stagnation_window.
-inline constexpr int stiffness_stagnation_window = 60;
 
 /// Less is not aimed at: the residual that the iteration carries along would go on falling, the
 /// true one would not.
@@ -138,10 +134,5 @@ inline constexpr double polonsky_keer_start_quantile = 0.2;
 /// Steps of the strips' iteration.
 /// origin: bound: it takes 5 to 30; the limit ends what does not converge.
 inline constexpr int strip_step_limit = 200;
-
-/// Relative change of the ratio of an element's sides by which influence coefficients are
-/// differentiated.
-/// origin: derived: the differences' own error and rounding are both below 1e-6.
-inline constexpr double stiffness_aspect_step = 1e-4;
 
 } // namespace wrc

@@ -190,12 +190,11 @@ ContactStiffness::displacements_of(std::size_t patch_index, std::span<const doub
     return values;
   };
   const std::vector<double> here = displaced(1.0);
-  const std::vector<double> wider = displaced(1.0 + stiffness_aspect_step);
-  const std::vector<double> narrower = displaced(1.0 - stiffness_aspect_step);
+  const std::vector<double> wider = displaced(1.0 + aspect_step);
+  const std::vector<double> narrower = displaced(1.0 - aspect_step);
   in_grid([&](std::size_t box, std::size_t grid) {
     result.displacement[grid] = unit * here[box];
-    result.by_lateral_step[grid] =
-        unit * (wider[box] - narrower[box]) / (2.0 * stiffness_aspect_step);
+    result.by_lateral_step[grid] = unit * (wider[box] - narrower[box]) / (2.0 * aspect_step);
   });
   return result;
 }
@@ -306,7 +305,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
       }
       break;
     }
-    if (outcome.iterations - best_iteration >= stiffness_stagnation_window) {
+    if (outcome.iterations - best_iteration >= stagnation_window) {
       outcome.stop_reason = StopReason::stagnation;
       break;
     }

@@ -51,7 +51,7 @@ inline constexpr double same_place = 1e-6;
 
 /// Narrower contacts are treated as lines of this axis ratio by the first estimate of the depth.
 /// origin: bound: K(e) diverges by its logarithm only.
-inline constexpr double min_estimated_axis_ratio = 1e-4;
+inline constexpr double min_axis_ratio = 1e-4;
 
 /// The depth to a load is a start for coarse solutions. One per cent would be near enough, but
 /// where the search ends would show in forces.

@@ -97,10 +97,6 @@ inline constexpr double rate_tolerance = 1e-2;
 /// origin: bound: one or two suffice for rate_tolerance.
 inline constexpr int rate_restarts = 10;
 
-/// Relative change of the ratio of an element's sides by which its coefficients are differentiated.
-/// origin: derived: the differences' own error and rounding are both below 1e-7.
-inline constexpr double aspect_step = 1e-4;
-
 /// Shorter side of the coarsest grid of the cascade, at least.
 /// origin: measured (a trial of the method, 40 to 60 ellipses): below, what it costs is not saved
 /// on finer grids.
@@ -120,8 +116,8 @@ inline constexpr double single_precision_tolerance = 1e-4;
 /// by 1.4 to 2.6 % rms, with half as many by 3 to 7 %, which shows beside the springs' own error.
 inline constexpr std::size_t flexibility_elements_along = 32;
 /// ... and across.
-/// origin: measured (60 patches of compare_creep_models): as above.
-inline constexpr std::size_t flexibility_elements_across = 16;
+/// origin: derived: half as many, as in the measurement.
+inline constexpr std::size_t flexibility_elements_across = flexibility_elements_along / 2;
 
 /// Tolerance of the solutions without slip that flexibilities are taken from.
 /// origin: measured (60 patches of compare_creep_models): flexibilities within 6e-4 rms; 1e-2:

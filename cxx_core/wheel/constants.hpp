@@ -106,12 +106,8 @@ inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
 /// degrees.
 inline constexpr double max_tread_slope = 0.2;
 
-/// In the vertical convention all that lies within these limits of the main patch shares its
-/// grid: angle, rad, ...
-/// origin: derived: as same_plane_angle (patches/constants.hpp).
-inline constexpr double one_grid_angle = 0.2;
-
-/// ... and distance, mm.
+/// In the vertical convention all that turns by less than same_plane_angle (patches/constants.hpp)
+/// from the main patch and lies within this distance of it, mm, shares its grid.
 /// origin: reasoned: the width of the tread's contact band.
 inline constexpr double one_grid_distance = 20.0;
 
@@ -176,12 +172,12 @@ inline constexpr double noise_response = 0.9069;
 inline constexpr double table_difference = 2e-12;
 
 /// Elements each way on which pressures of an approximate model are sampled.
-/// origin: reasoned: enough to draw; figures are in closed form.
+/// Enough to draw, figures are in closed form: the size of a picture, not a tuning constant.
 inline constexpr std::size_t sampled_count = 32;
 
 /// Room around the contact on that grid, as a share of it.
-/// origin: reasoned: one element.
-inline constexpr double sampled_margin = 1.0 / 32.0;
+/// origin: derived: one element.
+inline constexpr double sampled_margin = 1.0 / static_cast<double>(sampled_count);
 
 /// Share of the load to which an approximate model's depth is found.
 /// origin: reasoned: below what anybody reads, above the rounding of a sum.
@@ -295,7 +291,7 @@ inline constexpr double creep_error_by_residual = 0.3;
 inline constexpr double stress_error_by_crest = 2.5;
 
 /// Places and depths of a section of stresses, ...
-/// origin: reasoned: a picture; CONTACT's own examples have about as many.
+/// About as many as CONTACT's own examples have: the size of a picture, not a tuning constant.
 inline constexpr std::size_t section_places = 100;
 inline constexpr std::size_t section_depths = 60;
 /// ... its half length over the contact's semi-axis, and its depth over the smaller one.
@@ -303,9 +299,5 @@ inline constexpr std::size_t section_depths = 60;
 /// a third of it at 2.
 inline constexpr double section_half_length = 1.5;
 inline constexpr double section_depth = 2.0;
-
-/// Utilised friction up to which the shakedown map goes.
-/// origin: derived: the range of shakedown_limits.
-inline constexpr double max_map_friction = 2.0;
 
 } // namespace wrc
