@@ -126,11 +126,6 @@ inline constexpr int polonsky_keer_stagnation_window = 300;
 /// origin: measured: up to 154 elements across.
 inline constexpr double pressure_error_per_gap_error = 70.0;
 
-/// Polonsky & Keer: share of elements below the distance from which the first pressures are
-/// drawn.
-/// origin: reasoned: as start_quantile, on a grid without coarser ones.
-inline constexpr double polonsky_keer_start_quantile = 0.2;
-
 /// Steps of the strips' iteration.
 /// origin: bound: it takes 5 to 30; the limit ends what does not converge.
 inline constexpr int strip_step_limit = 200;

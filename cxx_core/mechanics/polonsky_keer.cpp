@@ -290,9 +290,8 @@ DimensionlessProblem scale_problem(const NormalProblem& problem, double least_di
 }
 
 std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
-  const double level = scaled.load_prescribed
-                           ? quantile_of(scaled.distance, polonsky_keer_start_quantile)
-                           : scaled.approach;
+  const double level =
+      scaled.load_prescribed ? quantile_of(scaled.distance, start_quantile) : scaled.approach;
   std::vector<double> pressure = start_shape(scaled.distance, level);
   double factor = 0.0;
   if (scaled.load_prescribed) {

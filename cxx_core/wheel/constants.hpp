@@ -239,8 +239,8 @@ inline constexpr double max_creep_columns = 400.0;
 inline constexpr double creep_rows_by_columns = 1.17;
 
 /// The fewest elements across an elliptic contact.
-/// origin: reasoned: as min_creep_columns in a contact as long as wide, by half.
-inline constexpr double min_creep_rows = 4.8;
+/// origin: derived: half as many as min_creep_columns asks for where contact is as long as wide.
+inline constexpr double min_creep_rows = 0.5 * min_creep_columns * creep_rows_by_columns;
 
 /// Share of the accuracy, of friction's largest moment about the axle, to which a free pitch rate
 /// balances the torque.
