@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Shows what a constant of behaviour decides: builds the sources with it as it is, smaller and larger,
-and prints the figures of a fast sample that move, and the tests of its room that fail. Where nothing
-moves, or everything by little, the constant lies in a flat neighbourhood. Sources are copied, and built
-in a folder of their own, which is kept for the next call."""
+"""Shows what constants of behaviour decide: builds the sources with them as they are, smaller and
+larger, and prints the figures of a fast sample that move, and the tests of their rooms that fail. Where nothing
+moves, or everything by little, they lie in a flat neighbourhood. Sources are copied, and built in a
+folder of their own, which is kept for the next call."""
 import argparse
 import json
 import os
@@ -57,22 +57,25 @@ def update(path, content):
         path.write_bytes(content)
 
 
-def copy_sources():
+def copy_sources(changed):
+    """All sources, some of them changed: text by path."""
     files = set(run("git", "ls-files", cwd=ROOT).split("\n")) - {""}
     for file in files:
         if (ROOT / file).is_file():
-            update(SOURCE / file, (ROOT / file).read_bytes())
+            text = changed.get(pathlib.Path(file))
+            update(SOURCE / file, text.encode() if text else (ROOT / file).read_bytes())
     for path in [path for path in SOURCE.rglob("*") if path.is_file()]:
         if str(path.relative_to(SOURCE)) not in files:
             path.unlink()
 
 
-def build(room):
+def build(rooms):
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     run("cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
         "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0", "-DWRCONTACT_BUILD_FORTRAN=OFF",
         "-DWRCONTACT_BUILD_PYTHON=OFF", *launcher)
-    run("cmake", "--build", BUILD, "--target", "wrc_regression", "wrc_tradeoff", f"{room}_test")
+    run("cmake", "--build", BUILD, "--target", "wrc_regression", "wrc_tradeoff",
+        *(f"{room}_test" for room in rooms))
 
 
 def figures_of(scenes):
@@ -96,9 +99,9 @@ def figures_of(scenes):
     return figures, milliseconds
 
 
-def failed_tests(room):
-    output = run(BUILD / f"bin/{room}_test", "--gtest_brief=1", check=False)
-    return sorted(set(re.findall(r"^\[  FAILED  \] ([\w./]+)", output, re.M)))
+def failed_tests(rooms):
+    outputs = [run(BUILD / f"bin/{room}_test", "--gtest_brief=1", check=False) for room in rooms]
+    return sorted(set(re.findall(r"^\[  FAILED  \] ([\w./]+)", "\n".join(outputs), re.M)))
 
 
 def change(numbers):
@@ -110,26 +113,30 @@ def change(numbers):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("name", help="of the constant, as scripts/list_constants.sh prints it")
+    parser.add_argument("names", nargs="+", metavar="NAME",
+                        help="as scripts/list_constants.sh prints it; several are varied together")
     parser.add_argument("--by", type=float, default=0.3, help="share by which it is varied, 0.3 if not given")
     parser.add_argument("--scenes", type=int, default=40,
                         help="of wrc_tradeoff, and a fourth as many with creep forces; 40 if not given")
     options = parser.parse_args()
-    room, file = place_of(options.name)
-    copy_sources()
+    places = [(name, *place_of(name)) for name in options.names]
+    rooms = sorted({room for _, room, _ in places})
     factors = [1.0 - options.by, 1.0, 1.0 + options.by]
     samples = []
     times = []
     for factor in factors:
-        text = (ROOT / file).read_text()
-        update(SOURCE / file, (varied(text, options.name, factor) if factor != 1.0 else text).encode())
-        print(f"{options.name} times {factor:g}: building", file=sys.stderr)
-        build(room)
+        print(f"times {factor:g}: building", file=sys.stderr)
+        changed = {}
+        for name, _, file in places:
+            text = changed.get(file, (ROOT / file).read_text())
+            changed[file] = varied(text, name, factor) if factor != 1.0 else text
+        copy_sources(changed)
+        build(rooms)
         figures, milliseconds = figures_of(options.scenes)
         samples.append(figures)
         times.append(milliseconds)
-        failed = failed_tests(room)
-        print(f"times {factor:g}: {len(failed)} tests of {room} fail {' '.join(failed)}")
+        failed = failed_tests(rooms)
+        print(f"times {factor:g}: {len(failed)} tests of {' '.join(rooms)} fail {' '.join(failed)}")
     rows = [(change(numbers), key, numbers) for key in samples[1]
             if change(numbers := [sample.get(key, float("nan")) for sample in samples]) > ROUNDING]
     print(f"\n{len(rows)} of {len(samples[1])} figures move; largest changes first")
