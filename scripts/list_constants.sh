@@ -1,18 +1,30 @@
 #!/usr/bin/env bash
-# Prints a table of the core's constants of behaviour, from the sources: room, file, name, value and
-# origin. Fails if one has no origin: the comment above it, or at the end of its line, says
-# "origin: derived|measured|source|reasoned: ...". Constants that follow each other without a comment
-# share the one above the first.
-# Left out are constants marked "not a tuning constant" (permitted ranges, units, quadrature tables)
-# and the files listed below, which hold nothing else.
+# Prints tables of the core's constants of behaviour, from the sources: room, file, name, value and
+# origin. Their origins make three groups:
+#   published or exact   "origin: published: ..." by a standard or an author, "derived" by mathematics
+#   bounds               "origin: bound: ..." ends a loop, limits memory or work, or keeps numbers in
+#                        range; no result that settles depends on it
+#   tuned                "origin: measured (with what): ..." or "reasoned: ..."
+# The origin is in the comment above the constant, or at the end of its line; constants that follow
+# each other without a comment share the one above the first. Fails if one has no origin.
+# Left out are constants marked "not a tuning constant" (permitted ranges, units, quadrature tables,
+# sizes of pictures) and the files listed below, which hold nothing else.
 # Usage: scripts/list_constants.sh [ROOM...]
+#        scripts/list_constants.sh --count   only how many there are in each group, room by room
 set -euo pipefail
 cd "$(dirname "$0")/.."
 git ls-files 'cxx_core/*.hpp' 'cxx_core/*.cpp' | python3 -c '
+import collections
 import re
 import sys
 
-rooms = sys.argv[1:]
+only_counts = sys.argv[1:2] == ["--count"]
+rooms = sys.argv[1 + only_counts:]
+groups = {
+    "published or exact": {"published", "source", "derived"},
+    "bounds": {"bound"},
+    "tuned": {"measured", "reasoned"},
+}
 others = {
     "cxx_core/models/elliptic_integrals.cpp",  # published coefficients
     "cxx_core/profile/read_options.hpp",  # permitted ranges
@@ -32,7 +44,8 @@ others = {
 declaration = re.compile(
     r"^(?:inline |static |  static )*constexpr (?P<type>[^=({;]*?)\b(?P<name>\w+)(?:\[\w*\])?"
     r"\s*(?:=|\{)(?P<value>[^;]*);(?P<rest>.*)$", re.S)
-origin = re.compile(r"origin:\s*(derived|measured|source|reasoned)\b[:,]?\s*(.*)", re.S)
+origin = re.compile(
+    r"origin:\s*(published|source|derived|bound|measured|reasoned)\b[:,]?\s*(.*)", re.S)
 words = re.compile(r"string_view|char\b|Dimension")
 
 rows = []
@@ -68,20 +81,31 @@ for path in sys.stdin.read().split():
         value = found["value"].strip()
         value = value[:-1].strip() if value.endswith("}") and "{" not in value else value
         text += " " + found["rest"].strip().lstrip("/<").strip()
+        # Another constant under a name of its own, or a number made of others, is none.
         if not re.search(r"\d", value) or "not a tuning constant" in text:
             continue
         known = origin.search(text)
         if not known:
             missing.append(f"{path}:{first}: {found['"'name'"']} = {value}")
-        said = f"{known[1]}: {known[2].strip()}" if known else "-"
+            continue
         short = path.split("/", 2)[2]
-        rows.append((room, short, found["name"], re.sub(r"\s+", " ", value), said))
+        rows.append((known[1], room, short, found["name"], re.sub(r"\s+", " ", value),
+                     f"{known[1]}: {known[2].strip()}"))
 
-print("| room | file | name | value | origin |\n|---|---|---|---|---|")
-for row in rows:
-    print("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |")
+for group, tags in groups.items():
+    members = [row for row in rows if row[0] in tags]
+    print(f"{len(members)} {group}")
+    if only_counts:
+        for room, count in sorted(collections.Counter(row[1] for row in members).items()):
+            print(f"  {count:3} {room}")
+        continue
+    print("\n| room | file | name | value | origin |\n|---|---|---|---|---|")
+    for row in members:
+        print("| " + " | ".join(cell.replace("|", "\\|") for cell in row[1:]) + " |")
+    print()
 if missing:
-    print(f"{len(missing)} of {len(rows)} constants have no origin:", file=sys.stderr)
+    print(f"{len(missing)} of {len(missing) + len(rows)} constants have no origin:",
+          file=sys.stderr)
     print("\n".join(missing), file=sys.stderr)
     sys.exit(1)
 ' "$@"

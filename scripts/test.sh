@@ -51,6 +51,7 @@ if [ "$all" = yes ]; then
   scripts/install_packages.sh "${check_packages[@]}"
   echo "== layers"
   scripts/check_layers.sh
+  scripts/check_tested.sh
   echo "== text"
   scripts/check_text.sh
   scripts/list_constants.sh >/dev/null

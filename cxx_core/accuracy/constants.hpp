@@ -1,8 +1,8 @@
 /// Constants of behaviour of this room: elements for a requested accuracy, and the error of a
 /// solution.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,6 @@ namespace wrc {
 /// origin: measured (instructions of a run over irregular track): 17 x 8, 13 x 6 and 11 x 6 take 8,
 /// 0 and -2 % more at 1e-2, and 3, 7 and 10 % at 1e-3, where wheels that slide need more solutions.
 inline constexpr std::size_t coarse_rows = 13;
-
-/// origin: measured: see coarse_rows.
-inline constexpr std::size_t coarse_columns = 8;
 
 /// Error of a depth on a contact of n rows: this over n^2, ...
 /// origin: measured (wrc_tradeoff): together they bound 97.2 of 100 errors or more at accuracies
@@ -51,6 +48,11 @@ inline constexpr double coarsest_accuracy = 1e-2;
 /// Columns over a contact for each row; more, to an even number.
 /// origin: measured (wrc_tradeoff): with share_of_law.
 inline constexpr double columns_by_rows = 0.64;
+
+/// Columns of solutions that find the depth.
+/// origin: derived: columns_by_rows of coarse_rows, rounded.
+inline constexpr auto coarse_columns =
+    static_cast<std::size_t>(columns_by_rows * static_cast<double>(coarse_rows) + 0.5);
 
 /// How much larger errors are by the law with the position prescribed: a force goes with the power
 /// 1.5 of the depth (Hertz), but its error is not always the largest.
@@ -124,23 +126,22 @@ inline constexpr double error_by_unresolved = 0.5;
 /// origin: reasoned: below the error of any other kind at the finest accuracies.
 inline constexpr double least_unresolved = 1e-4;
 
-/// Strips that one strip next to an unresolved top is divided into.
-/// origin: reasoned: as many as strips_per_row.
-inline constexpr std::size_t strip_refinement = 4;
-
 /// Strips on each side of an unresolved top that are divided. On the inner half of them all
 /// pressure is solved for again. origin: measured (crests of five wheels at 1e-2 and 1e-3): with 8
 /// they are off by up to 0.5 %, with 12 by 0.6 %, at 1e-3 by 0.18 and 0.08 %.
 inline constexpr std::size_t window_reach = 12;
 
 /// How often they are divided, at most.
-/// origin: reasoned: strips are then shorter by 256, some tenths of a micrometre.
+/// origin: bound: strips are then shorter by 256, some tenths of a micrometre.
 inline constexpr int most_refinements = 4;
 
 /// Strips of a section for each row, at least.
 /// origin: measured (600 wheels, 99 %): 8 make errors of pmax a tenth smaller, 1 is no section at
 /// all.
 inline constexpr double strips_per_row = 4.0;
+
+/// Strips that one strip next to an unresolved top is divided into: as many.
+inline constexpr auto strip_refinement = static_cast<std::size_t>(strips_per_row);
 
 /// Strips over the rows under pressure, at least.
 /// origin: measured (wrc_tradeoff --random 6000): at 1e-2, where pressures have a bound, pmax is

@@ -52,7 +52,7 @@ private:
   /// hardly held up. origin: reasoned, 4 to 16 change no result by more than the tolerance.
   static constexpr int bisection_period = 8;
   /// Enough to bisect any interval of doubles of one sign down to rounding, see above.
-  /// origin: derived, 8 times 53 bisections at most; 200 suffice with the secants between.
+  /// origin: bound: 8 times 53 bisections at most; 200 suffice with the secants between.
   static constexpr int max_steps = 200;
 
   /// Where the secant through the weighted ends is zero.

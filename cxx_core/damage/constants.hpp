@@ -1,7 +1,7 @@
 /// Constants of behaviour of this room: stresses below the surface, wear and fatigue.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -31,11 +31,11 @@ inline constexpr std::size_t vector_places = 16;
 inline constexpr std::size_t coarsest_elements = 4;
 
 /// Likewise for the search of the greatest stress, which is computed anew where it is found.
-/// origin: reasoned: half of the above; it chooses between places only.
-inline constexpr double depth_of_search_element = 1.5;
+/// origin: derived: half of depth_of_element; it chooses between places only.
+inline constexpr double depth_of_search_element = 0.5 * depth_of_element;
 
 /// Least depth, in element sizes.
-/// origin: reasoned: the logarithms at the edges of elements are infinite on the surface itself.
+/// origin: bound: the logarithms at the edges of elements are infinite on the surface itself.
 inline constexpr double least_depth = 1e-6;
 
 /// Elements across the contact in the search of the greatest stress, at least.
@@ -63,10 +63,12 @@ inline constexpr double shallowest_search = 0.5;
 /// nearly the same height near the surface and below, and coarse elements leave some percent.
 inline constexpr double worth_climbing = 0.9;
 
-/// Rounds of parabolas through the greatest value in each direction: as long as one gains this
-/// share, so many at most.
-/// origin: measured (compare_stress): one or two as a rule; along ridges two leave 3e-3.
+/// Parabolas are laid through the greatest value in each direction as long as a round gains this
+/// share, ...
+/// origin: measured (compare_stress): one or two rounds as a rule; along ridges two leave 3e-3.
 inline constexpr double least_gain = 3e-4;
+/// ... in so many rounds at most.
+/// origin: bound: three times as many as are usual.
 inline constexpr int search_rounds = 6;
 
 /// Places on each side among which the top on the surface is looked for anew, on elements half as
@@ -84,15 +86,15 @@ inline constexpr std::size_t surface_reach_across = 1;
 inline constexpr double near_surface_error = 0.15;
 
 /// Share of the power that slip times traction must show on the grid to say where energy goes.
-/// origin: reasoned: less is what the iteration left, not slip.
+/// origin: bound: less is what the iteration left, not slip.
 inline constexpr double least_dissipated_share = 1e-3;
 
 /// Density of steel, g/mm^3.
-/// origin: source (Braghin et al., Wear 261, 2006, 4): turns mass into volume.
+/// origin: published (Braghin et al., Wear 261, 2006, 4): turns mass into volume.
 inline constexpr double steel_density = 7.85e-3;
 
 /// USFD law, R8T wheel on 900A rail: T-gamma over the area in N/mm^2, rates in ug/(m mm^2).
-/// origin: source (Lewis & Dwyer-Joyce 2004; Braghin et al., Wear 261, 2006, table 1): 5.3 e
+/// origin: published (Lewis & Dwyer-Joyce 2004; Braghin et al., Wear 261, 2006, table 1): 5.3 e
 /// to 10.4, 55.0 to 77.2, then 55.0 + 61.9 (e - 77.2), as it must be to be continuous: 61.9 e -
 /// 4778.7, which is also printed, leaves the 55.0 out.
 inline constexpr double usfd_mild_slope = 5.3;
@@ -102,8 +104,8 @@ inline constexpr double usfd_catastrophic_energy = 77.2;
 inline constexpr double usfd_catastrophic_slope = 61.9;
 
 /// Archard's k by sliding speed in mm/s and p/H.
-/// origin: source (Jendel, Wear 253, 2002, fig. 3, from tests at KTH): 1 to 10, 30 to 40 and 300 to
-/// 400 times 1e-4; their middles.
+/// origin: published (Jendel, Wear 253, 2002, fig. 3, from tests at KTH): 1 to 10, 30 to 40 and 300
+/// to 400 times 1e-4; their middles.
 inline constexpr double archard_mild = 5e-4;
 inline constexpr double archard_severe = 35e-4;
 inline constexpr double archard_seizure = 350e-4;
@@ -112,21 +114,22 @@ inline constexpr double severe_speed_last = 700.0;
 inline constexpr double seizure_pressure = 0.8;
 
 /// Damage function of the whole life rail model: T-gamma in N, damage per wheel.
-/// origin: source (Burstow, RSSB T355, 2004): 0 up to 15 N, 1e-5 at 65 N, 0 at 175 N, wear beyond.
+/// origin: published (Burstow, RSSB T355, 2004): 0 up to 15 N, 1e-5 at 65 N, 0 at 175 N, wear
+/// beyond.
 inline constexpr double rail_damage_first = 15.0;
 inline constexpr double rail_damage_peak = 65.0;
 inline constexpr double rail_damage_last = 175.0;
 inline constexpr double rail_damage_greatest = 1e-5;
 
-/// Steps of the scan of a line contact's stresses over x/a and z/a, and greatest friction.
-/// origin: reasoned: a smooth field; limits are right to 2e-3, as FatigueTest finds.
+/// Steps of the scan of a line contact's stresses over x/a and z/a, how far it goes to each side
+/// and down, and greatest friction. origin: reasoned: a smooth field; limits are right to 2e-3, as
+/// FatigueTest finds.
 inline constexpr double map_step = 0.025;
-inline constexpr double map_half_width = 1.5;
-inline constexpr double map_depth = 1.5;
+inline constexpr double map_reach = 1.5;
 inline constexpr double map_friction = 2.0;
 
 /// Poisson's ratio of the map's elastic limit.
-/// origin: source (Johnson 1985, 4.2): 0.3, for steel.
+/// origin: published (Johnson 1985, 4.2): 0.3, for steel.
 inline constexpr double map_poisson = 0.3;
 
 } // namespace wrc

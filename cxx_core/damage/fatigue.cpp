@@ -39,12 +39,12 @@ ShakedownLimits shakedown_limits(double friction) {
   }
   double invariant = 0.0;
   double shear = friction; // on the surface
-  const int columns = static_cast<int>(2.0 * map_half_width / map_step);
-  const int rows = static_cast<int>(map_depth / map_step);
+  const int columns = static_cast<int>(2.0 * map_reach / map_step);
+  const int rows = static_cast<int>(map_reach / map_step);
   for (int i = 0; i <= rows; ++i) {
     const double depth = std::max(i * map_step, least_depth);
     for (int j = 0; j <= columns; ++j) {
-      const double x = j * map_step - map_half_width;
+      const double x = j * map_step - map_reach;
       const PlaneStress s = line_contact(x, depth, friction);
       const double yy = map_poisson * (s.xx + s.zz);
       const double a = s.xx - yy;

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/root_bracket.hpp"
+#include "geometry/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -14,11 +15,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// origin: derived: s^2 / (2 R) = 0.008 with nodes 0.5 mm apart, so s <= 0.25 mm, and relative
 /// curvatures 1 / R up to 1 / (4 mm).
 constexpr double scan_slack = 0.01;
-/// Accuracy of contact points along the profile, mm of arc.
-/// origin: derived: ten times the rounding of positions of 500 mm, 1e-13.
-constexpr double place_tolerance = 1e-12;
 /// Contacts within this distance of the end of a profile, mm of arc, get a warning.
-/// origin: reasoned: far above place_tolerance and far below any element.
+/// origin: reasoned: far above position_tolerance and far below any element.
 constexpr double end_tolerance = 1e-6;
 /// Samples along a ridge under yaw, at least, ...
 /// origin: reasoned: distances are a parabola there, as between any two samples.
@@ -106,7 +104,7 @@ double SideSearch::edge_along(std::size_t piece, double inside, double outside) 
     return in.value > 0.0 && out.value >= 0.0 ? outside : inside;
   }
   RootBracket edge(in, out);
-  edge.narrow(place_tolerance, [&](double along) { return inside_by(piece, along); });
+  edge.narrow(position_tolerance, [&](double along) { return inside_by(piece, along); });
   return edge.one();
 }
 
@@ -121,7 +119,7 @@ LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
     return {piece, high, at_high.distance};
   }
   RootBracket least({low, at_low.sine}, {high, at_high.sine});
-  least.narrow(place_tolerance, [&](double along) -> std::optional<double> {
+  least.narrow(position_tolerance, [&](double along) -> std::optional<double> {
     const Meeting meeting = meet(piece, along);
     return meeting.exists ? std::optional(meeting.sine) : std::nullopt;
   });
@@ -134,7 +132,7 @@ LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
 /// The last place towards `outside` at which a ridge is over the rail.
 SideSearch::RidgePlace SideSearch::ridge_end(const Ridge& ridge, RidgePlace inside,
                                              double outside) const {
-  while (std::abs(outside - inside.turned) > place_tolerance) {
+  while (std::abs(outside - inside.turned) > position_tolerance) {
     const double middle = 0.5 * (inside.turned + outside);
     const Meeting meeting = meet(on_ridge(ridge, middle));
     if (meeting.exists) {
@@ -192,7 +190,7 @@ std::optional<LocusSpot> SideSearch::least_on_ridge(std::size_t node) const {
     const auto& [next, after] = places[i + 1];
     if (before.exists && after.exists && before.sine < 0.0 && after.sine > 0.0) {
       RootBracket bracket({share, before.sine}, {next, after.sine});
-      bracket.narrow(place_tolerance, [&](double turned) -> std::optional<double> {
+      bracket.narrow(position_tolerance, [&](double turned) -> std::optional<double> {
         const Meeting meeting = meet(on_ridge(*ridge, turned));
         return meeting.exists ? std::optional(meeting.sine) : std::nullopt;
       });

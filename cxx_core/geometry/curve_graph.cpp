@@ -12,7 +12,7 @@ namespace {
 /// origin: reasoned: no contact carries on so steep a flank, and the table of heights stays small
 /// (max_halvings in height_function.cpp is for slopes up to 100).
 constexpr double min_tangent_lateral = 0.01;
-/// origin: reasoned: within a piece Newton's method takes 3 to 5 steps; the limit ends a cycle.
+/// origin: bound: within a piece Newton's method takes 3 to 5 steps; the limit ends a cycle.
 constexpr int newton_limit = 30;
 
 bool is_graph_piece(const Curve& curve, std::size_t piece) {

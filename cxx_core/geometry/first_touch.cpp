@@ -8,15 +8,15 @@ namespace wrc {
 namespace {
 
 /// What lies so close below the largest radius is the flange tip, mm.
-/// origin: source: qR is measured from 2 mm below the tip (EN 13715).
+/// origin: published: qR is measured from 2 mm below the tip (EN 13715).
 constexpr double tip_height = 2.0;
 /// So far above the tread a flange tip is at least, mm, and so far beside it the tread is.
-/// origin: source: flanges of trams are 20 mm high or more; the taping line is 55 mm from the tip
-/// (EN 13715).
+/// origin: published: flanges of trams are 20 mm high or more; the taping line is 55 mm from the
+/// tip (EN 13715).
 constexpr double least_flange_height = 15.0;
 constexpr double tread_distance = 60.0;
 /// Slope of a chamfer at least, falling to the field side.
-/// origin: source: treads have slopes up to 1:6.7, chamfers of 1:1 (EN 13715).
+/// origin: published: treads have slopes up to 1:6.7, chamfers of 1:1 (EN 13715).
 constexpr double chamfer_slope = 0.3;
 
 } // namespace

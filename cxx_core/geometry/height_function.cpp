@@ -3,14 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/constants.hpp"
+
 namespace wrc {
 namespace {
 
-/// Accuracy of the polynomials along the normal of the curve, mm.
-/// origin: derived: ten times the rounding of positions of 500 mm, as the contact search.
-constexpr double table_tolerance = 1e-12;
 /// Halvings of a piece of 0.5 mm at most; the last is used as it is.
-/// origin: derived: the error falls by 2^6 a halving, and slopes up to 100 stretch pieces so much.
+/// origin: bound: the error falls by 2^6 a halving, and slopes up to 100 stretch pieces so much.
 constexpr int max_halvings = 12;
 
 QuinticValues graph_values(const CurvePoint& point) {
@@ -73,7 +72,7 @@ void HeightFunction::add(const Curve& curve, std::size_t curve_piece, double fro
   for (const double share : {0.25, 0.5, 0.75}) {
     const CurvePoint point = curve.at(curve_piece, from + share * (to - from));
     const double off = evaluate(trial, point.lateral - begin.lateral).value - point.height;
-    met = met && std::abs(off * point.tangent_lateral) <= table_tolerance;
+    met = met && std::abs(off * point.tangent_lateral) <= position_tolerance;
   }
   if (met || halvings == max_halvings) {
     pieces_.push_back({begin.lateral, trial, end.lateral});

@@ -4,25 +4,24 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "geometry/constants.hpp"
 
 namespace wrc {
 namespace {
 
 /// The permitted range of pose.roll, rad (not a tuning constant).
 constexpr double max_roll = 0.2;
-/// The search for the roll continues until the two least distances agree to this, mm, ...
-/// origin: derived: ten times the rounding of positions of 500 mm, as the contact search.
-constexpr double distance_tolerance = 1e-12;
-/// ... and accepts this where rounding allows no better.
+/// The search for the roll continues until the two least distances agree to position_tolerance, and
+/// accepts this, mm, where rounding allows no better.
 /// origin: reasoned: 1e-9 mm is 1e-8 of the depth under 80 kN, far below any accuracy.
 constexpr double acceptable_distance = 1e-9;
-/// origin: derived: every halving_period-th search halves the bracket of 0.4 rad: 4e-7 rad are left
+/// origin: bound: every halving_period-th search halves the bracket of 0.4 rad: 4e-7 rad are left
 /// after 100 at the worst.
 constexpr int iteration_limit = 100;
 /// Newton's method on the contacts followed ends at this, mm, or after some steps.
-/// origin: derived: a fifth of distance_tolerance, so that the global search confirms it.
-constexpr double followed_tolerance = 2e-13;
-/// origin: reasoned: quadratic convergence takes 3 to 5 steps; more only where contacts change.
+/// origin: derived: a fifth of position_tolerance, so that the global search confirms it.
+constexpr double followed_tolerance = 0.2 * position_tolerance;
+/// origin: bound: quadratic convergence takes 3 to 5 steps; more only where contacts change.
 constexpr int follow_limit = 12;
 /// Every so many global searches the bracket is halved, whatever Newton's method says.
 /// origin: reasoned: usually one or two searches do, which this must not disturb.
@@ -70,7 +69,7 @@ public:
       }
       standing = roll;
       const Pair found{left_.least_spots(0.0).front(), right_.least_spots(0.0).front()};
-      if (std::abs(found.difference()) <= distance_tolerance) {
+      if (std::abs(found.difference()) <= position_tolerance) {
         return roll;
       }
       (found.difference() < 0.0 ? low_ : high_) = roll;

@@ -81,7 +81,7 @@ void require_memory(std::size_t bytes) {
 }
 
 /// FFTW's tables when it first plans, in both precisions, and what a plan takes.
-/// origin: measured: 0.4 MB; 16 kB and 3 complex values per element of a line, rounded up.
+/// origin: bound: 0.4 MB; 16 kB and 3 complex values per element of a line, rounded up.
 constexpr std::size_t memory_of_tables = std::size_t{1} << 20;
 constexpr std::size_t memory_of_plan = std::size_t{1} << 16;
 constexpr std::size_t memory_per_value = 64;
@@ -291,7 +291,7 @@ template class LineFft<double>;
 class KeptTransforms {
 public:
   /// Of grids up to 512 elements across, twice as long.
-  /// origin: reasoned, changes no result: 10 ms of planning; longer lines take 2 ms more each
+  /// origin: bound: changes no result: 10 ms of planning; longer lines take 2 ms more each
   /// octave and belong to grids of many MB, beside which a plan's 16 kB are little.
   static constexpr std::size_t longest_prepared = 1024;
 

@@ -1,7 +1,7 @@
 /// Constants of behaviour of this room: the normal contact solvers.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -62,7 +62,7 @@ inline constexpr double missed_overlap = 5e-7;
 inline constexpr double double_overlap = 1e-13;
 
 /// Pressures whose displacements are taken out one by one: at most so many, ...
-/// origin: reasoned: bounds a buffer on the stack.
+/// origin: bound: of a buffer on the stack.
 inline constexpr std::size_t max_single_cuts = 128;
 
 /// ... and one for so many elements of the box.
@@ -83,10 +83,10 @@ inline constexpr double double_drift = 2e-16;
 /// origin: measured: see single_drift.
 inline constexpr double drift_exponent = 1.15;
 
-/// Iterations of the projected CG without a smaller error after which no more is to be had.
-/// origin: reasoned: longer than any plateau of converging cases, some ten iterations; costs only
-/// those that fail.
-inline constexpr int cg_stagnation_window = 60;
+/// Iterations of the projected CG, and of the stiffness, without a smaller error after which no
+/// more is to be had. origin: bound: longer than any plateau of converging cases, some ten
+/// iterations; costs only those that fail.
+inline constexpr int stagnation_window = 60;
 
 /// By which share the pressures of one box may shrink or grow in an iteration of several. Where
 /// the least energy lies beyond, all go the same part of the way, which keeps the load; where
@@ -107,10 +107,6 @@ inline constexpr double min_joint_step_part = 0.1;
 /// change a step by 1e-6.
 inline constexpr double joint_step_ridge = 1e-9;
 
-/// Iterations of the stiffness without a smaller error after which no more is to be had.
-/// origin: reasoned: as cg_stagnation_window.
-inline constexpr int stiffness_stagnation_window = 60;
-
 /// Less is not aimed at: the residual that the iteration carries along would go on falling, the
 /// true one would not.
 /// origin: derived: some fifty roundings of double precision.
@@ -122,7 +118,7 @@ inline constexpr double min_stiffness_tolerance = 1e-14;
 inline constexpr double min_new_energy = 1e-20;
 
 /// Polonsky & Keer: iterations without better pressures after which it stops.
-/// origin: measured: longer than any plateau on noise and on two contacts; a floor costs this
+/// origin: bound: longer than any plateau on noise and on two contacts; a floor costs this
 /// many iterations.
 inline constexpr int polonsky_keer_stagnation_window = 300;
 
@@ -130,18 +126,8 @@ inline constexpr int polonsky_keer_stagnation_window = 300;
 /// origin: measured: up to 154 elements across.
 inline constexpr double pressure_error_per_gap_error = 70.0;
 
-/// Polonsky & Keer: share of elements below the distance from which the first pressures are
-/// drawn.
-/// origin: reasoned: as start_quantile, on a grid without coarser ones.
-inline constexpr double polonsky_keer_start_quantile = 0.2;
-
 /// Steps of the strips' iteration.
-/// origin: measured: it takes 5 to 30; the limit ends what does not converge.
+/// origin: bound: it takes 5 to 30; the limit ends what does not converge.
 inline constexpr int strip_step_limit = 200;
-
-/// Relative change of the ratio of an element's sides by which influence coefficients are
-/// differentiated.
-/// origin: derived: the differences' own error and rounding are both below 1e-6.
-inline constexpr double stiffness_aspect_step = 1e-4;
 
 } // namespace wrc

@@ -171,11 +171,11 @@ ContactStiffness::displacements_of(std::size_t patch_index, std::span<const doub
     return values;
   };
   std::vector<double> here = displaced(1.0);
-  std::vector<double> by_step = displaced(1.0 + stiffness_aspect_step);
-  const std::vector<double> narrower = displaced(1.0 - stiffness_aspect_step);
+  std::vector<double> by_step = displaced(1.0 + aspect_step);
+  const std::vector<double> narrower = displaced(1.0 - aspect_step);
   for (std::size_t i = 0; i < here.size(); ++i) {
     here[i] *= unit;
-    by_step[i] = unit * (by_step[i] - narrower[i]) / (2.0 * stiffness_aspect_step);
+    by_step[i] = unit * (by_step[i] - narrower[i]) / (2.0 * aspect_step);
   }
   put_box(patch.size(), patch.box, here, result.displacement);
   put_box(patch.size(), patch.box, by_step, result.by_lateral_step);
@@ -290,7 +290,7 @@ StiffnessOutcome ContactStiffness::solve_group(Group& group, double tolerance,
       }
       break;
     }
-    if (outcome.iterations - best_iteration >= stiffness_stagnation_window) {
+    if (outcome.iterations - best_iteration >= stagnation_window) {
       outcome.stop_reason = StopReason::stagnation;
       break;
     }

@@ -322,7 +322,7 @@ DimensionlessProblem scale_problem(const NormalProblem& problem, double touch) {
 
 std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
   const double level =
-      scaled.load_prescribed ? quantile_of(scaled, polonsky_keer_start_quantile) : scaled.approach;
+      scaled.load_prescribed ? quantile_of(scaled, start_quantile) : scaled.approach;
   std::vector<double> pressure = start_shape(scaled, level);
   double factor = 0.0;
   if (scaled.load_prescribed) {

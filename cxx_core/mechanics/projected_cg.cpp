@@ -213,7 +213,7 @@ template <typename Real> void ProjectedCg<Real>::final_correction(double z_mean)
 }
 
 template <typename Real> bool ProjectedCg<Real>::Progress::stuck() const {
-  return outcome.iterations - best_iteration >= cg_stagnation_window;
+  return outcome.iterations - best_iteration >= stagnation_window;
 }
 
 template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>::begin() {

@@ -6,6 +6,7 @@
 #include "models/hertz.hpp"
 #include "models/kik_piotrowski.hpp"
 #include "models/patch_model.hpp"
+#include "patches/constants.hpp"
 
 namespace wrc {
 namespace {
@@ -13,9 +14,6 @@ namespace {
 /// Points to each side at which the gap is compared with the parabola, for the validity alone.
 /// origin: reasoned: enough to see a second lobe within a patch.
 constexpr int compared_places = 4;
-/// The narrowest contact, in half lengths, that is given a width where curvature gives none.
-/// origin: reasoned: keeps Hertz's axis ratio finite; profiles leave it at 0 validity anyway.
-constexpr double min_axis_ratio = 1e-4;
 
 class HertzPatch final : public PatchModel {
 public:
@@ -23,7 +21,7 @@ public:
       : PatchModel(tangent_frame(contact.rail, std::atan(contact.rail_slope))), side_(side),
         place_(place), contact_(contact), curvature_(contact.lateral_curvature),
         lateral_per_s_(contact.lateral_rate / frame_.lateral.y) {
-    if (!(curvature_ > 0.0)) {
+    if (!(curvature_ > 0.0)) { // profiles leave such a patch at a validity of 0
       const double half_width =
           std::max(0.5 * (place.contact_last - place.contact_first) / frame_.normal.z,
                    min_axis_ratio * place.half_length);

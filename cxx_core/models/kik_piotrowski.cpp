@@ -10,10 +10,9 @@
 namespace wrc {
 namespace {
 
-/// Half of the nodes along a yawed strip.
-/// origin: reasoned: the rule carries the roots at both ends of the strip; as many nodes to each
-/// side as across the strips.
-constexpr std::size_t half_nodes = 12;
+/// Half of the nodes along a yawed strip, as many to each side as across the strips: the rule
+/// carries the roots at both ends.
+constexpr std::size_t half_nodes = penetration_nodes;
 
 /// The upper half of the nodes of the Gauss-Chebyshev rule of the second kind, as many below.
 struct ChebyshevRule {

@@ -24,11 +24,18 @@
 
 #include <span>
 
+#include "patches/constants.hpp"
+
 namespace wrc {
 
-/// Share of the approach by which the bodies are laid over each other.
-/// origin: source: Piotrowski & Kik, Vehicle System Dynamics 46, 2008.
-inline constexpr double virtual_penetration_share = 0.55;
+/// Share of the approach by which the bodies are laid over each other, 0.55 (Piotrowski & Kik,
+/// Vehicle System Dynamics 46, 2008). origin: derived: the rest is outside contact.
+inline constexpr double virtual_penetration_share = 1.0 - outside_contact_share;
+
+/// Nodes of the quadrature over a region, or over its part to either side of the contact point.
+/// origin: measured: on Hertzian bodies 12 leave an error of 1e-5 of the load (models_test); on
+/// standard profiles 24 change pmax by up to 0.7 %, far below the error of the model.
+inline constexpr int penetration_nodes = 12;
 
 /// A strip of the virtual penetration, and what it counts in an integral over y.
 struct KikPiotrowskiStrip {

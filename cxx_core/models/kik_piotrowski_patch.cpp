@@ -13,35 +13,31 @@
 namespace wrc {
 namespace {
 
-/// Nodes of the quadrature over a region, or over its part to either side of the contact point.
-/// origin: measured: on Hertzian bodies 12 leave an error of 1e-5 of the load (models_test); on
-/// standard profiles 24 change pmax by up to 0.7 %, far below the error of the model.
-constexpr int node_count = 12;
 /// Accuracy of the ends of penetration, relative to the distance between two nodes of the scan.
 /// origin: reasoned: far below the error of the quadrature, at two or three more evaluations.
 constexpr double end_accuracy = 1e-10;
 
 struct GaussRule {
-  std::array<double, node_count> place; ///< in (0, 1)
-  std::array<double, node_count> weight;
+  std::array<double, penetration_nodes> place; ///< in (0, 1)
+  std::array<double, penetration_nodes> weight;
 };
 
 /// Gauss-Legendre (Abramowitz & Stegun, 1964, 25.4.30), roots by Newton's method.
 const GaussRule& gauss_rule() {
   static const GaussRule rule = [] {
     GaussRule made{};
-    for (int i = 0; i < node_count; ++i) {
-      double x = std::cos(std::numbers::pi * (i + 0.75) / (node_count + 0.5));
+    for (int i = 0; i < penetration_nodes; ++i) {
+      double x = std::cos(std::numbers::pi * (i + 0.75) / (penetration_nodes + 0.5));
       double slope = 1.0;
       for (int step = 0; step < 10; ++step) {
         double before = 1.0;
         double here = x;
-        for (int n = 2; n <= node_count; ++n) {
+        for (int n = 2; n <= penetration_nodes; ++n) {
           const double next = ((2 * n - 1) * x * here - (n - 1) * before) / n;
           before = here;
           here = next;
         }
-        slope = node_count * (x * here - before) / (x * x - 1.0);
+        slope = penetration_nodes * (x * here - before) / (x * x - 1.0);
         x -= here / slope;
       }
       const auto k = static_cast<std::size_t>(i);

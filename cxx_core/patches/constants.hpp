@@ -1,7 +1,7 @@
 /// Constants of behaviour of this room: patches of penetration, their planes and the first depth.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ inline constexpr double same_plane_angle = 0.2;
 inline constexpr double other_plane_angle = 0.3;
 
 /// Penetration below this share of the deepest is outside contact.
-/// origin: source: the virtual penetration is 0.55 of the approach (Kik & Piotrowski, 1996).
+/// origin: published: the virtual penetration is 0.55 of the approach (Kik & Piotrowski, 1996).
 inline constexpr double outside_contact_share = 0.45;
 
 /// By how much a top between two nodes may exceed the penetration of both, mm.
@@ -42,7 +42,7 @@ inline constexpr double outside_contact_share = 0.45;
 inline constexpr double max_top_excess = 0.05;
 
 /// How much yaw may change the curvature along the rail from that in rolling direction.
-/// origin: reasoned: bounds grids by ten times the length that they have without yaw.
+/// origin: bound: grids are at most ten times the length that they have without yaw.
 inline constexpr double max_turn = 100.0;
 
 /// Places of the wheel's profile that are no farther apart are one, mm.
@@ -50,8 +50,8 @@ inline constexpr double max_turn = 100.0;
 inline constexpr double same_place = 1e-6;
 
 /// Narrower contacts are treated as lines of this axis ratio by the first estimate of the depth.
-/// origin: reasoned: K(e) diverges by its logarithm only.
-inline constexpr double min_estimated_axis_ratio = 1e-4;
+/// origin: bound: K(e) diverges by its logarithm only.
+inline constexpr double min_axis_ratio = 1e-4;
 
 /// The depth to a load is a start for coarse solutions. One per cent would be near enough, but
 /// where the search ends would show in forces.
@@ -64,7 +64,7 @@ inline constexpr double estimated_depth_accuracy = 1e-6;
 inline constexpr double settled_excesses = 1e-4;
 
 /// Power of the depth with which a load grows, at the start of that search, ...
-/// origin: source: Hertz, 1882.
+/// origin: published: Hertz, 1882.
 inline constexpr double load_power = 1.5;
 
 /// ... and the least that it takes from two depths.
@@ -76,11 +76,11 @@ inline constexpr double min_load_power = 1.0;
 inline constexpr double min_searched_depth = 1e-300;
 
 /// Steps of that search.
-/// origin: reasoned: a bound.
+/// origin: bound: ends a search that rounding keeps from its root.
 inline constexpr int depth_iterations = 400;
 
 /// Depth beyond which profiles no longer say what meets what, mm.
-/// origin: reasoned: about twice the height of a flange.
+/// origin: bound: about twice the height of a flange.
 inline constexpr double max_depth = 50.0;
 
 } // namespace wrc

@@ -48,7 +48,7 @@ private:
 };
 
 /// The width that every potential contact area has, over its length.
-/// origin: reasoned: less than an element; penetration at a single place of the scan has none.
+/// origin: bound: less than an element; penetration at a single place of the scan has none.
 constexpr double least_width = 1e-3;
 
 /// About its middle.

@@ -17,8 +17,7 @@ double load_of(const ContactPatch& patch, double combined_modulus) {
   const double half_width = 0.5 * (patch.contact_last - patch.contact_first) / cosine;
   const double half_length = std::sqrt((1.0 - outside_contact_share)) * patch.half_length;
   const double longer = std::max(half_width, half_length);
-  const double ratio =
-      std::max(std::min(half_width, half_length) / longer, min_estimated_axis_ratio);
+  const double ratio = std::max(std::min(half_width, half_length) / longer, min_axis_ratio);
   const double modulus = std::sqrt(1.0 - ratio * ratio);
   return 2.0 / 3.0 * std::numbers::pi * combined_modulus * longer * patch.deepest * cosine /
          std::comp_ellint_1(modulus);

@@ -13,7 +13,7 @@ namespace wrc::reading {
 namespace {
 
 /// What wheels and rails of railways and trams measure, mm.
-/// origin: source: wheels are 105 to 150 mm wide, heads of rails 50 to 80 (EN 13715, EN 13674-1,
+/// origin: published: wheels are 105 to 150 mm wide, heads of rails 50 to 80 (EN 13715, EN 13674-1,
 /// EN 14811), measurements may end earlier; flanges are 20 (trams) to 38 mm (worn) high, their tips
 /// 10 to 21 mm from the flange back.
 constexpr Position width_range{50.0, 200.0};
@@ -25,14 +25,15 @@ constexpr Position tip_range{8.0, 28.0};
 constexpr double back_tolerance = 4.0;
 constexpr double back_depth = 10.0;
 /// Reach of a wheel beside its taping line, mm: its flange root and the outer tread.
-/// origin: source: the flank begins 32 to 40 mm beside the taping line (EN 13715).
+/// origin: published: the flank begins 32 to 40 mm beside the taping line (EN 13715).
 constexpr double least_reach = 20.0;
 /// A crown farther from height 0 than this is measured from elsewhere, mm.
 /// origin: measured: worn rails of the collection have their crown at up to 1.7 mm below 0.
 constexpr double crown_tolerance = 5.0;
 
 /// Depth below the top that a wheel touches, and depth of a chamfer, mm.
-/// origin: source: gauge faces are measured 14 mm below the top, chamfers are 5 mm high (EN 13715).
+/// origin: published: gauge faces are measured 14 mm below the top, chamfers are 5 mm high (EN
+/// 13715).
 constexpr double contact_depth = 14.0;
 constexpr double chamfer_depth = 6.0;
 
@@ -61,7 +62,7 @@ constexpr double largest_return = 0.3;
 /// a pmax of 2605 instead of 898, with three 390 and 1062, with four 39 and 903.
 constexpr double notable_pressure = 100.0;
 /// Pressure amplitude over amplitude of waves two points long, in mean squares, MPa.
-/// origin: source: pi E* / wavelength (Johnson, Contact Mechanics, 13.2), E* of steel 115 GPa.
+/// origin: published: pi E* / wavelength (Johnson, Contact Mechanics, 13.2), E* of steel 115 GPa.
 constexpr double flattening = std::numbers::pi * 115e3 * std::numbers::sqrt2 / 2.0;
 /// Of points farther apart, mm, scatter and shape cannot be told apart.
 /// origin: derived: an arc of 13 mm, the sharpest of a rail's head, leaves their chords by 0.01 mm.

@@ -52,7 +52,7 @@ constexpr double end_ratio = 10.0;
 constexpr double end_corner = 45.0 * degree;
 
 /// How far below the highest point a running surface can reach, mm.
-/// origin: source: rail heads of EN 13674-1 are up to 38 mm high at their side faces; below a
+/// origin: published: rail heads of EN 13674-1 are up to 38 mm high at their side faces; below a
 /// flange tip lie its height, 28, and rims measured down to 40 below the tread.
 constexpr double rail_depth = 40.0;
 constexpr double wheel_depth = 75.0;

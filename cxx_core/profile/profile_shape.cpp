@@ -10,7 +10,7 @@ namespace wrc::reading {
 namespace {
 
 /// What stands off the tread by more than this belongs to a flange or a face, mm.
-/// origin: source: flanges are measured 10 mm above the taping line (EN 13715), where treads and
+/// origin: published: flanges are measured 10 mm above the taping line (EN 13715), where treads and
 /// chamfers (5 mm) do not reach.
 constexpr double off_tread = 8.0;
 /// Narrower than this it is no flange, mm.
@@ -26,7 +26,7 @@ constexpr double plainly_wider = 1.5;
 constexpr double top_depth = 5.0;
 constexpr double top_share = 1.0 / 3.0;
 /// Points higher than this are those of a whole rail with its foot, mm.
-/// origin: source: heads are up to 51 mm high, rails 140 to 190 (EN 13674-1).
+/// origin: published: heads are up to 51 mm high, rails 140 to 190 (EN 13674-1).
 constexpr double least_rail_height = 100.0;
 
 /// Height that half of the lateral extent lies above.

@@ -24,7 +24,7 @@ constexpr double curvature_tolerance = 1e-8;
 /// origin: derived: rounding of positions, 1e-13 mm, over the square of a piece of 0.1 mm.
 constexpr double curvature_rounding = 1e-11;
 /// Refinement ends here with an error.
-/// origin: reasoned: 40 times the pieces of a profile of 250 mm at 0.5 mm.
+/// origin: bound: 40 times the pieces of a profile of 250 mm at 0.5 mm.
 constexpr std::size_t max_pieces = 20000;
 
 [[noreturn]] void refuse(const Segment& segment, const std::string& argument,

@@ -14,11 +14,11 @@ namespace wrc::reading {
 namespace {
 
 /// Taping line of a wheel from its flange back, where nothing states it, mm.
-/// origin: source: EN 13715.
+/// origin: published: EN 13715.
 constexpr double usual_tape_offset = 70.0;
 
 /// Widths in mm that tell units: of a wheel, of a rail's head.
-/// origin: source: EN 13715, EN 13674-1.
+/// origin: published: EN 13715, EN 13674-1.
 constexpr double wheel_width = 135.0;
 constexpr double rail_width = 72.0;
 /// A unit of another power of ten is taken by these widths, an inch or a cm only near a whole
@@ -29,7 +29,7 @@ constexpr double near_width = 1.3;
 
 /// Columns are swapped if the first extends over less than this share of the second; a whole rail
 /// is as high as wide, a half one higher, in mm.
-/// origin: source: wheels and heads of rails are at least 1.9 times as wide as high (EN 13715,
+/// origin: published: wheels and heads of rails are at least 1.9 times as wide as high (EN 13715,
 /// EN 13674-1).
 constexpr double swapped_ratio = 0.6;
 constexpr double greatest_head_height = 100.0;
@@ -58,7 +58,7 @@ std::optional<ProfileKind> stated_kind(const RawProfile& raw, const ReadOptions&
 }
 
 /// The outline of a whole rail is longer than what can be its running surface.
-/// origin: source: outlines of EN 13674-1 are up to 690 mm long.
+/// origin: published: outlines of EN 13674-1 are up to 690 mm long.
 constexpr double longest_outline = 1000.0;
 
 void check_length(const RawProfile& raw, double most, const Log& log) {

@@ -15,7 +15,7 @@ namespace {
 constexpr int reparametrisations = 2;
 /// Length along the spline per length of its parameter, which is close to 1 for a smooth line;
 /// below this the points turn back on themselves and the tangent is lost.
-/// origin: reasoned: any value well below 1 and above rounding.
+/// origin: bound: any value well below 1 and above rounding.
 constexpr double min_speed = 0.01;
 /// Length of a curve in lengths of the chords of its points.
 /// origin: reasoned: curves through sensible points exceed their chords by a few per cent at most;

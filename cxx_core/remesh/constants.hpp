@@ -1,7 +1,7 @@
 /// Constants of behaviour of this room: rays from the contact plane to the surfaces.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace wrc {
 
 /// Steps of Newton's method on a row of rays at once; rays that need more are traced one by one.
-/// origin: reasoned: Newton's method doubles the digits.
+/// origin: bound: Newton's method doubles the digits.
 inline constexpr int max_ray_steps = 5;
 
 /// Greatest estimated error of a ray that counts as met, mm.
@@ -17,7 +17,7 @@ inline constexpr int max_ray_steps = 5;
 inline constexpr double ray_error = 3e-13;
 
 /// Steps of Newton's method on one ray.
-/// origin: reasoned: a bound.
+/// origin: bound: free_newton_steps suffice on smooth profiles, halvings beyond a kink.
 inline constexpr int max_newton_steps = 50;
 
 /// To which single rays are traced, mm.
@@ -38,7 +38,7 @@ inline constexpr double first_ray_step = 4.0;
 inline constexpr int free_newton_steps = 10;
 
 /// A surface seen from the ray at a flatter angle than this (its cosine) no longer faces it.
-/// origin: reasoned: 1 degree.
+/// origin: bound: 1 degree.
 inline constexpr double min_facing_cosine = 0.02;
 
 /// Larger than any distance at which bodies could meet, mm.

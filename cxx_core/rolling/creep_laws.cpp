@@ -12,11 +12,11 @@ namespace wrc {
 namespace {
 
 /// Linear force over the friction at which everything slips.
-/// origin: source: Vermeulen & Johnson 1964: where their cubic reaches mu N, with no slope.
+/// origin: published: Vermeulen & Johnson 1964: where their cubic reaches mu N, with no slope.
 constexpr double full_slip_ratio = 3.0;
 
 /// Growth of the spin's share with the length of the ellipse, over that of a short one.
-/// origin: source: Polach 1999, fitted there to Kalker's tables of pure spin.
+/// origin: published: Polach 1999, fitted there to Kalker's tables of pure spin.
 constexpr double polach_spin_growth = 6.3;
 
 double polach_spin_share(const RollingEllipse& ellipse) {

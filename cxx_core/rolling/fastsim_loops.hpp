@@ -12,7 +12,7 @@
 namespace wrc {
 
 /// Strips that march side by side; more are marched one group after another.
-/// origin: reasoned: two registers of eight doubles, or four of four, hide each other's latency.
+/// origin: derived: two registers of eight doubles, or four of four, hide each other's latency.
 inline constexpr std::size_t strip_group = 16;
 
 /// A group of strips of an ellipse: lengths in its semi-axes, tractions over mu times the largest

@@ -16,7 +16,7 @@ SlipDifferenceWeights difference_of(const RollingProblem& problem, double times)
   // upstream-biased one of third order; the leading edge is then at the end of a whole first
   // element (LeadingEdge.ComesFromTheHalfPlane).
   constexpr DifferenceWeights biased{11.0 / 48.0, 39.0 / 48.0, -63.0 / 48.0, 13.0 / 48.0};
-  // origin: source: CONTACT (Vollebregt), which takes spin a sixth of an element ahead.
+  // origin: published: CONTACT (Vollebregt), which takes spin a sixth of an element ahead.
   constexpr double first_order_place = 1.0 / 6.0;
   if (problem.motion != TangentialMotion::rolling) {
     return {{0.0, times, 0.0, 0.0}, 0.0};

@@ -13,11 +13,11 @@ using namespace dimensions;
 using namespace key_makers;
 
 /// Of a coefficient of friction.
-/// origin: reasoned: ten times that of clean steel.
+/// origin: bound: ten times that of clean steel.
 constexpr double max_friction = 10.0;
 
 /// Places on a wheel at which friction may be given, each two numbers.
-/// origin: reasoned: one for each millimetre and more.
+/// origin: bound: one for each millimetre and more.
 constexpr std::size_t max_friction_places = 256;
 
 using Sides = std::vector<SceneSide Scene::*>;

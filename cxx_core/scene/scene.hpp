@@ -27,7 +27,7 @@ enum class SideChoice { both, left, right };
 enum class ModelRequest { automatic, half_space, hertz, kik_piotrowski };
 
 /// Largest permitted creepage, and spin in 1/mm.
-/// origin: reasoned: full sliding in every case.
+/// origin: bound: full sliding in every case.
 inline constexpr double max_creepage = 10.0;
 
 /// As keys and results call it.

@@ -68,7 +68,7 @@ public:
 
 private:
   /// Wear studies compare a handful of profiles; a surface takes about 0.1 MB.
-  /// origin: reasoned, changes no result.
+  /// origin: bound, changes no result.
   static constexpr std::size_t max_kept = 8;
   std::mutex mutex_;
   std::vector<Entry> entries_; ///< last used first

@@ -12,7 +12,7 @@ namespace wrc {
 namespace {
 
 /// Cells and results of a table.
-/// origin: reasoned: a table of 2 GB.
+/// origin: bound: a table of 2 GB.
 constexpr std::size_t max_table_size = std::size_t{1} << 28;
 
 std::vector<std::string> words_of(std::string_view text) {

@@ -15,14 +15,15 @@ namespace {
 constexpr double total_tolerance = 1e-6;
 constexpr double total_share = 0.01;
 
-/// Solutions after which that share of the accuracy will do, and after which there is no load.
-/// origin: reasoned: twice as many as are needed where nothing jumps; bisections of a jump down to
-/// the tolerance take 20 more.
+/// Solutions after which that share of the accuracy will do, ...
+/// origin: reasoned: twice as many as are needed where nothing jumps.
 constexpr int usual_solutions = 12;
+/// ... and after which there is no load.
+/// origin: bound: bisections of a jump down to the tolerance take 20 more.
 constexpr int most_solutions = 40;
 
 /// The largest load on the pressures, in totals.
-/// origin: reasoned: full sliding down a flange of 75 degrees with friction 0.25 leaves a
+/// origin: bound: full sliding down a flange of 75 degrees with friction 0.25 leaves a
 /// fifteenth.
 constexpr double largest_load = 32.0;
 

@@ -1,7 +1,7 @@
 /// Constants of behaviour of this room: one wheel, from the first depth to its result.
 ///
-/// Each with its origin: derived, source (with author), measured (with what measures it) or
-/// reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with what measures
+/// it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -63,7 +63,7 @@ inline constexpr double tip_fall = 0.2;
 /// Pressure that no steel of wheels and rails carries, MPa: 440 kgf/mm2. A material flows all round
 /// a contact when the mean pressure is its hardness, about three times its yield stress (Johnson,
 /// Contact Mechanics, 6.3).
-/// origin: source: 440 HBW, the upper end of the hardest grade, R400HT (EN 13674-1); wheels are
+/// origin: published: 440 HBW, the upper end of the hardest grade, R400HT (EN 13674-1); wheels are
 /// softer, 320 HBW at most (EN 13262).
 inline constexpr double hardest_steel = 440.0 * 9.80665;
 /// Combined modulus above which bodies are no steel, MPa.
@@ -71,15 +71,12 @@ inline constexpr double hardest_steel = 440.0 * 9.80665;
 inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
 
 /// Of a wheel's tread towards the field side, rad; what falls more steeply is its chamfer.
-/// origin: source: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45 degrees.
+/// origin: published: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45
+/// degrees.
 inline constexpr double max_tread_slope = 0.2;
 
-/// In the vertical convention all that lies within these limits of the main patch shares its
-/// grid: angle, rad, ...
-/// origin: derived: as same_plane_angle (patches/constants.hpp).
-inline constexpr double one_grid_angle = 0.2;
-
-/// ... and distance, mm.
+/// In the vertical convention all that turns by less than same_plane_angle (patches/constants.hpp)
+/// from the main patch and lies within this distance of it, mm, shares its grid.
 /// origin: reasoned: the width of the tread's contact band.
 inline constexpr double one_grid_distance = 20.0;
 
@@ -91,35 +88,35 @@ inline constexpr double penetration_margin = 0.05;
 
 /// Elements of a wheel's grids of normal contact together, and of its grids of creep forces, that
 /// solve.element_limit permits by default.
-/// origin: measured (random_scenes, posed_scenes): 1e-3 takes
+/// origin: bound: measured (random_scenes, posed_scenes): 1e-3 takes
 /// 5,900 in the median, 26,000 in 99 % and 46,000 at most on 519 random wheelsets with creep
 /// forces, 3e-4 takes 16,000 and 86,000 (worn and rough profiles among them). 100,000 take up
 /// to 1.2 s and 150 MB.
 inline constexpr double default_element_limit = 100000.0;
 
 /// An element of unlike bodies counts as so many towards solve.element_limit.
-/// origin: measured (bounded_scenes posed, seed 5, scene 887): the alternations between pressures
-/// and tractions take 3.8 s on 98,000 elements, like bodies at most 1.2 s.
+/// origin: bound: measured (bounded_scenes posed, seed 5, scene 887): the alternations between
+/// pressures and tractions take 3.8 s on 98,000 elements, like bodies at most 1.2 s.
 inline constexpr double cost_of_unlike_bodies = 4.0;
 
 /// Likewise one whose tractions are found at several pitch rates, where the pitch is free.
-/// origin: measured (bounded_scenes loaded, seed 2002, scene 25740): the search takes 3.7 s on
-/// 100,000 elements.
+/// origin: bound: measured (bounded_scenes loaded, seed 2002, scene 25740): the search takes 3.7 s
+/// on 100,000 elements.
 inline constexpr double cost_of_free_pitch = 3.0;
 
 /// Iterations times elements of one solution whose elements follow from the accuracy; a limit of
 /// elements above the default permits as many times more.
-/// origin: measured (bounded_scenes loaded, seed 22): 1.6e8 take solve.solver = "paper" 3.6 s; the
-/// default solver ends after a hundredth of it.
+/// origin: bound: measured (bounded_scenes loaded, seed 22): 1.6e8 take solve.solver = "paper" 3.6
+/// s; the default solver ends after a hundredth of it.
 inline constexpr double most_work = 5e7;
 
 /// Elements grow by this at least in each round that coarsens grids to the limit, since whole
 /// numbers of rows may hide a smaller growth, ...
-/// origin: reasoned: two more rows of a hundred.
+/// origin: bound: two more rows of a hundred.
 inline constexpr double least_coarsening = 1.02;
 
 /// ... and the rounds end here: the fewest elements of many patches may exceed a small limit.
-/// origin: reasoned: most grids take one or two rounds, those that reach two elements across ten.
+/// origin: bound: most grids take one or two rounds, those that reach two elements across ten.
 inline constexpr int coarsening_rounds = 60;
 
 /// Depth that positions can just tell apart, mm. On steel it takes about 2e-7 N.
@@ -144,19 +141,19 @@ inline constexpr double noise_response = 0.9069;
 inline constexpr double table_difference = 2e-12;
 
 /// Elements each way on which pressures of an approximate model are sampled.
-/// origin: reasoned: enough to draw; figures are in closed form.
+/// Enough to draw, figures are in closed form: the size of a picture, not a tuning constant.
 inline constexpr std::size_t sampled_count = 32;
 
 /// Room around the contact on that grid, as a share of it.
-/// origin: reasoned: one element.
-inline constexpr double sampled_margin = 1.0 / 32.0;
+/// origin: derived: one element.
+inline constexpr double sampled_margin = 1.0 / static_cast<double>(sampled_count);
 
 /// Share of the load to which an approximate model's depth is found.
 /// origin: reasoned: below what anybody reads, above the rounding of a sum.
 inline constexpr double load_accuracy = 1e-10;
 
 /// Steps of that search.
-/// origin: reasoned: a bound.
+/// origin: bound: secants and halvings of a bracket need ten to twenty.
 inline constexpr int load_steps = 80;
 
 /// Change of the depth that leaves patches and planes as they are.
@@ -164,7 +161,8 @@ inline constexpr int load_steps = 80;
 inline constexpr double settled_share = 1e-3;
 
 /// Times that patches are found again at the depth of the load.
-/// origin: reasoned: a bound; where patches join or part, the two may alternate for ever.
+/// origin: bound: two or three as a rule; where patches join or part, the two may alternate for
+/// ever.
 inline constexpr int settling_steps = 20;
 
 /// Validity below which a warning is due.
@@ -174,11 +172,11 @@ inline constexpr double good_validity = 0.8;
 
 /// The least of Hertz's lateral curvature, in longitudinal ones, that a first depth is taken
 /// from.
-/// origin: reasoned: flatter contacts are not elliptic.
+/// origin: bound: flatter contacts are not elliptic.
 inline constexpr double min_curvature_share = 1e-3;
 
 /// Elements of the common grid of a contact of several patches, in those of all parts.
-/// origin: reasoned: bounds memory where small parts lie far apart.
+/// origin: bound: of memory where small parts lie far apart.
 inline constexpr std::size_t max_elements_ratio = 16;
 
 /// Of the linear solutions of sensitivities.
@@ -201,7 +199,7 @@ inline constexpr double share_of_creep_columns = 0.6;
 inline constexpr double min_creep_columns = 8.0;
 
 /// The most elements along a contact; across twice as many.
-/// origin: reasoned: bounds memory to some 200 MB; the error by the law is 1e-5 of mu N.
+/// origin: bound: of memory, some 200 MB; the error by the law is 1e-5 of mu N.
 inline constexpr double max_creep_columns = 400.0;
 
 /// Elements across for each along, over an elliptic contact as long as wide.
@@ -210,8 +208,8 @@ inline constexpr double max_creep_columns = 400.0;
 inline constexpr double creep_rows_by_columns = 1.17;
 
 /// The fewest elements across an elliptic contact.
-/// origin: reasoned: as min_creep_columns in a contact as long as wide, by half.
-inline constexpr double min_creep_rows = 4.8;
+/// origin: derived: half as many as min_creep_columns asks for where contact is as long as wide.
+inline constexpr double min_creep_rows = 0.5 * min_creep_columns * creep_rows_by_columns;
 
 /// Share of the accuracy, of friction's largest moment about the axle, to which a free pitch rate
 /// balances the torque.
@@ -221,12 +219,12 @@ inline constexpr double min_creep_rows = 4.8;
 inline constexpr double free_pitch_tolerance = 0.01;
 
 /// Below this friction tractions are computed with more friction and in proportion more creepage.
-/// origin: reasoned: far below any that shows beside normal forces; squares of its tractions, and
+/// origin: bound: far below any that shows beside normal forces; squares of its tractions, and
 /// of slips over them, are numbers for all moduli and loads.
 inline constexpr double least_friction = 1e-30;
 
 /// Most evaluations of the torque once two pitch rates bracket the one sought.
-/// origin: reasoned: ten settle what is smooth, halving by these leaves 4e-9 of the bracket.
+/// origin: bound: ten settle what is smooth, halving by these leaves 4e-9 of the bracket.
 /// Between unlike bodies the alternation's own tolerance may exceed that of the torque: 90 once
 /// took 28 s.
 inline constexpr int pitch_evaluations = 28;
@@ -236,7 +234,7 @@ inline constexpr int pitch_evaluations = 28;
 inline constexpr double creep_difference_step = 1e-2;
 
 /// Least friction that sets the steps of differences for the linear law, which has none itself.
-/// origin: reasoned: steps are then above the rounding of any creepage permitted.
+/// origin: bound: steps are then above the rounding of any creepage permitted.
 inline constexpr double least_linear_friction = 1e-2;
 
 /// Change of pressures, in the largest of them, by which they are differentiated.
@@ -262,7 +260,7 @@ inline constexpr double creep_error_by_residual = 0.3;
 inline constexpr double stress_error_by_crest = 2.5;
 
 /// Places and depths of a section of stresses, ...
-/// origin: reasoned: a picture; CONTACT's own examples have about as many.
+/// About as many as CONTACT's own examples have: the size of a picture, not a tuning constant.
 inline constexpr std::size_t section_places = 100;
 inline constexpr std::size_t section_depths = 60;
 /// ... its half length over the contact's semi-axis, and its depth over the smaller one.
@@ -270,10 +268,6 @@ inline constexpr std::size_t section_depths = 60;
 /// a third of it at 2.
 inline constexpr double section_half_length = 1.5;
 inline constexpr double section_depth = 2.0;
-
-/// Utilised friction up to which the shakedown map goes.
-/// origin: derived: the range of shakedown_limits.
-inline constexpr double max_map_friction = 2.0;
 
 /// Share of an error estimate from which on a warning names what it is due to.
 /// origin: reasoned: less does not show in the three digits that are printed.

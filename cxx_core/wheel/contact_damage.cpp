@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "damage/constants.hpp"
 #include "mechanics/cascade.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
@@ -67,7 +68,7 @@ ContactDamage damage_of(const PatchResult& patch, const DamageRequest& request,
     fatigue.friction =
         std::hypot(creep.longitudinal_force, creep.lateral_force) / norm(patch.force);
     fatigue.pressure_ratio = patch.pmax / request.shear_yield;
-    fatigue.limits = shakedown_limits(std::min(fatigue.friction, max_map_friction));
+    fatigue.limits = shakedown_limits(std::min(fatigue.friction, map_friction));
     fatigue.surface_index =
         surface_fatigue_index(fatigue.friction, patch.pmax, request.shear_yield);
     fatigue.rail_damage = rail_damage(creep.power_per_speed);

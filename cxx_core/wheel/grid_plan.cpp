@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "patches/constants.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
@@ -43,7 +44,7 @@ ContactPatches in_one_plane(const ContactPatches& found, std::optional<double>& 
   for (const ContactPatch& patch : found.patches) {
     const double apart = std::max(patch.y_first - main.y_last, main.y_first - patch.y_last);
     if (apart > one_grid_distance ||
-        std::abs(patch.angle_unturned - main.angle_unturned) > one_grid_angle) {
+        std::abs(patch.angle_unturned - main.angle_unturned) > same_plane_angle) {
       left_out_s = patch.deepest_s;
     } else if (patch.deepest_y != main.deepest_y) {
       all = joined(all, patch);

@@ -1,4 +1,6 @@
 // Largest pressures from a section that is finer than the grid.
+#include "accuracy/peak_section.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -117,6 +119,27 @@ TEST(PeakSection, ServesBothKindsOfElements) {
   for (const Elements elements : {Elements::constant, Elements::smooth}) {
     scene.elements = elements;
     EXPECT_LT(std::abs(pmax_of(scene, AccuracyOf::pressures) / truth - 1.0), 0.02);
+  }
+}
+
+/// A wedge of angle d has p = E* d/(2 pi) ln(1/x) near its tip (Johnson, Contact Mechanics, 1985,
+/// eq. 5.28).
+TEST(PeakSection, AWedgeGrowsWithTheLogarithmOfItsStrips) {
+  EXPECT_NEAR(growth_at_ridge(0.01, 115e3), 115e3 * 0.01 / (2.0 * std::acos(-1.0)), 1e-9);
+  EXPECT_EQ(growth_at_ridge(0.0, 115e3), 0.0);
+}
+
+/// A crest is as narrow on few rows as on many: strips over the contact are never fewer than a
+/// number.
+TEST(PeakSection, FewRowsHaveMoreStripsEach) {
+  Patch patch;
+  patch.contact.box.lateral_first = 3;
+  for (const std::size_t rows : {2U, 4U, 15U, 40U, 200U}) {
+    patch.contact.box.lateral_last = 3 + rows - 1;
+    const double strips = strips_in_row(patch);
+    EXPECT_GE(strips, strips_per_row);
+    EXPECT_GE(strips * static_cast<double>(rows), min_strips);
+    EXPECT_TRUE(strips == strips_per_row || strips * static_cast<double>(rows) == min_strips);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "nearest.hpp"
 #include "profile/reader_formats.hpp"
 #include "profile/readers.hpp"
+#include "samples.hpp"
 #include "support/reference_data.hpp"
 
 namespace wrc::test::profile_reference_test {
@@ -37,11 +38,6 @@ std::string content_of(const std::filesystem::path& file) {
 std::vector<Position> points_of(const std::string& file) {
   reading::Log log(file, true);
   return reading::read_columns(content_of(reference_file(file)), log).points;
-}
-
-bool says(const ReadResult& read, const std::string& text) {
-  return std::any_of(read.corrections.begin(), read.corrections.end(),
-                     [&](const std::string& line) { return line.find(text) != line.npos; });
 }
 
 void expect_on(const Curve& curve, const std::vector<Position>& points) {

@@ -1,4 +1,6 @@
 /// Warnings of profiles come with every result that was solved with them.
+#include "scene/scene_warnings.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -109,6 +111,25 @@ TEST(SceneWarnings, APressureThatNoSteelCarriesIsTold) {
   EXPECT_TRUE(told(solve_scene(scene))) << "6047 MPa";
   scene.wheel_material.youngs_modulus = scene.rail_material.youngs_modulus = 400e3;
   EXPECT_FALSE(told(solve_scene(scene))) << "no steel";
+}
+
+/// A profile of both sides is one entry, and its lead names no side.
+TEST(ProfileWarnings, OfBothSidesAreSaidOnce) {
+  const auto warnings =
+      std::make_shared<const Warnings>(Warnings{{WarningClass::profile_gap, "a gap"}});
+  ProfileWarnings all;
+  all.add({ProfileKind::wheel, SideChoice::left, "worn.prw", warnings});
+  Warnings texts;
+  all.append_to(texts);
+  ASSERT_EQ(texts.size(), 1U);
+  EXPECT_EQ(texts.front().text, "left wheel profile worn.prw: a gap");
+  all.add({ProfileKind::wheel, SideChoice::right, "worn.prw", warnings});
+  EXPECT_EQ(all.count(), 1U);
+  texts.clear();
+  all.append_to(texts);
+  EXPECT_EQ(texts.front().text, "wheel profile worn.prw: a gap");
+  all.add({ProfileKind::rail, SideChoice::left, "worn.prw", warnings});
+  EXPECT_EQ(all.count(), 2U) << "a rail of the same name";
 }
 
 } // namespace

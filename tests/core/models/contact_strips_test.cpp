@@ -1,0 +1,87 @@
+// Strips along the rail against bodies with closed forms and against differences.
+#include "models/contact_strips.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "profile/profile.hpp"
+#include "support/simple_profiles.hpp"
+
+namespace wrc::test::contact_strips_test {
+namespace {
+
+constexpr WheelsetDimensions dimensions{1360.0, 70.0, 460.0};
+
+/// A cylinder on a crown of 300 mm: curvatures are those of the bodies.
+TEST(ContactStrips, CrossedCylindersHaveTheirOwnCurvatures) {
+  const WheelSurface wheel(cylindrical_wheel(), dimensions);
+  const RailSurface rail(circular_rail(300.0), {1435.0, 14.0, 0.0});
+  const ContactStrips strips(wheel, rail, {});
+  // The crown's middle is where the rail is highest.
+  const double middle = rail.origin_y() - wheel.taping_line();
+  const auto strip = strips.at(middle);
+  ASSERT_TRUE(strip);
+  EXPECT_NEAR(strip->longitudinal_curvature, 1.0 / 460.0, 1e-12);
+  EXPECT_NEAR(strip->lateral_curvature, 1.0 / 300.0, 1e-7);
+  EXPECT_NEAR(strip->rail_slope, 0.0, 1e-9);
+  EXPECT_NEAR(strip->lateral_rate, 1.0, 1e-12);
+  EXPECT_NEAR(strip->longitudinal_rate, 0.0, 1e-12);
+  EXPECT_NEAR(strip->distance, -460.0, 1e-9);
+  const auto beside = strips.at(middle + 5.0);
+  ASSERT_TRUE(beside);
+  EXPECT_NEAR(beside->distance - strip->distance, 300.0 - std::sqrt(300.0 * 300.0 - 25.0), 1e-6);
+}
+
+/// A sphere about the middle of the axle has the same strips under any yaw.
+TEST(ContactStrips, OfASphereDoNotDependOnYaw) {
+  const WheelSurface wheel(spherical_wheel(1200.0), {0.0, 0.0, 1200.0});
+  const RailSurface rail(circular_rail(300.0), {600.0, 14.0, 0.0}); // the sphere is 900 mm wide
+  const ContactStrips straight(wheel, rail, {});
+  const ContactStrips yawed(wheel, rail, {0.0, 0.03, 0.0});
+  for (const double y : {rail.origin_y() - 20.0, rail.origin_y(), rail.origin_y() + 20.0}) {
+    // The point over y has the same height, on another meridian.
+    double s = y;
+    for (int i = 0; i < 50; ++i) {
+      const auto strip = yawed.at(s);
+      ASSERT_TRUE(strip);
+      s -= (strip->rail.y - y) / strip->lateral_rate;
+    }
+    const auto one = straight.at(y);
+    const auto other = yawed.at(s);
+    ASSERT_TRUE(one);
+    ASSERT_TRUE(other);
+    EXPECT_NEAR(other->distance, one->distance, 1e-6);
+    EXPECT_NEAR(other->lateral_curvature, one->lateral_curvature, 1e-6);
+  }
+}
+
+/// Rates and the least gap's curvature of a real pair, by differences along the wheel's profile.
+TEST(ContactStrips, RatesAndCurvatureAreThoseOfDifferences) {
+  const WheelSurface wheel(standard_profile("S1002"), dimensions);
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  const ContactStrips strips(wheel, rail, {2.0, 0.01, 0.0});
+  constexpr double h = 1e-3;
+  for (const double s : {-8.0, 3.3, 21.0}) {
+    const auto before = strips.at(s - h);
+    const auto here = strips.at(s);
+    const auto after = strips.at(s + h);
+    ASSERT_TRUE(before && here && after) << s;
+    EXPECT_NEAR((after->rail.y - before->rail.y) / (2.0 * h), here->lateral_rate, 1e-5);
+    EXPECT_NEAR((after->rail.x - before->rail.x) / (2.0 * h), here->longitudinal_rate, 1e-4);
+    EXPECT_NEAR((after->rail.z - before->rail.z) / (after->rail.y - before->rail.y),
+                here->rail_slope, 1e-6);
+  }
+}
+
+TEST(ContactStrips, EndWithTheProfiles) {
+  const WheelSurface wheel(standard_profile("S1002"), dimensions);
+  const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
+  const ContactStrips strips(wheel, rail, {});
+  EXPECT_FALSE(strips.at(-200.0));
+  EXPECT_FALSE(strips.at(200.0));
+  EXPECT_TRUE(strips.at(0.0));
+}
+
+} // namespace
+} // namespace wrc::test::contact_strips_test

@@ -1,0 +1,114 @@
+// Points of a wheel and of a rail are plausible; each of what they are checked for shows.
+#include "profile/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+
+namespace wrc::test::plausibility_test {
+namespace {
+
+using namespace reading;
+
+constexpr double tape_offset = 70.0;
+
+bool warns(const std::vector<Position>& points, ProfileKind profile, WarningClass kind) {
+  Log log("file", false);
+  check_points(points, profile, tape_offset, log);
+  return std::any_of(log.warnings().begin(), log.warnings().end(),
+                     [kind](const Warning& warning) { return warning.kind == kind; });
+}
+
+std::vector<Position> changed(std::vector<Position> points, double lateral, double height,
+                              Position shift = {0.0, 0.0}) {
+  for (Position& point : points) {
+    point = {lateral * point[0] + shift[0], height * point[1] + shift[1]};
+  }
+  return points;
+}
+
+TEST(Plausibility, WheelsAndRailsAre) {
+  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
+    Log log("file", true);
+    const auto points = kind == ProfileKind::wheel ? wheel_points() : rail_points();
+    EXPECT_NO_THROW(check_points(points, kind, tape_offset, log));
+    EXPECT_TRUE(log.warnings().empty());
+  }
+}
+
+TEST(Plausibility, WrongSignsShow) {
+  EXPECT_TRUE(
+      warns(changed(wheel_points(), 1.0, -1.0), ProfileKind::wheel, WarningClass::profile_signs));
+  std::vector<Position> mirrored = changed(wheel_points(), -1.0, 1.0);
+  std::reverse(mirrored.begin(), mirrored.end());
+  EXPECT_TRUE(warns(mirrored, ProfileKind::wheel, WarningClass::profile_signs));
+}
+
+TEST(Plausibility, WrongOriginsShow) {
+  EXPECT_TRUE(warns(changed(wheel_points(), 1.0, 1.0, {0.0, 5.0}), ProfileKind::wheel,
+                    WarningClass::profile_origin));
+  EXPECT_TRUE(warns(changed(wheel_points(), 1.0, 1.0, {70.0, 0.0}), ProfileKind::wheel,
+                    WarningClass::profile_origin));
+  EXPECT_TRUE(warns(changed(rail_points(), 1.0, 1.0, {0.0, 170.0}), ProfileKind::rail,
+                    WarningClass::profile_origin));
+}
+
+TEST(Plausibility, WrongUnitsShow) {
+  EXPECT_TRUE(warns(changed(wheel_points(), 2.0, 2.0), ProfileKind::wheel,
+                    WarningClass::profile_dimensions));
+}
+
+TEST(Plausibility, AMissingFlangeShows) {
+  std::vector<Position> tread;
+  for (double y = -40.0; y <= 60.0; y += 2.0) {
+    tread.push_back({y, -y / 20.0});
+  }
+  EXPECT_TRUE(warns(tread, ProfileKind::wheel, WarningClass::profile_flange));
+}
+
+TEST(Plausibility, GapsStepsAndOverlapsShow) {
+  std::vector<Position> points = rail_points();
+  points.erase(points.begin() + 12, points.begin() + 18);
+  EXPECT_TRUE(warns(points, ProfileKind::rail, WarningClass::profile_gap));
+  points = rail_points();
+  for (std::size_t i = 17; i < points.size(); ++i) {
+    points[i][1] += 2.0;
+  }
+  EXPECT_TRUE(warns(points, ProfileKind::rail, WarningClass::profile_step));
+  points = rail_points();
+  std::swap(points[16], points[17]);
+  EXPECT_TRUE(warns(points, ProfileKind::rail, WarningClass::profile_overlap));
+}
+
+TEST(Plausibility, HeightAtTheTapingLineIsBetweenThePoints) {
+  const std::vector<Position> points{{-3.0, 0.4}, {-1.0, 0.2}, {3.0, -0.6}};
+  ASSERT_TRUE(height_at_taping_line(points));
+  EXPECT_NEAR(*height_at_taping_line(points), 0.0, 1e-12);
+  EXPECT_FALSE(height_at_taping_line(std::span(points).first(2)));
+}
+
+/// Waves as short as two points of an amplitude of 0.05 mm make pressures; arcs make none.
+TEST(Plausibility, ScatterShowsAndShapeDoesNot) {
+  std::vector<Position> arc;
+  for (int i = 0; i <= 280; ++i) {
+    const double y = 0.25 * i - 35.0;
+    arc.push_back({y, std::sqrt(300.0 * 300.0 - y * y) - 300.0});
+  }
+  Log smooth("file", true);
+  tell_scatter(arc, smooth);
+  EXPECT_TRUE(smooth.warnings().empty());
+  for (std::size_t i = 0; i < arc.size(); ++i) {
+    arc[i][1] += 0.05 * std::sin(12.9898 * static_cast<double>(i * i));
+  }
+  Log rough("file", true);
+  tell_scatter(arc, rough);
+  ASSERT_EQ(rough.warnings().size(), 1U);
+  EXPECT_EQ(rough.warnings().front().kind, WarningClass::profile_noise);
+}
+
+} // namespace
+} // namespace wrc::test::plausibility_test

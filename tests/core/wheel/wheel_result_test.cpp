@@ -1,0 +1,89 @@
+// The result of a wheel: its patches as they were solved, and residuals by convolutions of their
+// own.
+#include "wheel/wheel_result.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scene/solve_scene.hpp"
+
+namespace wrc::test::wheel_result_test {
+namespace {
+
+TEST(WheelResult, SolvedPatchesAreThePartsOfThoseThatShareAPlane) {
+  WheelResult wheel;
+  wheel.patches.resize(3);
+  wheel.patches[1].parts.resize(2);
+  const std::vector<const PatchResult*> solved = solved_patches(wheel);
+  ASSERT_EQ(solved.size(), 4U);
+  EXPECT_EQ(solved[0], &wheel.patches[0]);
+  EXPECT_EQ(solved[1], &wheel.patches[1].parts[0]);
+  EXPECT_EQ(solved[2], &wheel.patches[1].parts[1]);
+  EXPECT_EQ(solved[3], &wheel.patches[2]);
+}
+
+/// Forces are those of the pressures along the planes' normals; the right side is a mirror image.
+TEST(WheelResult, ForcesAreSumsOverThePatches) {
+  for (const double lateral : {0.0, 5.0, -5.0}) {
+    Scene scene;
+    scene.lateral = lateral;
+    const SceneResult result = solve_scene(scene);
+    for (const WheelResult* wheel : {&*result.left, &*result.right}) {
+      Vector3 force;
+      double normal_force = 0.0;
+      double largest = 0.0;
+      for (const PatchResult& patch : wheel->patches) {
+        force = force + patch.force;
+        normal_force += patch.normal_force;
+        largest = std::max(largest, patch.pmax);
+        // A plane that rises to the left pushes the wheel to the right.
+        EXPECT_NEAR(patch.force.y, -std::sin(patch.angle) * patch.normal_force,
+                    1e-6 * patch.normal_force);
+        EXPECT_NEAR(patch.force.z, std::cos(patch.angle) * patch.normal_force,
+                    1e-6 * patch.normal_force);
+      }
+      EXPECT_NEAR(wheel->force.y, force.y, 1e-6);
+      EXPECT_NEAR(wheel->force.z, force.z, 1e-6);
+      EXPECT_NEAR(wheel->normal_force, normal_force, 1e-6);
+      EXPECT_EQ(wheel->pmax, largest);
+      EXPECT_NEAR(wheel->force.z, 80000.0, 1.0);
+    }
+  }
+}
+
+TEST(WheelResult, LeftAndRightAreMirrorImages) {
+  Scene scene;
+  scene.lateral = 4.0;
+  const SceneResult one = solve_scene(scene);
+  scene.lateral = -4.0;
+  const SceneResult other = solve_scene(scene);
+  EXPECT_EQ(one.left->force.y, -other.right->force.y);
+  EXPECT_EQ(one.left->centroid.y, -other.right->centroid.y);
+  EXPECT_EQ(one.left->pmax, other.right->pmax);
+}
+
+TEST(WheelResult, ResidualsAreSmallAndShowWhatIsWrong) {
+  Scene scene;
+  scene.side = SideChoice::left;
+  SceneResult good = solve_scene(scene);
+  const Residuals found = residuals_of(*good.left);
+  EXPECT_LT(found.load_balance, 1e-6);
+  EXPECT_GT(found.least_gap, -1e-3);
+  EXPECT_LT(found.complementarity, 1e-3);
+  SceneResult wrong = solve_scene(scene);
+  PatchResult& patch = wrong.left->patches.front();
+  for (double& pressure : patch.pressure) {
+    pressure *= 1.1;
+  }
+  patch.normal_force *= 1.1;
+  const Residuals shown = residuals_of(*wrong.left);
+  EXPECT_GT(shown.load_balance, 0.09);
+  EXPECT_GT(shown.complementarity, 0.05);
+  // Computed once.
+  patch.normal_force = 0.0;
+  EXPECT_EQ(residuals_of(*wrong.left).load_balance, shown.load_balance);
+}
+
+} // namespace
+} // namespace wrc::test::wheel_result_test
