@@ -244,6 +244,6 @@ int main(int argc, char** argv) {
              "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
              "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
              "  wrc_benchmark --case service --steps 300       what a step of a real run costs\n"
-             "docs/performance-measured.md and docs/performance-service.md explain the columns.");
+             "docs/evidence/performance.md and docs/evidence/service.md explain the columns.");
   return driver::run_program(app, argc, argv, [&] { return run(options); });
 }
