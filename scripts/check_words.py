@@ -16,10 +16,10 @@ PROJECT = Path(__file__).resolve().parent.parent
 WORDS = [
     (r"\btold\b", "reported, named, given"),
     (r"\banew\b", "again, or: is rebuilt, is recomputed"),
-    (r"(?<!times )(?<!half )(?<!twice )(?<![0-9] )\bas many\b", "the number of ..., one ... for each ..."),
+    (r"(?<!times )(?<!half )(?<!twice )(?<!at least )(?<![0-9] )\bas many\b", "the number of ..., one ... for each ..."),
     (r"\b(?:of|by|with) what\b", "name the thing"),
     (r"\bturns? (?:by \S+ )?at once\b", "has a kink"),
-    (r"\bin the mean\b", "on average, mean"),
+    (r"\bin the mean\b(?! plane)", "on average, mean"),
     (r"\bkey away\b", "is selected with one key"),
     (r"\bknows? (?:nothing )?of\b", "does not include, does not handle"),
     (r"\bstands? (?:in(?! for)|at|beside|there|here|once|with)\b", "is in, is beside"),

@@ -428,8 +428,8 @@ WRC_API const char* wrc_profile_correction(const wrc_profile* profile, int64_t i
 WRC_API const char* wrc_profile_warning(const wrc_profile* profile, int64_t index);
 /**
  * Points of a profile that was read: WRC_POINTS_READ, before smoothing, or WRC_POINTS_DROPPED,
- * those that cleaning removed; a built-in profile has none. mm, frame of wrc_profile_at; both arrays
- * hold `capacity` values (as wrc_scene_field copies). Since 0.3.
+ * those that cleaning removed; a built-in profile has none. mm, frame of wrc_profile_at; both
+ * arrays hold `capacity` values (as wrc_scene_field copies). Since 0.3.
  */
 WRC_API wrc_status wrc_profile_points(wrc_profile* profile, int32_t which, double* lateral,
                                       double* height, int64_t capacity, int64_t* count);

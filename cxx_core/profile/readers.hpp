@@ -8,10 +8,10 @@
 /// seen from its shape; state it if the format does not define it.
 ///
 /// Every change of the data is one line of `corrections`; what no wheel or rail has is one of the
-/// profile's warnings (plausibility.hpp). Guesses and warnings are errors in strict mode, but for
-/// the scatter of points. Input is not trusted: sizes are bounded, every error names file and line.
-/// Does not know: kinks (points are joined by one smooth spline).
-/// Units mm. Thread rule: no state.
+/// profile's warnings (plausibility.hpp). Guesses and warnings are errors in strict mode, except
+/// for the scatter of points. Input is not trusted: sizes are bounded, every error names file and
+/// line. Does not know: kinks (points are joined by one smooth spline). Units mm. Thread rule: no
+/// state.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ enum class WheelOrigin { by_file, tape, flange_back };
 
 struct ReadOptions {
   std::optional<ProfileKind> kind; ///< wins over what the file says
-  /// Mirroring on top of what the format defines; if set, replaces the check of the shape.
+  /// Mirroring in addition to the format's own; if set, replaces the check of the shape.
   std::optional<bool> mirror_lateral;
   std::optional<bool> mirror_height;
   std::optional<double> scale;       ///< mm per unit of the file; if not set, units may be guessed

@@ -27,8 +27,8 @@ struct Key {
   std::function<bool(Scene&, const Profile&)> set_profile;
 };
 
-/// All keys, in the order of a scene file: those of one side after those of both. Made anew by each
-/// call.
+/// All keys, in the order of a scene file: those of one side after those of both. Made again by
+/// each call.
 std::vector<Key> make_scene_keys();
 /// Of them, those of loads.
 std::vector<Key> make_load_keys();

@@ -1,4 +1,4 @@
-// wrc_benchmark: times the solvers and whole scenes, each time beside the error of what was solved.
+// wrc_benchmark: times the solvers and whole scenes, and shows each time beside its error.
 #include <algorithm>
 #include <iostream>
 #include <sstream>
@@ -197,7 +197,8 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Times the contact solver and whole wheel/rail scenes, each time beside the true error of\n"
       "what was solved, and compares the default method with the paper's (Polonsky & Keer 1999).\n"
-      "One thread, but for batch. Times of one run may be compared with each other, those of two\n"
+      "One thread, except in batch. Times of one run may be compared with each other, those of "
+      "two\n"
       "machines may not: read the ratios, and times in transforms of the same size (pairs).",
       "wrc_benchmark");
   Options options;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace driver;
 
-/// As many as a profile file may have.
+/// The number that a profile file may have.
 constexpr double most_points = 200000.0;
 
 struct Arguments {

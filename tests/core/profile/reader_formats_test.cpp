@@ -181,7 +181,7 @@ TEST(SimpackReader, WhatStandsTwiceIsToldAndStrictReadingRefusesIt) {
   ReadOptions strict;
   strict.strict = true;
   EXPECT_TRUE(contains(refusal_of(simpack(wheel_rows(), keys, 1), ProfileFormat::simpack, strict),
-                       "stands again"));
+                       "occurs again"));
   EXPECT_TRUE(contains(refusal_of(text, ProfileFormat::simpack, strict), "several sections"));
 }
 
@@ -368,7 +368,7 @@ TEST(MiniprofReader, ColumnsLeftOutAndKeysThatStandTwiceAreTold) {
   const std::string quoted = "\"XOffset=1\"\nXOffset=0\nXYPoints=35\nXYPoints=35\n\n";
   EXPECT_NO_THROW(
       (void)read_as(ProfileFormat::miniprof, quoted + miniprof_rows(), "a.ban", strict));
-  EXPECT_TRUE(contains(refusal_of(twice, ProfileFormat::miniprof, strict), "stands again"));
+  EXPECT_TRUE(contains(refusal_of(twice, ProfileFormat::miniprof, strict), "occurs again"));
 }
 
 TEST(MiniprofReader, RefusesBrokenFiles) {
