@@ -122,7 +122,7 @@ module wrcontact
     private
     type(shared_handle), pointer :: shared => null()
   contains
-    !> A scene with the defaults of the paper's Table 1; one held before is given up.
+    !> A scene with the defaults of the paper's Table 1; an earlier one is released.
     procedure :: create => scene_create
     !> set(key, value): a real(real64), an integer, a character, a rank-1 array of numbers, or a
     !> profile.
@@ -197,7 +197,7 @@ module wrcontact
     !> creep(scene, patch, creepages, forces, stat, errmsg, by_creepage): creep forces of a patch at
     !> creepages of the program's own; see wrc_solver_creep in wrcontact.h.
     procedure :: creep => solver_creep
-    !> Drops everything that is kept, so that profile files are read again.
+    !> Drops everything it keeps, so that profile files are read again.
     procedure :: clear => solver_clear
     generic :: assignment(=) => share
     procedure, private :: share => solver_share
@@ -210,7 +210,7 @@ module wrcontact
     private
     type(shared_handle), pointer :: shared => null()
   contains
-    !> An empty problem; one held before is given up.
+    !> An empty problem; an earlier one is released.
     procedure :: create => normal_create
     !> set_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step)
     procedure :: set_grid => normal_set_grid
@@ -240,7 +240,7 @@ module wrcontact
     private
     type(shared_handle), pointer :: shared => null()
   contains
-    !> An empty problem; one held before is given up.
+    !> An empty problem; an earlier one is released.
     procedure :: create => rolling_create
     !> set_grid(lateral_count, longitudinal_count, lateral_step, longitudinal_step)
     procedure :: set_grid => rolling_set_grid

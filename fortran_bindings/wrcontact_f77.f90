@@ -45,8 +45,8 @@
 !
 !   WRCSOL(HANDLE, IERR)                   solves a scene or contact
 !   WRCSTP(SOLVER, SCENE, IERR)            a vehicle step: solves the
-!                                          scene with what is kept
-!   WRCCLR(SOLVER, IERR)                   drops what is kept
+!                                          scene with kept data
+!   WRCCLR(SOLVER, IERR)                   drops the kept data
 !   WRCFOR(SOLVER, MODE, IERR)             of earlier versions: with MODE
 !                                          0 nothing, else WRCCLR
 !
@@ -128,7 +128,7 @@ module wrcontact_f77_c
   integer, parameter :: profile_mark = 4, normal_mark = 8
   integer, parameter :: rolling_mark = 16, any_mark = 31
   integer, parameter :: contact_mark = normal_mark + rolling_mark
-  ! Stands for no handle but for reals that WRCOPN has refused.
+  ! Not a handle: marks a program whose reals WRCOPN has refused.
   integer(c_int64_t), parameter :: refused_reals = 28
 
   include 'wrcontact_c.inc'

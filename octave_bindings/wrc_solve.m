@@ -20,7 +20,7 @@ function result = wrc_solve (varargin)
 %   Results are those of docs/results.md: r.left.pmax, r.left.patches(1).grid.lateral for
 %   left.patches.0.grid.lateral. Fields of patches are matrices whose columns go along x, the
 %   direction of driving: r.left.patches(1).fields.pressure. 'fields' names those to return, separated by blanks,
-%   by default 'x y z pressure' and those of tractions. Derivatives of a number stand beside it:
+%   by default 'x y z pressure' and those of tractions. Derivatives of a number have a field beside it:
 %   spin_moment_by.friction. Not returned are sensitivities.
 %
 %   Units: mm, N, MPa, rad. Frame: x forward, y to the left, z up; forces act on the wheel.

@@ -17,7 +17,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parent.parent
 PAGES = ["README.md", "CONTRIBUTING.md",
-         *sorted(str(page.relative_to(PROJECT)) for page in (PROJECT / "docs").glob("*.md"))]
+         *sorted(str(page.relative_to(PROJECT)) for page in (PROJECT / "docs").rglob("*.md"))]
 FOLDERS = ("c_api|cxx_core|docs|drivers|fortran_bindings|octave_bindings|packaging|profiles|"
            "python_bindings|scripts|tests")
 failures = []

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What can be said of the files without compiling them: format of the code, faults of the scripts,
 # spelling (words that are right here and rare elsewhere: .codespellrc), types of the Python package,
-# one version in all files, pages that agree with the sources.
+# one version in all files, pages that agree with the sources, words that no native engineer would write.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,4 +21,5 @@ grep -qx "version = \"$version\"" fpm.toml || {
   failures=1
 }
 scripts/check_docs.py || failures=1
+scripts/check_words.py || failures=1
 exit "$failures"

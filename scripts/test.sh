@@ -71,7 +71,8 @@ if [ "$all" = yes ]; then
   }
   # Doxygen leaves out what it takes for private, without a warning.
   for page in c/html/classwrcontact_1_1Scene c/html/structwrc__patch c/html/wrcontact_8h \
-    fortran/html/structwrcontact_1_1contact__scene fortran/html/wrcontact__f77_8f90; do
+    fortran/html/structwrcontact_1_1contact__scene fortran/html/wrcontact__f77_8f90 \
+    python/wrcontact index; do
     [ -f "build/release/reference/$page.html" ]
   done
   echo "== Debian packages"

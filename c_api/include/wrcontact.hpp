@@ -71,7 +71,7 @@ protected:
     }
     return status == WRC_OK;
   }
-  /// What a call puts at its last argument: a number, a text.
+  /// The value that a call stores in its last argument: a number, a text.
   template <class Value, class Call, class... Arguments>
   Value value_of(Call call, const Arguments&... arguments) const {
     Value value{};
@@ -191,7 +191,7 @@ inline std::vector<SceneKey> scene_keys() {
   return keys;
 }
 
-/// What is asked, and its results (wrc_scene).
+/// The inputs of a scene and its results (wrc_scene).
 class Scene
     : public detail::Owner<wrc_scene, wrc_scene_create, wrc_scene_destroy, wrc_scene_error> {
 public:
@@ -234,7 +234,7 @@ public:
       return wrc_scene_get_numbers(handle(), key.c_str(), values, capacity, count);
     });
   }
-  /// A file that wrc_case replays.
+  /// Writes a file that wrc_case solves again.
   void write(const std::string& path) const { check(wrc_scene_write(handle(), path.c_str())); }
 
   /// False if the iteration has not converged.
@@ -271,14 +271,14 @@ public:
     check(wrc_scene_set_numbers_by_id(handle(), ids.data(), values.data(),
                                       common_length(ids, values)));
   }
-  /// Fills the values; not-a-number is what the scene does not have. Since 0.3.
+  /// Fills the values; results that do not exist are NaN. Since 0.3.
   template <class Ids, class Values> void numbers_by_id(const Ids& ids, Values&& values) const {
     check(wrc_scene_numbers_by_id(handle(), ids.data(), values.data(), common_length(ids, values)));
   }
   std::string text(const std::string& name) const {
     return value_of<const char*>(wrc_scene_text, name.c_str());
   }
-  /// All warnings of the solution, each with the profile or wheel it is of. Since 0.3.
+  /// All warnings of the solution, each with the profile or wheel it concerns. Since 0.3.
   std::vector<std::string> warnings() const { return texts_of(wrc_scene_warning); }
   std::vector<double> field(const std::string& name) const {
     return copied([&](double* values, std::int64_t capacity, std::int64_t* count) {
@@ -350,7 +350,7 @@ private:
   }
 };
 
-/// What a step of a wheelset gives (wrc_solver_step). Since 0.3.
+/// Results of a step of a wheelset (wrc_solver_step). Since 0.3.
 struct Step {
   std::array<double, 12> force{};       ///< of the left wheel, then of the right one
   std::array<double, 72> by_position{}; ///< zeros unless requested, as by_velocity
@@ -358,7 +358,7 @@ struct Step {
   std::array<std::int32_t, 2> states{};
 };
 
-/// What is kept from one scene to the next (wrc_solver).
+/// Data kept from one scene to the next (wrc_solver).
 class Solver
     : public detail::Owner<wrc_solver, wrc_solver_create, wrc_solver_destroy, wrc_solver_error> {
 public:
@@ -378,7 +378,7 @@ public:
                         derivatives ? result.by_position.data() : nullptr,
                         derivatives ? result.by_velocity.data() : nullptr, result.states.data()));
   }
-  /// Forces of a patch at creepages of the caller's own (wrc_solver_creep): longitudinal, lateral,
+  /// Forces of a patch at the caller's creepages (wrc_solver_creep): longitudinal, lateral,
   /// spin moment; and if requested their 9 derivatives. Since 0.3.
   std::array<double, 3> creep(Scene& scene, std::int64_t patch,
                               const std::array<double, 3>& creepages,

@@ -1,6 +1,6 @@
 /// What contact a penetration leads to, before it is solved.
 ///
-/// The penetration by more than a share of the deepest, the virtual penetration of Kik and
+/// The penetration by more than a fraction of the deepest, the virtual penetration of Kik and
 /// Piotrowski (1996), is about as wide and long as contact. Its rows along the rail are parabolas,
 ///   g(x) = g - k (x - x_0)^2/2,
 /// with the wheel's curvature k, and count by g^2 times their length, with which the planes of
@@ -24,7 +24,7 @@ struct ExpectedContact {
   double width = 0.0;  ///< of its potential contact area, across the rail
   double length = 0.0;
   ContactScale scale;
-  double middle = 0.5; ///< of the forces across the rail, as a share of the width
+  double middle = 0.5; ///< of the forces across the rail, relative to the width
 };
 
 /// In the potential contact area of a patch. `samples`: of the locus, at the patch's depth. Where

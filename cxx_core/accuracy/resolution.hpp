@@ -54,19 +54,19 @@ struct PatchElements {
   double mean_y = 0.0; ///< of the patch's penetration
   double lateral_step = 0.0;
   double longitudinal_step = 0.0;
-  double middle = 0.5; ///< of the forces across the rail, as a share of the grid's width
+  double middle = 0.5; ///< of the forces across the rail, relative to the grid's width
 };
 
 /// For the accuracy, by the contacts that are to be expected.
 std::vector<PatchElements> final_elements(std::span<const ExpectedContact> contacts,
                                           const AccuracyGoal& goal);
 
-/// Relative errors of what the accuracy is of.
+/// Relative errors of the results that the accuracy covers.
 struct ErrorEstimate {
   double elements = 0.0;  ///< by the law
-  double iteration = 0.0; ///< what it has left
+  double iteration = 0.0; ///< remaining error of the iteration
   double crest = 0.0;     ///< what a section has not resolved
-  double ridge = 0.0;     ///< what a profile that turns at once leaves on however many rows
+  double ridge = 0.0;     ///< error due to a kink of a profile, on any number of rows
   /// What the iteration has left is independent of the rest.
   [[nodiscard]] double total() const { return std::hypot(elements + crest + ridge, iteration); }
   /// What more elements lessen.

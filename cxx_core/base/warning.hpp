@@ -1,8 +1,9 @@
 /// What is found odd in an input or a solution that is given all the same.
 ///
 /// Each warning is of one class of the list below, by whose name programs tell them apart and to
-/// which docs/warnings.md holds every way out of the library; its text has the numbers. A new class
-/// needs its name here and a scene in tests/warnings/classes.py. Thread rule: plain values.
+/// which docs/warnings.md shows how each output of the library reports it; its text has the
+/// numbers. A new class needs its name here and a scene in tests/warnings/classes.py. Thread rule:
+/// plain values.
 #pragma once
 
 #include <array>
@@ -41,7 +42,7 @@ enum class WarningClass : std::uint8_t {
   vertical_angle,   ///< vertical distances at a contact angle
   patch_left_out,   ///< with vertical distances
   other_solver,     ///< than requested
-  close_patches,    ///< nearly in touch
+  close_patches,    ///< almost touch
   model_validity,   ///< of an approximate model
   no_interaction,   ///< of patches in an approximate model
   pressure,         ///< beyond what steel carries

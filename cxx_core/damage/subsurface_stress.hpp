@@ -1,9 +1,9 @@
 /// Stresses below a grid of elements with constant pressure and tractions.
 ///
 /// At places as far apart as the elements, at one depth, they are convolutions of the loads with
-/// the closed forms of damage/element_stress.hpp: as many corner sums as offsets, and for each row
+/// the closed forms of damage/element_stress.hpp: one corner sum for each offset, and for each row
 /// of places and elements sums over the loads that hold anything. At a depth of some elements the
-/// field knows of them only what their moments say, so that larger elements with the same moments
+/// field depends only on their moments, so that larger elements with the same moments
 /// up to the third serve there: a section costs what its shallow depths cost. Sections and searches
 /// are in single precision.
 ///

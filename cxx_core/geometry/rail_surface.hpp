@@ -4,7 +4,7 @@
 /// rail's longitudinal axis: y = t cos(cant) - v sin(cant), z = t sin(cant) + v cos(cant), which
 /// raises the field side. It is then shifted so that its highest point lies at z = 0 and its gauge
 /// face, at `gauge_height` below the top, at y = gauge / 2 (the paper, equations 3 and 4, with the
-/// cant as a rotation about x, see docs/paper_misprints.md). The rail is prismatic along x.
+/// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x.
 /// Irregularities of the track displace it from there.
 /// Units mm and rad. Thread rule: immutable, safe to share.
 #pragma once

@@ -6,7 +6,7 @@
 /// requested. A line's length is at least twice the largest offset + 1, which makes the convolution
 /// exact and linear (Liu, Wang & Liu, Wear 243 (2000) 101-111), or, for `periodic`, the rectangle
 /// itself. In units of influence_cache.hpp: lengths in longitudinal steps, u = K p. Errors are
-/// those of the precision, relative to the largest value. Knows nothing of gaps or contact. Thread
+/// those of the precision, relative to the largest value. Does not handle gaps or contact. Thread
 /// rule: one workspace serves one thread at a time; convolutions hold no state.
 #pragma once
 

@@ -3,7 +3,7 @@
 ///   u[i, j] = sum_{k, l} K[i - k, j - l] p[k, l]
 /// with K the influence coefficients (influence_coefficients.hpp), as an exact linear convolution
 /// of the whole grid (box_convolution.hpp). Units mm, MPa; fields in the order of base/grid.hpp.
-/// Knows nothing of gaps or contact. Thread rule: holds work buffers, so one object serves one
+/// Does not handle gaps or contact. Thread rule: holds work buffers, so one object serves one
 /// thread at a time.
 #pragma once
 

@@ -103,7 +103,7 @@ template <typename Real> const Real* pairs_of(const std::complex<Real>* values) 
 /// Transforms of complex lines of one length; not normalised. Lines start at aligned places
 /// (AlignedArray), several of them aligned_pitch apart; `from` and `to` do not overlap; `from` is
 /// kept. Lines shorter than 48 use vector instructions across block_lines of them: 24 to 72 ns each
-/// for 12 to 32 single-precision values, there and back, instead of 83 to 230 one by one. The last
+/// for 12 to 32 single-precision values, both ways, instead of 83 to 230 one by one. The last
 /// bits of such a line depend on whether it comes alone.
 template <typename Real> class LineFft {
 public:

@@ -5,7 +5,7 @@
 /// belongs to a periodic convolution of rows x columns: the kernel is wrapped around with its true
 /// coefficients at every place and even in both directions, so its spectrum is real. Divided by the
 /// number of elements, since the transforms are not normalised.
-/// Nothing kept here changes a result: asking again gives the same bits as computing anew.
+/// Nothing kept here changes a result: a kept value has the same bits as a new one.
 /// Contacts of wheels have aspect ratios of their own in every solution, so tables and spectra stay
 /// from one solution to the next only, for those who solve on the same grid again.
 /// Thread rule: LinePlans serve any number of threads at once, an InfluenceCache one at a time.

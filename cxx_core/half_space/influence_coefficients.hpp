@@ -22,7 +22,7 @@
 /// left of the error comes from the edge of contact: a fifth to a tenth of that of constant
 /// elements (docs/method.md).
 /// Units mm and MPa; x longitudinal, y lateral, both from the element's centre. Displacements of
-/// both bodies together, positive into the body. Knows nothing of the grid's edge, of tangential
+/// both bodies together, positive into the body. Does not handle the grid's edge, of tangential
 /// tractions and of bodies that are not half-spaces.
 #pragma once
 

@@ -4,7 +4,7 @@
 /// and those of tangential contact (Kalker, Three-Dimensional Elastic Bodies in Rolling Contact,
 /// 1990, eq. 1.44):
 ///   1/G = (1/G1 + 1/G2)/2,  nu/G = (nu1/G1 + nu2/G2)/2,  K/G = ((1-2 nu1)/G1 - (1-2 nu2)/G2)/4
-/// Units: moduli in MPa, Poisson's ratio without unit. Knows nothing of plastic flow.
+/// Units: moduli in MPa, Poisson's ratio without unit. Does not include plastic flow.
 #pragma once
 
 namespace wrc {

@@ -4,18 +4,18 @@
 ///   (B q)(x) = sum_m c_m u(x + m h),  m = -1 ... 2,   u = A q
 /// with A the displacements of one half-space relative to the other (Cerruti; Johnson, Contact
 /// Mechanics, 1985, eq. 3.91), element by element of constant traction. The weights c are taken
-/// into the coefficients: nothing else knows of the difference. Both components go through one
+/// into the coefficients: no other code depends on the difference. Both components go through one
 /// complex transform (z = q_x + i q_y):
 ///   S(k) = al(k) Z(k) + be(k) conj Z(-k),  al = (K_xx + K_yy)/2,  be = (K_xx - K_yy)/2 + i K_xy.
 /// A column of wave number k_y is transformed with one sign of the exponent and that of -k_y with
-/// the other, so that Z(k) and conj Z(-k) stand at the same place.
+/// the other, so that Z(k) and conj Z(-k) have the same index.
 /// Fields: rows of constant x, counted from the leading edge downstream, each with the lateral
 /// index running fastest; `pitch` values from row to row. Units: lengths in longitudinal steps,
 /// tractions in units of the combined shear modulus G, 1/G = (1/G1 + 1/G2)/2; nu/G likewise.
 /// A second kind of coefficients, (x, y)/(pi r^2), serves what unlike bodies displace across
 /// (CrossTable): from a pressure in place of q_x both components, and from tractions, as the first
 /// component, the normal one.
-/// Knows nothing of friction. Thread rule: as BoxConvolution.
+/// Does not include friction. Thread rule: as BoxConvolution.
 #pragma once
 
 #include <array>

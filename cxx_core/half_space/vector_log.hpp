@@ -5,9 +5,9 @@
 /// (Abramowitz & Stegun 1964, 4.1.27). The series stops at s^21, which leaves 1e-18 of the value.
 /// With f = m - 1 the sum is written f - (f^2/2 - s (f^2/2 + R)), R = ln m / s - 2, since 2 s alone
 /// would carry the rounding of the division (as in the C library of 4.3BSD, K. C. Ng 1986). Errors
-/// are below one unit in the last place. Logarithms of what is not positive, finite and normal are
-/// wrong; nothing is checked. Knows nothing of the instruction set: call it from a function marked
-/// WRC_VECTOR_CLONES; results differ between sets by rounding only.
+/// are below one unit in the last place. Logarithms of values that are not positive, finite and
+/// normal are wrong; nothing is checked. Does not choose the instruction set: call it from a
+/// function marked WRC_VECTOR_CLONES; results differ between sets by rounding only.
 #pragma once
 
 #include <bit>

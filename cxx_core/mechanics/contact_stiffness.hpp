@@ -66,7 +66,7 @@ public:
   /// The cache must outlive the object.
   explicit ContactStiffness(InfluenceCache& cache) : cache_(cache) {}
 
-  /// The contact of the following solutions; what is given is not needed afterwards, but for the
+  /// The contact of the following solutions; what is given is not needed afterwards, except the
   /// influence (none: the patches do not interact).
   /// Throws Error(invalid_argument) for grids, sizes or a modulus outside their range.
   void set_contact(std::span<const SolvedPatch> patches, double combined_modulus,

@@ -58,7 +58,7 @@ template <typename Real> struct BoxFields {
   double beta = 0.0;
   double last_z_r = 0.0;       ///< <z, r> of the iteration before; 0: the next direction is z
   double step = 0.0;           ///< along v, and ...
-  double factor = 1.0;         ///< ... by what all pressures, and u, grow after it
+  double factor = 1.0;         ///< ... by which all pressures, and u, grow after it
   AlignedArray<Real> mirrored; ///< K[row * (2 columns - 1) + columns - 1 + offset]
   bool has_mirrored = false;   ///< for this box
 };

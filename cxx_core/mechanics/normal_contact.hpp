@@ -80,7 +80,8 @@ struct NormalSolution {
   /// Applications of the influence coefficients to a field over all boxes, on all grids.
   int convolutions = 0;
   StopReason stop_reason = StopReason::tolerance_met;
-  /// Estimate of what the iteration left: largest error of p relative to the largest p.
+  /// Estimate of the remaining error of the iteration: largest error of p relative to the largest
+  /// p.
   double pressure_error = 0.0;
 };
 

@@ -8,7 +8,7 @@
 ///  3. on the finest grids a check of every element outside the rectangles, whatever the
 ///     tolerance: overlap there enlarges the rectangle and the iteration goes on.
 /// `tolerance` bounds the largest error of p relative to the largest p, against the exact solution
-/// on the same grid; it holds by measurement (docs/accuracy-elements.md), not by proof.
+/// on the same grid; it holds by measurement (docs/accuracy.md), not by proof.
 /// Units mm, N, MPa (mechanics/normal_contact.hpp). Thread rule: one object serves one thread at a
 /// time; different objects are independent.
 #pragma once

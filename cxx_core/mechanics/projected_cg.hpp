@@ -26,7 +26,7 @@
 /// displacement is interpolated to the elements, once an iteration.
 ///
 /// In units of influence_cache.hpp. Directions are kept in `Real`; p and u always in double. u is
-/// carried along, and computed anew when its accumulated rounding could matter, so `float` reaches
+/// carried along, and recomputed when its accumulated rounding could matter, so `float` reaches
 /// any tolerance that double does.
 /// Thread rule: one object serves one thread at a time.
 #pragma once
@@ -114,7 +114,7 @@ private:
   void form_residuals(IterationOutcome& outcome);
   /// z = M r on contact, and the error that it shows.
   Correction precondition(Progress& progress);
-  /// Whether u was computed anew because rounding in it may hide what is left.
+  /// Whether u was recomputed because its rounding may hide the remaining error.
   bool refreshed(Progress& progress);
   void choose_directions(const Correction& correction, bool steepest);
   void move_pressures(Progress& progress);

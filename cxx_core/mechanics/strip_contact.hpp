@@ -29,8 +29,8 @@ struct StripProblem {
 std::vector<double> displacements_of_strips(double step, double length, double combined_modulus,
                                             std::span<const double> pressure);
 
-/// Mean pressures of the strips, MPa, from a first guess of as many values. After a fixed number of
-/// steps the last ones are returned.
+/// Mean pressures of the strips, MPa, from a first guess of the same length. After a fixed number
+/// of steps the last ones are returned.
 std::vector<double> solve_strips(const StripProblem& problem, std::vector<double> pressure);
 
 } // namespace wrc

@@ -7,7 +7,7 @@
 /// (Hertz, 1882; Johnson, Contact Mechanics, 1985, eqs. 4.26 to 4.32, with c = 2 A for Johnson's
 /// A). Units mm, N, MPa; curvatures are relative (both bodies together) in 1/mm, positive where the
 /// bodies curve away from each other; x longitudinal, y lateral, from the centre of the patch.
-/// Knows nothing of curvature that changes within the patch, of slopes or of edges.
+/// Does not handle curvature that changes within the patch, of slopes or of edges.
 #pragma once
 
 namespace wrc {

@@ -12,7 +12,7 @@
 /// connected or not.
 ///
 /// Validity, between 0 and 1: 1 less the largest difference between the lateral shape found and the
-/// one that the model's half-space solution stands on, as a share of that:
+/// one that the model's half-space solution assumes, relative to that:
 ///   Hertz: |gap - S y^2/2| over S b^2/2 within the ellipse, |y| <= b; and at both ends of virtual
 ///   penetration, of which one lies in another lobe if there is one, gap and S y^2/2, the smaller
 ///   one against the larger;

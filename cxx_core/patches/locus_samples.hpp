@@ -171,8 +171,8 @@ private:
            std::abs(one.position.y - other.position.y) <= same_place;
   }
 
-  /// No place is deeper than the first contact, but for rounding: at the least depths that would be
-  /// all there is.
+  /// No place is deeper than the first contact, except for rounding: at the least depths that would
+  /// be all there is.
   void place(LocusSample<Real> sample) {
     if (sample.penetration > depth_) {
       sample.penetration = depth_;

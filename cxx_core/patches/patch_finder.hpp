@@ -1,10 +1,9 @@
 /// The search behind patches/contact_patches.hpp, for plain numbers and for numbers with rates.
 ///
-/// What is found, and how, stands there. The same statements run on values that carry derivatives
-/// (base/value_with_rates.hpp), which gives the rates of the planes (remesh/plane_rates.hpp); all
-/// decisions are those of the values.
-/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).
-/// Thread rule: one object, one thread.
+/// That header says what is found, and how. The same statements run on values that carry
+/// derivatives (base/value_with_rates.hpp), which gives the rates of the planes
+/// (remesh/plane_rates.hpp); all decisions are those of the values. Units mm and rad; track frame,
+/// left-hand side (geometry/frames.hpp). Thread rule: one object, one thread.
 #pragma once
 
 #include <algorithm>

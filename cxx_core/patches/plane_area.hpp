@@ -24,7 +24,7 @@ struct PlaneArea {
 
   [[nodiscard]] double width() const { return lateral_last - lateral_first; }
   [[nodiscard]] double length() const { return longitudinal_last - longitudinal_first; }
-  /// Moves each edge outwards by a share of width and length.
+  /// Moves each edge outwards by a fraction of width and length.
   [[nodiscard]] PlaneArea widened(double share) const;
 
   /// Holds no place yet.
@@ -50,8 +50,8 @@ Grid grid_over(const PlaneArea& area, std::size_t lateral_count, std::size_t lon
 /// The next even number: elements around a middle stay where they are while it grows.
 std::size_t even_count(double count);
 
-/// Elements of given sizes, as many as have their centres in an area and at least one each side of
-/// its middle along the rail, and across it of the place that is a share of the width from its
+/// Elements of given sizes: all that have their centres in an area and at least one each side of
+/// its middle along the rail, and across it of the place that is a fraction of the width from its
 /// edge.
 Grid grid_with_sizes(const PlaneArea& area, double lateral_step, double longitudinal_step,
                      double share_of_width);

@@ -14,7 +14,7 @@
 ///   small there: too large by 0.07/n.
 /// Counting elements is +0.38/n too large with pressures of constant elements, +0.55/n of smooth
 /// ones, and worse at every n from 2 on.
-/// Where pressures do not fall to 0 at the edge (punches) the area is the counted one but for
+/// Where pressures do not fall to 0 at the edge (punches) the area is the counted one except for
 /// rounded corners of a quarter of an element at the most; a single element counts two thirds.
 /// When contact moves across the grid the area jumps by 0.3 of an element with 6 elements across,
 /// 0.1 with 12, 0.02 with 24; counted it jumps by 1 to 3.

@@ -1,7 +1,7 @@
 /// How wide and how long a contact is to the elements that are to resolve it.
 ///
 /// Across the rail, by its crests: a sum over rows of height h has an error of at most h^2/8 times
-/// the total variation V of the slope of what it sums, here the force per width, so that rows over
+/// the total variation V of the slope of its summands, here the force per width, so that rows over
 /// those of an ellipse of the same force N go with
 ///   sqrt(24 N / V),
 /// which is the width of that ellipse: its rows have forces of 1 - (2 y/W)^2. Two lobes side by

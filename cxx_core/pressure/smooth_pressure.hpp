@@ -2,10 +2,10 @@
 ///
 /// p^2 is a smooth function up to the edge (Hertz: a quadratic one; Johnson, Contact Mechanics,
 /// 1985, eq. 3.39). Along a row, the rolling direction, it has no kinks, since wheels and rails
-/// have none there. Pressures of smooth elements are accurate but for those of the ends of rows,
+/// have none there. Pressures of smooth elements are accurate except at the ends of rows,
 /// which stand for elements that are not wholly in contact: these are replaced by p^2 continued
 /// from three elements further in, 3 f1 - 3 f2 + f3. In the same way two elements outside are
-/// filled in, in the mean of 8 directions, which weigh with the slope of p^2 along them; from fewer
+/// filled in, as the mean of 8 directions, which weigh with the slope of p^2 along them; from fewer
 /// elements where there are not three. In between p^2 is interpolated cubically along rows. Across,
 /// where profiles have kinks, it has the smaller of the two second differences about the place,
 /// none if their signs differ. Means over elements take p^2 as linear in each half of an element.
@@ -69,7 +69,7 @@ private:
 
   Grid grid_;                   ///< with room for what is filled in
   std::vector<double> known_;   ///< how far elements are known, 0 to 1
-  std::vector<double> squares_; ///< p^2 of what is known
+  std::vector<double> squares_; ///< p^2 where it is known
 };
 
 } // namespace wrc

@@ -82,7 +82,7 @@ constexpr double swing_share = 0.2;
 void check_range(double value, const Position& range, WarningClass kind, const std::string& what,
                  const std::string& remedy, Log& log) {
   if (value < range[0] || value > range[1])
-    log.warn(kind, what + " " + fixed_text(value) + " mm, expected are " + fixed_text(range[0], 0) +
+    log.warn(kind, what + " " + fixed_text(value) + " mm, expected " + fixed_text(range[0], 0) +
                        " to " + fixed_text(range[1], 0) + "; " + remedy);
 }
 
@@ -220,7 +220,7 @@ void check_flange_back(std::span<const Position> points, const Flange& flange, d
   const bool measured = points.front()[1] < flange.tip[1] - back_depth;
   if (back < -tape_offset - back_tolerance || (measured && back > -tape_offset + back_tolerance))
     log.warn(WarningClass::profile_origin,
-             "the flange back is at lateral " + fixed_text(back) + " mm, expected is " +
+             "the flange back is at lateral " + fixed_text(back) + " mm, expected " +
                  fixed_text(-tape_offset) +
                  " by the distance of the taping line; state profile_origin " + "or tape_offset");
 }
@@ -236,7 +236,7 @@ void check_wheel(std::span<const Position> points, double tape_offset, Log& log)
   const std::optional<Flange> flange = flange_of(points);
   if (!flange) {
     log.warn(WarningClass::profile_flange,
-             "no flange shows: nothing 12 mm wide stands more than 8 mm off the tread");
+             "no flange found: no part 12 mm wide rises more than 8 mm above the tread");
     return;
   }
   if (flange->is_down)
@@ -252,7 +252,7 @@ void check_wheel(std::span<const Position> points, double tape_offset, Log& log)
   const std::optional<double> tape = height_at_taping_line(points);
   if (tape && std::abs(*tape) > tape_height_tolerance)
     log.warn(WarningClass::profile_origin,
-             "height " + fixed_text(*tape) + " mm at the taping line, expected is 0; " + remedy);
+             "height " + fixed_text(*tape) + " mm at the taping line, expected 0; " + remedy);
   check_range(tape && !flange->is_down ? flange->tip[1] - *tape : flange->height, flange_range,
               WarningClass::profile_dimensions, "flange height", remedy, log);
   if (!flange->is_down && !flange->is_outside)

@@ -166,7 +166,7 @@ void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
     const std::optional<Head> head = head_of(points);
     const Position height = extent_of(points, 1);
     if (kind == ProfileKind::wheel || !head || height[1] - height[0] <= 2.0 * rail_depth)
-      log.refuse("a closed outline, from which the running surface cannot be told; leave only "
+      log.refuse("a closed outline, whose running surface cannot be determined; leave only "
                  "the running surface");
     const auto lowest =
         std::min_element(points.begin(), points.end(), [&](const Position& a, const Position& b) {

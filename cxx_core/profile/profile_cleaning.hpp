@@ -11,7 +11,7 @@
 namespace wrc::reading {
 
 /// Opens an outline whose end meets its begin: at its longest side, or that of a whole rail at its
-/// foot. Refuses other closed outlines, whose running surface cannot be told.
+/// foot. Refuses other closed outlines, whose running surface cannot be determined.
 void open_outline(RawProfile& raw, std::optional<ProfileKind> kind, Log& log);
 
 /// Removes points closer than `least` to the previous one, and single points off the line.

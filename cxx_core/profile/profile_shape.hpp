@@ -20,7 +20,7 @@ struct Flange {
   bool is_down = false;    ///< towards negative heights
   bool is_outside = false; ///< towards positive lateral
   double width = 0.0;      ///< mm, 8 mm above the tread
-  double other_width = 0;  ///< mm, of what stands off on the other side
+  double other_width = 0;  ///< mm, of the part that rises on the other side
   double height = 0.0;     ///< mm, of the tip above the tread
   Position tip{};          ///< the point farthest from the tread
 };

@@ -19,14 +19,14 @@ void Log::refuse(std::size_t line, const std::string& text) const {
 
 void Log::guess(const std::string& text, const std::string& remedy) {
   if (strict_)
-    refuse("strict reading allows no guess: " + text + "; " + remedy);
+    refuse("strict reading refuses guesses: " + text + "; " + remedy);
   corrections_.push_back(text);
   ++guesses_;
 }
 
 void Log::warn(WarningClass kind, const std::string& text) {
   if (strict_)
-    refuse("strict reading allows no doubt: " + text);
+    refuse("strict reading refuses warnings: " + text);
   warnings_.push_back({kind, text});
 }
 

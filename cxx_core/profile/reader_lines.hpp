@@ -1,4 +1,4 @@
-/// Lines, words and numbers of untrusted text, and the log of what was changed.
+/// Lines, words and numbers of untrusted text, and the log of changes.
 ///
 /// Numbers are parsed independently of the locale. Internal to the readers. Thread rule: an object
 /// belongs to one thread.
@@ -81,7 +81,7 @@ std::string lower(std::string_view text);
 
 /// The words of a line, at most `max_words`; `count` goes on beyond.
 struct Words {
-  /// Of what is read (not a tuning constant).
+  /// Bounds of input (not a tuning constant).
   static constexpr std::size_t max_words = 16;
   std::array<std::string_view, max_words> word;
   std::size_t count = 0;
@@ -98,7 +98,7 @@ std::optional<double> number_of(std::string_view word);
 /// The finite number a word stands for; refuses anything else.
 double finite_number(std::string_view word, std::size_t line, const Log& log);
 
-/// A word as it may stand in a message: shortened, only printable characters.
+/// A word in the form used in messages: shortened, only printable characters.
 std::string printable(std::string_view word);
 /// The same between quotes.
 std::string quoted(std::string_view word);

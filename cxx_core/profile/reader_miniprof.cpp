@@ -144,7 +144,7 @@ void read_header_line(Header& header, std::string_view line, std::size_t number,
   if (!is_new && is_quoted && !entry->second.quoted)
     return;
   if (!is_new && is_quoted == entry->second.quoted && entry->second.text != value)
-    log.guess(key + " stands again in line " + std::to_string(number) +
+    log.guess(key + " occurs again in line " + std::to_string(number) +
                   " with another value, the last one is used",
               "remove the others");
   entry->second = {value, is_quoted};

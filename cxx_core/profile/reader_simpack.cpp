@@ -120,7 +120,7 @@ private:
       const double number = finite_number(value, lines_.number(), log_);
       const auto [entry, is_new] = content_.number.emplace(key, number);
       if (!is_new && entry->second != number)
-        log_.guess(std::string(key) + " stands again in line " + std::to_string(lines_.number()) +
+        log_.guess(std::string(key) + " occurs again in line " + std::to_string(lines_.number()) +
                        " with another value, the last one is used",
                    "remove the others");
       entry->second = number;

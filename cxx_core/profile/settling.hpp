@@ -1,7 +1,7 @@
 /// From the points of a format to those of a profile: kind, units, cleaning, signs, order, origin.
 ///
 /// What the format defines comes first, then what the options state; where both are silent the
-/// shape decides, which is told as a guess with what it was seen by. Units mm. Thread rule: no
+/// shape decides, which is reported as a guess with its evidence. Units mm. Thread rule: no
 /// state.
 #pragma once
 

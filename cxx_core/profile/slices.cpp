@@ -57,7 +57,7 @@ Slice read_slice(Content& content, double offset, double scale,
   const std::size_t last = line.find_last_of("'\"");
   const reading::Words words = reading::words_of(line.substr(0, first), " \t,");
   if (first == std::string_view::npos || last <= first + 1 || words.count != 1)
-    content.refuse(reading::quoted(line) + ", expected is a place and a file in quotes");
+    content.refuse(reading::quoted(line) + ", expected a position and a file in quotes");
   std::string file(line.substr(first + 1, last - first - 1));
   std::replace(file.begin(), file.end(), '\\', '/');
   return {scale * (offset + content.number(words.word[0])), folder / file};

@@ -1,9 +1,9 @@
 /// The marches of FASTSIM from the leading edge, vectorised across strips.
 ///
-/// A step downstream changes the traction by what the bed of springs takes up in adhesion; where
+/// A step downstream changes the traction by the force of the bed of springs in adhesion; where
 /// that exceeds the bound it is cut back, against the slip (Kalker 1982):
 ///   t = q_upstream - (integral of w/L over the step),  q = t or g t/|t|.
-/// Knows nothing of creepages and grids.
+/// Does not handle creepages and grids.
 /// Thread rule: pure functions. Order of sums is fixed by the instruction set.
 #pragma once
 

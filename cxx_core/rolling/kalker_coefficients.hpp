@@ -6,7 +6,7 @@
 /// Elastic Bodies in the Presence of Dry Friction, Delft; 1990, app. E).
 /// Computed with this library's own full solver, not taken from a table: steady rolling without
 /// slip on grids of 32 x 32 to 512 x 128 elements, extrapolated to elements of no size, and
-/// expanded in Chebyshev's polynomials of ln(a/b) and nu. fit_kalker_coefficients makes them anew.
+/// expanded in Chebyshev's polynomials of ln(a/b) and nu. fit_kalker_coefficients computes them.
 /// Standard errors: 3e-4 for a/b from 0.02 to 2 (C33: 1e-3), 1e-3 to 10 (C33: 3e-3 in itself), 2e-3
 /// to 50 (C33, a small difference there: 0.03 in itself). Beyond, they tend to Kalker's asymptotes
 /// without a jump or a kink (C33 for a/b above 50, where no asymptote is known that stays positive,

@@ -16,8 +16,8 @@
 /// off solutions (tests/core/rolling/leading_edge_test.cpp). The plane problem is then of second
 /// order wherever its edge falls.
 ///
-/// An edge that runs obliquely through the strips is found behind its place, by a share of its
-/// slope (`edge_advance`); its elements are taken as covered by more, as much in the mean over all
+/// An edge that runs obliquely through the strips is found behind its place, by a fraction of its
+/// slope (`edge_advance`); its elements are taken as covered by more, the same on average over all
 /// places of an edge, nothing where it passes from one element to the next.
 /// Along a single oblique edge that holds on average only: what is left is of first order still.
 /// Thread rule: pure functions.

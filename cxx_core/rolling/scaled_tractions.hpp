@@ -96,7 +96,7 @@ public:
   template <typename Real>
   void read_back(const Real* traction, const Real* slip, const Real* bound, std::size_t pitch,
                  RollingSolution& solution) const;
-  /// Power over the speed of what pressures add to the slip, N.
+  /// Power over the speed of the slip that pressures cause, N.
   [[nodiscard]] double power_by_pressure(const RollingSolution& solution) const;
 
 private:

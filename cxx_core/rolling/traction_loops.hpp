@@ -4,7 +4,7 @@
 /// equations are (B dz) = -s; in slip, with n = (q - r s)/|q - r s|, t across it and dz = a t,
 ///   t.(B dz) + (sigma/g) a = -t.s,   sigma: speed of slip
 /// (the bound g n turns with the slip's direction). With the projector P (all, only t, or nothing
-/// outside the contact) both read P B dz + ratio dz = -P s. Knows nothing of grids.
+/// outside the contact) both read P B dz + ratio dz = -P s. Does not handle grids.
 /// Thread rule: pure functions. Order of sums is fixed by the instruction set.
 #pragma once
 

@@ -6,7 +6,7 @@
 /// Hopf,
 ///   1/|k| ~ (1 - rho E)^-1/2 (1 - rho/E)^-1/2,  E: one element upstream, rho = exp(-decay hx/b).
 /// The downstream factor is inverted by a sweep from the trailing edge, the upstream one by a march
-/// from the leading edge that knows of each element whether it sticks or slips:
+/// from the leading edge that knows whether each element sticks or slips:
 ///   y = (1 - rho/E)^1/2 r,   z_i = M_i (y_i - D sum_{m >= 1} l_m z_{i-m}),
 ///   l(E) = (1 - E)(1 - rho E)^-1/2 in rolling, (1 - rho E)^-1/2 in a shift.
 /// The fractional power is a mean of exponentials (Gauss-Chebyshev):

@@ -20,7 +20,7 @@ namespace wrc {
 struct UnlikeSolution {
   RollingSolution rolling;
   std::vector<double> pressure; ///< MPa per element, of the same sum as those given
-  double pressure_change = 0.0; ///< sum of what tractions change over the sum of pressures
+  double pressure_change = 0.0; ///< sum of changes by tractions over the sum of pressures
   int alternations = 0;
   bool converged = false;
 };

@@ -2,7 +2,7 @@
 ///
 /// Inside, everything is in mm, N, MPa, rad in the track frame of geometry/frames.hpp (x forward,
 /// y left, z up). Outside it may be m, N, Pa, rad, and the frame turned by half a turn about x
-/// (x forward, y right, z down), as many vehicle codes have it: lateral and vertical components of
+/// (x forward, y right, z down), common in vehicle codes: lateral and vertical components of
 /// vectors, and of rotations and moments, then change their sign. Angles about x (roll, contact
 /// angle) stay, and so does all that is measured along a profile or along a normal.
 /// Powers of ten are exact, so that both ways agree to the last rounding.

@@ -16,12 +16,11 @@ Key results_key() {
        {"wear", &DamageRequest::wear},
        {"fatigue", &DamageRequest::fatigue}}};
   Key key;
-  key.description = {
-      "solve.results", "\"none\"",
-      "\"none\", or any of \"stress\", \"wear\" and \"fatigue\", as one text or a "
-      "list of them",
-      "what contact does to the steel, in addition: stresses below the surface, wear "
-      "and fatigue, the latter two with creep forces"};
+  key.description = {"solve.results", "\"none\"",
+                     "\"none\", or any of \"stress\", \"wear\" and \"fatigue\", as one text or a "
+                     "list of them",
+                     "additional results: stresses below the surface, wear and fatigue; the last "
+                     "two need creep forces"};
   key.get = [](const Scene& scene) {
     std::string text;
     for (const auto& [word, flag] : words) {
@@ -73,28 +72,28 @@ template <class Value> auto law_place(Value WearRequest::*member) {
 std::vector<Key> make_damage_keys() {
   return {
       results_key(),
-      word_key<bool>(
-          {"stress.body", "\"rail\"", "\"rail\" or \"wheel\"", "in which stresses are computed"},
-          {{"rail", false}, {"wheel", true}}, damage_place(&DamageRequest::of_wheel)),
+      word_key<bool>({"stress.body", "\"rail\"", "\"rail\" or \"wheel\"",
+                      "body in which stresses are computed"},
+                     {{"rail", false}, {"wheel", true}}, damage_place(&DamageRequest::of_wheel)),
       word_key<bool>(
           {"stress.section", "\"along\"", "\"along\" or \"across\"",
-           "plane of the fields of stresses, through the place of the greatest von Mises "
-           "stress"},
+           "plane of the stress fields, through the point of the greatest von Mises stress"},
           {{"along", false}, {"across", true}}, damage_place(&DamageRequest::section_across)),
       word_key<WearLaw>(
           {"wear.law", "\"usfd\"", "\"usfd\", \"archard\" or \"energy\"",
-           "usfd: by energy, of R8T wheel and 900A rail; archard: coefficients by "
+           "wear law; usfd: by energy, for R8T wheel and 900A rail; archard: coefficients by "
            "sliding speed and pressure; energy: one coefficient"},
           {{"usfd", WearLaw::usfd}, {"archard", WearLaw::archard}, {"energy", WearLaw::energy}},
           law_place(&WearRequest::law)),
       number_key({"wear.energy_coefficient", "6.75e-7", "0 to 1 mm^3/(N mm)",
-                  "volume by energy with law energy; the default is the mild rate of usfd"},
+                  "worn volume per energy with law energy; the default is the mild rate of usfd"},
                  {0.0, 1.0}, pure, law_place(&WearRequest::energy_coefficient)),
-      number_key({"wear.hardness", "3000.0", "1 to 1e9 MPa", "of the softer steel, law archard"},
+      number_key({"wear.hardness", "3000.0", "1 to 1e9 MPa",
+                  "hardness of the softer steel, with law archard"},
                  {1.0, 1e9}, stress, law_place(&WearRequest::hardness)),
-      number_key({"wear.scale", "1.0", "0 to 1e6",
-                  "by which every law is multiplied: lubrication, other steels"},
-                 {0.0, 1e6}, pure, law_place(&WearRequest::scale)),
+      number_key(
+          {"wear.scale", "1.0", "0 to 1e6", "factor on every law, for lubrication or other steels"},
+          {0.0, 1e6}, pure, law_place(&WearRequest::scale)),
       number_key({"fatigue.shear_yield", "300.0", "1 to 1e9 MPa",
                   "yield stress in shear k of shakedown map and surface fatigue index"},
                  {1.0, 1e9}, stress, damage_place(&DamageRequest::shear_yield))};

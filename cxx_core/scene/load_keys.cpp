@@ -70,18 +70,18 @@ std::vector<Key> make_load_keys() {
   };
   return {
       load_key("load.vertical",
-               "vertical force on each wheel that its normal pressures carry; creep forces on an "
+               "vertical force that the normal pressures of each wheel carry; creep forces on an "
                "inclined plane add to it",
                both),
-      load_key("load.left", "the same of the left wheel", {&Scene::left}),
-      load_key("load.right", "the same of the right wheel", {&Scene::right}),
+      load_key("load.left", "the same for the left wheel", {&Scene::left}),
+      load_key("load.right", "the same for the right wheel", {&Scene::right}),
       normal,
       total_key("load.total_vertical",
-                "instead: vertical force on each wheel that all its contact forces carry, creep "
-                "forces included; what the pressures carry of it is solved",
+                "instead: vertical force that all contact forces of each wheel carry, creep forces "
+                "included; the load on the pressures is solved for",
                 both),
-      total_key("load.total_left", "the same of the left wheel", {&Scene::left}),
-      total_key("load.total_right", "the same of the right wheel", {&Scene::right}),
+      total_key("load.total_left", "the same for the left wheel", {&Scene::left}),
+      total_key("load.total_right", "the same for the right wheel", {&Scene::right}),
   };
 }
 

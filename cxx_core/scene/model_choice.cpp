@@ -3,7 +3,7 @@
 namespace wrc {
 
 ModelChoice choose_model(const Scene& scene) {
-  const std::string asked = "asked for by name";
+  const std::string asked = "selected by name";
   switch (scene.model) {
   case ModelRequest::hertz:
     return {ApproximateModel::hertz, "hertz", asked};

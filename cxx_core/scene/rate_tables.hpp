@@ -1,4 +1,4 @@
-/// Tables of derivatives: what changes by what, as matrices, row by row.
+/// Tables of derivatives: results by variables, as matrices, row by row.
 ///
 /// Jacobians of a wheel (wheel/force_jacobian.hpp) and creep forces by creepages,
 /// load and friction (wheel/creep_forces.hpp). As all tables of scene/number_tables.hpp.
@@ -15,7 +15,7 @@
 
 namespace wrc::number_tables {
 
-/// What changes by what, "force.y.by.yaw", or its unit.
+/// Name of a derivative, "force.y.by.yaw", or its unit.
 struct RateText {
   std::array<char, 40> text{};
   std::size_t length = 0;

@@ -116,20 +116,22 @@ std::vector<Key> friction_keys() {
   return {
       friction_key("friction.coefficient", "coefficient of friction of each wheel", both),
       friction_places_key("friction.places",
-                          "the same by place on the wheel's profile, s from the taping line to "
-                          "the field side: linear between the places given, constant beyond",
+                          "the same by position on the wheel's profile, s from the taping line to "
+                          "the field side; linear between the given positions, constant beyond",
                           both),
       friction_key("friction.left", "coefficient of friction of the left wheel", {&Scene::left}),
-      friction_places_key("friction.left_places", "by place on the left wheel", {&Scene::left}),
+      friction_places_key("friction.left_places", "the same by position on the left wheel",
+                          {&Scene::left}),
       friction_key("friction.right", "coefficient of friction of the right wheel", {&Scene::right}),
-      friction_places_key("friction.right_places", "by place on the right wheel", {&Scene::right}),
+      friction_places_key("friction.right_places", "the same by position on the right wheel",
+                          {&Scene::right}),
       friction_law_key({"friction.limit_ratio", "1.0", "0 to 1",
-                        "share of the coefficient that is left at a high speed of slip "
-                        "(Polach's A); with friction.decay"},
+                        "fraction of the coefficient that remains at high slip speed (Polach's A); "
+                        "with friction.decay"},
                        {0.0, 1.0}, pure, &FrictionLaw::limit_ratio),
       friction_law_key({"friction.decay", "0.0", "0 to 1 s/mm",
-                        "how fast the coefficient falls with the speed w of slip: as "
-                        "(1 - limit_ratio) exp(-decay w) + limit_ratio (Polach's B)"},
+                        "how fast the coefficient falls with the slip speed w, as (1 - "
+                        "limit_ratio) exp(-decay w) + limit_ratio (Polach's B)"},
                        {0.0, 1.0}, stiffness, &FrictionLaw::decay)};
 }
 
@@ -220,9 +222,10 @@ Key motion_key(std::string_view name, std::string_view allowed, std::string_view
 /// A rate, or rolling with the speed, or free.
 Key pitch_key() {
   Key key;
-  key.description = {"motion.pitch", "\"rolling\"", "-1e5 to 1e5 rad/s, \"rolling\" or \"free\"",
-                     "of the axle, positive when it rolls forward; rolling: speed over the nominal "
-                     "radius; free: so that contact forces hold motion.torque"};
+  key.description = {
+      "motion.pitch", "\"rolling\"", "-1e5 to 1e5 rad/s, \"rolling\" or \"free\"",
+      "rotation rate of the axle, positive when it rolls forward; rolling: speed over nominal "
+      "radius; free: the rate at which contact forces balance motion.torque"};
   key.min = -1e5;
   key.max = 1e5;
   key.get = [](const Scene& scene) {
@@ -265,35 +268,36 @@ std::vector<Key> make_rolling_keys() {
       component_key("creepage.spin", spin_range, "spin creepage of both wheels", turning_curvature,
                     &Creepages::spin),
       creepage_key("creepage.left",
-                   "creepages of the left wheel, wheel minus rail over the speed, in the plane of "
-                   "each patch at its reference; creep forces are computed then",
+                   "creepages of the left wheel, wheel minus rail divided by the speed, in the "
+                   "plane of each patch at its reference; setting them requests creep forces",
                    &Scene::left),
       creepage_key("creepage.right", "creepages of the right wheel", &Scene::right),
       motion_key("motion.speed", speed_range,
-                 "along the track, backwards below 0; any of motion.* makes creepages from the "
-                 "motion where none are given, else the speed is that of the frictional power",
+                 "speed along the track, negative when running backwards; if creepages are not "
+                 "given, any key of motion.* computes them from the motion; otherwise the speed "
+                 "affects only the frictional power",
                  1e6, length, &Motion::speed),
       pitch_key(),
       number_key({"motion.torque", "0.0", "-1e12 to 1e12 N mm",
-                  "about the axle, positive when it drives forwards; with pitch = \"free\""},
+                  "torque about the axle, positive when it drives forward; with pitch = \"free\""},
                  {-1e12, 1e12}, moment, &Scene::torque),
       motion_key("motion.lateral", speed_range, "lateral velocity of the wheelset's centre", 1e6,
                  turning_length, &Motion::lateral),
       motion_key("motion.vertical", speed_range, "its vertical velocity", 1e6, turning_length,
                  &Motion::vertical),
       motion_key("motion.roll", rate_range, "rate of the roll", 1e3, pure, &Motion::roll),
-      motion_key("motion.yaw", rate_range, "rate of the yaw, against the track", 1e3, turning_angle,
-                 &Motion::yaw),
+      motion_key("motion.yaw", rate_range, "rate of the yaw, relative to the track", 1e3,
+                 turning_angle, &Motion::yaw),
       motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
-                 "of the track, positive in left-hand curves", 1e-3, turning_curvature,
+                 "curvature of the track, positive in left-hand curves", 1e-3, turning_curvature,
                  &Motion::curvature),
       word_key<std::optional<CreepModel>>(
           {"solve.creep", "\"auto\"",
            "\"auto\", \"none\", \"linear\", \"shen-hedrick-elkins\", \"polach\", \"fastsim\", "
            "\"fastsim-strips\" or \"full\"",
-           "model of creep forces where creepages or a motion are given; auto: full, Kalker's full "
-           "theory to "
-           "solve.accuracy; fastsim-strips on the patch's own pressures, the others on an ellipse"},
+           "model of creep forces if creepages or a motion are given; auto: full, which is "
+           "Kalker's full theory to solve.accuracy; fastsim-strips works on the patch's pressures, "
+           "the others on an ellipse"},
           {{"auto", std::nullopt},
            {"none", CreepModel::none},
            {"linear", CreepModel::linear},
@@ -303,23 +307,23 @@ std::vector<Key> make_rolling_keys() {
            {"fastsim-strips", CreepModel::fastsim_strips},
            {"full", CreepModel::full}},
           &Scene::creep),
-      word_key<SlipVariation>(
-          {"solve.slip", "\"by-element\"", "\"by-element\", \"plane-axes\" or \"planar\"",
-           "rigid slip of a motion: of each element along its tangent, of each element along the "
-           "axes of the patch's plane, or of three creepages at the patch's reference"},
-          {{"by-element", SlipVariation::by_element},
-           {"plane-axes", SlipVariation::plane_axes},
-           {"planar", SlipVariation::planar}},
-          &Scene::slip),
-      word_key<SlipSurface>(
-          {"solve.slip_surface", "\"wheel\"", "\"wheel\" or \"mean\"",
-           "surface whose height gives the slip of each element: the undeformed wheel's, or the "
-           "mean of wheel and rail"},
-          {{"wheel", SlipSurface::wheel}, {"mean", SlipSurface::mean}}, &Scene::slip_surface),
+      word_key<SlipVariation>({"solve.slip", "\"by-element\"",
+                               "\"by-element\", \"plane-axes\" or \"planar\"",
+                               "rigid slip from a motion: by-element along the tangent of each "
+                               "element; plane-axes for each element along the axes of the patch's "
+                               "plane; planar from three creepages at the patch's reference"},
+                              {{"by-element", SlipVariation::by_element},
+                               {"plane-axes", SlipVariation::plane_axes},
+                               {"planar", SlipVariation::planar}},
+                              &Scene::slip),
+      word_key<SlipSurface>({"solve.slip_surface", "\"wheel\"", "\"wheel\" or \"mean\"",
+                             "surface whose height determines the slip of each element: that of "
+                             "the undeformed wheel, or the mean of wheel and rail"},
+                            {{"wheel", SlipSurface::wheel}, {"mean", SlipSurface::mean}},
+                            &Scene::slip_surface),
       word_key<bool>(
           {"solve.derivatives", "\"no\"", "\"no\" or \"yes\"",
-           "whether derivatives of creep forces are computed, for their own sake and for "
-           "the Jacobian of all contact forces"},
+           "whether to compute derivatives of creep forces and the Jacobian of all contact forces"},
           {{"no", false}, {"yes", true}}, &Scene::derivatives)};
   keys.insert(keys.end(), std::make_move_iterator(others.begin()),
               std::make_move_iterator(others.end()));

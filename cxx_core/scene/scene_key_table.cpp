@@ -107,11 +107,11 @@ std::vector<Key> convention_keys() {
   std::vector<Key> keys;
   keys.push_back(word_key<Units>(
       {"convention.units", "\"mm\"", "\"mm\" or \"SI\"",
-       "units of all numbers set or returned from here on: mm, N, MPa, rad or m, N, Pa, rad"},
+       "units of all numbers set or returned by later calls: mm, N, MPa, rad or m, N, Pa, rad"},
       {{"mm", Units::mm}, {"SI", Units::si}}, [](auto& s) -> auto& { return s.convention.units; }));
   keys.push_back(word_key<TrackFrame>(
       {"convention.frame", "\"left-up\"", "\"left-up\" or \"right-down\"",
-       "frame of all numbers set or returned from here on: x forward, y left, z up; or x "
+       "frame of all numbers set or returned by later calls: x forward, y left, z up; or x "
        "forward, y right, z down"},
       {{"left-up", TrackFrame::left_up}, {"right-down", TrackFrame::right_down}},
       [](auto& s) -> auto& { return s.convention.frame; }));
@@ -154,18 +154,18 @@ std::vector<Key> track_keys() {
   smoothing("track.left.rail_smoothing", "its smoothing wavelength, if read from a file",
             &Scene::left);
   moves("track.left.displacement", displacements,
-        "of the left rail from its place, by an irregularity of the track or its flexibility; the "
-        "roll about the origin of its profile",
+        "displacement of the left rail from its nominal position, for track irregularities or "
+        "flexible track; roll about the origin of its profile",
         &Scene::left, &SceneSide::displacement);
   moves("track.left.velocity", velocities,
-        "of the left rail, where the track is flexible; changes the creepages from motion.*",
+        "velocity of the left rail on flexible track; affects creepages from motion.*",
         &Scene::left, &SceneSide::velocity);
   rail("track.right.rail", "profile of the right rail", {&Scene::right});
   smoothing("track.right.rail_smoothing", "its smoothing wavelength, if read from a file",
             &Scene::right);
-  moves("track.right.displacement", displacements, "of the right rail", &Scene::right,
+  moves("track.right.displacement", displacements, "displacement of the right rail", &Scene::right,
         &SceneSide::displacement);
-  moves("track.right.velocity", velocities, "of the right rail", &Scene::right,
+  moves("track.right.velocity", velocities, "velocity of the right rail", &Scene::right,
         &SceneSide::velocity);
   return keys;
 }
@@ -205,7 +205,7 @@ std::vector<Key> wheelset_keys() {
       [](auto& s) -> auto& { return s.profile_origin; }));
   keys.push_back(number_key(
       {"wheelset.profile_shift", "0.0", "-500 to 500 mm",
-       "added to their lateral instead, so that the taping line is at 0; 0: none"},
+       "shift added to their lateral positions instead, so that the taping line is at 0; 0: none"},
       {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.profile_shift; }));
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);
@@ -260,11 +260,12 @@ std::vector<Key> pose_keys() {
   keys.push_back(number_key({"pose.lateral", "0.0", "-100 to 100 mm",
                              "displacement of the wheelset's centre to the left"},
                             {-100.0, 100.0}, turning_length, &Scene::lateral));
-  keys.push_back(number_key({"pose.yaw", "0.0", "-0.2 to 0.2 rad", "anticlockwise seen from above"},
-                            {-0.2, 0.2}, turning_angle, &Scene::yaw));
+  keys.push_back(
+      number_key({"pose.yaw", "0.0", "-0.2 to 0.2 rad", "yaw, anticlockwise seen from above"},
+                 {-0.2, 0.2}, turning_angle, &Scene::yaw));
   Key roll = optional_key({"pose.roll", "\"solve\"", "\"solve\", \"en15302\" or -0.2 to 0.2 rad",
-                           "positive lifts the left wheel; solve: both wheels touch; en15302: "
-                           "no roll, each wheel by itself"},
+                           "roll, positive lifts the left wheel; solve: both wheels touch; "
+                           "en15302: no roll, each wheel separately"},
                           {-0.2, 0.2}, pure, &Scene::roll, "solve");
   roll.set_text = [solve = roll.set_text](Scene& s, std::string_view v) {
     if (v == "en15302") {
@@ -275,7 +276,7 @@ std::vector<Key> pose_keys() {
   keys.push_back(roll);
   keys.push_back(optional_key({"pose.vertical", "\"solve\"", "\"solve\" or 0 to 6000 mm",
                                "height of the wheelset's centre above the rail tops; a number "
-                               "prescribes the position, and the forces follow"},
+                               "prescribes the position, and forces are results"},
                               {0.0, 6000.0}, turning_length, &Scene::vertical, "solve"));
   return keys;
 }
@@ -357,31 +358,29 @@ std::vector<Key> accuracy_keys() {
   std::vector<Key> keys;
   keys.push_back(word_key<AccuracyOf>(
       {"solve.accuracy_of", "\"pressures\"", "\"pressures\" or \"forces\"",
-       "what solve.accuracy applies to; forces: vertical approach, forces, moments and their "
-       "points of action; pressures: the maximum pressure as well"},
+       "results that solve.accuracy applies to; forces: vertical approach, forces, moments and "
+       "their points of action; pressures: also the maximum pressure"},
       {{"pressures", AccuracyOf::pressures}, {"forces", AccuracyOf::forces}}, &Scene::accuracy_of));
-  Key accuracy = number_key(
-      {"solve.accuracy", "1e-3", "1e-5 to 0.1",
-       "requested relative accuracy of what solve.accuracy_of names; determines the grid"},
-      {1e-5, 0.1}, pure, &Scene::accuracy);
+  Key accuracy = number_key({"solve.accuracy", "1e-3", "1e-5 to 0.1",
+                             "requested relative accuracy of the results selected by "
+                             "solve.accuracy_of; determines the grid"},
+                            {1e-5, 0.1}, pure, &Scene::accuracy);
   accuracy.set_number = [](Scene& s, double v) {
     s.accuracy = v;
     s.grid.reset();
   };
   keys.push_back(accuracy);
   keys.push_back(grid_key());
-  keys.push_back(number_key(
-      {"solve.tolerance", "1e-5", "1e-13 to 0.1",
-       "of the iteration on a given solve.grid: largest error of a pressure relative to the "
-       "maximum pressure (solver paper: of a gap); without solve.grid it follows from the "
-       "accuracy"},
-      {1e-13, 0.1}, pure, &Scene::tolerance));
-  Key limit = number_key(
-      {"solve.element_limit", "100000", "a whole number, 1000 to 67108864",
-       "largest number of elements, by accuracy, of all patches of a wheel together, and of their "
-       "creep forces; where the accuracy needs more, elements are larger and a warning says so; "
-       "solve.grid has no limit"},
-      {1e3, 67108864.0}, pure, &Scene::element_limit);
+  keys.push_back(number_key({"solve.tolerance", "1e-5", "1e-13 to 0.1",
+                             "tolerance of the iteration on a given solve.grid: largest error of a "
+                             "pressure relative to the maximum pressure (solver paper: of a gap); "
+                             "without solve.grid it follows from the accuracy"},
+                            {1e-13, 0.1}, pure, &Scene::tolerance));
+  Key limit = number_key({"solve.element_limit", "100000", "a whole number, 1000 to 67108864",
+                          "largest number of elements that an accuracy may use for all patches of "
+                          "a wheel together, and for their creep forces; if it needs more, "
+                          "elements are larger and a warning says so; solve.grid has no limit"},
+                         {1e3, 67108864.0}, pure, &Scene::element_limit);
   limit.whole = true;
   keys.push_back(limit);
   return keys;
@@ -391,7 +390,7 @@ std::vector<Key> solution_keys() {
   std::vector<Key> keys;
   keys.push_back(word_key<Precision>(
       {"solve.precision", "\"mixed\"", "\"mixed\" or \"double\"",
-       "of the iteration; mixed is faster and meets the same tolerance"},
+       "precision of the iteration; mixed is faster and meets the same tolerance"},
       {{"mixed", Precision::mixed}, {"double", Precision::double_only}}, &Scene::precision));
   keys.push_back(word_key<PlannerRigor>(
       {"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",

@@ -91,7 +91,7 @@ void warn_of_residuals(WheelResult& wheel, double accuracy) {
   if (worst > accuracy) {
     wheel.warnings.push_back(
         {WarningClass::close_patches,
-         "patches nearly in touch: the displacement they cause at each other is off by " +
+         "patches almost touch: the displacement they cause at each other is off by " +
              short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
              text_of(accuracy)});
   }

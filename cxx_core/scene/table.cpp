@@ -51,7 +51,7 @@ TableGrid::TableGrid(const Scene& scene, std::string_view keys, const double* va
     if (std::any_of(axes_.begin(), axes_.end(),
                     [&key](const Axis& axis) { return axis.key == key; })) {
       throw Error(ErrorCode::invalid_argument,
-                  "keys: \"" + key + "\" stands there twice; allowed is each key once");
+                  "keys: \"" + key + "\" occurs twice; each key is allowed once");
     }
     const auto n = static_cast<std::size_t>(count);
     axes_.push_back({key, std::vector<double>(values, values + n)});

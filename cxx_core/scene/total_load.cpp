@@ -42,7 +42,7 @@ double permitted_share(int solutions, double accuracy) {
 
 [[noreturn]] void refuse(const char* key, double total, double load, double carried) {
   throw_invalid_argument(key, total,
-                         "no load on the normal pressures gives that; with " + text_of(load) +
+                         "no load on the normal pressures gives this total; with " + text_of(load) +
                              " N on them all contact forces together carry " +
                              short_text_of(carried) + " N");
 }

@@ -10,7 +10,7 @@
 ///
 /// which is linear in x. The tangent is that of the deformed surface, of like bodies the mean of
 /// rail and wheel. The height is that of the wheel before it deforms, whose rolling radius it gives
-/// row by row, or of the mean surface (SlipSurface; docs/creep-method.md says which and why).
+/// row by row, or of the mean surface (SlipSurface; docs/creep.md says which and why).
 ///
 /// The three creepages are the least-squares fit weighted with the pressures,
 ///

@@ -26,9 +26,9 @@ std::string of_solved_patch(const WheelSolution& result, std::size_t index) {
 }
 
 std::string edge_text(const Patch& patch) {
-  return reaches_neighbour(patch)
-             ? "contact reaches the boundary to the neighbouring patch"
-             : "contact touches the edge of the grid: elements too large, or a patch just born";
+  return reaches_neighbour(patch) ? "contact reaches the boundary to the neighbouring patch"
+                                  : "contact reaches the edge of the grid: elements are too large, "
+                                    "or the patch has just formed";
 }
 
 /// Where patches are planes too large for the accuracy, the warning is theirs (warn_of_patches).
@@ -73,10 +73,10 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
         {WarningClass::other_solver, "several patches: solved together by the default solver"});
   }
   if (ridge_error > request.accuracy) {
-    warnings.push_back(
-        {WarningClass::ridge, "a profile turns by " + short_text_of(solution.sharpest_ridge()) +
-                                  " rad at once under the pressures: they have no bound there, and "
-                                  "forces converge slowly"});
+    warnings.push_back({WarningClass::ridge,
+                        "a profile has a kink of " + short_text_of(solution.sharpest_ridge()) +
+                            " rad under the pressures: they are unbounded there, and "
+                            "forces converge slowly"});
   }
   if (!request.grid) {
     warn_of_accuracy(request.accuracy, result);
@@ -85,7 +85,7 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
     warnings.push_back(
         {WarningClass::patch_left_out,
          "wheel and rail also meet at s_wheel = " + short_text_of(*solution.left_out_s) +
-             " mm under another angle; with vertical distances that patch is left out"});
+             " mm at another angle; that patch is left out, since distances are vertical"});
   }
 }
 
@@ -102,7 +102,7 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
       if (std::abs(patch.penetration.angle_unturned) > vertical_convention_limit) {
         warn(WarningClass::vertical_angle,
              "vertical distances at a contact angle of " +
-                 short_text_of(patch.penetration.angle_unturned) + " rad (good up to " +
+                 short_text_of(patch.penetration.angle_unturned) + " rad (valid up to " +
                  text_of(vertical_convention_limit) + "): use solve.gap = \"tangent\"");
       }
     } else if (patch.plane_error > request.accuracy) {
@@ -122,12 +122,12 @@ void warn_of_pressure(WheelResult& wheel) {
       wheel.patches.begin(), wheel.patches.end(),
       [](const PatchResult& one, const PatchResult& other) { return one.pmax < other.pmax; });
   const auto index = static_cast<std::size_t>(pressed - wheel.patches.begin());
-  wheel.warnings.push_back(
-      {WarningClass::pressure,
-       of_patch(wheel, index) + "the largest pressure, " + text_of(std::round(wheel.pmax)) +
-           " MPa, is more than steel carries: the hardest rails flow at " +
-           text_of(std::round(hardest_steel)) +
-           " MPa, so that pressures are lower and the contact is larger than computed"});
+  wheel.warnings.push_back({WarningClass::pressure,
+                            of_patch(wheel, index) + "the largest pressure, " +
+                                text_of(std::round(wheel.pmax)) +
+                                " MPa, is more than steel can carry: the hardest rails flow at " +
+                                text_of(std::round(hardest_steel)) +
+                                " MPa, so real pressures are lower and the contact is larger"});
 }
 
 std::string of_patch(const WheelResult& wheel, std::size_t index) {

@@ -6,7 +6,7 @@
 !>   u(t + h) = u + h ((1 - g) k1 + g k2)
 !>
 !> Newton's iteration for each k with the matrix 1 - g h df/du, LU factors by LAPACK. The Jacobian is
-!> that of the first iteration of a step, made anew where a correction is not a tenth of the one before.
+!> that of the first iteration of a step, recomputed if a correction is not a tenth of the one before.
 module bogie_runs
   use, intrinsic :: iso_fortran_env, only: real64
   use bogie_model, only: bogie, position_count, state_count, rates, centred_state
@@ -17,7 +17,7 @@ module bogie_runs
   real(real64), parameter :: g = 1 - sqrt(0.5_real64)
   integer, parameter :: n = state_count, max_iterations = 12, max_halvings = 10
   !> Of corrections, in m, rad, m/s, rad/s, over the accuracy of contact forces: these then follow
-  !> from the state to some hundredths of what they are uncertain by, 10 N of 160 kN at 1e-2.
+  !> from the state to some hundredths of their uncertainty, 10 N of 160 kN at 1e-2.
   real(real64), parameter :: tolerance = 1.0e-6_real64
   !> Velocities change creep forces less than positions normal ones: by 6e5 N s/m at 40 m/s, instead of
   !> 1e9 N/m.

@@ -82,7 +82,7 @@ CsvTable::CsvTable(const std::filesystem::path& path) : path_(path.string()) {
     rows_.push_back(entries_of(line));
     if (rows_.back().size() != names_.size()) {
       throw Failure(path_ + ", line " + std::to_string(rows_.size() + 1) +
-                    ": allowed are as many entries as names in the first line");
+                    ": the number of entries must be that of the names in the first line");
     }
   }
 }

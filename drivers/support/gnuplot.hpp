@@ -15,7 +15,7 @@ void require_gnuplot();
 /// Whether _ and ^ make subscripts and superscripts, of one letter or of a group in braces.
 enum class Markup { none, subscripts };
 
-/// A text as a string of a script, with its quotes. Every text that does not stand in the source of
+/// A text as a string of a script, with its quotes. Every text that is not part of the source of
 /// a program goes through here. It cannot end its string or its line, so gnuplot runs nothing in it
 /// and replaces nothing: single quotes become apostrophes (doubled ones, gnuplot's way to write
 /// them, end the string where they stand first or side by side), control characters become blanks,

@@ -40,7 +40,7 @@ void make_file(const fs::path& path) {
 } // namespace
 
 fs::path target_of(fs::path path) {
-  constexpr int most_links = 40; // as many as Linux follows
+  constexpr int most_links = 40; // the number that Linux follows
   const fs::path asked = path;
   std::error_code none;
   for (int link = 0; fs::is_symlink(path, none); ++link) {

@@ -1,4 +1,4 @@
-// wrc_benchmark: times the solvers and whole scenes, each time beside the error of what was solved.
+// wrc_benchmark: times the solvers and whole scenes, and shows each time beside its error.
 #include <algorithm>
 #include <iostream>
 #include <sstream>
@@ -195,13 +195,13 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Times the contact solver and whole wheel/rail scenes, each time beside the true error of\n"
-      "what was solved, and compares the default method with the paper's (Polonsky & Keer 1999).\n"
-      "One thread, but for batch. Times of one run may be compared with each other, those of two\n"
-      "machines may not: read the ratios, and times in transforms of the same size (pairs).",
+      "Times the contact solver and whole wheel/rail scenes, shows the true error beside each\n"
+      "time, and compares the default method with the paper's (Polonsky & Keer 1999). Uses one\n"
+      "thread, except in batch. Times of one run may be compared with each other. To compare\n"
+      "machines, use ratios, or times in transforms of the same size (pairs).",
       "wrc_benchmark");
   Options options;
-  std::string case_list = "case to run, may be repeated; all but service if not given:";
+  std::string case_list = "case to run, may be repeated; default: all except service:";
   for (const Case& known : all_cases()) {
     case_list += "\n" + known.description.name + ": " + known.description.meaning;
   }
@@ -219,7 +219,7 @@ int main(int argc, char** argv) {
       ->type_name("EPS")
       ->check(CLI::Range(1e-9, 0.1));
   app.add_option("--method", options.method,
-                 "default or paper; both side by side if not given, paper only up to 1024x512")
+                 "default or paper; if not given both, paper only up to 1024x512")
       ->type_name("NAME")
       ->check(CLI::IsMember({"default", "paper"}));
   app.add_option("--repeat", options.plan.repeat,
@@ -230,20 +230,20 @@ int main(int argc, char** argv) {
                  "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  app.add_flag("--creep", options.plan.creep,
-               "with service: creep forces as well, beside rows without");
+  app.add_flag("--creep", options.plan.creep, "with service: also rows with creep forces");
   app.add_flag("--json", options.json, "print one JSON object instead of the tables");
-  app.add_flag("--first-solve", options.first_solve,
-               "only solve the one case given, once, to --accuracy as the solver's tolerance, and "
-               "print times and memory as JSON; the benchmark starts itself so for cold-process");
+  app.add_flag(
+      "--first-solve", options.first_solve,
+      "only solve the one case given, once, to --accuracy as the solver's tolerance, and "
+      "print times and memory as JSON; the benchmark calls itself this way for cold-process");
   app.add_flag("--both-wheels", options.both_wheels, "with --first-solve and table1");
   app.footer("\nExamples:\n"
              "  wrc_benchmark                                  everything at 256x128, under a "
              "minute\n"
-             "  wrc_benchmark --case table1 --method default   where the time of a scene goes\n"
+             "  wrc_benchmark --case table1 --method default   where the time of a scene is spent\n"
              "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
              "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
              "  wrc_benchmark --case service --steps 300       what a step of a real run costs\n"
-             "docs/performance-measured.md and docs/performance-service.md explain the columns.");
+             "docs/evidence/performance.md and docs/evidence/service.md explain the columns.");
   return driver::run_program(app, argc, argv, [&] { return run(options); });
 }

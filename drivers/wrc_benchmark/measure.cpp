@@ -117,7 +117,7 @@ double paper_tolerance(Problem& problem, double accuracy, double default_error) 
       problem.solve_cold(settings);
       double error = problem.judge("paper").error_p;
       if (error <= target && problem.wheels() > 0) {
-        problem.solve_warm(settings); // a scene is then posed anew, with the depth found before
+        problem.solve_warm(settings); // a scene is then posed again, with the depth found before
         error = problem.judge("paper").error_p;
       }
       if (error <= target) {

@@ -73,7 +73,8 @@ std::vector<double> pmax_of(const driver::Scene& scene) {
   return {scene.number("left.pmax"), scene.number("right.pmax")};
 }
 
-/// pmax of both wheels at the steps that are judged, on a grid fine enough for errors of some 1e-6.
+/// pmax of both wheels at the steps that are judged, on a grid fine enough for errors of about
+/// 1e-6.
 std::vector<std::vector<double>> fine_pmax(const Motion& motion) {
   driver::Scene scene;
   scene.set("solve.grid", std::vector<double>{384.0, 384.0});
@@ -164,7 +165,7 @@ std::vector<Row> measure_vehicle_steps(const Plan& plan) {
 
 namespace {
 
-/// Wall time of as many transforms on each of some threads.
+/// Wall time of the same number of transforms on each of several threads.
 double measure_busy_threads(int threads) {
   Stopwatch watch;
   driver::for_each_index(static_cast<std::size_t>(threads), threads, [](std::size_t) {

@@ -71,7 +71,7 @@ struct Row {
   [[nodiscard]] double total_pairs() const { return times.total / fft_pair_ms; }
 };
 
-/// What is requested of a run; each case has its own way with what is not.
+/// What is requested of a run; each case has its own defaults.
 struct Plan {
   std::vector<std::string> methods{"default", "paper"};
   /// Largest error of p relative to pmax, 1e-4 if not given; of motions another one.

@@ -120,7 +120,7 @@ std::string time_text(double value) {
   return fixed(value, value < 9.995 ? 3 : value < 99.95 ? 2 : value < 999.5 ? 1 : 0);
 }
 
-/// The wheels stand beside the case where there are two.
+/// The wheels are named beside the case if there are two.
 std::string case_text(const Row& row) {
   return row.case_name + (row.wheels == 2 ? ", both" : "");
 }
@@ -221,9 +221,10 @@ void print_service(const std::vector<ServiceRow>& rows) {
     std::cout
         << "\n  Steps of 40 mm over irregular track, " << rows.front().steps
         << " of them, both wheels, one solver handle; the first step "
-           "of all is cold and not counted.\n  requested: error of what \"of\" names. prescribed: "
+           "of all is cold and not counted.\n  requested: error of the results named by \"of\". "
+           "prescribed: "
            "loads, with roll solved; or roll and a height for each wheel, those of the\n  same "
-           "loads. depth, normal, lateral, pmax: largest error of both wheels at some 40 steps, "
+           "loads. depth, normal, lateral, pmax: largest error of both wheels at about 40 steps, "
            "against accuracy 1e-5, relative;\n  of the lateral force over the vertical one. "
            "solut., most: joint solutions of a wheel in a step, mean and most. mean ms:\n  "
            "processor time per step, keys set and both wheels solved. pair: one transform of "

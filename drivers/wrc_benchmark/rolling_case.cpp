@@ -35,7 +35,7 @@ std::vector<Ellipse> draw_ellipses(int count) {
   const auto log_uniform = [&uniform](double low, double high) {
     return std::exp(uniform(std::log(low), std::log(high)));
   };
-  // Of the order of what the linear theory needs to transmit all of the friction.
+  // Of the order that the linear theory needs to transmit all of the friction.
   constexpr double saturation = friction * load / (4.0 * shear_modulus * mean_axis * mean_axis);
   std::vector<Ellipse> ellipses;
   for (int i = 0; i < count; ++i) {
@@ -243,7 +243,8 @@ void print_rolling(const std::vector<RollingRow>& rows) {
          "over "
          "mu N sqrt(a b), the largest of the three, against\n  192x144 elements solved to 1e-4. "
          "warm: elements as before. new ratio: of sides, with influence coefficients and\n  "
-         "transforms made anew. normal: the normal contact of such a patch at 1e-2 or 1e-3. pairs: "
+         "transforms planned again. normal: the normal contact of such a patch at 1e-2 or 1e-3. "
+         "pairs: "
          "warm over one transform\n  of twice 256x128 and back. Processor times, medians.\n\n";
 }
 

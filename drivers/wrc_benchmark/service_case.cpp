@@ -143,7 +143,7 @@ private:
   driver::Solver solver_;
 };
 
-/// The way of one pair of profiles, with what is true at the steps that are judged.
+/// The run of one pair of profiles, with references at the steps that are judged.
 struct Run {
   Pairing pair;
   std::vector<Step> steps; ///< the first one is the cold start

@@ -337,7 +337,7 @@ void print_table(const Scene& scene, std::ostream& out) {
 
 json json_of(const Scene& scene) {
   // Names such as left.patches.0.pmax become objects and lists. Derivatives, as in force.y.by.yaw,
-  // stand beside what they are of, which is a number: in the object "y.by".
+  // are beside their result, which is a number: in the object "y.by".
   json flat = json::object();
   const auto pointer_of = [](std::string name) {
     std::replace(name.begin(), name.end(), '.', '/');

@@ -12,7 +12,7 @@ namespace {
 
 using namespace driver;
 
-/// As many as a profile file may have.
+/// The number that a profile file may have.
 constexpr double most_points = 200000.0;
 
 struct Arguments {
@@ -134,18 +134,18 @@ void add_reading_options(CLI::App& app, Arguments& arguments) {
   const CLI::Validator positive = positive_number();
   const CLI::IsMember yes_or_no({"yes", "no"});
   app.option_defaults()->group("How to read a file");
-  app.add_option("--kind", arguments.kind, "wheel or rail; default: by the file")
+  app.add_option("--kind", arguments.kind, "wheel or rail; default: from the file")
       ->type_name("KIND")
       ->check(CLI::IsMember({"wheel", "rail"}));
   app.add_option("--mirror-lateral", arguments.mirror_lateral,
-                 "mirror lateral values: yes or no; default: by the shape")
+                 "mirror lateral values: yes or no; default: from the shape")
       ->type_name("YES|NO")
       ->check(yes_or_no);
   app.add_option("--mirror-height", arguments.mirror_height,
-                 "mirror heights: yes or no; default: by the shape")
+                 "mirror heights: yes or no; default: from the shape")
       ->type_name("YES|NO")
       ->check(yes_or_no);
-  app.add_option("--scale", arguments.scale, "mm per unit of the file; default: by the size")
+  app.add_option("--scale", arguments.scale, "mm per unit of the file; default: from the size")
       ->type_name("MM")
       ->check(positive);
   app.add_option("--smooth", arguments.smoothing,
@@ -153,18 +153,19 @@ void add_reading_options(CLI::App& app, Arguments& arguments) {
       ->type_name("MM")
       ->check(positive);
   app.add_option("--origin", arguments.origin,
-                 "where a wheel has lateral 0: tape or flange-back; default: by the file")
+                 "position of lateral 0 of a wheel: tape or flange-back; default: from the file")
       ->type_name("PLACE")
       ->check(CLI::IsMember({"tape", "flange-back"}));
   app.add_option("--shift", arguments.shift,
-                 "instead: add to lateral, so that the taping line is at 0")
+                 "instead of --origin: shift added to lateral, so that the taping line is at 0")
       ->type_name("MM")
       ->check(CLI::Range(-500.0, 500.0));
   app.add_option("--slice", arguments.slice,
-                 "which profile of a slices file (.slcs, .slcw), from 1")
+                 "number of a profile in a slices file (.slcs, .slcw), from 1")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--strict", arguments.strict, "refuse a file that needs a guess, or has a warning");
+  app.add_flag("--strict", arguments.strict,
+               "refuse a file that needs a guess or causes a warning");
 }
 
 void add_options(CLI::App& app, Arguments& arguments) {
@@ -186,8 +187,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--plot", arguments.plot, "draw the profile to scale and its curvature")
       ->type_name("FILE.png|svg");
   app.add_option("--convert", arguments.convert,
-                 "write the profile: Simpack by the extensions .prr (rail) and .prw (wheel), else "
-                 "two columns")
+                 "write the profile: Simpack for the extensions .prr (rail) and .prw (wheel), "
+                 "otherwise two columns")
       ->type_name("OUT.txt|prr|prw");
   app.add_option("--spacing", arguments.spacing,
                  "arc length between points, for --convert and --points")
@@ -198,8 +199,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.option_defaults()->group("Options");
   app.footer(
       "\nProfiles are in mm: lateral from the taping line (wheel) or the axis (rail), positive to\n"
-      "the field side; height of a wheel towards larger radius, of a rail upwards. What had to be\n"
-      "corrected to get there is reported line by line; --strict refuses instead.\n\n" +
+      "the field side; height of a wheel towards larger radius, of a rail upwards. Each\n"
+      "correction is reported on its own line; --strict refuses instead.\n\n" +
       standard_names_text() +
       "\nExamples:\n"
       "  wrc_profile S1002\n"
@@ -207,7 +208,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "  wrc_profile measured.txt --kind rail --smooth 3 --plot rail.png\n"
       "      a measurement in two columns, smoothed and drawn\n"
       "  wrc_profile wheel.csv --kind wheel --origin flange-back --tape-offset 70\n"
-      "      a wheel whose lateral counts from its flange back\n"
+      "      a wheel measured from its flange back\n"
       "  wrc_profile worn.prw --compare S1002 --plot wear.svg\n"
       "      how far a worn wheel is from the new one\n"
       "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"

@@ -19,7 +19,7 @@ constexpr double between = 80.0;
 constexpr double key_above = 25.0;
 constexpr double curvature_height = 240.0;
 constexpr double bottom_margin = 60.0;
-/// Room around the profile, as a share of its width.
+/// Room around the profile, relative to its width.
 constexpr double room = 0.04;
 /// A narrow profile is drawn smaller rather than higher than this, pixels.
 constexpr double greatest_height = 1400.0;

@@ -15,7 +15,7 @@ namespace driver {
 struct Conversion {
   std::string path;
   double spacing = 0.0;
-  Comparison difference; ///< of what was read back to the profile
+  Comparison difference; ///< between the file read back and the profile
 };
 
 /// Everything there is to report; what was not requested is absent.

@@ -1,6 +1,6 @@
 /// The rows of a study on their way to its results: a file that outlives an interruption.
 ///
-/// Rows stand in the order in which they were finished. A row that was not written whole is dropped
+/// Rows are in the order in which they were finished. A row that was not written whole is dropped
 /// when the file is opened again.
 #pragma once
 

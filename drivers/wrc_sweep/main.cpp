@@ -41,7 +41,7 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   yaw = [0.0, 0.005]                             # or a list
   [wheelset]
   wheel = ["S1002", "my_wheel.prw"]
-  [study]                                        # all of it optional
+  [study]                                        # optional
   title = "Measured against new wheels"
   results = ["left.pmax", "right.pmax", "roll"]  # --list-results prints all names
   fields = ["x", "y", "z", "pressure"]           # of every patch, into the NetCDF file
@@ -51,10 +51,10 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   series = "wheelset.wheel"
   panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]
 
-All values are crossed; the key that stands first varies slowest. NAME.csv and NAME.nc (NetCDF-4)
-hold one row per scene with its status and warnings; a scene that cannot be solved is a row that says why. They are
-bit for bit the same for any number of threads and ranks. Ctrl-C, or a crash, loses nothing that is
-done: NAME.rows keeps it, and --resume goes on.
+All combinations are solved; the first key varies slowest. NAME.csv and NAME.nc (NetCDF-4) hold
+one row per scene with its status and warnings; if a scene cannot be solved, its row says why. The
+files are identical to the last bit for any number of threads and ranks. Ctrl-C or a crash loses no
+finished scene: NAME.rows keeps them, and --resume continues.
 
 Examples:
   wrc_sweep study.toml --out results --threads 4
@@ -62,7 +62,7 @@ Examples:
   wrc_sweep study.toml --out results --resume
   wrc_sweep study.toml --page study.html --threads 4
   mpirun -n 16 wrc_sweep_mpi study.toml --out results
-More: docs/studies.md
+See docs/studies.md.
 )";
 
 /// The files of results: the tables, then pictures.
@@ -199,32 +199,30 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Solves a study: a wheel/rail scene in which keys go through lists or ranges of "
-               "values, all crossed.",
+  CLI::App app("Solves a study: a wheel/rail scene in every combination of the values that its "
+               "keys list.",
                "wrc_sweep");
   Options options;
   app.add_option("STUDY", options.study_file, "study file in TOML");
-  app.add_option("--out", options.folder, "folder of the results, made if it is missing")
+  app.add_option("--out", options.folder, "folder of the results; created if it does not exist")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "threads, of each rank; results do not depend on it")
+  app.add_option("--threads", options.threads, "threads of each rank; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option(
-         "--set", options.assignments,
-         "set one or more keys, which count more than the study file; lists and ranges as there")
+  app.add_option("--set", options.assignments,
+                 "set one or more keys, overriding the study file; lists and ranges as in the file")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--page", options.page,
-                 "write a page for a browser, with a slider for each key, in place of tables")
+                 "write a page for a browser, with a slider for each key, instead of tables")
       ->type_name("FILE");
-  app.add_flag("--resume", options.resume, "go on with an interrupted run, if there is one");
+  app.add_flag("--resume", options.resume, "continue an interrupted run, if there is one");
   app.add_flag("--restart", options.restart, "drop the rows of an interrupted run");
-  app.add_flag("--progress", options.progress, "show progress even if stderr is no terminal");
-  app.add_flag("--quiet", options.quiet,
-               "neither progress nor what was written; warnings are shown");
-  app.add_flag("--no-pictures", options.no_pictures, "tables only");
-  app.add_flag("--list-results", options.list_results, "print the names a study may ask for");
+  app.add_flag("--progress", options.progress, "show progress even if stderr is not a terminal");
+  app.add_flag("--quiet", options.quiet, "show warnings only, neither progress nor files written");
+  app.add_flag("--no-pictures", options.no_pictures, "write tables only");
+  app.add_flag("--list-results", options.list_results, "print the names of all results");
   app.footer(footer);
   return driver::run_program(app, argc, argv, [&] {
     const driver::Ranks ranks;

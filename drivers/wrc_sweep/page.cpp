@@ -12,7 +12,7 @@
 namespace driver {
 namespace {
 
-/// A page holds some 20 kB for each.
+/// A page holds about 20 kB for each.
 constexpr std::int64_t most_scenes_of_page = 2000;
 
 /// Digits that can be seen: 0.001 mm, 0.1 MPa.
@@ -26,7 +26,7 @@ json rounded(const std::vector<double>& values, double unit) {
   return numbers;
 }
 
-/// Some 200 points of an outline, its ends included.
+/// About 200 points of an outline, its ends included.
 json outline(const Scene& scene, const std::string& name) {
   const std::vector<double> y = scene.field(name + "_y");
   const std::vector<double> z = scene.field(name + "_z");

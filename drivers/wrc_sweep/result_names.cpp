@@ -76,7 +76,7 @@ void refuse_doubled(const char* list, const std::vector<std::string>& names) {
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (std::find(names.begin(), name, *name) != name) {
       throw Failure(std::string(list) + ": \"" + *name +
-                    "\" stands there twice; allowed is each name once");
+                    "\" occurs twice; each name is allowed once");
     }
   }
 }

@@ -58,7 +58,7 @@ std::vector<Row> rows_of(std::string_view bytes) {
   return rows;
 }
 
-/// What rank 0 knows of another.
+/// What rank 0 knows about another.
 struct Other {
   std::int64_t open = 0; ///< scenes it has
   bool told_last = false;

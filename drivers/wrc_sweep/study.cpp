@@ -53,7 +53,7 @@ int Study::axis_of(const std::string& key) const {
 }
 
 InputFile read_input(const std::string& path) {
-  constexpr std::size_t most = std::size_t{64} << 20; // of a profile file (docs/fuzzing.md)
+  constexpr std::size_t most = std::size_t{64} << 20; // of a profile file (docs/profiles.md)
   InputFile input{path, read_file("input", path, most), ""};
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;

@@ -68,7 +68,7 @@ std::vector<Value> range_values(const std::string& key, const toml::table& range
   return all;
 }
 
-/// Reads keys with one or more values; remembers where axes stand in the file.
+/// Reads keys with one or more values; remembers the positions of axes in the file.
 class KeyReader {
 public:
   explicit KeyReader(std::string path) : path_(std::move(path)) {}
@@ -196,7 +196,7 @@ void read_study_table(const toml::table& file, Study& study) {
   }
 }
 
-/// Each value of each key on a scene that has all other keys, so that what is wrong is told before
+/// Each value of each key on a scene that has all other keys, so that errors are reported before
 /// anything is solved.
 void try_values(const Study& study) {
   Scene scene;

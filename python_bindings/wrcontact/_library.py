@@ -1,6 +1,6 @@
 """The shared library, its texts and arrays.
 
-The library stands beside this file (docs/python.md, "How it finds the library"). Calls release the
+The library is beside this file (docs/python.md, "How it finds the library"). Calls release the
 interpreter's lock, so other threads run meanwhile.
 """
 from __future__ import annotations

@@ -67,7 +67,7 @@ def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
 
 
 def _same_scale(all_axes: Iterable[Any], turned: bool) -> None:
-    """As many mm across and along in each, with a margin; y to the left is drawn on the left."""
+    """The same number of mm across and along in each, with a margin; y to the left is drawn on the left."""
     drawn = [axes for axes in all_axes if axes.has_data()]
     half = np.max([axes.dataLim.size for axes in drawn], axis=0, initial=0.0) * 0.5 * 1.15
     for axes in drawn:

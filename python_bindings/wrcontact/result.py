@@ -181,7 +181,7 @@ class Result(Group):
 
     @property
     def warnings(self) -> list[str]:
-        """All warnings, each with what it is of: profiles, then the left and the right wheel.
+        """All warnings, each beginning with its subject: profiles, then the left and the right wheel.
 
         `result["warnings.0"]` is the first of them, of the class `result["warning_classes.0"]`;
         `left.warnings` are those of the left wheel.

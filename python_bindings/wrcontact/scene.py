@@ -201,7 +201,7 @@ class Scene(Handle):
 
 
 def values_of(scene: Scene) -> dict[str, str | float | Array]:
-    """All keys with their values, but for those whose sides have different ones."""
+    """All keys with their values, except those whose sides have different ones."""
     values = {}
     for key in keys():
         try:

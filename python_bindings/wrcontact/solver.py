@@ -50,7 +50,7 @@ class Solver(Handle):
         return scene._solved(lib.wrc_solver_solve(self._handle, scene._handle))
 
     def clear(self) -> None:
-        """Drops all that is kept, so that profile files are read again."""
+        """Drops everything it keeps, so that profile files are read again."""
         self._check(lib.wrc_solver_clear(self._handle))
 
     forget = clear  # its old name

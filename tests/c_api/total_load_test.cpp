@@ -151,7 +151,7 @@ TEST(TotalLoad, IsRefusedWhereNoLoadGivesIt) {
                     {"creepage.lateral", 0.5},
                     {"load.total_left", 80e3}});
   expect_error(scene.get(), wrc_scene_solve(scene.get()), WRC_INVALID_ARGUMENT, "load.total_left",
-               "80000", "no load on the normal pressures gives that");
+               "80000", "no load on the normal pressures gives this total");
 }
 
 /// As such a load on the pressures is: nothing is pressed together, and a warning says so.

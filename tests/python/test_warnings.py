@@ -42,7 +42,7 @@ def test_steps_do_not_warn_but_have_warnings():
     _, result = told(scene.solve)
     position = [0, 6.5, result.vertical - result.left.depth, result.roll, 0, 0]
     texts, _ = told(lambda: solver.step(scene, position, [2e4, 0, 0, 0, 2e4 / 460, 0]))
-    assert texts == [] and "more than steel carries" in scene.result.warnings[0]
+    assert texts == [] and "more than steel can carry" in scene.result.warnings[0]
 
 
 def test_batches_and_studies_warn_of_each_kind_once():

@@ -89,7 +89,7 @@ CASES = {
     "profile_origin": Case("the flange back is at lateral", QUICK,
                            lambda: s1002(lambda y, z: (y + 12, z)), "origin.prw",
                            "an origin off by 12 mm"),
-    "profile_flange": Case("no flange shows", {**QUICK, **LEFT},
+    "profile_flange": Case("no flange found", {**QUICK, **LEFT},
                            lambda: s1002(lambda y, z: (y, z), lambda y: y < -28), "flange.wheel",
                            "a wheel that is only a flange"),
     "profile_signs": Case("the flange points to smaller radius", GEOMETRY,
@@ -123,10 +123,10 @@ CASES = {
     "accuracy": Case("not reached: estimated error", {"pose.lateral": -82.2, **LEFT, **QUICK}),
     "element_limit": Case("solve.element_limit = 1000 permits no more", {
         "solve.element_limit": 1000, "solve.accuracy": 3e-4, **LEFT}),
-    "ridge": Case("rad at once under the pressures", {
+    "ridge": Case("rad under the pressures", {
         "track.rail": "49E1", "wheelset.radius": 2175, "track.cant": 0.138, "pose.lateral": -7.9,
         "load.vertical": 368e3, "solve.accuracy": 0.01, **LEFT}),
-    "grid_edge": Case("contact touches the edge of the grid", {"solve.grid": [4, 4], **LEFT}),
+    "grid_edge": Case("contact reaches the edge of the grid", {"solve.grid": [4, 4], **LEFT}),
     "patch_turn": Case("the rail turns by", {"pose.lateral": 5, "solve.accuracy": 0.004, **LEFT}),
     "vertical_angle": Case("vertical distances at a contact angle", {
         "solve.gap": "vertical", "pose.lateral": 6, **LEFT, **QUICK}),
@@ -134,7 +134,7 @@ CASES = {
         "solve.gap": "vertical", **FLANGE_AND_TREAD, **LEFT, **QUICK}),
     "other_solver": Case("solved together by the default solver", {
         "solve.solver": "paper", "solve.grid": [32, 32], **FLANGE_AND_TREAD, **LEFT}),
-    "close_patches": Case("patches nearly in touch", {
+    "close_patches": Case("patches almost touch", {
         "track.rail": "UIC60-Manchester", "pose.lateral": 6.1396, "pose.yaw": -0.009928,
         "wheelset.radius": 1000, "track.cant": 0.05, "load.vertical": 248675, **LEFT,
         "solve.joining_distance": 0.02, "solve.interaction": "all", "solve.accuracy": 8e-4}),
@@ -142,7 +142,7 @@ CASES = {
         "solve.model": "hertz", "pose.lateral": 5, **LEFT}),
     "no_interaction": Case("patches do not interact in this model", {
         "solve.model": "hertz", "solve.interaction": "all", **FLANGE_AND_TREAD, **LEFT}),
-    "pressure": Case("is more than steel carries", {"pose.lateral": 6.5, **QUICK, **LEFT}),
+    "pressure": Case("is more than steel can carry", {"pose.lateral": 6.5, **QUICK, **LEFT}),
     "creep_accuracy": Case("creep forces: accuracy 0.001 not reached", {
         "creepage.longitudinal": 0.001, "solve.element_limit": 1000, **LEFT}),
     "unlike_materials": Case("creep forces of unlike materials", {

@@ -2,10 +2,10 @@
 //
 //   compare_creep_models [CASES]      ellipses; a fifth as many of each other patch; default 500
 //
-// Prints the tables of docs/creep-models.md: of each model the root mean square and the largest
-// error of Fx, Fy (in mu N) and Mz (in mu N c, c^2 the contact's area over pi), and the median time
-// of a call, processor's time of this thread. The reference is the full theory on 128 x 64
-// elements.
+// Prints the tables of docs/evidence/creep-models.md: of each model the root mean square and the
+// largest error of Fx, Fy (in mu N) and Mz (in mu N c, c^2 the contact's area over pi), and the
+// median time of a call, processor's time of this thread. The reference is the full theory on 128 x
+// 64 elements.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -266,7 +266,7 @@ void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,
   }
   const bool leaves_residual = std::max(*row.overlap, *row.complementarity) > permitted;
   if (!all_finite(row) || *row.load_balance > permitted_imbalance ||
-      (leaves_residual && row.message.find("nearly in touch") == std::string::npos)) {
+      (leaves_residual && row.message.find("almost touch") == std::string::npos)) {
     row.verdict = Verdict::wrong;
   } else if (!converged || !warnings.empty()) {
     row.verdict = Verdict::warned;

@@ -138,7 +138,7 @@ void add_grids(std::vector<Point>& points) {
 }
 
 /// Elements `aspect` times as wide as long, contact over about half of the elements: the gap rises
-/// over the grid by a multiple of what a punch of its size sinks in.
+/// over the grid by a multiple of the depth to which a punch of its size sinks.
 GapProblem stretched(double aspect) {
   constexpr double base_step = 0.8;
   const double wide = std::sqrt(aspect);

@@ -177,8 +177,8 @@ const std::vector<Quantity>& quantities() {
       {"points", "Points of a profile", "points", true, false},
       {"noise", "Noise on a profile", "standard deviation, mm", true, false},
       {"hollow", "Hollow wheel", "hollow, mm", true, false},
-      {"conformal", "Conformal gauge corner", "wheel wider than the rail by a share of", true,
-       false},
+      {"conformal", "Conformal gauge corner", "relative excess width of the wheel over the rail",
+       true, false},
       {"profile", "Oddities of profiles", "", false, true},
       {"state", "States without usual contact", "", false, true},
   };

@@ -139,7 +139,7 @@ void write_table2(const fs::path& folder, std::ostream& out) {
          "less than 0.5 % (docs/validation.md compares 23 cases with CONTACT), so that 6 % show a "
          "gap, a grid or an input that differs, not the accuracy of the method.";
   out << "\n* Signs, the load and the direction of distances are not printed; those taken here are "
-         "in docs/paper_misprints.md and docs/validation.md.\n\n";
+         "in docs/validation.md.\n\n";
 }
 
 void write_figure(const fs::path& folder, const Figure& figure, std::ostream& out, Counts& counts) {
@@ -255,7 +255,7 @@ void write_timing(const std::filesystem::path& folder, std::ostream& out) {
            "the "
            "paper's method (Polonsky & Keer with DC-FFT, double precision) in this library, so "
            "that "
-           "its ratio to `default` is of methods, not of machines. docs/performance-measured.md "
+           "its ratio to `default` is of methods, not of machines. docs/evidence/performance.md "
            "explains the "
            "columns.\n\n| method | state | set-up | geometry | remesh | mechanics | total | "
            "iterations | error of p | error of pmax | of 8.25 s |\n"

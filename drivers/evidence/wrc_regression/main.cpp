@@ -21,8 +21,9 @@ int main(int argc, char** argv) {
   app.add_option("--contact", contact,
                  "JSON file with values of CONTACT; without it these are left out")
       ->type_name("FILE");
-  app.add_flag("--update", update,
-               "write the own baselines anew, and tell what has changed; nothing else is written");
+  app.add_flag(
+      "--update", update,
+      "rewrite the baselines of this program and list what has changed; write nothing else");
   return driver::run_program(app, argc, argv, [&] {
     const std::filesystem::path cases = folder;
     const std::filesystem::path baselines = cases / "baselines.toml";

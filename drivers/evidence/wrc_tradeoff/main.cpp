@@ -128,20 +128,20 @@ int main(int argc, char** argv) {
   auto* position =
       app.add_flag("--position", options.position,
                    "prescribe the position of each wheel, to what the load gave, instead of loads; "
-                   "misses are told with the loads");
-  auto* creep =
-      app.add_option(
-             "--creep", options.creep,
-             "instead of all else: the models of creep forces on so many scenes, with 0.1 to "
-             "10 times the creepages of saturation")
-          ->check(CLI::Range(1, 100000))
-          ->excludes(scenes)
-          ->excludes(random)
-          ->excludes(accuracy_of)
-          ->excludes(position);
-  app.add_option("--practical", options.practical,
-                 "instead of all else: pmax at 1e-2 on so many scenes of wheels as vehicles use "
-                 "them, and what estimates and warnings say of its error")
+                   "misses are reported with the loads");
+  auto* creep = app.add_option("--creep", options.creep,
+                               "instead of everything else: the models of creep forces on so many "
+                               "scenes, with 0.1 to "
+                               "10 times the creepages of saturation")
+                    ->check(CLI::Range(1, 100000))
+                    ->excludes(scenes)
+                    ->excludes(random)
+                    ->excludes(accuracy_of)
+                    ->excludes(position);
+  app.add_option(
+         "--practical", options.practical,
+         "instead of everything else: pmax at 1e-2 on so many scenes of wheels as vehicles use "
+         "them, and what estimates and warnings say of its error")
       ->check(CLI::Range(1, 100000))
       ->excludes(scenes)
       ->excludes(random)

@@ -79,7 +79,7 @@ struct Figures {
 
 Figures figures_of(const driver::Scene& scene, const std::string& side);
 WheelError error_of(const Figures& found, const Figures& truth);
-/// With what the scene tells of its error.
+/// With the error that the scene itself reports.
 WheelError error_of(const driver::Scene& scene, const std::string& side, const Figures& truth);
 
 /// A scene on which accuracy is measured: always the same ones.

@@ -44,7 +44,7 @@ std::array<PracticalWheel, 2> find_truth(const Case& scene, driver::Solver& solv
   return wheels;
 }
 
-/// Whether the truth is good to half of what the error is compared with.
+/// Whether the reference is accurate to half of the bound on the error.
 bool is_judged(const PracticalWheel& wheel) {
   return wheel.uncertainty <= 0.5 * std::min(wheel.estimate, practical_accuracy);
 }

@@ -5,9 +5,9 @@
 /// worn by up to a tenth, cant 0, 1:40 or 1:20, lateral displacements to 8 mm, yaw to 10 mrad on
 /// half of them, 20 to 150 kN a wheel.
 ///
-/// Truth: pmax of a grid given by hand, `first_truth` and twice as fine in both directions until
-/// two of them agree; what they differ by is its uncertainty. Wheels whose truth is not good to
-/// half of what is judged are counted apart.
+/// Reference: pmax of a prescribed grid, `first_truth`, made twice as fine in both directions until
+/// two of them agree; their difference is its uncertainty. Wheels whose uncertainty exceeds half of
+/// the error to be judged are counted separately.
 #pragma once
 
 #include <array>

@@ -46,7 +46,7 @@ void print_requested(const std::vector<Measured>& all, std::ostream& out) {
                       row.median_error, row.error_95, row.error_99, row.worst, 100.0 * row.bounded,
                       row.median_estimate, 100.0 * row.told, row.median_ms}));
   }
-  out << "\nLargest error of what the accuracy is of; both wheels\n";
+  out << "\nLargest error of the results that the accuracy covers; both wheels\n";
   table.print(out);
 }
 

@@ -41,7 +41,7 @@ struct AskedRow {
   double worst = 0.0;           ///< error over accuracy
   double bounded = 0.0;         ///< share of estimates that are no less than the error
   double median_estimate = 0.0; ///< over the error
-  double told = 0.0;            ///< share of misses of which a warning or the estimate told
+  double told = 0.0;            ///< share of misses that a warning or the estimate reports
   double median_ms = 0.0;
 };
 std::vector<AskedRow> asked_rows(const std::vector<Measured>& all);

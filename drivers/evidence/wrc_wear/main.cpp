@@ -1,4 +1,4 @@
-// wrc_wear: wears a wheel profile over a mission of curves, as a demonstration of what results
+// wrc_wear: wears a wheel profile over a mission of curves, as a demonstration of results
 // "wear" are good for. The vehicle is reduced to where its wheelsets run; see docs/damage.md.
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ constexpr double half_wheelbase = 1250.0; // of a bogie whose wheelsets stay par
 constexpr double flange_clearance = 6.5;  // greatest displacement that is searched, mm
 constexpr double largest_step = 0.05;     // of wear, from one update of the profile to the next, mm
 
-/// A position of a wheelset that is run for a share of the way.
+/// A position of a wheelset in which part of the distance is run.
 struct Passage {
   double curvature; // 1/mm, left-hand curves
   double speed;     // mm/s

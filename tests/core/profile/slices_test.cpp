@@ -38,7 +38,7 @@ TEST(Slices, RefuseWhatIsNone) {
   refuses("0 1\n0\n", "0 slices, allowed are 1 to 4999");
   refuses("0 1\n1.5\n", "1.5 slices, allowed are 1 to 4999");
   refuses("0 1\n1\n1\n1\n0 a.prr\n",
-          "a.slcs:5: '0 a.prr', expected is a place and a file in quotes");
+          "a.slcs:5: '0 a.prr', expected a position and a file in quotes");
   refuses("0 1\n2\n1\n1\n0 'a'\n0 'b'\n", "place 0 after 0, places must ascend");
   refuses("x 1\n", "'x' is not a number");
 }

@@ -132,14 +132,14 @@ void add_wrong_points(std::vector<Variant>& all, ProfileKind kind) {
   Variant& other = add("of_the_other_kind", points);
   other.options.kind = kind == ProfileKind::wheel ? ProfileKind::rail : ProfileKind::wheel;
   other.tolerance = 0.0;
-  other.warnings = {kind == ProfileKind::wheel ? "the crown is at height" : "no flange shows"};
+  other.warnings = {kind == ProfileKind::wheel ? "the crown is at height" : "no flange found"};
   const double large = kind == ProfileKind::wheel ? 1.8 : 3.0;
   Variant& twofold = add("too_large", scaled(points, large, large));
   twofold.tolerance = 0.0;
-  twofold.warnings = {"expected are 50 to 200"};
+  twofold.warnings = {"expected 50 to 200"};
   Variant& small = add("too_small", scaled(points, 0.3, 0.3));
   small.tolerance = 0.0;
-  small.warnings = {"expected are 50 to 200"};
+  small.warnings = {"expected 50 to 200"};
   std::vector<Position> thin = {{0, 0}, {1, 0}, {2, 0}};
   add("three_points", thin).refusal = "3 points, the last in line 3, at least 5 are needed";
 }

@@ -333,7 +333,7 @@ void add_miniprof(std::vector<Variant>& all) {
           add("miniprof_of_the_tread", header + "\n" + rows({points.begin() + 90, points.end()}));
       part.tolerance = 0.0;
       part.corrections = {"lateral counted from the flange back, where it begins at 29"};
-      part.warnings = {"no flange shows"};
+      part.warnings = {"no flange found"};
       part.is_plain = false;
     }
     Variant& down = add("miniprof_upside_down", header + "\n" + rows(scaled(points, 1.0, -1.0)));
@@ -373,7 +373,7 @@ void add_origins(std::vector<Variant>& all) {
   kept.name = "S1002_heights_are_radii_from_the_taping_line.txt";
   kept.options.origin = WheelOrigin::tape;
   kept.corrections = {};
-  kept.warnings = {"height 460.00 mm at the taping line, expected is 0"};
+  kept.warnings = {"height 460.00 mm at the taping line, expected 0"};
   kept.tolerance = 0.0;
   all.push_back(kept);
   Variant stated = columns(kind, "origin_stated", rows(moved(tape, 0.0)));

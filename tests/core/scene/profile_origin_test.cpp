@@ -86,7 +86,7 @@ TEST_F(ProfileOrigin, AWrongOriginIsToldByTheProfileAndByTheFirstTouch) {
   set_text(tip, "wheelset.profile_origin", "tape");
   const SceneResult on_tip = solve_scene(tip);
   EXPECT_TRUE(tells(all_warnings(on_tip),
-                    ".wheel: the flange back is at lateral -20.00 mm, expected is -70.00"));
+                    ".wheel: the flange back is at lateral -20.00 mm, expected -70.00"));
   EXPECT_TRUE(tells(on_tip.left->warnings, "first touch is on the flange tip, at s_wheel"));
   EXPECT_TRUE(tells(on_tip.right->warnings, "first touch is on the flange tip, at s_wheel"));
   Scene chamfer;

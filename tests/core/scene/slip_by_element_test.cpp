@@ -171,8 +171,8 @@ TEST(SlipByElement, EachLobeSlidesWhereItIs) {
   }
 }
 
-// What one plane for both lobes takes from them (docs/validation-creep.md): with three creepages
-// along it the lesser lobe slides by other numbers than its own radius says.
+// What one plane for both lobes takes from them (docs/evidence/validation-creep.md): with three
+// creepages along it the lesser lobe slides by other numbers than its own radius says.
 TEST(SlipByElement, TwoLobesAreNoPlane) {
   Scene scene = sliding_lobes();
   const CreepResult by_element = creep_of(solve_scene(scene));

@@ -265,7 +265,7 @@ TEST(ApproximateWheel, NothingIsThereWithoutContact) {
 TEST(ApproximateWheel, ResultsSayWhatWasUsedAndWhy) {
   SceneResult result = solve_with("hertz", scene_at(3.0));
   EXPECT_EQ(result.model, "hertz");
-  EXPECT_EQ(result.left->model_reason, "asked for by name");
+  EXPECT_EQ(result.left->model_reason, "selected by name");
   EXPECT_TRUE(number_value(result, "left.validity"));
   EXPECT_FALSE(number_value(result, "left.sensitivities.pressure_force.y.lateral"));
   EXPECT_FALSE(number_value(result, "left.error_estimate"));
