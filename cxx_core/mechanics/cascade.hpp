@@ -54,8 +54,8 @@ struct ElementBox {
 bool find_pressure_box(const LevelSize& size, std::span<const double> pressure, std::size_t margin,
                        ElementBox& box);
 
-/// A field within a box, and back; what is outside the box stays. `inside` has as many values as
-/// the box has elements, and takes this size where it is a vector.
+/// A field within a box, and back; what is outside the box stays. `inside` has one value for
+/// each element of the box, and takes this size where it is a vector.
 void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,
               std::span<double> inside);
 void copy_box(const LevelSize& size, const ElementBox& box, std::span<const double> field,

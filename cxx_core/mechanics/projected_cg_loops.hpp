@@ -3,7 +3,7 @@
 /// correction, v direction, q = K v, s share of the approach, `contact` 1 on C and 0 elsewhere.
 /// Directions are in single or double precision, sums always in double; their order is fixed by the
 /// instruction set, so that the same machine gives the same bits. In units of influence_cache.hpp.
-/// Thread rule: pure functions of what they are given.
+/// Thread rule: pure functions of their arguments.
 #pragma once
 
 #include <cstddef>

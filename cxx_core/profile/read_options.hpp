@@ -17,7 +17,7 @@ enum class WheelOrigin { by_file, tape, flange_back };
 
 struct ReadOptions {
   std::optional<ProfileKind> kind; ///< wins over what the file says
-  /// Mirroring on top of what the format defines; if set, replaces the check of the shape.
+  /// Mirroring in addition to that of the format; if set, replaces the check of the shape.
   std::optional<bool> mirror_lateral;
   std::optional<bool> mirror_height;
   std::optional<double> scale;       ///< mm per unit of the file; if not set, units may be guessed

@@ -14,9 +14,8 @@
 /// the slip K/(pi G) d/dx of the integral of p (x, y)/r^2 to w, and tractions open the gap by
 /// `normal_displacement`, which changes the pressures in turn (rolling/unlike_bodies.hpp).
 /// Derivatives along x are upstream-biased differences inside the influence coefficients
-/// (traction_convolution.hpp). The derivative of what pressures displace is exact where edges are
-/// known. Pressures are given, and stay.
-/// Thread rule: plain values.
+/// (traction_convolution.hpp). The derivative of the displacement by pressures is exact where edges
+/// are known. Pressures are given, and stay. Thread rule: plain values.
 #pragma once
 
 #include <array>
@@ -118,7 +117,7 @@ struct RollingSolution {
   double adhesion_area = 0.0; ///< mm^2
   /// -F.w in N: frictional power over the speed, exact for steady rolling, where the elastic energy
   /// does not change (docs/creep.md); with that of the slip given for each element, and of unlike
-  /// bodies with what pressures add to w.
+  /// bodies including the displacement by pressures.
   double friction_power = 0.0;
   double power_of_pressures = 0.0; ///< of it what pressures of unlike bodies add, N
   double numerical_loss = 0.0;     ///< share of it that slip times traction does not show

@@ -27,7 +27,8 @@ public:
   /// A profile of both sides is one entry.
   void add(Entry entry);
   [[nodiscard]] std::size_t count() const;
-  /// Appends them, each with what it is of: "wheel profile worn.prw: ", "left rail profile x: ".
+  /// Appends them, each with the name of its profile: "wheel profile worn.prw: ", "left rail
+  /// profile x: ".
   void append_to(Warnings& all) const;
 
 private:

@@ -15,10 +15,10 @@
 
 namespace wrc {
 
-/// What users are told about a key.
+/// What users learn about a key.
 struct KeyDescription {
   std::string_view name;          ///< for example "track.gauge"
-  std::string_view default_value; ///< as it stands in a scene file
+  std::string_view default_value; ///< as in a scene file
   std::string_view allowed;       ///< permitted values, with the unit
   std::string_view meaning;
 };

@@ -9,7 +9,7 @@
 
 namespace wrc {
 
-/// All keys, in the order of a scene file: those of one side after those of both. Made anew by each
+/// All keys, in the order of a scene file: those of one side after those of both. Built by each
 /// call.
 std::vector<Key> make_scene_keys();
 /// Of them, those of loads.

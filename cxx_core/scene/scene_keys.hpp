@@ -28,8 +28,8 @@ void set_numbers(Scene& scene, std::string_view key, std::span<const double> val
 
 /// Id of a key: its place in scene_keys(). Throws Error(unknown_name).
 std::int32_t key_id(std::string_view key);
-/// As set_number for each key by its id, in this order; if one is refused, none is set. As many
-/// values as ids. Throws Error(invalid_argument).
+/// As set_number for each key by its id, in this order; if one is refused, none is set. One
+/// value for each id. Throws Error(invalid_argument).
 void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
                        std::span<const double> values);
 

@@ -2,7 +2,7 @@
 ///
 /// In the track frame (geometry/frames.hpp), both wheels alike; only along a profile (`s_wheel`,
 /// `t_rail`) and across a patch (`lateral`) positive means to the field side.
-/// Units mm, N, MPa, rad; times in ms. Thread rule: a plain value, but for what wheel_result.hpp
+/// Units mm, N, MPa, rad; times in ms. Thread rule: a plain value, except as wheel_result.hpp
 /// computes on request.
 #pragma once
 

@@ -13,6 +13,6 @@ namespace wrc {
 /// How many warnings there are: of profiles and both wheels.
 std::size_t warning_count(const SceneResult& result);
 /// All of them, those of profiles first, then those of the left and the right wheel; each begins
-/// with what it is of: "wheel profile worn.prw: ", "left: ".
+/// with its source: "wheel profile worn.prw: ", "left: ".
 Warnings all_warnings(const SceneResult& result);
 } // namespace wrc

@@ -4,7 +4,7 @@
 /// profile
 /// (`s_wheel`, `t_rail`) and across a patch (`lateral`) positive means to the field side.
 /// Units mm, N, MPa, rad, by name also others (scene/convention.hpp); times in ms. Thread rule:
-/// functions of the results are pure, but for residuals_of, sensitivities_of and number_value,
+/// functions of the results are pure, except residuals_of, sensitivities_of and number_value,
 /// which keep what they have computed.
 #pragma once
 
@@ -61,7 +61,7 @@ std::vector<std::string> number_names(SceneResult& result);
 double number_value(SceneResult& result, const NumberId& id, const Convention& convention = {});
 std::optional<double> number_value(SceneResult& result, std::string_view name,
                                    const Convention& convention = {});
-/// "N mm/s", "N m/s"; "1" of what has none.
+/// "N mm/s", "N m/s"; "1" if there is none.
 std::string number_unit(const NumberId& id, Units units);
 /// All texts by name ("model", "warnings.0", "left.warnings.0", ...).
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,

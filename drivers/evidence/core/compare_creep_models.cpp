@@ -1,6 +1,7 @@
 // Errors and costs of the models of creep forces against the full theory, over random cases.
 //
-//   compare_creep_models [CASES]      ellipses; a fifth as many of each other patch; default 500
+//   compare_creep_models [CASES]      ellipses; a fifth of that number of each other patch; default
+//   500
 //
 // Prints the tables of docs/evidence/creep-models.md: of each model the root mean square and the
 // largest error of Fx, Fy (in mu N) and Mz (in mu N c, c^2 the contact's area over pi), and the

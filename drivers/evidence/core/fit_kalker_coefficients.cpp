@@ -187,7 +187,7 @@ Ellipses read_samples(const std::vector<std::string>& paths) {
       Sample sample;
       if (text >> s >> nu >> sample.grid.along >> sample.grid.across >> sample.place >>
           sample.values[0] >> sample.values[1] >> sample.values[2] >> c32 >> sample.values[3]) {
-        sample.values[2] = 0.5 * (sample.values[2] + c32); // equal but for the elements' size
+        sample.values[2] = 0.5 * (sample.values[2] + c32); // equal except for the elements' size
         ellipses[{s, nu}].push_back(sample);
       }
     }
