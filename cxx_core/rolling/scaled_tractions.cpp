@@ -62,7 +62,8 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
 }
 
 /// Where bodies slide by far more than tractions displace, only the direction counts: a larger unit
-/// of slip keeps it within single precision.
+/// of slip keeps it within single precision. What is given where there is no pressure, which may be
+/// any filler, has no part in the unit and is cut to the largest slip.
 void ScaledTractions::limit_slip() {
   const Grid& grid = problem_.grid;
   const Creepages& creepages = problem_.creepages;
@@ -74,8 +75,16 @@ void ScaledTractions::limit_slip() {
     }
   }
   largest /= slip_scale_;
-  for (const double slip : given_slip_) {
-    largest = std::max(largest, std::abs(slip));
+  const std::size_t columns = box_.shape.columns;
+  const std::size_t count = box_.shape.rows * columns;
+  const auto loaded = [&](std::size_t i) {
+    return problem_.pressure[element(i % count / columns, i % columns)] > 0.0;
+  };
+  for (std::size_t i = 0; i < given_slip_.size(); ++i) {
+    largest = loaded(i) ? std::max(largest, std::abs(given_slip_[i])) : largest;
+  }
+  for (std::size_t i = 0; i < given_slip_.size(); ++i) {
+    given_slip_[i] = loaded(i) ? given_slip_[i] : std::clamp(given_slip_[i], -largest, largest);
   }
   if (largest > most_slip) {
     slip_scale_ *= largest / most_slip;

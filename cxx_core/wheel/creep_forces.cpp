@@ -74,7 +74,8 @@ CreepForces solve_on_ellipse(const PatchResult& patch, const PatchMotion& motion
         patch, request, motion, motion.creepages, [&](const Creepages& creepages) {
           PatchMotion moved = motion;
           moved.creepages = creepages;
-          return forces_on_ellipse(ellipse, moved, request, unused);
+          const CreepForces forces = forces_on_ellipse(ellipse, moved, request, unused);
+          return std::array{forces.longitudinal, forces.lateral, forces.spin_moment};
         });
     if (rates != nullptr) {
       creep.derivatives->by_position = differences_of(

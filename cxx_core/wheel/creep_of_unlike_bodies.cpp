@@ -10,7 +10,10 @@ namespace wrc {
 
 CreepForces forces_of_unlike_bodies(const PatchTask& task, RollingSolver& solver,
                                     CreepResult& creep) {
-  const CreepProblem plain(task, creep);
+  CreepProblem plain(task, creep);
+  if (task.request.derivatives) {
+    plain.request_rates();
+  }
   RollingProblem problem = plain.rolling();
   problem.difference_parameter = task.request.material.difference_parameter;
   const RollingFrame& frame = task.motion.frame;

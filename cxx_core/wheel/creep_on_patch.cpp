@@ -1,5 +1,7 @@
 #include "wheel/creep_on_patch.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "rolling/fastsim.hpp"
@@ -14,14 +16,16 @@ RollingSolution solve_by_strips(const PatchTask& task, const RollingProblem& pro
   const Flexibilities flexibilities = flexibilities_of(problem, solver);
   RollingSolution solution = solve_with_fastsim(problem, flexibilities);
   if (task.request.derivatives) {
-    solution.by_creepage = difference_by_creepage(
-        task.patch, task.request, task.motion, problem.creepages,
-        [&](const Creepages& creepages) -> CreepForces {
+    const std::array<double, 12> by_creepage = difference_by_creepage(
+        task.patch, task.request, task.motion, problem.creepages, [&](const Creepages& creepages) {
           RollingProblem other = problem;
           other.creepages = creepages;
           const RollingSolution found = solve_with_fastsim(other, flexibilities);
-          return {found.longitudinal_force, found.lateral_force, found.spin_moment};
+          return std::array{found.longitudinal_force, found.lateral_force, found.spin_moment,
+                            found.weighted_force};
         });
+    std::copy_n(by_creepage.begin(), 9, solution.by_creepage.begin());
+    std::copy_n(by_creepage.begin() + 9, 3, solution.weighted_by_creepage.begin());
     for (const ProblemRate& rate : problem.rates) {
       solution.by_rate.push_back(difference_by_strips(problem, flexibilities, rate));
     }

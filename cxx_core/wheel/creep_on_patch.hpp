@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "rolling/creep_laws.hpp"
 #include "rolling/rolling_contact.hpp"
@@ -21,12 +22,13 @@ namespace wrc {
 /// Fills in what `creep` has of grid, fields, areas, derivatives, error and power.
 CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep);
 
-/// Derivatives by creepages of the cheaper models: central differences over a small share of the
-/// creepage at which a sphere's contact of this size slides.
+/// Derivatives by creepages of the cheaper models, row by row: central differences over a small
+/// share of the creepage at which a sphere's contact of this size slides. `forces` returns an array
+/// of numbers.
 template <class Forces>
-std::array<double, 9> difference_by_creepage(const PatchResult& patch, const CreepRequest& request,
-                                             const PatchMotion& motion, Creepages at,
-                                             const Forces& forces) {
+auto difference_by_creepage(const PatchResult& patch, const CreepRequest& request,
+                            const PatchMotion& motion, Creepages at, const Forces& forces) {
+  constexpr std::size_t count = std::tuple_size_v<decltype(forces(at))>;
   const double size =
       std::max(patch.semi_axis_longitudinal * patch.semi_axis_lateral, patch.grid.element_area());
   // The linear law knows no friction, and has the same derivatives by any steps.
@@ -39,17 +41,17 @@ std::array<double, 9> difference_by_creepage(const PatchResult& patch, const Cre
                                        {0.0, translation, 0.0},
                                        {0.0, 0.0, translation / std::sqrt(size)}};
   const std::array<double, 3> lengths{translation, translation, translation / std::sqrt(size)};
-  std::array<double, 9> derivatives{};
+  std::array<double, 3 * count> derivatives{};
   for (std::size_t i = 0; i < steps.size() && translation > 0.0; ++i) {
     const Creepages& step = steps[i];
-    const CreepForces ahead = forces(
+    const std::array<double, count> ahead = forces(
         {at.longitudinal + step.longitudinal, at.lateral + step.lateral, at.spin + step.spin});
-    const CreepForces behind = forces(
+    const std::array<double, count> behind = forces(
         {at.longitudinal - step.longitudinal, at.lateral - step.lateral, at.spin - step.spin});
     const double scale = 0.5 / lengths[i];
-    derivatives[i] = scale * (ahead.longitudinal - behind.longitudinal);
-    derivatives[3 + i] = scale * (ahead.lateral - behind.lateral);
-    derivatives[6 + i] = scale * (ahead.spin_moment - behind.spin_moment);
+    for (std::size_t row = 0; row < count; ++row) {
+      derivatives[3 * row + i] = scale * (ahead[row] - behind[row]);
+    }
   }
   return derivatives;
 }

@@ -125,12 +125,12 @@ void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const
       wrench_beyond(*task.patch.slip, rows, creep.grid, solution.traction_x, solution.traction_y);
 }
 
-/// The rates that derivatives need: by positions where they are known, by the slip beyond creepages
-/// and by a velocity along the normal.
+/// The rates that derivatives need: by positions where they are known and bodies are alike, by the
+/// slip beyond creepages and by a velocity along the normal.
 std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
                                    const RollingProblem& problem) {
   std::vector<ProblemRate> rates;
-  if (task.rates != nullptr) {
+  if (task.rates != nullptr && !unlike_bodies(task.request)) {
     rates = problem_rates(task, grid, problem);
   }
   if (task.motion.twist) {

@@ -37,7 +37,8 @@ public:
 
   /// Its fields belong to this object.
   [[nodiscard]] const RollingProblem& rolling() const { return problem_; }
-  /// Requests derivatives by positions, where they are known, and by the slip beyond creepages.
+  /// Requests derivatives by positions, where they are known (of like bodies), and by the slip
+  /// beyond creepages.
   void request_rates();
   /// Fills in what a solution has of fields, areas, derivatives, error and power.
   CreepForces take(RollingSolution solution, CreepResult& creep) const;

@@ -24,8 +24,8 @@ struct CreepDerivatives {
   /// eta/N^(1/3) and phi alone.
   std::array<double, 3> by_load{};
   /// F is homogeneous in mu and slips: mu dF/dmu = F - xi dF/dxi - eta dF/deta - phi dF/dphi, less
-  /// the derivative by a common factor of the slip beyond them; of unlike bodies without that and
-  /// without what their pressures add.
+  /// the derivative by a common factor of the slip beyond them; of unlike bodies without what their
+  /// pressures add.
   std::array<double, 3> by_friction{};
   /// By lateral position, height, roll and yaw, as the patch's pressures and its reference change
   /// with them (wheel/creep_rates.hpp), row by row; left-hand frame of the side. None where these
@@ -46,8 +46,8 @@ struct CreepDerivatives {
 
 /// The tangential contact of one patch.
 struct CreepResult {
-  /// From a motion the best fit to the slip of its elements; of parts, each on its own rolling
-  /// radius, their mean by load, carried to the reference.
+  /// From a motion the best fit to the slip of its elements, of all parts together; of planar slip
+  /// the mean of the parts by load, each on its own rolling radius, carried to the reference.
   Creepages creepages;
   double slip_variation = 0.0; ///< root mean square of the slip beyond them (rigid_slip.hpp)
   double friction = 0.0;       ///< coefficient, of parts in the mean over their loads

@@ -26,7 +26,7 @@ struct DamageRequest {
 
 struct WearTotals {
   double tgamma = 0.0;           ///< -(Fx xi + Fy eta), N
-  double tgamma_with_spin = 0.0; ///< -F.w, N
+  double tgamma_with_spin = 0.0; ///< CreepResult::power_per_speed, N
   std::optional<double> volume;  ///< per distance rolled, mm^2; needs tractions by element
   std::optional<double> depth;   ///< greatest across the profile, mm
 };

@@ -55,7 +55,7 @@ WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& req
 }
 
 void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {
-  if (request.slip.variation == SlipVariation::planar) {
+  if (request.slip.variation == SlipVariation::planar || !request.motion) {
     return;
   }
   const PosedPair pair = under_load(wheel);

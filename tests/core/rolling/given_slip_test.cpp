@@ -2,6 +2,7 @@
 /// own rates and power.
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -174,6 +175,36 @@ TEST(GivenSlip, RatesAreThoseOfDifferences) {
   less.longitudinal -= creepage;
   EXPECT_NEAR(found.weighted_by_creepage[0] * moderate.longitudinal,
               500.0 * (after(0.0, more)[3] - after(0.0, less)[3]), 1.5e-3 * friction * load);
+}
+
+// Callers may leave anything where there is no pressure.
+TEST(GivenSlip, CountsUnderPressureOnly) {
+  const auto plans = std::make_shared<LinePlans>();
+  RollingSolver solver(plans);
+  for (const double tolerance : {1e-3, 1e-6}) { // single and double precision
+    Ellipse ellipse;
+    RollingProblem problem = ellipse.problem(moderate, tolerance);
+    Slip slip = slip_of(problem.grid, {}, 2e-5);
+    problem.slip_x = slip.x;
+    problem.slip_y = slip.y;
+    const RollingSolution without = solver.solve(problem);
+    for (const double filler : {0.0, -1.0, 1e10, 1e30}) {
+      for (std::size_t i = 0; i < slip.x.size(); ++i) {
+        if (!(problem.pressure[i] > 0.0)) {
+          slip.x[i] = filler;
+          slip.y[i] = -filler;
+        }
+      }
+      const RollingSolution filled = solver.solve(problem);
+      SCOPED_TRACE(filler);
+      EXPECT_TRUE(filled.converged);
+      expect_equal(without, filled, 2.0 * tolerance);
+      EXPECT_EQ(filled.adhesion_area, without.adhesion_area);
+      const TangentialResiduals residuals =
+          compute_residuals(problem, filled.traction_x, filled.traction_y, *plans);
+      EXPECT_LE(residuals.natural, 2.0 * tolerance);
+    }
+  }
 }
 
 TEST(GivenSlip, IsChecked) {

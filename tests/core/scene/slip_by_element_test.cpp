@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -245,6 +246,33 @@ TEST(SlipByElement, IsAContinuousFunctionOfTheScene) {
       const double bend = forces[i + 1] - 2.0 * forces[i] + forces[i - 1];
       EXPECT_LE(std::abs(bend), 0.1 * 1e-2 * friction * 8e4) << lateral << " step " << i;
     }
+  }
+}
+
+// Given creepages are three numbers in the plane of a patch: where slip would be taken from changes
+// nothing, also not the directions of forces.
+TEST(SlipByElement, LeavesGivenCreepagesInThePlane) {
+  Scene scene;
+  scene.side = SideChoice::left;
+  scene.lateral = 6.3; // two lobes, whose tangents differ
+  scene.left.creepages = Creepages{0.002, -0.003, -0.0003};
+  const auto force_of = [&](const char* slip, const char* surface) {
+    set_text(scene, "solve.slip", slip);
+    set_text(scene, "solve.slip_surface", surface);
+    return total_force(*solve_scene(scene).left);
+  };
+  const TotalForce planar = force_of("planar", "wheel");
+  EXPECT_GT(std::abs(planar.force.y), 1e3);
+  for (const auto& [slip, surface] :
+       {std::pair{"by-element", "wheel"}, {"by-element", "mean"}, {"plane-axes", "wheel"}}) {
+    const TotalForce found = force_of(slip, surface);
+    SCOPED_TRACE(slip);
+    EXPECT_EQ(found.force.x, planar.force.x);
+    EXPECT_EQ(found.force.y, planar.force.y);
+    EXPECT_EQ(found.force.z, planar.force.z);
+    EXPECT_EQ(found.moment.x, planar.moment.x);
+    EXPECT_EQ(found.moment.y, planar.moment.y);
+    EXPECT_EQ(found.moment.z, planar.moment.z);
   }
 }
 

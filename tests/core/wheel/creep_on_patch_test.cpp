@@ -1,6 +1,7 @@
 // Differences of cheaper laws by creepages, and rolling backwards.
 #include "wheel/creep_on_patch.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -40,8 +41,8 @@ TEST(CreepOnPatch, DifferencesOfAQuadraticLawAreExact) {
   const Creepages at{1e-3, -5e-4, 1e-4};
   const auto derivatives =
       difference_by_creepage(some_patch(), some_request(), motion, at, [](const Creepages& w) {
-        return CreepForces{-5e7 * w.longitudinal + 1e9 * w.longitudinal * w.lateral,
-                           -4e7 * w.lateral - 2e7 * w.spin, 3e7 * w.spin * w.spin};
+        return std::array{-5e7 * w.longitudinal + 1e9 * w.longitudinal * w.lateral,
+                          -4e7 * w.lateral - 2e7 * w.spin, 3e7 * w.spin * w.spin};
       });
   const std::array<double, 9> exact{-5e7 + 1e9 * at.lateral,
                                     1e9 * at.longitudinal,
@@ -66,7 +67,7 @@ TEST(CreepOnPatch, StepsResolveASaturatingLaw) {
   const double size = 82000.0 * 24.0 / whole; // of creepages at which the contact slides
   const auto derivatives =
       difference_by_creepage(some_patch(), some_request(), motion, {}, [&](const Creepages& w) {
-        return CreepForces{-whole * std::tanh(size * w.longitudinal), 0.0, 0.0};
+        return std::array{-whole * std::tanh(size * w.longitudinal)};
       });
   EXPECT_NEAR(derivatives[0] / (-whole * size), 1.0, 1e-4);
   EXPECT_NE(derivatives[0], -whole * size) << "a step that is not too small";
@@ -75,7 +76,7 @@ TEST(CreepOnPatch, StepsResolveASaturatingLaw) {
 TEST(CreepOnPatch, WithoutFrictionOnlyTheLinearLawHasDerivatives) {
   PatchMotion motion;
   CreepRequest request = some_request();
-  const auto law = [](const Creepages& w) { return CreepForces{-w.longitudinal, 0.0, 0.0}; };
+  const auto law = [](const Creepages& w) { return std::array{-w.longitudinal}; };
   EXPECT_EQ(difference_by_creepage(some_patch(), request, motion, {}, law)[0], 0.0);
   request.model = CreepModel::linear;
   EXPECT_NEAR(difference_by_creepage(some_patch(), request, motion, {}, law)[0], -1.0, 1e-10);

@@ -111,6 +111,41 @@ INSTANTIATE_TEST_SUITE_P(
                          ellipse_tolerance, velocity_tolerance, by_place}),
     [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
+/// Slip by element changes the force along the normals of two lobes: with strips and with unlike
+/// bodies, too.
+class JacobiansOfTwoLobes : public testing::TestWithParam<bool> {};
+
+TEST_P(JacobiansOfTwoLobes, KnowWhatVelocitiesDoAlongNormals) {
+  Scene scene;
+  scene.side = SideChoice::left;
+  scene.lateral = 5.0;
+  scene.accuracy = 1e-3;
+  scene.accuracy_of = AccuracyOf::forces;
+  if (GetParam()) {
+    scene.wheel_material = {70000.0, 0.33}; // aluminium
+  } else {
+    scene.creep = CreepModel::fastsim_strips;
+  }
+  const SceneResult under_load = solve_scene(scene);
+  scene.roll = under_load.roll;
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  scene.motion = Motion{.speed = 2e4, .pitch = 43.5};
+  scene.derivatives = true;
+  SceneResult here = solve_scene(scene);
+  const ForceJacobian& jacobian = *jacobian_of(*here.left);
+  scene.derivatives = false;
+  for (std::size_t which = position_count; which < state_count; ++which) {
+    const ForceColumn difference = difference_by(scene, which, &SceneResult::left);
+    EXPECT_LE(column_error(jacobian, which, difference), velocity_tolerance) << which;
+    EXPECT_NEAR(jacobian[2][which] / difference[2], 1.0, 2e-2) << which;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, JacobiansOfTwoLobes, testing::Bool(),
+                         [](const testing::TestParamInfo<bool>& tested) {
+                           return tested.param ? "unlike_bodies" : "strips";
+                         });
+
 /// What is linear in a centred wheelset: two lobes, 23 mm together, whose edges move along the
 /// rail while the load stays.
 TEST(JacobiansAtConstantLoad, KnowHowEdgesMove) {
