@@ -30,6 +30,7 @@ protected:
     Level& level = cascade.finest();
     level.size = {rows, columns};
     level.distance.resize(rows * columns);
+    level.shares.assign(rows * columns, 1.0);
     for (std::size_t i = 0; i < rows; ++i) {
       for (std::size_t j = 0; j < columns; ++j) {
         const double y = static_cast<double>(i) - 11.5;
@@ -41,6 +42,7 @@ protected:
     }
     cascade.box = {2, 21, 4, 24};
     copy_box(level.size, cascade.box, level.distance, cascade.box_distance);
+    copy_box(level.size, cascade.box, level.shares, cascade.box_shares);
     cascade.box_pressure.assign(cascade.box_distance.size(), 0.0);
     ProjectedCg<double> iteration(cache_);
     IterationBox box;
@@ -49,6 +51,7 @@ protected:
     box.kernel = cascade.kernel;
     box.pressure = cascade.box_pressure;
     box.distance = cascade.box_distance;
+    box.shares = cascade.box_shares;
     const std::vector<IterationBox> boxes{box};
     IterationRequest request;
     request.boxes = boxes;

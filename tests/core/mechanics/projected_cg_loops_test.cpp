@@ -31,6 +31,14 @@ template <typename Real> std::vector<Real> contact_of(std::size_t n) {
   return contact;
 }
 
+/// Of the approach: from 0.5 to 1.1, none like its neighbours.
+std::vector<double> shares_of(std::size_t n) {
+  std::vector<double> shares = numbers<double>(n, 0.9);
+  std::transform(shares.begin(), shares.end(), shares.begin(),
+                 [](double value) { return 0.8 + 0.3 * value; });
+  return shares;
+}
+
 template <typename Real> class ProjectedCgLoops : public testing::Test {};
 using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(ProjectedCgLoops, Precisions);
@@ -48,19 +56,21 @@ TEST(ProjectedCgLoops, ScalingAveragesTheGapUnderPressure) {
     const std::vector<double> h = numbers<double>(n, 2.0);
     const std::vector<double> p_before = p;
     const std::vector<double> u_before = u;
-    const ContactMean mean = scale_and_average(p.data(), u.data(), h.data(), 1.25, 0.3, n);
+    const std::vector<double> s = shares_of(n);
+    const ContactMean mean =
+        scale_and_average(p.data(), u.data(), h.data(), s.data(), 1.25, 0.3, n);
     double sum = 0.0;
-    double count = 0.0;
+    double squares = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       EXPECT_DOUBLE_EQ(p[i], 1.25 * p_before[i]);
       EXPECT_DOUBLE_EQ(u[i], 1.25 * u_before[i]);
       if (p[i] > 0.0) {
-        sum += h[i] + u[i] - 0.3;
-        count += 1.0;
+        sum += s[i] * (h[i] + u[i] - s[i] * 0.3);
+        squares += s[i] * s[i];
       }
     }
     EXPECT_NEAR(mean.sum, sum, rounding<double>);
-    EXPECT_EQ(mean.count, count);
+    EXPECT_NEAR(mean.squares, squares, rounding<double>);
   });
 }
 
@@ -71,11 +81,12 @@ TYPED_TEST(ProjectedCgLoops, ResidualIsThereOnContactOnly) {
     std::transform(p.begin(), p.end(), p.begin(), [](double v) { return std::max(v, 0.0); });
     const std::vector<double> u = numbers<double>(n, 1.0);
     const std::vector<double> h = numbers<double>(n, 2.0);
+    const std::vector<double> s = shares_of(n);
     std::vector<Real> r(n);
     std::vector<Real> contact(n);
-    form_residual(p.data(), u.data(), h.data(), 0.2, r.data(), contact.data(), n);
+    form_residual(p.data(), u.data(), h.data(), s.data(), 0.2, r.data(), contact.data(), n);
     for (std::size_t i = 0; i < n; ++i) {
-      const double residual = 0.2 - h[i] - u[i];
+      const double residual = s[i] * 0.2 - h[i] - u[i];
       const bool touches = p[i] > 0.0 || residual > 0.0;
       EXPECT_EQ(contact[i], touches ? Real{1} : Real{0});
       EXPECT_NEAR(r[i], touches ? residual : 0.0, rounding<Real>);
@@ -97,33 +108,34 @@ TYPED_TEST(ProjectedCgLoops, CorrectionIsSummedOverContact) {
       old_r[i] *= contact[i];
       v[i] *= contact[i];
     }
+    const std::vector<double> s = shares_of(n);
     const CorrectionSums sums =
-        sum_correction(z.data(), r.data(), old_r.data(), v.data(), contact.data(), n);
+        sum_correction(z.data(), r.data(), old_r.data(), v.data(), contact.data(), s.data(), n);
     CorrectionSums expected;
     expected.least_z = std::numeric_limits<Real>::max();
     expected.largest_z = -expected.least_z;
     for (std::size_t i = 0; i < n; ++i) {
       const double here = contact[i] * all_z[i];
       EXPECT_EQ(z[i], contact[i] * all_z[i]);
-      expected.contacts += contact[i];
-      expected.z += here;
-      expected.r += r[i];
-      expected.old_r += old_r[i];
+      expected.s_s += contact[i] * s[i] * s[i];
+      expected.s_z += s[i] * here;
+      expected.s_r += s[i] * r[i];
+      expected.s_old_r += s[i] * old_r[i];
       expected.z_r += here * r[i];
       expected.z_old_r += here * old_r[i];
-      expected.v += v[i];
+      expected.s_v += s[i] * v[i];
       if (contact[i] > Real{0}) {
         expected.least_z = std::min(expected.least_z, here);
         expected.largest_z = std::max(expected.largest_z, here);
       }
     }
-    EXPECT_EQ(sums.contacts, expected.contacts);
-    EXPECT_NEAR(sums.z, expected.z, rounding<Real>);
-    EXPECT_NEAR(sums.r, expected.r, rounding<Real>);
-    EXPECT_NEAR(sums.old_r, expected.old_r, rounding<Real>);
+    EXPECT_NEAR(sums.s_s, expected.s_s, rounding<Real>);
+    EXPECT_NEAR(sums.s_z, expected.s_z, rounding<Real>);
+    EXPECT_NEAR(sums.s_r, expected.s_r, rounding<Real>);
+    EXPECT_NEAR(sums.s_old_r, expected.s_old_r, rounding<Real>);
     EXPECT_NEAR(sums.z_r, expected.z_r, rounding<Real>);
     EXPECT_NEAR(sums.z_old_r, expected.z_old_r, rounding<Real>);
-    EXPECT_NEAR(sums.v, expected.v, rounding<Real>);
+    EXPECT_NEAR(sums.s_v, expected.s_v, rounding<Real>);
     EXPECT_EQ(sums.least_z, expected.least_z);
     EXPECT_EQ(sums.largest_z, expected.largest_z);
   });
@@ -139,9 +151,10 @@ TYPED_TEST(ProjectedCgLoops, DirectionStaysWithinContact) {
       z[i] *= contact[i];
     }
     const std::vector<Real> before = v;
-    form_direction(z.data(), v.data(), contact.data(), 0.6, 0.1, n);
+    const std::vector<double> s = shares_of(n);
+    form_direction(z.data(), v.data(), contact.data(), s.data(), 0.6, 0.1, n);
     for (std::size_t i = 0; i < n; ++i) {
-      EXPECT_NEAR(v[i], contact[i] * (z[i] + 0.6 * before[i] - 0.1), rounding<Real>) << i;
+      EXPECT_NEAR(v[i], contact[i] * (z[i] + 0.6 * before[i] - 0.1 * s[i]), rounding<Real>) << i;
     }
   });
 }
@@ -165,7 +178,9 @@ TYPED_TEST(ProjectedCgLoops, EnergiesAreProducts) {
     const StepSums step = sum_step(r.data(), v.data(), q.data(), n);
     EXPECT_NEAR(step.r_v, product(r, v), rounding<Real>);
     EXPECT_NEAR(step.v_q, product(v, q), rounding<Real>);
-    const JointStepSums joint = sum_joint_step(p.data(), u.data(), r.data(), v.data(), q.data(), n);
+    const std::vector<double> s = shares_of(n);
+    const JointStepSums joint =
+        sum_joint_step(p.data(), u.data(), r.data(), v.data(), q.data(), s.data(), n);
     EXPECT_NEAR(joint.v_q, product(v, q), rounding<Real>);
     EXPECT_NEAR(joint.p_q, product(p, q), rounding<Real>);
     EXPECT_NEAR(joint.p_u, product(p, u), rounding<Real>);
@@ -173,6 +188,8 @@ TYPED_TEST(ProjectedCgLoops, EnergiesAreProducts) {
     EXPECT_NEAR(joint.r_p, product(r, p), rounding<Real>);
     EXPECT_NEAR(joint.v, product(v, one), rounding<Real>);
     EXPECT_NEAR(joint.p, product(p, one), rounding<Real>);
+    EXPECT_NEAR(joint.s_v, product(s, v), rounding<Real>);
+    EXPECT_NEAR(joint.s_p, product(s, p), rounding<Real>);
   });
 }
 
@@ -186,18 +203,19 @@ TYPED_TEST(ProjectedCgLoops, MoveAndItsCutKeepPressureAndChangeTogether) {
     const std::vector<double> u_before = u;
     const std::vector<Real> v = numbers<Real>(n, 0.4);
     const std::vector<Real> q = numbers<Real>(n, 0.5);
-    const MoveSums sums = move(p.data(), u.data(), v.data(), q.data(), 0.7, n);
+    const std::vector<double> s = shares_of(n);
+    const MoveSums sums = move(p.data(), u.data(), v.data(), q.data(), s.data(), 0.7, n);
     MoveSums expected;
     for (std::size_t i = 0; i < n; ++i) {
       EXPECT_NEAR(p[i], p_before[i] + 0.7 * static_cast<double>(v[i]), rounding<Real>);
       EXPECT_NEAR(u[i], u_before[i] + 0.7 * static_cast<double>(q[i]), rounding<Real>);
-      expected.pressure += std::max(p[i], 0.0);
+      expected.load += s[i] * std::max(p[i], 0.0);
       expected.largest = std::max(expected.largest, p[i]);
       expected.largest_change =
           std::max(expected.largest_change, std::abs(0.7 * static_cast<double>(v[i])));
       expected.negative_count += p[i] < 0.0 ? 1.0 : 0.0;
     }
-    EXPECT_NEAR(sums.pressure, expected.pressure, rounding<Real>);
+    EXPECT_NEAR(sums.load, expected.load, rounding<Real>);
     EXPECT_EQ(sums.largest, expected.largest);
     EXPECT_NEAR(sums.largest_change, expected.largest_change, rounding<Real>);
     EXPECT_EQ(sums.negative_count, expected.negative_count);

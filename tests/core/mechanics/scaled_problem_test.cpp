@@ -121,7 +121,7 @@ TEST_F(ScaledProblemTest, StartsFromPressuresOfAllPatchesOrOfNone) {
 TEST(PenetrationBox, HoldsAllThatOverlapsAndAMargin) {
   Level level;
   level.size = {6, 8};
-  level.share = 0.5;
+  level.shares.assign(48, 0.5);
   level.distance.assign(48, 10.0);
   level.distance[2 * 8 + 3] = 0.9; // below 0.5 times 2
   level.distance[3 * 8 + 6] = 0.1;
@@ -138,6 +138,10 @@ TEST(PenetrationBox, HoldsAllThatOverlapsAndAMargin) {
   EXPECT_EQ(box.first_column, 1U);
   EXPECT_EQ(box.last_column, 7U);
   EXPECT_FALSE(find_penetration_box(level, 0.1, 2, box));
+  level.shares[5 * 8 + 0] = 0.6; // 1.1 is below 0.6 times 2
+  ASSERT_TRUE(find_penetration_box(level, 2.0, 0, box));
+  EXPECT_EQ(box.last_row, 5U);
+  EXPECT_EQ(box.first_column, 0U);
 }
 
 } // namespace

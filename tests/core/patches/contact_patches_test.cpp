@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "patches/contact_patch.hpp"
 #include "patches/patch_finder.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "support/reference_data.hpp"

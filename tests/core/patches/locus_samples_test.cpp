@@ -23,16 +23,23 @@ Sample sample_at(double y, double penetration, bool top = false) {
   return sample;
 }
 
-/// A parabola c y^2 + b y + a has one second derivative, and its bulge is exact.
-TEST(LocusSamples, SecondDerivativeAndBulgeOfAParabolaAreExact) {
+/// A parabola c y^2 + b y + a has one second derivative, and its bulge is exact; so is the rate of
+/// a slope that grows evenly.
+TEST(LocusSamples, DerivativesAndBulgeOfAParabolaAreExact) {
   constexpr double a = 0.1;
   constexpr double b = 0.05;
   constexpr double c = -0.004;
-  const auto at = [](double y) { return sample_at(y, a + b * y + c * y * y); };
+  constexpr double slope_rate = -0.003;
+  const auto at = [](double y) {
+    Sample sample = sample_at(y, a + b * y + c * y * y);
+    sample.slope = 0.1 + slope_rate * y;
+    return sample;
+  };
   std::vector<Sample> samples{at(0.0), at(0.7), at(1.9), at(2.4)};
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    patch_finding::set_second(samples[i - 1], samples[i], samples[i + 1]);
+    patch_finding::set_derivatives(samples[i - 1], samples[i], samples[i + 1]);
     EXPECT_NEAR(samples[i].second, 2.0 * c, 1e-14);
+    EXPECT_NEAR(samples[i].slope_rate, slope_rate, 1e-14);
   }
   const double bulge = patch_finding::bulge_between(samples[1], samples[2]);
   const double middle = at(1.3).penetration;

@@ -31,7 +31,7 @@ std::vector<Sample> samples_of(double first, double last, double step, double sl
     samples.push_back(sample);
   }
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    patch_finding::set_second(samples[i - 1], samples[i], samples[i + 1]);
+    patch_finding::set_derivatives(samples[i - 1], samples[i], samples[i + 1]);
   }
   return samples;
 }
@@ -40,8 +40,11 @@ std::vector<Lobe> lobes_of(const std::vector<Sample>& samples, std::size_t conta
   return patch_finding::LobeFinder<double>(samples, contact, depth).find();
 }
 
-/// g = d (1 - ((y - y0)/w)^2) on a rail of constant slope: the weight g^2 x_l is an integral of
-/// (1 - t^2)^2.5, 5 pi/16 over -1 to 1.
+/// g = d (1 - t^2), t = (y - y0)/w, on a rail of constant slope m = tan(angle): the overlap along
+/// its normal is g cos(angle), and the normal meets the rail at y - a g, a = m cos^2(angle). The
+/// weight g^2 x_l is an integral of (1 - t^2)^2.5, 5 pi/16 over -1 to 1, and the mean of g so
+/// weighted is 7/8 d. Along the rail a g moves the mean of y by -5/7 of a times that, that of s by
+/// 2/7: by parts, the integral of g^2.5 y g' is -2/7 of that of g^3.5.
 TEST(PenetrationLobes, IntegralsOfAParabolaAreClosedForms) {
   constexpr double depth = 0.08;
   constexpr double middle = 3.2;
@@ -57,14 +60,17 @@ TEST(PenetrationLobes, IntegralsOfAParabolaAreClosedForms) {
   EXPECT_NEAR(lobe.y_last, middle + width, 1e-9);
   EXPECT_NEAR(lobe.angle, std::atan(slope), 1e-12);
   EXPECT_NEAR(lobe.width, 2.0 * width * std::sqrt(1.0 + slope * slope), 1e-8);
-  EXPECT_NEAR(lobe.moments.y / lobe.moments.weight, middle, 1e-5);
+  const double cosine = std::cos(std::atan(slope));
+  const double across = slope * cosine * cosine * 7.0 / 8.0 * depth;
+  EXPECT_NEAR(lobe.moments.y / lobe.moments.weight, middle - 5.0 / 7.0 * across, 1e-5);
+  EXPECT_NEAR(lobe.moments.s / lobe.moments.weight, middle + 2.0 / 7.0 * across, 1e-5);
   EXPECT_NEAR(lobe.deepest.penetration, depth, 1e-15);
   EXPECT_EQ(lobe.penetration_next, 0.0);
   // Half the length of the virtual penetration: k x^2/2 = g cos(angle).
-  const double cosine = std::cos(std::atan(slope));
   EXPECT_NEAR(lobe.half_length, std::sqrt(2.0 * depth * cosine / curvature), 1e-9);
-  // (g/d)^2 sqrt(g/d cos/k) dy, integrated.
-  const double weight = std::sqrt(cosine / curvature) * width * 5.0 * std::acos(-1.0) / 16.0;
+  // (g cos/d)^2 sqrt(g cos/(d k)) dy/cos, integrated.
+  const double weight =
+      cosine * std::sqrt(cosine / curvature) * width * 5.0 * std::acos(-1.0) / 16.0;
   EXPECT_NEAR(lobe.moments.weight, weight, 1e-4 * weight);
 }
 

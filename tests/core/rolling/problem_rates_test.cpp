@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rolling/rolling_problem.hpp"
 #include "support/rolling_ellipse.hpp"
 
 namespace wrc::test::problem_rates_test {

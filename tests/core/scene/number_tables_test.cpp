@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/damage_tables.hpp"
+#include "scene/number_group.hpp"
 #include "scene/number_table.hpp"
 #include "scene/old_names.hpp"
 #include "scene/rate_tables.hpp"

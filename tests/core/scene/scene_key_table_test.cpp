@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene_key.hpp"
+
 namespace wrc::test::scene_key_table_test {
 namespace {
 

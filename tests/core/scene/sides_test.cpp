@@ -9,6 +9,7 @@
 #include "profile/readers.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/scene_result.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/errors.hpp"
 #include "wheel/rolling_frame.hpp"

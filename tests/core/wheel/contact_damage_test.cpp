@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "wheel/damage_result.hpp"
 #include "wheel/wheel_result.hpp"
 
 namespace wrc::test::contact_damage_test {
@@ -15,6 +16,7 @@ namespace {
 PatchResult patch_of(double normal_force, double longitudinal, double lateral, double pmax) {
   PatchResult patch;
   patch.normal_force = normal_force;
+  patch.force = {0.0, 0.0, normal_force};
   patch.pmax = pmax;
   CreepResult& creep = patch.creep.emplace();
   creep.creepages = {2e-3, -1e-3, 1e-4};

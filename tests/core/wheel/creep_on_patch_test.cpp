@@ -1,10 +1,12 @@
-// Differences of cheaper laws by creepages, and rolling backwards.
+// Differences of cheaper laws by creepages.
 #include "wheel/creep_on_patch.hpp"
 
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "wheel/creep_request.hpp"
 
 namespace wrc::test::creep_on_patch_test {
 namespace {
@@ -23,15 +25,6 @@ CreepRequest some_request() {
   request.model = CreepModel::polach;
   request.material.modulus = 82000.0;
   return request;
-}
-
-TEST(CreepOnPatch, RollingBackwardsIsHalfATurnAboutTheNormal) {
-  const Creepages creepages{1e-3, -2e-3, 4e-4};
-  const Creepages seen = turned(creepages);
-  EXPECT_EQ(seen.longitudinal, -1e-3);
-  EXPECT_EQ(seen.lateral, 2e-3);
-  EXPECT_EQ(seen.spin, 4e-4);
-  EXPECT_EQ(turned(seen).lateral, creepages.lateral);
 }
 
 /// Central differences of a quadratic law are exact.

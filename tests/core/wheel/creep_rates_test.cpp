@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "wheel/creep_forces.hpp"
+#include "wheel/rolling_frame.hpp"
 
 namespace wrc::test::creep_rates_test {
 namespace {
@@ -68,8 +69,8 @@ TEST(CreepRates, LinearForcesGrowWithTheContactAlone) {
 /// F, w' = S w with S = diag(1, m, m).
 TEST(CreepRates, MirroredDerivativesAreThoseOfMirroredForces) {
   const CreepDerivatives before = some_derivatives();
-  CreepDerivatives after = before;
-  mirror_derivatives(after, -1.0);
+  const RollingFrame right(-1.0);
+  const CreepDerivatives after = right.mirrored(before);
   constexpr std::array<double, 3> sign{1.0, -1.0, -1.0};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
@@ -79,8 +80,7 @@ TEST(CreepRates, MirroredDerivativesAreThoseOfMirroredForces) {
     EXPECT_EQ(after.by_load[row], sign[row] * before.by_load[row]);
     EXPECT_EQ(after.by_friction[row], sign[row] * before.by_friction[row]);
   }
-  mirror_derivatives(after, -1.0);
-  EXPECT_EQ(after.by_creepage, before.by_creepage);
+  EXPECT_EQ(right.mirrored(after).by_creepage, before.by_creepage);
 }
 
 /// The power F.w is the same at both places: C' = T^t C T, by its quadratic form.

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wheel/creep_result.hpp"
+
 namespace wrc::test::least_friction_test {
 namespace {
 

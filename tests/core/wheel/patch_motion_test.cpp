@@ -51,7 +51,7 @@ TEST_F(GivenCreepages, AreCarriedToThePatch) {
   EXPECT_DOUBLE_EQ(motion.creepages.longitudinal, 1e-3 - 3e-4 * 6.0);
   EXPECT_DOUBLE_EQ(motion.creepages.lateral, 2e-3 - 3e-4 * 4.0);
   EXPECT_EQ(motion.slip_speed, 2e4);
-  EXPECT_FALSE(motion.backwards);
+  EXPECT_EQ(motion.frame.turned(motion.creepages).longitudinal, motion.creepages.longitudinal);
   EXPECT_FALSE(motion.twist);
 }
 

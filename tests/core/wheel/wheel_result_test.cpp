@@ -23,7 +23,8 @@ TEST(WheelResult, SolvedPatchesAreThePartsOfThoseThatShareAPlane) {
   EXPECT_EQ(solved[3], &wheel.patches[2]);
 }
 
-/// Forces are those of the pressures along the planes' normals; the right side is a mirror image.
+/// Forces push along the normal of the angle they go with, and along their plane's normal by its
+/// pressures; the right side is a mirror image.
 TEST(WheelResult, ForcesAreSumsOverThePatches) {
   for (const double lateral : {0.0, 5.0, -5.0}) {
     Scene scene;
@@ -35,13 +36,15 @@ TEST(WheelResult, ForcesAreSumsOverThePatches) {
       double largest = 0.0;
       for (const PatchResult& patch : wheel->patches) {
         force = force + patch.force;
-        normal_force += patch.normal_force;
+        const double amount = norm(patch.force);
+        normal_force += amount;
         largest = std::max(largest, patch.pmax);
         // A plane that rises to the left pushes the wheel to the right.
-        EXPECT_NEAR(patch.force.y, -std::sin(patch.angle) * patch.normal_force,
-                    1e-6 * patch.normal_force);
-        EXPECT_NEAR(patch.force.z, std::cos(patch.angle) * patch.normal_force,
-                    1e-6 * patch.normal_force);
+        EXPECT_NEAR(patch.force.y, -std::sin(patch.angle) * amount, 1e-6 * amount);
+        EXPECT_NEAR(patch.force.z, std::cos(patch.angle) * amount, 1e-6 * amount);
+        EXPECT_NEAR(std::cos(patch.plane_angle) * patch.force.z -
+                        std::sin(patch.plane_angle) * patch.force.y,
+                    patch.normal_force, 1e-6 * amount);
       }
       EXPECT_NEAR(wheel->force.y, force.y, 1e-6);
       EXPECT_NEAR(wheel->force.z, force.z, 1e-6);
@@ -76,12 +79,12 @@ TEST(WheelResult, ResidualsAreSmallAndShowWhatIsWrong) {
   for (double& pressure : patch.pressure) {
     pressure *= 1.1;
   }
-  patch.normal_force *= 1.1;
+  patch.force = 1.1 * patch.force;
   const Residuals shown = residuals_of(*wrong.left);
   EXPECT_GT(shown.load_balance, 0.09);
   EXPECT_GT(shown.complementarity, 0.05);
   // Computed once.
-  patch.normal_force = 0.0;
+  patch.force = {};
   EXPECT_EQ(residuals_of(*wrong.left).load_balance, shown.load_balance);
 }
 

@@ -57,17 +57,16 @@ TEST(WheelWarnings, ContactAtABorderIsToldFromOneAtTheGridsEdge) {
   EXPECT_FALSE(reaches_neighbour(patch)) << "of the other side";
 }
 
-TEST(WheelWarnings, RailsThatTurnWithinAPatchShow) {
+TEST(WheelWarnings, PlanesOfPatchesThatErrByMoreThanTheAccuracyShow) {
   WheelRequest request;
+  request.accuracy = 1e-2;
   WheelSolution solution;
   solution.patches.resize(1);
   Patch& patch = solution.patches.front();
-  patch.frame = tangent_frame({0.0, 750.0, 0.0}, 0.1);
-  patch.penetration.angle_first = 0.1 - 0.99 * planar_limit;
-  patch.penetration.angle_last = 0.1 + 0.99 * planar_limit;
+  patch.plane_error = 0.99e-2;
   warn_of_patches(request, solution);
   EXPECT_TRUE(solution.warnings.empty());
-  patch.penetration.angle_last = 0.1 + 1.01 * planar_limit;
+  patch.plane_error = 1.01e-2;
   warn_of_patches(request, solution);
   EXPECT_TRUE(has(solution.warnings, WarningClass::patch_turn));
   solution.warnings.clear();
@@ -83,14 +82,24 @@ TEST(WheelWarnings, AccuraciesNotReachedShow) {
   request.accuracy = 1e-2;
   GridSolution grid;
   WheelSolution solution;
-  solution.error_estimate = 0.9e-2;
+  solution.discretisation_error = 0.9e-2;
+  solution.model_error = 0.1e-2;
   warn_of_solution(grid, request, 460.0, 0.0, solution);
   EXPECT_FALSE(has(solution.warnings, WarningClass::accuracy));
-  solution.error_estimate = 1.1e-2;
+  solution.discretisation_error = 1.1e-2;
   warn_of_solution(grid, request, 460.0, 2e-2, solution);
   EXPECT_TRUE(has(solution.warnings, WarningClass::accuracy));
   EXPECT_TRUE(has(solution.warnings, WarningClass::ridge));
   solution.warnings.clear();
+  solution.discretisation_error = 0.9e-2;
+  solution.model_error = 1.1e-2;
+  warn_of_solution(grid, request, 460.0, 0.0, solution);
+  EXPECT_FALSE(has(solution.warnings, WarningClass::accuracy)) << "the warning is of the patch";
+  solution.model_error = 0.9e-2;
+  warn_of_solution(grid, request, 460.0, 0.0, solution);
+  EXPECT_TRUE(has(solution.warnings, WarningClass::accuracy)) << "both together";
+  solution.warnings.clear();
+  solution.discretisation_error = 1.1e-2;
   request.grid = {{20, 20}};
   grid.stop_reason = StopReason::iteration_limit;
   warn_of_solution(grid, request, 460.0, 0.0, solution);
