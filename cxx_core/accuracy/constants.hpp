@@ -50,9 +50,9 @@ inline constexpr double coarsest_accuracy = 1e-2;
 inline constexpr double columns_by_rows = 0.64;
 
 /// Columns of solutions that find the depth.
-/// origin: derived: columns_by_rows of coarse_rows, rounded.
+/// origin: derived: columns_by_rows of coarse_rows, rounded down.
 inline constexpr auto coarse_columns =
-    static_cast<std::size_t>(columns_by_rows * static_cast<double>(coarse_rows) + 0.5);
+    static_cast<std::size_t>(columns_by_rows * static_cast<double>(coarse_rows));
 
 /// How much larger errors are by the law with the position prescribed: a force goes with the power
 /// 1.5 of the depth (Hertz), but its error is not always the largest.

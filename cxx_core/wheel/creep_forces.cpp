@@ -117,7 +117,7 @@ CreepResult solve_patch(const PatchTask& task, RollingSolver& solver) {
   }
   least.take_back(forces, creep);
   if (request.derivatives) {
-    creep.derivatives = motion.frame.mirrored(std::move(*creep.derivatives));
+    creep.derivatives = motion.frame.mirrored(*creep.derivatives);
     if (rates != nullptr && patch.slip) {
       creep.derivatives->slip_by_position = slip_rates(wheel, patch, *rates, request.slip);
     }
