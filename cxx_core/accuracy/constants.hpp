@@ -160,7 +160,7 @@ inline constexpr double force_error_by_deviation = 1.0;
 inline constexpr double force_error_by_mean = 0.4;
 
 /// Error of the largest pressure in a plane, over the square of the surface's turn.
-/// origin: measured (the same scenes, one lobe): 0.02 to 0.16 % for turns of 0.12 to 0.36.
-inline constexpr double pressure_error_by_turn = 0.06;
+/// origin: measured (23 curved patches): 0.1 bounds all, 0.06 half of them.
+inline constexpr double pressure_error_by_turn = 0.1;
 
 } // namespace wrc

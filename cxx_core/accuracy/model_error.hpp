@@ -5,7 +5,7 @@
 /// both weighted with the pressures, and the plane's angle alpha, at a given vertical load
 ///   dF_y / F_z <= (s^3 + 0.4 delta^2) / cos^2(alpha),
 /// and over its turn t, from one end of the contact to the other,
-///   dpmax / pmax <= 0.06 t^2.
+///   dpmax / pmax <= 0.1 t^2.
 /// What inclined rows would add is in the solution (remesh/row_scales.hpp).
 /// Units rad. Thread rule: pure functions.
 /// Not known here: bodies that are no half-spaces, and forces of patches on each other.
