@@ -148,7 +148,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
   // name.
   const bool converged = side.stop_reason == StopReason::tolerance_met;
   if (side.solved && !side.patches.empty() && !side.validity &&
-      (converged || sensitivities_of(side) != nullptr)) {
+      ((converged && side.depth > 0.0) || sensitivities_of(side) != nullptr)) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
     if (has_creep_derivatives(side)) {

@@ -248,7 +248,8 @@ bool is_finite(const ForceRates& rates) {
 } // namespace
 
 const WheelRates* sensitivities_of(WheelResult& side) {
-  if (side.patches.empty() || !side.solved || side.validity) {
+  // Above the first touch, where a solution that fails may end, no planes are found.
+  if (side.patches.empty() || !side.solved || side.validity || !(side.depth > 0.0)) {
     return nullptr;
   }
   if (!side.sensitivities) {

@@ -67,5 +67,17 @@ TEST(ResultNames, LeaveOutRatesThatAreNoNumbers) {
   EXPECT_FALSE(lists(result, "jacobian."));
 }
 
+/// A failed solution that ended above the first touch read beyond an array of no planes.
+TEST(ResultNames, LeaveOutRatesAboveTheFirstTouch) {
+  SceneResult result = rolling_wheel();
+  WheelResult& wheel = result.left.value();
+  wheel.sensitivities.reset();
+  wheel.jacobian.reset();
+  wheel.depth = -0.025;
+  EXPECT_EQ(sensitivities_of(wheel), nullptr);
+  EXPECT_FALSE(lists(result, "sensitivities."));
+  EXPECT_FALSE(lists(result, "jacobian."));
+}
+
 } // namespace
 } // namespace wrc::test::result_names_test
