@@ -151,8 +151,9 @@ inline constexpr double min_strips = 64.0;
 
 /// Error of the force of a contact in a plane, over its vertical load and the square of the cosine
 /// of the plane's angle: this times the third power of the surface's standard deviation from the
-/// plane's direction, ... origin: measured (34 scenes against curved patches, tread to flange):
-/// errors are 0.1 to 1.1 times as large.
+/// plane's direction, ...
+/// origin: measured (34 scenes against curved patches, tread to flange): errors are 0.1 to 1.1
+/// times as large.
 inline constexpr double force_error_by_deviation = 1.0;
 
 /// ... and this times the square of its mean.

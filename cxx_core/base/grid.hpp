@@ -5,6 +5,8 @@
 /// Units mm, in the plane of the contact patch (see patches/contact_frame.hpp).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace wrc {
@@ -26,5 +28,11 @@ struct Grid {
     return longitudinal_first + static_cast<double>(index) * longitudinal_step;
   }
 };
+
+/// Of `count` places a step apart, the index of the one nearest to 0.
+inline std::size_t nearest_to_zero(double first, double step, std::size_t count) {
+  return static_cast<std::size_t>(
+      std::clamp(std::round(-first / step), 0.0, static_cast<double>(count - 1)));
+}
 
 } // namespace wrc

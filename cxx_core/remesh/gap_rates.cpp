@@ -146,9 +146,8 @@ void compute_gap_rates(const PosedPair& pair, const ContactFrame& frame, const G
     field.assign(grid.element_count(), 0.0);
   }
   RateSampler sampler(pair, frame, grid, wanted, motions, rates);
-  const double nearest = std::round(-grid.lateral_first / grid.lateral_step);
-  const auto middle = static_cast<std::size_t>(
-      std::clamp(nearest, 0.0, static_cast<double>(grid.lateral_count - 1)));
+  const std::size_t middle =
+      nearest_to_zero(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   for (std::size_t row = middle; row < grid.lateral_count; ++row) {
     sampler.sample(row);
   }

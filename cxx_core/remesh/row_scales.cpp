@@ -46,9 +46,8 @@ std::vector<double> row_scales(const PosedPair& pair, const ContactFrame& frame,
     }
   };
   // Outwards from the frame's origin, each ray from the height that its neighbour met.
-  const double nearest = std::round(-grid.lateral_first / grid.lateral_step);
-  const auto middle = static_cast<std::size_t>(
-      std::clamp(nearest, 0.0, static_cast<double>(grid.lateral_count - 1)));
+  const std::size_t middle =
+      nearest_to_zero(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   for (std::size_t row = middle; row < grid.lateral_count; ++row) {
     set(row);
   }

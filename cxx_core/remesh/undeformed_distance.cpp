@@ -9,12 +9,6 @@
 namespace wrc {
 namespace {
 
-/// Index of the element whose centre is nearest to the frame's origin.
-std::size_t nearest_index(double first, double step, std::size_t count) {
-  const double index = std::round(-first / step);
-  return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
-}
-
 /// Rays of one element at a time where a row could not be met at once. They go outwards from the
 /// middle of the row, each from the height that its neighbour met.
 class RowSampler {
@@ -23,8 +17,8 @@ public:
              const RailNormals* known)
       : pair_(pair), frame_(frame), grid_(grid), known_(known),
         rail_constant_along_rows_(frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0),
-        middle_column_(nearest_index(grid.longitudinal_first, grid.longitudinal_step,
-                                     grid.longitudinal_count)),
+        middle_column_(nearest_to_zero(grid.longitudinal_first, grid.longitudinal_step,
+                                       grid.longitudinal_count)),
         rail_(pair.rail, frame), wheel_(pair, frame),
         rail_row_(pair.rail.graph().heights(), std::nullopt,
                   rail_constant_along_rows_ ? 0 : grid.longitudinal_count),
@@ -149,7 +143,7 @@ void sample(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
   distance.resize(grid.element_count());
   RowSampler sampler(pair, frame, grid, known);
   const std::size_t middle =
-      nearest_index(grid.lateral_first, grid.lateral_step, grid.lateral_count);
+      nearest_to_zero(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   const auto values_of = [&](std::size_t row) {
     return distance.data() + row * grid.longitudinal_count;
   };

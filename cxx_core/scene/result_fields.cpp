@@ -61,7 +61,7 @@ Values undeformed_distance(const WheelDetails& side, const PatchResult& patch) {
   return patch.parts.empty() ? patch.undeformed_distance : combined_distance(patch, side);
 }
 
-/// Of inclined rows (remesh/row_scales.hpp); of a contact with parts theirs count.
+/// Of inclined rows (remesh/row_scales.hpp); 1 of a contact with parts, which have their own.
 Values row_scale(const WheelDetails& /*side*/, const PatchResult& patch) {
   return scales_of_elements(patch);
 }

@@ -90,7 +90,7 @@ struct SlipGeometry {
   CreepagesByTwist creepages_by_twist{};
 
   [[nodiscard]] Creepages creepages(const Twist& twist) const;
-  /// Root of the mean square, weighted with pressures, of what creepages leave.
+  /// Root mean square, weighted with pressures, of the slip that the creepages do not represent.
   [[nodiscard]] double variation(const Twist& twist, const Creepages& creepages) const;
 };
 

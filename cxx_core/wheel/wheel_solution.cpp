@@ -188,7 +188,9 @@ void WheelSolver::settle(GridSolution& solution, double approach) {
   }
   const double borne = dot(solution.force(), load_direction(solution));
   load_imbalance_ = 0.0;
-  if (!request_.position_is_prescribed() && borne > 0.0) {
+  if (!request_.position_is_prescribed() && !(borne > 0.0)) {
+    load_imbalance_ = 1.0; // the rail pulls: its surface has turned upright
+  } else if (!request_.position_is_prescribed()) {
     const double factor = request_.load() / borne;
     load_imbalance_ = std::abs(factor - 1.0);
     for (Patch& patch : solution.patches) {
@@ -265,7 +267,7 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
   check_found_depth(request_, depth + solved.approach);
   settle(solution, solved.approach);
   if (problem.load) {
-    result_.load = solution.force().z;
+    result_.load = vertical_load(solution);
   }
   result_.times.mechanics += watch.seconds();
   return solution;

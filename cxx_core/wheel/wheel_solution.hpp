@@ -68,7 +68,7 @@ struct WheelSolution {
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
   double joining_distance = 0.0;               ///< mm, see patches/contact_patches.hpp
   double peak_pressure = 0.0;
-  /// Relative, of what the accuracy is of; none if not known.
+  /// Relative, of forces or pressures as the accuracy; none if not known.
   std::optional<double> discretisation_error;
   std::optional<double> model_error; ///< of planes (accuracy/model_error.hpp)
   /// Both together; the error of elements is independent of that of planes.

@@ -14,8 +14,8 @@
 namespace driver {
 namespace {
 
-constexpr std::array<const char*, 6> element_fields{
-    "x", "y", "z", "undeformed_distance", "pressure", "displacement"};
+constexpr std::array<const char*, 7> element_fields{
+    "x", "y", "z", "undeformed_distance", "row_scale", "pressure", "displacement"};
 
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');

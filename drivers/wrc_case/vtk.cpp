@@ -64,7 +64,7 @@ void append(std::vector<double>& values, const std::vector<double>& more) {
 } // namespace
 
 void write_vtk(const Scene& scene, const std::filesystem::path& path) {
-  constexpr std::array names{"undeformed_distance", "pressure", "displacement"};
+  constexpr std::array names{"undeformed_distance", "row_scale", "pressure", "displacement"};
   VtkGrid grid;
   std::array<std::vector<double>, names.size()> fields;
   std::vector<double> indices;

@@ -11,7 +11,8 @@
 namespace driver {
 namespace {
 
-constexpr std::array field_names{"x", "y", "z", "undeformed_distance", "pressure", "displacement"};
+constexpr std::array field_names{"x",         "y",        "z",           "undeformed_distance",
+                                 "row_scale", "pressure", "displacement"};
 
 /// Entries of lists as entry 0; old names such as grid.1, with nothing after the number, stay.
 std::string with_first_entry(const std::string& name) {

@@ -211,7 +211,8 @@ TEST_F(WrcCase, FieldHasALineAnElementOfEveryPatch) {
   const Outcome outcome = run(small + two_patches + "--field out.csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string field = read("out.csv");
-  EXPECT_TRUE(field.starts_with("side,patch,x,y,z,undeformed_distance,pressure,displacement\n"));
+  EXPECT_TRUE(
+      field.starts_with("side,patch,x,y,z,undeformed_distance,row_scale,pressure,displacement\n"));
   EXPECT_EQ(line_count(field), 1 + 3 * 24 * 20);
   for (const char* start : {"\nleft,0,", "\nleft,1,", "\nright,0,"}) {
     EXPECT_NE(field.find(start), std::string::npos) << start;
@@ -228,7 +229,8 @@ TEST_F(WrcCase, VtkHasACellAnElementOfEveryPatch) {
   EXPECT_NE(vtk.find("\nCELLS 1440 7200\n"), std::string::npos);    // 3 * 24 * 20 elements
   EXPECT_NE(vtk.find("\nCELL_DATA 1440\nSCALARS undeformed_distance double 1\n"),
             std::string::npos);
-  for (const char* name : {"pressure double", "displacement double", "patch int", "side int"}) {
+  for (const char* name :
+       {"row_scale double", "pressure double", "displacement double", "patch int", "side int"}) {
     EXPECT_NE(vtk.find(std::string("\nSCALARS ") + name + " 1\n"), std::string::npos) << name;
   }
 }

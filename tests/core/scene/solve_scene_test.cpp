@@ -191,5 +191,21 @@ TEST(SolveSceneErrors, BuiltInProfilesAreNotSmoothed) {
   EXPECT_THROW(solve_scene(scene), Error);
 }
 
+/// Pressed 18 mm deep the rail's surface turns upright under the pressures, and they pull down:
+/// that was a converged solution with a load balance of 0.
+TEST(SolveScene, ARailThatPullsIsNotConverged) {
+  Scene scene;
+  scene.left.rail.name = scene.right.rail.name = "54E1";
+  scene.lateral = -7.0;
+  scene.right.load = 2e7;
+  scene.accuracy = 1e-2;
+  scene.side = SideChoice::right;
+  SceneResult result = solve_scene(scene);
+  WheelResult& wheel = result.right.value();
+  EXPECT_LT(wheel.force.z, 0.0);
+  EXPECT_NE(wheel.stop_reason, StopReason::tolerance_met);
+  EXPECT_GT(residuals_of(wheel).load_balance, 1.0);
+}
+
 } // namespace
 } // namespace wrc::test::solve_scene_test
