@@ -42,6 +42,12 @@ inline constexpr double least_depth = 1e-6;
 /// origin: measured (SubsurfaceStress.AgreesWithContact): with 4 tops on the surface are missed.
 inline constexpr std::size_t search_elements = 5;
 
+/// Places of the search along a side of the contact, at most.
+/// origin: bound: the field of a contact this slender varies slowly along it; the sums over all
+/// elements at all places would take 3 s for 10 x 8400 elements (as
+/// SubsurfaceStress.FindsTheStressBelowAVerySlenderContact at both orientations).
+inline constexpr std::size_t most_search_places = 256;
+
 /// Share of the greatest pressure that these elements must show; else it stands on a strip.
 /// origin: measured (SubsurfaceStress.FindsTheStressBelowANarrowStrip); of a Hertzian pressure
 /// they show 0.95.

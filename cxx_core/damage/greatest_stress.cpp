@@ -16,6 +16,11 @@ double top_of_parabola(double behind, double middle, double ahead) {
   return curvature < 0.0 ? std::clamp(-slope / curvature, -1.0, 1.0) : std::copysign(1.0, slope);
 }
 
+/// Rounded up.
+std::size_t whole_ratio(std::size_t count, std::size_t divisor) {
+  return (count + divisor - 1) / divisor;
+}
+
 } // namespace
 
 void SubsurfaceStress::scan(const Level& level, const Places& places, double depth,
@@ -29,8 +34,10 @@ void SubsurfaceStress::scan(const Level& level, const Places& places, double dep
       found = {value,
                0.0,
                0.0,
-               places.x_first + static_cast<double>(column) * level.grid.longitudinal_step,
-               places.y_first + static_cast<double>(row) * level.grid.lateral_step,
+               places.x_first +
+                   static_cast<double>(column * places.x_stride) * level.grid.longitudinal_step,
+               places.y_first +
+                   static_cast<double>(row * places.y_stride) * level.grid.lateral_step,
                depth,
                0.0};
     }
@@ -59,8 +66,16 @@ SubsurfaceStress::Places SubsurfaceStress::below_contact(const Level& level) con
   const auto halvings = static_cast<std::size_t>(&level - levels_.data());
   const std::size_t along = (grid.longitudinal_count - (whole.longitudinal_count >> halvings)) / 2;
   const std::size_t across = (grid.lateral_count - (whole.lateral_count >> halvings)) / 2;
-  return {grid.longitudinal(along), grid.longitudinal_count - 2 * along, grid.lateral(across),
-          grid.lateral_count - 2 * across};
+  const std::size_t columns = grid.longitudinal_count - 2 * along;
+  const std::size_t rows = grid.lateral_count - 2 * across;
+  const std::size_t x_stride = whole_ratio(columns, most_search_places);
+  const std::size_t y_stride = whole_ratio(rows, most_search_places);
+  return {grid.longitudinal(along),
+          whole_ratio(columns, x_stride),
+          grid.lateral(across),
+          whole_ratio(rows, y_stride),
+          x_stride,
+          y_stride};
 }
 
 std::vector<GreatestStress> SubsurfaceStress::search() const {

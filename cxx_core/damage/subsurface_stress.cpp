@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "base/error.hpp"
 #include "base/vector_clones.hpp"
@@ -43,7 +42,8 @@ template <class Real> struct RowSums {
   const Real* kernels; ///< of stress_kernels, pitch apart
   Real* sums;          ///< of six components, pitch apart
   std::size_t pitch;
-  std::size_t places; ///< one or whole vectors of them
+  std::size_t places; ///< whole vectors of them, unless there is one or the stride is not 1
+  std::size_t stride; ///< between places, in elements
 };
 
 /// For so many places, whose sums stay in registers: sums[t] += loads[c] kernel[t + c].
@@ -67,23 +67,26 @@ WRC_VECTOR_BODY void add_block(const RowSums<Real>& row, std::size_t component, 
 }
 
 template <class Real>
-WRC_VECTOR_BODY void add_below_one_place(const RowSums<Real>& row, std::size_t component) {
+WRC_VECTOR_BODY void add_below_one_place(const RowSums<Real>& row, std::size_t component,
+                                         std::size_t place) {
   Real sum = 0;
   for (std::size_t kind = 0; kind < row.kinds; ++kind) {
-    const Real* kernel = row.kernels + kernel_of[kind][component] * row.pitch;
+    const Real* kernel = row.kernels + kernel_of[kind][component] * row.pitch + place * row.stride;
     const Real* loads = row.loads + kind * row.load_count;
 #pragma omp simd reduction(+ : sum)
     for (std::size_t c = 0; c < row.load_count; ++c) {
       sum += loads[c] * kernel[c];
     }
   }
-  row.sums[component * row.pitch] += sum;
+  row.sums[component * row.pitch + place] += sum;
 }
 
 template <class Real> WRC_VECTOR_BODY void add_row_body(const RowSums<Real>& row) {
   for (std::size_t component = 0; component < 6; ++component) {
-    if (row.places == 1) {
-      add_below_one_place(row, component);
+    if (row.places == 1 || row.stride > 1) {
+      for (std::size_t t = 0; t < row.places; ++t) {
+        add_below_one_place(row, component, t);
+      }
       continue;
     }
     std::size_t t = 0;
@@ -119,75 +122,6 @@ WRC_VECTOR_CLONES void difference(const double* far, const double* near, std::si
 WRC_VECTOR_CLONES void difference(const float* far, const float* near, std::size_t count,
                                   float* kernel) {
   difference_body(far, near, count, kernel);
-}
-
-/// Weights of the cubic through values at four places.
-std::array<double, 4> cubic(const std::array<double, 4>& places, double place) {
-  std::array<double, 4> weights{1.0, 1.0, 1.0, 1.0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      weights[i] *= j == i ? 1.0 : (place - places[j]) / (places[i] - places[j]);
-    }
-  }
-  return weights;
-}
-
-/// Adds the cubic through four places of a row, which are 1 apart.
-void add_interpolated(const std::vector<Stress>& row, double place, Stress& stress) {
-  const double whole = std::clamp(std::floor(place), 1.0, static_cast<double>(row.size()) - 3.0);
-  const std::array weights = cubic({-1.0, 0.0, 1.0, 2.0}, place - whole);
-  const Stress* from = row.data() + static_cast<std::size_t>(whole) - 1;
-  for (std::size_t c = 0; c < stress.size(); ++c) {
-    stress[c] += weights[0] * from[0][c] + weights[1] * from[1][c] + weights[2] * from[2][c] +
-                 weights[3] * from[3][c];
-  }
-}
-
-/// Which of some rising depths are a share of themselves apart, with the first and the last; all
-/// where these are too few for cubics between them.
-std::vector<std::size_t> depths_to_compute(std::span<const double> depths) {
-  std::vector<std::size_t> computed;
-  for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (computed.empty() || i + 1 == depths.size() ||
-        depths[i + 1] - depths[computed.back()] > depth_spacing * depths[i]) {
-      computed.push_back(i);
-    }
-  }
-  if (computed.size() < 4) {
-    computed.resize(depths.size());
-    std::iota(computed.begin(), computed.end(), std::size_t{0});
-  }
-  return computed;
-}
-
-/// Stresses at the other depths: cubics through the four that are next.
-void fill_between(const std::vector<std::size_t>& computed, StressSection& section) {
-  const std::size_t count = section.places.size();
-  for (std::size_t k = 0; k + 1 < computed.size(); ++k) {
-    const std::size_t start =
-        std::min(k == 0 ? 0 : k - 1, computed.size() - std::min<std::size_t>(computed.size(), 4));
-    for (std::size_t i = computed[k] + 1; i < computed[k + 1]; ++i) {
-      std::array<double, 4> places{};
-      std::array<const Stress*, 4> from{};
-      for (std::size_t m = 0; m < 4; ++m) {
-        places[m] = section.depths[computed[start + m]];
-        from[m] = section.stresses.data() + computed[start + m] * count;
-      }
-      const std::array weights = cubic(places, section.depths[i]);
-      for (std::size_t j = 0; j < count; ++j) {
-        for (std::size_t c = 0; c < 6; ++c) {
-          section.stresses[i * count + j][c] =
-              weights[0] * from[0][j][c] + weights[1] * from[1][j][c] + weights[2] * from[2][j][c] +
-              weights[3] * from[3][j][c];
-        }
-      }
-    }
-  }
-}
-
-/// With x and y exchanged.
-Stress exchanged(const Stress& s) {
-  return {s[yy], s[xx], s[zz], s[xy], s[yz], s[xz]};
 }
 
 } // namespace
@@ -297,34 +231,6 @@ void SubsurfaceStress::find_extents(Level& level) {
   }
 }
 
-SubsurfaceStress SubsurfaceStress::transposed() const {
-  SubsurfaceStress other;
-  other.poisson_ = poisson_;
-  other.tractions_ = tractions_;
-  const Level& from = levels_.front();
-  Level& level = other.levels_.emplace_back();
-  const std::size_t rows = from.grid.lateral_count;
-  const std::size_t columns = from.grid.longitudinal_count;
-  level.grid = {columns,
-                rows,
-                from.grid.longitudinal_step,
-                from.grid.lateral_step,
-                from.grid.longitudinal_first,
-                from.grid.lateral_first};
-  constexpr std::array<std::size_t, 3> taken{0, 2, 1};
-  for (std::size_t k = 0; k < taken.size(); ++k) {
-    level.loads[k].resize(rows * columns);
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t j = 0; j < columns; ++j) {
-        level.loads[k][(columns - 1 - j) * rows + (rows - 1 - i)] =
-            from.loads[taken[k]][i * columns + j];
-      }
-    }
-  }
-  other.make_levels();
-  return other;
-}
-
 double SubsurfaceStress::Level::size() const {
   return std::max(grid.longitudinal_step, grid.lateral_step);
 }
@@ -347,11 +253,11 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
   const double unit = grid.longitudinal_step;
   const double z = std::max(depth, least_depth * std::min(unit, grid.lateral_step)) / unit;
   const double width = grid.lateral_step / unit;
-  // Whole vectors of places, unless there is one only.
+  const bool whole_vectors = places.x_count > 1 && places.x_stride == 1;
   const std::size_t x_count =
-      places.x_count == 1 ? 1
-                          : (places.x_count + vector_places - 1) / vector_places * vector_places;
-  const std::size_t offsets = x_count + columns - 1;
+      whole_vectors ? (places.x_count + vector_places - 1) / vector_places * vector_places
+                    : places.x_count;
+  const std::size_t offsets = (x_count - 1) * places.x_stride + columns;
   const std::size_t pitch = offsets + 1;
   const std::size_t kinds = tractions_ ? 3 : 1;
   std::vector<Real> memory((3 * stress_kernels + 6 * places.y_count) * pitch + 3 * columns);
@@ -366,12 +272,15 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
     stress_corners(static_cast<Real>(x_corner), Real(1), pitch, static_cast<Real>(y),
                    static_cast<Real>(z), static_cast<Real>(poisson_), tractions_, to, pitch);
   };
-  const auto rows_at = [&](std::size_t t, std::size_t offset) { return t + rows - 1 - offset; };
+  const auto rows_at = [last = rows - 1, stride = places.y_stride](std::size_t t,
+                                                                   std::size_t offset) {
+    return t * stride + last - offset;
+  };
   const auto loaded_at = [&](std::size_t i) { // i has wrapped where there is no such row
     return i < rows ? level.last[i] - level.first[i] : 0;
   };
   bool far_is_there = false;
-  for (std::size_t offset = 0; offset < rows + places.y_count - 1; ++offset) {
+  for (std::size_t offset = 0; offset < rows + (places.y_count - 1) * places.y_stride; ++offset) {
     bool needed = false;
     for (std::size_t t = 0; t < places.y_count && !needed; ++t) {
       needed = loaded_at(rows_at(t, offset)) > 0;
@@ -403,7 +312,7 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
                        [](double value) { return static_cast<Real>(value); });
       }
       add_row(RowSums<Real>{loads, loaded, kinds, kernels + first, sum + 6 * t * pitch, pitch,
-                            x_count});
+                            x_count, places.x_stride});
     }
   }
   std::vector<Stress> stresses(places.x_count * places.y_count);
@@ -423,75 +332,6 @@ Stress SubsurfaceStress::point(const Level& level, double x, double y, double de
 
 Stress SubsurfaceStress::at(double x, double y, double depth) const {
   return sums<double>(levels_.front(), {x, 1, y, 1}, depth).front();
-}
-
-std::vector<SubsurfaceStress::Level> SubsurfaceStress::seen_from(const Level& level, double y) {
-  std::vector<Level> parts;
-  Level rest = level;
-  for (;;) {
-    if (rest.grid.lateral_count < rows_worth_splitting) {
-      parts.push_back(std::move(rest));
-      return parts;
-    }
-    const double reach = 2.0 * depth_of_element * rest.size();
-    Level near = rest;
-    bool more = false;
-    for (std::size_t i = 0; i < rest.grid.lateral_count; ++i) {
-      const bool is_near = std::abs(rest.grid.lateral(i) - y) < reach;
-      more = more || (!is_near && rest.last[i] > rest.first[i]);
-      Level& other = is_near ? rest : near;
-      for (auto& load : other.loads) {
-        const auto row =
-            load.begin() + static_cast<std::ptrdiff_t>(i * rest.grid.longitudinal_count);
-        std::fill_n(row, rest.grid.longitudinal_count, 0.0);
-      }
-      other.first[i] = other.last[i] = 0;
-    }
-    parts.push_back(std::move(near));
-    if (!more) {
-      return parts;
-    }
-    rest = coarsened(rest);
-    find_extents(rest);
-  }
-}
-
-StressSection SubsurfaceStress::along(std::span<const double> x, double y,
-                                      std::span<const double> depths) const {
-  StressSection section{{x.begin(), x.end()}, {depths.begin(), depths.end()}, {}};
-  section.stresses.resize(x.size() * depths.size());
-  std::vector<std::vector<Level>> parts(levels_.size());
-  const std::vector<std::size_t> computed = depths_to_compute(depths);
-  for (const std::size_t i : computed) {
-    const Level& level = level_for(depths[i], depth_of_element);
-    auto& seen = parts[static_cast<std::size_t>(&level - levels_.data())];
-    if (seen.empty()) {
-      seen = seen_from(level, y);
-    }
-    for (const Level& part : seen) {
-      const double step = part.grid.longitudinal_step;
-      // Below the centres of elements, and one more on each side.
-      const double first =
-          part.grid.longitudinal_first +
-          (std::floor((x.front() - part.grid.longitudinal_first) / step) - 1.0) * step;
-      const auto count = static_cast<std::size_t>(std::ceil((x.back() - first) / step)) + 3;
-      const std::vector<Stress> line = sums<float>(part, {first, count, y, 1}, depths[i]);
-      for (std::size_t j = 0; j < x.size(); ++j) {
-        add_interpolated(line, (x[j] - first) / step, section.stresses[i * x.size() + j]);
-      }
-    }
-  }
-  fill_between(computed, section);
-  return section;
-}
-
-StressSection SubsurfaceStress::across(std::span<const double> y, double x,
-                                       std::span<const double> depths) const {
-  StressSection section = transposed().along(y, x, depths);
-  for (Stress& stress : section.stresses) {
-    stress = exchanged(stress);
-  }
-  return section;
 }
 
 template std::vector<Stress> SubsurfaceStress::sums<float>(const Level&, const Places&,

@@ -79,12 +79,14 @@ private:
   static std::vector<Level> seen_from(const Level& level, double y);
   [[nodiscard]] SubsurfaceStress transposed() const;
   [[nodiscard]] const Level& level_for(double depth, double sizes) const;
-  /// Places a step of the level's elements apart.
+  /// Places a whole number of the level's elements apart.
   struct Places {
     double x_first;
     std::size_t x_count;
     double y_first;
     std::size_t y_count;
+    std::size_t x_stride = 1;
+    std::size_t y_stride = 1;
   };
   /// There, x running fastest.
   template <class Real>
@@ -96,7 +98,8 @@ private:
   [[nodiscard]] double half_width() const; ///< of the contact, the smaller one
   /// The coarsest that shows the contact.
   [[nodiscard]] std::size_t level_shown() const;
-  /// The centres of a level's elements without the margin that coarsening adds.
+  /// The centres of a level's elements without the margin that coarsening adds; of very slender
+  /// contacts every second, third ... along the longer side.
   [[nodiscard]] Places below_contact(const Level& level) const;
   /// On it, the greatest at each of some depths, deepest first.
   [[nodiscard]] std::vector<GreatestStress> search() const;

@@ -350,6 +350,23 @@ TEST(SubsurfaceStress, FindsTheStressBelowElementsFarLongerThanWide) {
   EXPECT_NEAR(found, greatest, 0.01 * greatest);
 }
 
+// The search looks at some places only along so slender a contact; on either axis it finds the
+// middle.
+TEST(SubsurfaceStress, FindsTheStressBelowAVerySlenderContact) {
+  for (const bool is_along : {true, false}) {
+    const Loads loads = is_along ? hertz(200.0, 1.0, 3001, 10) : hertz(1.0, 200.0, 10, 3001);
+    const SubsurfaceStress stress(loads.surface(), 0.3);
+    double greatest = 0.0;
+    for (double z = 0.5; z < 0.9; z += 0.02) {
+      greatest = std::max(greatest, von_mises(stress.at(0.0, 0.0, z)));
+    }
+    const GreatestStress found = stress.greatest();
+    EXPECT_NEAR(found.von_mises, greatest, 5e-3 * greatest) << is_along;
+    EXPECT_LT(std::abs(is_along ? found.x : found.y), 5.0) << is_along;
+    EXPECT_LT(std::abs(is_along ? found.y : found.x), 0.2) << is_along;
+  }
+}
+
 TEST(SubsurfaceStress, PrincipalStressesAreRootsOfTheCharacteristicPolynomial) {
   const Stress s{-300.0, 120.0, -800.0, 90.0, -60.0, 210.0};
   const auto principal = principal_stresses(s);
