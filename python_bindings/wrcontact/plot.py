@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._library import Array
+from .errors import InvalidArgument
 
 if TYPE_CHECKING:
     from .profile import Profile
@@ -35,8 +36,11 @@ def _save(figure: Any, path: str | os.PathLike[str] | None) -> Any:
     return figure
 
 
-def draw_profile(profile: Profile, path: str | os.PathLike[str] | None) -> Any:
-    figure, ((axes,),) = _figure(1, 1, (8.0, 4.5))
+def draw_profile(profile: Profile, path: str | os.PathLike[str] | None, ax: Any = None) -> Any:
+    if ax is None:
+        figure, ((axes,),) = _figure(1, 1, (8.0, 4.5))
+    else:
+        figure, axes = ax.figure, ax
     curve = profile.at(np.arange(0.0, profile.length, 0.1))
     axes.plot(curve.lateral, curve.height, color=_RAIL if profile.kind == "rail" else _WHEEL)
     if profile.kind == "wheel":
@@ -64,6 +68,21 @@ def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
             _draw_tractions(axes[2, column], result, side, units)
     _same_scale(axes[1:].flat, turned=_direction(result) > 0.0)
     return _save(figure, path)
+
+
+def draw_panel(result: Result, axes: Any, panel: str, side: str) -> Any:
+    """One of the panels of draw_result, of one wheel."""
+    panels: dict[str, Any] = {"outlines": _draw_outlines, "tractions": _draw_tractions,
+              "pressures": lambda *arguments: _draw_pressures(axes.figure, *arguments)}
+    if panel not in panels:
+        raise InvalidArgument(f"panel is {panel!r}; allowed are {', '.join(sorted(panels))}")
+    if side not in ("left", "right") or side not in result._groups:
+        raise InvalidArgument(f"side is {side!r}; allowed are "
+                              f"{' and '.join(one for one in ('left', 'right') if one in result._groups)}")
+    panels[panel](axes, result, side, str(result["units"]).split(", "))
+    if panel != "outlines":
+        _same_scale([axes], turned=_direction(result) > 0.0)
+    return axes.figure
 
 
 def _same_scale(all_axes: Iterable[Any], turned: bool) -> None:

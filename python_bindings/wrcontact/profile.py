@@ -56,6 +56,11 @@ def _read_options(options: dict[str, Any]) -> Any:
     return struct
 
 
+def _made_by(function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Profile:
+    made: Profile = function(*arguments, **options)
+    return made
+
+
 class Profile(Handle):
     """A wheel or rail: built in (`Profile("60E1")`) or from a file (`Profile("worn.prr")`).
 
@@ -71,6 +76,7 @@ class Profile(Handle):
 
     def __init__(self, name: str | os.PathLike[str], **options: Any) -> None:
         super().__init__()
+        self._made: tuple[Any, ...] = (Profile, (os.fspath(name),), options)
         if not options and name in standard_profiles("wheel") + standard_profiles("rail"):
             self._check(lib.wrc_profile_load_standard(self._handle, encoded(name)))
         else:
@@ -84,6 +90,7 @@ class Profile(Handle):
         profile = cls.__new__(cls)
         Handle.__init__(profile)
         y, z = doubles(lateral), doubles(height)
+        profile._made = (Profile.from_points, (kind, y.copy(), z.copy()), {"name": name, **options})
         if y.shape != z.shape or y.ndim != 1:
             raise InvalidArgument(f"lateral has shape {y.shape}, height {z.shape}; allowed are two "
                                   "lists of the same length")
@@ -91,6 +98,10 @@ class Profile(Handle):
             profile._handle, encoded(name), pointer(y), pointer(z), y.size,
             _read_options({**options, "kind": kind})))
         return profile
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled and copied as it was made; a file is read again, by its path."""
+        return _made_by, self._made
 
     @property
     def kind(self) -> str:
@@ -156,11 +167,11 @@ class Profile(Handle):
         """Writes two columns, or .prr/.prw, of points `spacing` mm apart. FileUnreadable."""
         self._check(lib.wrc_profile_write(self._handle, encoded(path), spacing))
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
-        """Draws the curve; returns a matplotlib Figure, saved to `path` if given."""
+    def plot(self, path: str | os.PathLike[str] | None = None, *, ax: Any = None) -> Any:
+        """Draws the curve, on the axes `ax` if given; returns the Figure, saved to `path` if given."""
         from . import plot
 
-        return plot.draw_profile(self, path)
+        return plot.draw_profile(self, path, ax)
 
     def __repr__(self) -> str:
         return f"<wrcontact.Profile {self.name}: {self.kind}, {self.length:.1f} mm along the curve>"

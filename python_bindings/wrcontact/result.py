@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -208,35 +209,95 @@ class Result(Group):
                                                     table.size, count))
         return table
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
-        """Draws profiles, pressures and tractions; returns a matplotlib Figure, saved to `path`."""
+    def patch_frame(self) -> Any:
+        """All patches as a pandas DataFrame: rows (wheel, patch), columns by the names of results.
+
+        Patches are those of `left.patches` and `right.patches`, in their order; a result that a patch
+        does not have is not-a-number. `frame.attrs["units"]` holds the unit of each column.
+        """
+        import pandas
+
+        rows: dict[tuple[str, int], dict[str, float]] = {}
+        for name in self._names:
+            side, *rest = name.split(".", 3)
+            if len(rest) == 3 and rest[0] == "patches" and rest[1].isdigit():
+                value = self._number_or_none(name)
+                if value is not None:
+                    rows.setdefault((side, int(rest[1])), {})[rest[2]] = value
+        index = pandas.MultiIndex.from_tuples(rows, names=("wheel", "patch"))
+        frame = pandas.DataFrame(list(rows.values()), index=index)
+        frame.attrs["units"] = {column: unit_of(self.scene, f"left.patches.0.{column}")
+                                for column in frame.columns}
+        return frame
+
+    def plot(self, path: str | os.PathLike[str] | None = None, *, ax: Any = None,
+             panel: str = "pressures", side: str = "left") -> Any:
+        """Draws profiles, pressures and tractions; returns a matplotlib Figure, saved to `path`.
+
+        With `ax`, axes of your own, it draws one panel of one wheel on them: "outlines",
+        "pressures" or "tractions". InvalidArgument for another panel or side.
+        """
         from . import plot
 
+        if ax is not None:
+            return plot.draw_panel(self, ax, panel, side)
         return plot.draw_result(self, path)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._names)
 
     def __repr__(self) -> str:
         return summary_of(self)
 
+    def _repr_html_(self) -> str:
+        units = str(self["units"]).split(", ")
+        head = ("wheel", "patch", f"pmax, {units[2]}", f"area, {units[0]}²", f"normal force, {units[1]}",
+                f"angle, {units[3]}")
+        rows = [head, *_patch_rows(self)]
+        table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+        warnings = "".join(f"<li>{escape(text)}</li>" for text in self.warnings)
+        return (f"<p>{escape(_first_line(self))}</p><table>{table}</table>"
+                + (f"<p>Warnings:</p><ul>{warnings}</ul>" if warnings else ""))
 
-def summary_of(result: Result) -> str:
-    """The result in a few lines: wheelset, wheels and patches, in the scene's units."""
-    units = str(result["units"]).split(", ")  # "mm, N, MPa, rad"
-    length, force, pressure = units[:3]
-    lines = [f"<wrcontact.Result, {result['model']}: roll {result['roll']:.6g} rad, centre "
-             f"{result['vertical']:.8g} {length} above the rail tops",
-             f"  wheel  patch   pmax, {pressure:<4} area, {length}2  normal force, {force:<3} "
-             "angle, rad"]
+
+def unit_of(scene: Scene, name: str) -> str:
+    """Of the result of that name."""
+    unit = ffi.new("const char **")
+    scene._check(lib.wrc_scene_number_unit(scene._handle, encoded(name), unit))
+    return string(unit[0])
+
+
+def _first_line(result: Result) -> str:
+    length = str(result["units"]).partition(",")[0]
+    return (f"wrcontact.Result, {result['model']}: roll {result['roll']:.6g} rad, centre "
+            f"{result['vertical']:.8g} {length} above the rail tops")
+
+
+def _patch_rows(result: Result) -> list[tuple[str, ...]]:
+    """Wheel, patch, and some of its numbers; a row as well for a wheel without patches."""
+    rows: list[tuple[str, ...]] = []
     for side in ("left", "right"):
         if side not in result._groups:
             continue
-        wheel = result[side]
-        patches = list(wheel.patches) if f"{side}.patches" in result._groups else []
+        patches = list(result[side].patches) if f"{side}.patches" in result._groups else []
         for index, patch in enumerate(patches):
             values = [f"{patch[name]:{form}}" if f"{patch._prefix}{name}" in result._names else "-"
                       for name, form in (("pmax", ".6g"), ("area", ".6g"), ("normal_force", ".8g"),
                                          ("angle", ".5f"))]
-            lines.append("  {:<6} {:>5} {:>12} {:>10} {:>16} {:>11}".format(side, index, *values))
+            rows.append((side, str(index), *values))
         if not patches:
-            lines.append(f"  {side:<6} no patches")
+            rows.append((side, "no patches"))
+    return rows
+
+
+def summary_of(result: Result) -> str:
+    """The result in a few lines: wheelset, wheels and patches, in the scene's units."""
+    length, force, pressure = str(result["units"]).split(", ")[:3]
+    lines = [f"<{_first_line(result)}",
+             f"  wheel  patch   pmax, {pressure:<4} area, {length}2  normal force, {force:<3} "
+             "angle, rad"]
+    for row in _patch_rows(result):
+        form = "  {:<6} {:>5} {:>12} {:>10} {:>16} {:>11}" if len(row) > 2 else "  {:<6} {}"
+        lines.append(form.format(*row))
     lines += [f"  warning, {text}" for text in result.warnings]
     return "\n".join(lines) + ">"

@@ -1,10 +1,12 @@
 """Scenes: what is asked, by keys."""
 from __future__ import annotations
 
+import inspect
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
+from html import escape
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,6 +31,17 @@ class Key(NamedTuple):
     default: str
     allowed: str
     meaning: str
+
+    @property
+    def unit(self) -> str:
+        """Of a key that holds one number, in mm, N, MPa, rad: "mm", "N mm", or "1" of a pure number.
+
+        Empty for texts and lists.
+        """
+        if self.allowed.startswith("["):
+            return ""
+        found = re.search(r"(?:\d|\)) to [-\de.]+(?: ([^\s,]+(?: mm\)?)?))?(?:,|$)", self.allowed)
+        return (found[1] or "1") if found else ""
 
 
 @lru_cache(maxsize=None)
@@ -90,7 +103,16 @@ class Scene(Handle):
     def __init__(self, **values: Any) -> None:
         super().__init__()
         self._solutions = 0
+        # What has been set, in this order, so that a copy is set to the same bits.
+        self._given: dict[tuple[str, int], Any] = {}
         self.set(**values)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A scene is pickled and copied by the values of its keys, without its result."""
+        return _scene_of, ([(key, value) for (key, _), value in self._given.items()],)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(keys())
 
     def set(self, **values: Any) -> Scene:
         """Sets keys in the order given, those of `convention` first; returns the scene.
@@ -103,7 +125,8 @@ class Scene(Handle):
         return self
 
     def __setitem__(self, key: str, value: Any) -> None:
-        code = encoded(key_of(key))
+        key = key_of(key)
+        code, given = encoded(key), value
         if value is None or isinstance(value, (bool, np.bool_)):
             value = "none" if value is None else "yes" if value else "no"
         if isinstance(value, (int, float, np.number)):
@@ -117,7 +140,12 @@ class Scene(Handle):
         else:
             numbers = doubles(value)
             status = lib.wrc_scene_set_numbers(self._handle, code, pointer(numbers), numbers.size)
+            given = numbers.copy()
         self._check(status)
+        # Values are read in the convention of their time, so every change of it counts.
+        times = len(self._given) + 1 if key.startswith("convention.") else 0
+        self._given.pop((key, times), None)
+        self._given[key, times] = given
 
     def __getitem__(self, key: str) -> str | float | Array:
         """The value of a key: a text if it is a word, otherwise a number or an array."""
@@ -190,14 +218,31 @@ class Scene(Handle):
         """Draws the last result, solved if there is none; as Result.plot."""
         return (Result(self) if self._solutions else self.solve()).plot(path)
 
-    def __repr__(self) -> str:
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><td>{escape(key)}</td><td>{escape(value)}</td></tr>"
+                       for key, value in self._differing().items())
+        return f"<p>wrcontact.Scene, keys that differ from their defaults:</p><table>{rows}</table>"
+
+    def _differing(self) -> dict[str, str]:
+        """Keys that are not at their default, with their values."""
         own, plain = ({key: repr(value) for key, value in values_of(scene).items()}
                       for scene in (self, Scene()))
         differing = own.items() - plain.items()
-        # What both sides have in common is not said for each.
-        shown = [f"{key}={value}" for key, value in own.items() if (key, value) in differing
-                 and (re.sub(r"\.(left|right)\b", "", key), value) not in differing - {(key, value)}]
+        # What both sides have in common is not repeated for each.
+        return {key: value for key, value in own.items() if (key, value) in differing
+                and (re.sub(r"\.(left|right)\b", "", key), value) not in differing - {(key, value)}}
+
+    def __repr__(self) -> str:
+        shown = [f"{key}={value}" for key, value in self._differing().items()]
         return f"wrcontact.Scene({', '.join(shown)})"
+
+
+def _scene_of(given: Sequence[tuple[str, Any]]) -> Scene:
+    """A scene in which these keys have been set one after the other."""
+    scene = Scene()
+    for key, value in given:
+        scene[key] = value
+    return scene
 
 
 def values_of(scene: Scene) -> dict[str, str | float | Array]:
@@ -214,3 +259,23 @@ def values_of(scene: Scene) -> dict[str, str | float | Array]:
 def solve(**values: Any) -> Result:
     """Solves a scene with these keys: `wrcontact.solve(lateral=3, rail="60E1").left.pmax`."""
     return Scene(**values).solve()
+
+
+def _signature_of_keys(*before: inspect.Parameter) -> inspect.Signature:
+    """What editors and notebooks complete: all keys as keywords, with defaults and kinds of values."""
+    def kind_of(key: Key) -> str:
+        kinds = ["float"] if key.unit else []
+        kinds += ["Sequence[float]"] if key.allowed.startswith("[") else []
+        kinds += ["Profile"] if "profile file" in key.allowed else []
+        kinds += ["str"] if '"' in key.allowed or "a text" in key.allowed else []
+        return " | ".join(kinds)
+
+    return inspect.Signature([*before, *(
+        inspect.Parameter(key.name.replace(".", "_"), inspect.Parameter.KEYWORD_ONLY,
+                          default=key.default, annotation=kind_of(key)) for key in keys().values()),
+        inspect.Parameter("values", inspect.Parameter.VAR_KEYWORD)])
+
+
+_self = inspect.Parameter("self", inspect.Parameter.POSITIONAL_OR_KEYWORD)
+for _function, _before in ((Scene.__init__, (_self,)), (Scene.set, (_self,)), (solve, ())):
+    setattr(_function, "__signature__", _signature_of_keys(*_before))

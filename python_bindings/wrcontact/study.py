@@ -12,6 +12,7 @@ from ._library import doubles, lib, pointer, string
 from ._warnings import warn_of_many
 from .errors import Error
 from .scene import Scene, key_of, keys, values_of
+from .result import unit_of
 from .solver import solve_without_warning, warnings_of_outcome
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ _SCENES_AT_ONCE = 512
 
 
 def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", "right.pmax"), *,
-          threads: int = 1, **values: Any) -> xarray.Dataset:
+          threads: int = 1, separator: str = ".", **values: Any) -> xarray.Dataset:
     """Solves every combination of the values of keys; results by name as an xarray Dataset.
 
     >>> data = study({"lateral": range(-6, 7), "rail": ["60E1", "56E1"]}, ["left.pmax"], threads=2)
@@ -31,10 +32,12 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     parameters: values by key or keyword (key_of). Each has a dimension of its own, with the key as
     its name; ("case", values) puts it on the dimension "case" instead, shared with others of equal
     length, for scenes drawn at random. results: names of numbers (docs/results.md); not-a-number
-    without contact. Further keywords are keys with one value. All in the units of `values`, mm, N,
+    without contact. separator: what stands for the points in names of the Dataset; with "_" they are
+    attributes: `data.left_pmax.sel(track_rail="60E1")`. Further keywords are keys with one value. All in the units of `values`, mm, N,
     MPa, rad by default.
 
-    Each result has its unit as attribute `units`, each key that varies its meaning as `long_name`. The
+    Each result has its unit as attribute `units`, each key that varies as well (if it is one number), and its meaning as
+    `long_name`. The
     Dataset has besides `status` and `message` of each scene (0: solved; an exception's status and text),
     `warning_count` and `warnings` (texts, separated by " | "), and all keys that do not vary as
     attributes. A scene that fails is not raised; each kind of warnings is a ContactWarning with the
@@ -50,8 +53,9 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     columns = {key: array.values.ravel() for key, array in zip(arrays, grid)}
     table, statuses, messages, warned = _solve_all(columns, int(np.prod(shape)), results, threads, values)
     dims = grid[0].dims if grid else ()
+    plain = Scene(**values)
     variables: dict[str, Any] = {
-        name: (dims, table[:, index].reshape(shape), {"units": _unit(name, values)})
+        name: (dims, table[:, index].reshape(shape), {"units": unit_of(plain, name)})
         for index, name in enumerate(results)}
     variables["status"] = (dims, statuses.reshape(shape))
     variables["message"] = (dims, messages.reshape(shape))
@@ -61,17 +65,21 @@ def study(parameters: Mapping[str, Any], results: Sequence[str] = ("left.pmax", 
     variables["warnings"] = (dims, texts.reshape(shape))
     warn_of_many(warned)
     coordinates = {key: (array.dims, [_told(value) for value in array.values],
-                         {"long_name": keys()[key].meaning})
+                         {"long_name": keys()[key].meaning, **_units(key, plain, array.values)})
                    for key, array in arrays.items()}
     attributes = {"source": f"wrcontact {string(lib.wrc_version())}", **_constant(arrays, values)}
-    return xarray.Dataset(variables, coordinates, attributes)
+    data = xarray.Dataset(variables, coordinates, attributes)
+    names = {str(name) for name in [*data.variables, *data.dims] if "." in str(name)}
+    return data.rename({name: name.replace(".", separator) for name in names if separator != "."})
 
 
-def _unit(name: str, values: Mapping[str, Any]) -> str:
-    """Of a result, in scenes of these values."""
-    scene, unit = Scene(**values), ffi.new("const char **")
-    scene._check(lib.wrc_scene_number_unit(scene._handle, encoded(name), unit))
-    return string(unit[0])
+def _units(key: str, scene: Scene, values: Any) -> dict[str, str]:
+    """The attribute `units` of a key, in the scene's units; none for texts and lists."""
+    unit = keys()[key].unit
+    if not unit or not np.issubdtype(values.dtype, np.number):
+        return {}
+    return {"units": unit if scene["convention.units"] == "mm"
+            else unit.replace("MPa", "Pa").replace("mm", "m")}
 
 
 def _column(key: str, values: Any) -> Any:

@@ -59,3 +59,13 @@ def test_units_are_told():
         data = wrcontact.study({"lateral": [0]}, results, until="geometry", units=convention)
         assert [data[name].attrs["units"] for name in results] == units
         assert data["pose.lateral"].attrs["long_name"] == wrcontact.keys()["pose.lateral"].meaning
+
+
+def test_names_may_be_attributes_and_coordinates_have_units():
+    data = wrcontact.study({"lateral": [0, 1], "rail": ["60E1", "54E1"]}, ["left.pmax"], separator="_",
+                           until="geometry")
+    assert data.left_pmax.sel(track_rail="60E1").dims == ("pose_lateral",)
+    assert data.pose_lateral.attrs["units"] == "mm" and "units" not in data.track_rail.attrs
+    assert data.attrs["pose.yaw"] == 0.0  # keys stay keys
+    si = wrcontact.study({"track.gauge": [1.435]}, ["left.pmax"], units="SI", until="geometry")
+    assert si["track.gauge"].attrs["units"] == "m"
