@@ -104,7 +104,7 @@ bool is_result(const Study& study, const char* name) {
 }
 
 /// Numbers as numbers, anything else as texts.
-void write_axis(NetcdfFile& file, const Axis& axis, int dimension) {
+void write_axis(NetcdfFile& file, const Scene& scene, const Axis& axis, int dimension) {
   std::vector<std::string> texts;
   std::vector<double> numbers;
   for (const Value& value : axis.values) {
@@ -120,7 +120,7 @@ void write_axis(NetcdfFile& file, const Axis& axis, int dimension) {
     return;
   }
   const int variable = file.variable(axis.key, NC_DOUBLE, {dimension});
-  file.describe(variable, axis.key, unit_of(axis.key));
+  file.describe(variable, axis.key, unit_of(scene, axis.key));
   file.put(variable, numbers);
 }
 
@@ -137,7 +137,7 @@ void describe_status(NetcdfFile& file, int status) {
   file.attribute(status, "flag_meanings", meanings);
 }
 
-void write_results(NetcdfFile& file, const Study& study, Journal& journal,
+void write_results(NetcdfFile& file, const Scene& scene, const Study& study, Journal& journal,
                    const std::vector<int>& dimensions) {
   const auto count = static_cast<std::size_t>(study.scene_count());
   std::vector<long long> status(count);
@@ -155,8 +155,6 @@ void write_results(NetcdfFile& file, const Study& study, Journal& journal,
       values[i][index] = row.values[i];
     }
   }
-  Scene scene;
-  study.apply(0, scene);
   const int status_variable = file.variable("status", NC_INT64, dimensions);
   describe_status(file, status_variable);
   file.put(status_variable, status);
@@ -183,7 +181,7 @@ struct PatchColumn {
   std::vector<long long> values{};
 };
 
-void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
+void write_fields(NetcdfFile& file, const Scene& scene, const Study& study, Journal& journal) {
   std::array columns{
       PatchColumn{"patch_scene", "number of the scene, the last dimension varies fastest"},
       PatchColumn{"patch_side", "0: left, 1: right"},
@@ -193,10 +191,10 @@ void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
       PatchColumn{"patch_columns", "elements along the rail; this index is the fastest"},
       PatchColumn{"element_count", "number of elements"}};
   std::size_t elements = 0;
-  for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
-    for (const PatchFields& patch : journal.read(scene).patches) {
+  for (std::int64_t index = 0; index < study.scene_count(); ++index) {
+    for (const PatchFields& patch : journal.read(index).patches) {
       const std::array values{
-          scene,         std::int64_t{patch.side},  std::int64_t{patch.index}, patch.rows,
+          index,         std::int64_t{patch.side},  std::int64_t{patch.index}, patch.rows,
           patch.columns, patch.rows * patch.columns};
       for (std::size_t i = 0; i < columns.size(); ++i) {
         columns[i].values.push_back(values[i]);
@@ -220,12 +218,12 @@ void write_fields(NetcdfFile& file, const Study& study, Journal& journal) {
   std::vector<int> fields;
   for (const std::string& name : study.fields) {
     fields.push_back(file.variable("field." + name, NC_DOUBLE, {element_dimension}));
-    file.describe(fields.back(), name, unit_of(name));
+    file.describe(fields.back(), name, unit_of(scene, name));
     file.compress(fields.back());
   }
   std::size_t first = 0;
-  for (std::int64_t scene = 0; scene < study.scene_count(); ++scene) {
-    for (const PatchFields& patch : journal.read(scene).patches) {
+  for (std::int64_t index = 0; index < study.scene_count(); ++index) {
+    for (const PatchFields& patch : journal.read(index).patches) {
       for (std::size_t i = 0; i < fields.size(); ++i) {
         file.put_part(fields[i], first, patch.values[i]);
       }
@@ -272,14 +270,16 @@ void write_whole(const Study& study, Journal& journal, const std::filesystem::pa
   for (const auto& [key, value] : study.constants()) { // defaults included
     file.attribute(NC_GLOBAL, key, text_of(value));
   }
+  Scene scene; // for its units
+  study.apply(0, scene);
   std::vector<int> dimensions;
   for (const Axis& axis : study.axes) {
     dimensions.push_back(file.dimension(axis.key, axis.values.size()));
-    write_axis(file, axis, dimensions.back());
+    write_axis(file, scene, axis, dimensions.back());
   }
-  write_results(file, study, journal, dimensions);
+  write_results(file, scene, study, journal, dimensions);
   if (!study.fields.empty()) {
-    write_fields(file, study, journal);
+    write_fields(file, scene, study, journal);
   }
   write_inputs(file, study);
   file.close();

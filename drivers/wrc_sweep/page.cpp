@@ -8,6 +8,7 @@
 #include "support/output_file.hpp"
 #include "support/parallel.hpp"
 #include "wrc_sweep/page_html.hpp"
+#include "wrc_sweep/result_names.hpp"
 
 namespace driver {
 namespace {
@@ -108,6 +109,8 @@ json solved(const Study& study, std::int64_t index) {
   try {
     Scene scene;
     study.apply(index, scene);
+    scene.set("convention.units", "mm"); // those of the page, whatever those of the study
+    scene.set("convention.frame", "left-up");
     if (!scene.solve()) {
       made["message"] = wrc_scene_error(scene.handle());
     }
@@ -168,12 +171,17 @@ WarningSummary write_page(const Study& study, int threads, const std::filesystem
             {"version", wrc_version()},
             {"axes", json::array()},
             {"scenes", std::move(scenes)}};
+  Scene scene; // for its units
+  study.apply(0, scene);
   for (const Axis& axis : study.axes) {
     json values = json::array();
     for (const Value& value : axis.values) {
       values.push_back(json_of(value));
     }
-    data["axes"].push_back({{"key", axis.key}, {"values", std::move(values)}});
+    data["axes"].push_back({{"key", axis.key},
+                            {"unit", unit_of(scene, axis.key)},
+                            {"meaning", long_name_of(axis.key)},
+                            {"values", std::move(values)}});
   }
   std::string page = page_html;
   const std::string mark = "/* scenes */ null";

@@ -171,13 +171,19 @@ double result_of(const Scene& scene, const std::string& name) {
   return scene.number_or(name, std::numeric_limits<double>::quiet_NaN());
 }
 
-std::string unit_of(const std::string& name) {
-  for (const Unit& unit : units) {
-    if (name.find(unit.part) != std::string::npos) {
-      return unit.unit;
+std::string unit_of(const Scene& scene, const std::string& name) {
+  const auto* found = std::find_if(units.begin(), units.end(), [&name](const Unit& unit) {
+    return name.find(unit.part) != std::string::npos;
+  });
+  std::string unit = found == units.end() ? "mm" : found->unit;
+  if (scene.get_text("convention.units") == "SI") { // without the prefixes
+    for (const char* prefixed : {"mm", "MPa"}) {
+      if (const std::size_t at = unit.find(prefixed); at != std::string::npos) {
+        unit.erase(at, 1);
+      }
     }
   }
-  return "mm";
+  return unit;
 }
 
 std::string long_name_of(const std::string& name) {

@@ -20,8 +20,9 @@ void check_fields(const std::vector<std::string>& names);
 /// A result of a solved scene; NaN if there is none.
 double result_of(const Scene& scene, const std::string& name);
 
-/// Unit of a key or field: "mm", "MPa", "rad", ...; "1" for ratios and counts.
-std::string unit_of(const std::string& name);
+/// Unit of a key or field in the units of a scene: "mm", "MPa", "rad", ...; "1" for ratios and
+/// counts.
+std::string unit_of(const Scene& scene, const std::string& name);
 /// For people: the library's text about a key; of a result its name in words.
 std::string long_name_of(const std::string& name);
 

@@ -30,6 +30,15 @@ def _figure(rows: int, columns: int, size: tuple[float, float]) -> tuple[Any, An
     return figure, figure.subplots(rows, columns, squeeze=False)
 
 
+def _pressure_colours() -> Any:
+    """Those of the pictures of the programs (drivers/support/gnuplot.cpp)."""
+    from matplotlib.colors import LinearSegmentedColormap
+
+    stops = ((0.0, "#e8f0ff"), (0.25, "#6fa8dc"), (0.5, "#3d85c6"), (0.7, "#f1c232"),
+             (0.85, "#e69138"), (1.0, "#990000"))
+    return LinearSegmentedColormap.from_list("pressure", stops)
+
+
 def _save(figure: Any, path: str | os.PathLike[str] | None) -> Any:
     if path is not None:
         figure.savefig(path, dpi=110, bbox_inches="tight")
@@ -72,8 +81,9 @@ def draw_result(result: Result, path: str | os.PathLike[str] | None) -> Any:
 
 def draw_panel(result: Result, axes: Any, panel: str, side: str) -> Any:
     """One of the panels of draw_result, of one wheel."""
-    panels: dict[str, Any] = {"outlines": _draw_outlines, "tractions": _draw_tractions,
-              "pressures": lambda *arguments: _draw_pressures(axes.figure, *arguments)}
+    panels: dict[str, Any] = {
+        "outlines": _draw_outlines, "tractions": _draw_tractions,
+        "pressures": lambda *arguments: _draw_pressures(axes.figure, *arguments)}
     if panel not in panels:
         raise InvalidArgument(f"panel is {panel!r}; allowed are {', '.join(sorted(panels))}")
     if side not in ("left", "right") or side not in result._groups:
@@ -161,7 +171,7 @@ def _draw_pressures(figure: Any, axes: Any, result: Result, side: str, units: li
         lateral = places[patch._prefix] + _in_plane(patch, patch.field("y"), patch.field("z"))
         pressure = np.where(patch.pressure > 0.0, patch.pressure, np.nan)
         mesh = axes.pcolormesh(lateral, patch.field("x"), pressure, vmin=0.0, vmax=wheel.pmax,
-                               cmap="turbo", shading="nearest")
+                               cmap=_pressure_colours(), shading="nearest")
         title = f"pmax {wheel.pmax:.5g} {units[2]}, area {wheel.area:.4g} {units[0]}$^2$"
     if patches:
         figure.colorbar(mesh, ax=axes, label=f"pressure, {units[2]}")

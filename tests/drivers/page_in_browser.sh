@@ -44,8 +44,8 @@ pmax() {
 }
 first=$(shown page.html)
 moved=$(shown moved.html)
-if [[ $first != "<output>0 id=\"left.pmax\">$(pmax 0)" ]] ||
-  [[ $moved != "<title>painted "*" <output>4 id=\"left.pmax\">$(pmax 4)" ]]; then
+if [[ $first != "<output>0 mm id=\"left.pmax\">$(pmax 0)" ]] ||
+  [[ $moved != "<title>painted "*" <output>4 mm id=\"left.pmax\">$(pmax 4)" ]]; then
   echo "the page shows: $first"
   echo "with its slider moved: $moved"
   exit 1
@@ -65,6 +65,61 @@ if ! grep -qF "<h1 id=\"title\">$title</h1>" "$folder/dom" ||
   grep -qE '<body id=|<img' "$folder/dom"; then
   echo "a page with names of elements shows:"
   grep -oE '<body[^>]*>|<h1.*</h1>|<output>.*' "$folder/dom" || true
+  exit 1
+fi
+# Files by name, a scene without contact, values under the pointer, play by the space bar; names are
+# not joined by lines, numbers are.
+mkdir -p "$folder/a" "$folder/b"
+"${sweep%sweep}profile" 60E1 --convert "$folder/a/worn.txt" >"$folder/log" 2>&1
+"${sweep%sweep}profile" 54E1 --convert "$folder/b/worn.txt" >"$folder/log" 2>&1
+cat >"$folder/rails.toml" <<END
+[track]
+rail = ["$folder/a/worn.txt", "$folder/b/worn.txt", "60E1"]
+[convention]
+units = "SI"
+[pose]
+lateral = [0, 0.003, 0.1]
+[solve]
+accuracy = 1e-2
+END
+"$sweep" "$folder/rails.toml" --page "$folder/rails.html" --quiet
+{
+  cat "$folder/rails.html"
+  echo '<script>
+    const report = [], point = (canvas, x, y) => {
+      const event = new PointerEvent("pointermove");
+      Object.defineProperty(event, "offsetX", {value: x});
+      Object.defineProperty(event, "offsetY", {value: y});
+      canvas.onpointermove(event);
+      return document.getElementById("hover").textContent;
+    };
+    const course = document.getElementById("course"), pressures = document.querySelectorAll("#left canvas")[1];
+    const outputs = () => [...document.querySelectorAll("output")].map(one => one.textContent).join(" at ");
+    move(0, 1);
+    move(1, 0);
+    report.push(outputs());
+    const {box} = drawPressures(pressures, sceneAt(at).left).view;
+    report.push(point(pressures, (box[0] + box[2]) / 2, (box[1] + box[3]) / 2).replace(/-?[0-9]+\.[0-9]+/g, "#").replace(/[0-9]{3,}/, "#"));
+    report.push(point(course, course.clientWidth / 2, 100).replace(/[0-9]{3,}/g, "#"));
+    move(1, 2);
+    report.push(document.getElementById("message").textContent.slice(0, 58), document.getElementById("left.title").textContent);
+    document.dispatchEvent(new KeyboardEvent("keydown", {key: " "}));
+    report.push(document.querySelector("button").getAttribute("aria-label"));
+    let joined = 0;
+    const lineTo = CanvasRenderingContext2D.prototype.lineTo;
+    CanvasRenderingContext2D.prototype.lineTo = function(...place) { ++joined; lineTo.apply(this, place); };
+    move(1, 0);
+    joined = 0;
+    drawCourse(course);
+    report.push(`${joined} lines`);
+    document.title = report.join("; ");
+  </script>'
+} >"$folder/rails_used.html"
+"$chromium" "${options[@]}" --dump-dom "file://$folder/rails_used.html" 2>"$folder/log" >"$folder/dom"
+expected="b/worn.txt at 0 m; y # mm, x # mm: # MPa; b/worn.txt: left #, right #; Not solved: wheel off the rail: no part of the wheel profi; left wheel: no result; stop; 0 lines"
+if ! grep -qF "<title>$expected</title>" "$folder/dom"; then
+  echo "a page of files shows: $(grep -oE '<title>.*</title>' "$folder/dom")"
+  echo "expected: $expected"
   exit 1
 fi
 if [ -n "$picture" ]; then

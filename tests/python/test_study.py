@@ -1,8 +1,13 @@
 """Studies as xarray Datasets."""
+import ctypes
+import ctypes.util
+import subprocess
+
 import numpy as np
 import pytest
 
 import wrcontact
+from conftest import BUILD
 
 
 def test_a_study_has_the_numbers_of_single_scenes():
@@ -69,3 +74,29 @@ def test_names_may_be_attributes_and_coordinates_have_units():
     assert data.attrs["pose.yaw"] == 0.0  # keys stay keys
     si = wrcontact.study({"track.gauge": [1.435]}, ["left.pmax"], units="SI", until="geometry")
     assert si["track.gauge"].attrs["units"] == "m"
+
+
+def units_in(path, names):
+    """Attributes `units` of a NetCDF file, by its own library: xarray needs a package for it."""
+    netcdf = ctypes.CDLL(ctypes.util.find_library("netcdf"))
+    file, variable, found = ctypes.c_int(), ctypes.c_int(), []
+    assert netcdf.nc_open(str(path).encode(), 0, ctypes.byref(file)) == 0
+    for name in names:
+        text = ctypes.create_string_buffer(40)
+        assert netcdf.nc_inq_varid(file, name.encode(), ctypes.byref(variable)) == 0
+        assert netcdf.nc_get_att_text(file, variable, b"units", text) == 0
+        found.append(text.value.decode())
+    netcdf.nc_close(file)
+    return found
+
+
+@pytest.mark.parametrize("convention, units", [("mm", ["mm", "N", "MPa", "MPa"]), ("SI", ["m", "N", "Pa", "Pa"])])
+def test_netcdf_files_of_wrc_sweep_have_the_units_of_the_study(tmp_path, convention, units):
+    if ctypes.util.find_library("netcdf") is None:
+        pytest.skip("the NetCDF library is not installed")
+    (tmp_path / "s.toml").write_text(
+        f"[convention]\nunits = \"{convention}\"\n[pose]\nlateral = [0, 0.001]\n[load]\nvertical = [1e4, 8e4]\n"
+        "[solve]\naccuracy = 1e-2\n[study]\nresults = [\"left.pmax\"]\nfields = [\"pressure\"]\n")
+    subprocess.run([BUILD / "bin/wrc_sweep", "s.toml"], cwd=tmp_path, check=True, capture_output=True)
+    names = ["pose.lateral", "load.vertical", "left.pmax", "field.pressure"]
+    assert units_in(next(tmp_path.rglob("*.nc")), names) == units
