@@ -30,6 +30,10 @@ void halve(const double* fine, std::size_t count, std::size_t stride, double* co
   }
 }
 
+std::size_t whole_vectors_of(std::size_t places) {
+  return (places + vector_places - 1) / vector_places * vector_places;
+}
+
 std::size_t halved(std::size_t count) {
   return (count + 1) / 2 + 4;
 }
@@ -253,10 +257,8 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
   const double unit = grid.longitudinal_step;
   const double z = std::max(depth, least_depth * std::min(unit, grid.lateral_step)) / unit;
   const double width = grid.lateral_step / unit;
-  const bool whole_vectors = places.x_count > 1 && places.x_stride == 1;
-  const std::size_t x_count =
-      whole_vectors ? (places.x_count + vector_places - 1) / vector_places * vector_places
-                    : places.x_count;
+  const bool in_vectors = places.x_count > 1 && places.x_stride == 1;
+  const std::size_t x_count = in_vectors ? whole_vectors_of(places.x_count) : places.x_count;
   const std::size_t offsets = (x_count - 1) * places.x_stride + columns;
   const std::size_t pitch = offsets + 1;
   const std::size_t kinds = tractions_ ? 3 : 1;
@@ -272,9 +274,8 @@ std::vector<Stress> SubsurfaceStress::sums(const Level& level, const Places& pla
     stress_corners(static_cast<Real>(x_corner), Real(1), pitch, static_cast<Real>(y),
                    static_cast<Real>(z), static_cast<Real>(poisson_), tractions_, to, pitch);
   };
-  const auto rows_at = [last = rows - 1, stride = places.y_stride](std::size_t t,
-                                                                   std::size_t offset) {
-    return t * stride + last - offset;
+  const auto rows_at = [last = rows - 1, &places](std::size_t t, std::size_t offset) {
+    return t * places.y_stride + last - offset;
   };
   const auto loaded_at = [&](std::size_t i) { // i has wrapped where there is no such row
     return i < rows ? level.last[i] - level.first[i] : 0;

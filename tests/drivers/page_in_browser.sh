@@ -3,6 +3,7 @@
 # the last scene as wrc_case solves it; and texts that would be elements or scripts are shown as
 # texts. Usage: page_in_browser.sh WRC_SWEEP WRC_CASE CHROMIUM [PNG]
 # With PNG also takes a picture of the page.
+# shellcheck disable=SC2016 # scripts hold ${} of their own
 set -euo pipefail
 sweep=$1 case=$2 chromium=$3 picture=${4:-}
 folder=$(mktemp -d)
