@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "creep/rolling_frame.hpp"
 #include "scene/number_tables.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
 namespace {

@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "derivatives/force_jacobian.hpp"
+#include "derivatives/wheel_sensitivities.hpp"
 #include "scene/number_ids.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/force_jacobian.hpp"
-#include "wheel/wheel_sensitivities.hpp"
+#include "wheel/residuals.hpp"
 
 namespace wrc {
 namespace {
@@ -89,13 +90,13 @@ double side_value(WheelResult& side, const Reading& reading) {
   }
 }
 
-std::optional<TotalForce> wheelset_force(const SceneResult& result) {
+std::optional<WheelForce> wheelset_force(const SceneResult& result) {
   if (!result.left || !result.left->total || !result.right || !result.right->total) {
     return std::nullopt;
   }
-  const TotalForce& left = *result.left->total;
-  const TotalForce& right = *result.right->total;
-  return TotalForce{left.force + right.force, left.moment + right.moment};
+  const WheelForce& left = *result.left->total;
+  const WheelForce& right = *result.right->total;
+  return WheelForce{left.force + right.force, left.moment + right.moment};
 }
 
 /// Of a table, those of an owner; without one, those that are always there.

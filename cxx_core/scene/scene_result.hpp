@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "records/wheel_result.hpp"
 #include "scene/profile_warnings.hpp"
 #include "scene/scene.hpp"
-#include "wheel/wheel_result.hpp"
 
 namespace wrc {
 

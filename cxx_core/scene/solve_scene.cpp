@@ -5,13 +5,17 @@
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "creep/creep_forces.hpp"
+#include "creep/free_pitch.hpp"
+#include "creep/total_force.hpp"
+#include "derivatives/wheel_sensitivities.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
 #include "wheel/contact_damage.hpp"
-#include "wheel/creep_forces.hpp"
-#include "wheel/free_pitch.hpp"
-#include "wheel/total_force.hpp"
+#include "wheel/residuals.hpp"
+#include "wheel/wheel_result.hpp"
+#include "wheel/wheel_solution.hpp"
 #include "wheel/wheel_state.hpp"
 #include "wheel/wheel_warnings.hpp"
 
@@ -152,6 +156,12 @@ std::vector<DrivenWheel> driven_wheels(const Scene& scene, SceneResult& result) 
   return wheels;
 }
 
+/// With derivatives by positions, if they are requested.
+void solve_creep_forces_of(const DrivenWheel& driven, RollingSolver& solver) {
+  solve_creep_forces(*driven.wheel, driven.request, solver,
+                     driven.request.derivatives ? sensitivities_of(*driven.wheel) : nullptr);
+}
+
 /// Creep forces under the loads of now, of those wheels that these are new to.
 void solve_creep_forces_of(const Scene& scene, const WheelLoads& loads, RollingSolver& solver,
                            SceneResult& result) {
@@ -176,7 +186,7 @@ void solve_creep_forces_of(const Scene& scene, const WheelLoads& loads, RollingS
       }
       driven.request.derivatives = scene.derivatives && !loads.are_sought();
       if (loads.is_open(driven.wheel->details.mirror > 0.0 ? 0 : 1)) {
-        solve_creep_forces(*driven.wheel, driven.request, solver);
+        solve_creep_forces_of(driven, solver);
       }
     }
   }
@@ -194,7 +204,7 @@ void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingS
       driven.request.motion->pitch = result.pitch;
     }
     if (scene.derivatives && (loads.are_sought() || (moving && scene.pitch_is_free))) {
-      solve_creep_forces(*driven.wheel, driven.request, solver);
+      solve_creep_forces_of(driven, solver);
     }
     warn_of_creep_forces(*driven.wheel, driven.request);
     if (result.pitch_is_saturated) {

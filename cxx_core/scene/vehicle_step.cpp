@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "derivatives/force_jacobian.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
 #include "scene/scene_keys.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace wrc {
 namespace {
@@ -41,7 +41,7 @@ std::array<SixNumbers, 6> derivatives_of(const ForceJacobian& jacobian, const Co
 WheelForces forces_of(WheelResult& wheel, const Convention& convention, bool derivatives) {
   WheelForces result;
   result.state = wheel.state.value_or(0);
-  const TotalForce total = wheel.total.value_or(TotalForce{});
+  const WheelForce total = wheel.total.value_or(WheelForce{});
   result.force = {to_caller(total.force.x, convention, pure),
                   to_caller(total.force.y, convention, turning_force),
                   to_caller(total.force.z, convention, turning_force),

@@ -9,9 +9,9 @@
 
 #include "damage/constants.hpp"
 #include "mechanics/cascade.hpp"
+#include "records/wheel_result.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
-#include "wheel/wheel_result.hpp"
 
 namespace wrc {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy/constants.hpp"
+#include "accuracy/element_limit.hpp"
 #include "accuracy/model_error.hpp"
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"

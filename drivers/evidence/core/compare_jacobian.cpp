@@ -21,9 +21,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "derivatives/force_jacobian.hpp"
 #include "support/random_wheels.hpp"
 #include "support/state_differences.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "creep/rolling_frame.hpp"
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc::test::creep_motion_test {
 namespace {

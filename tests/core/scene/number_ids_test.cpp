@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "derivatives/force_jacobian.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace wrc::test::number_ids_test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "derivatives/wheel_sensitivities.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc::test::result_names_test {
 namespace {

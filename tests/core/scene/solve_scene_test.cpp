@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "support/errors.hpp"
+#include "wheel/residuals.hpp"
 
 namespace wrc::test::solve_scene_test {
 namespace {
