@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/vector_clones.hpp"
+#include "derivatives/constants.hpp"
 #include "mechanics/constants.hpp"
 
 namespace wrc {

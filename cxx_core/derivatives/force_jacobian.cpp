@@ -8,7 +8,7 @@
 #include "creep/rigid_slip.hpp"
 #include "creep/rolling_frame.hpp"
 #include "derivatives/gap_rates.hpp"
-#include "derivatives/wheel_sensitivities.hpp"
+#include "records/wheel_result.hpp"
 
 namespace wrc {
 namespace {
@@ -156,10 +156,18 @@ void add_normal_forces(ForceJacobian& jacobian, const ForceRates& rates) {
   add(jacobian, force, moment);
 }
 
-ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates) {
+} // namespace
+
+bool jacobian_is_known(const WheelResult& wheel) {
+  return std::ranges::all_of(solved_patches(wheel), [](const PatchResult* patch) {
+    return !patch->creep || patch->creep->derivatives || !(patch->normal_force > 0.0);
+  });
+}
+
+ForceJacobian jacobian_of(const WheelResult& wheel, const WheelRates& rates) {
   const WheelDetails& details = wheel.details;
   const RollingFrame side(details.mirror);
-  const Vector3 centre{0.0, details.pose.lateral, wheel.vertical - wheel.depth};
+  const Vector3 centre{0.0, details.pose.lateral, details.vertical};
   ForceJacobian jacobian{};
   const std::vector<const PatchResult*> patches = solved_patches(wheel);
   const bool slides = std::ranges::any_of(
@@ -188,21 +196,6 @@ ForceJacobian compute_jacobian(const WheelResult& wheel, const WheelRates& rates
     add(jacobian, force, cross(frame.place - frame.centre, force) + in_frame(3));
   }
   return side.mirrored(jacobian);
-}
-
-} // namespace
-
-const ForceJacobian* jacobian_of(WheelResult& wheel) {
-  const std::vector<const PatchResult*> patches = solved_patches(wheel);
-  const bool known = std::all_of(patches.begin(), patches.end(), [](const PatchResult* patch) {
-    return !patch->creep || patch->creep->derivatives || !(patch->normal_force > 0.0);
-  });
-  if (!wheel.jacobian && known) {
-    if (const WheelRates* rates = sensitivities_of(wheel)) {
-      wheel.jacobian = compute_jacobian(wheel, *rates);
-    }
-  }
-  return wheel.jacobian ? &*wheel.jacobian : nullptr;
 }
 
 } // namespace wrc

@@ -10,8 +10,7 @@
 /// and with their plane, which turns. dc and dmu from the motion of wheelset and patch
 /// (creep/kinematics.hpp, creep/friction.hpp), dT/dp dp, by pressures, as creep/creep_rates.hpp has
 /// it; of unlike bodies the contact is taken to stay similar, (dT/dN) dN.
-/// Units N, N mm by mm, rad, mm/s, rad/s. Track frame. Thread rule: one thread at a time for a
-/// result.
+/// Units N, N mm by mm, rad, mm/s, rad/s. Track frame. Thread rule: pure functions.
 ///
 /// Not known here: elements that enter the contact, or change between adhesion and slip; what
 /// tangential forces of a pitch rate that is sought change in it.
@@ -21,10 +20,14 @@
 
 namespace wrc {
 
+struct WheelRates;
 struct WheelResult;
 
-/// Computed once. None without contact, of an approximate model of normal contact, and where there
-/// are creep forces without their derivatives (CreepRequest). Creepages that are given stay.
-const ForceJacobian* jacobian_of(WheelResult& wheel);
+/// Whether all patches that carry creep forces have their derivatives (CreepRequest), as a Jacobian
+/// needs.
+bool jacobian_is_known(const WheelResult& wheel);
+
+/// Of a wheel that has them, with the rates of its normal forces. Creepages that are given stay.
+ForceJacobian jacobian_of(const WheelResult& wheel, const WheelRates& rates);
 
 } // namespace wrc

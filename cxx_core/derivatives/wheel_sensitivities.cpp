@@ -203,7 +203,7 @@ WheelRates compute_rates(const WheelResult& side) {
   }
   InfluenceCache cache;
   ContactStiffness stiffness(cache);
-  const PosedPair pair{*details.wheel, *details.rail, details.pose, side.vertical - side.depth};
+  const PosedPair pair = details.pair();
   WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
   const RollingFrame frame(details.mirror);
   WheelRates result;
@@ -233,15 +233,13 @@ bool is_finite(const ForceRates& rates) {
 
 } // namespace
 
-const WheelRates* sensitivities_of(WheelResult& side) {
+std::optional<WheelRates> sensitivities_of(const WheelResult& side) {
   // Above the first touch, where a solution that fails may end, no planes are found.
   if (side.patches.empty() || !side.solved || side.validity || !(side.depth > 0.0)) {
-    return nullptr;
+    return std::nullopt;
   }
-  if (!side.sensitivities) {
-    side.sensitivities = compute_rates(side);
-  }
-  return is_finite(side.sensitivities->force) ? &*side.sensitivities : nullptr;
+  WheelRates rates = compute_rates(side);
+  return is_finite(rates.force) ? std::optional(std::move(rates)) : std::nullopt;
 }
 
 } // namespace wrc

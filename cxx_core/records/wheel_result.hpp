@@ -23,6 +23,7 @@
 #include "records/motion.hpp"
 #include "records/rates.hpp"
 #include "records/slip_geometry.hpp"
+#include "remesh/surface_rays.hpp"
 #include "remesh/undeformed_distance.hpp"
 
 namespace wrc {
@@ -82,6 +83,9 @@ struct WheelDetails {
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail;
   DamageRequest damage{}; ///< what of it was requested
+
+  /// Wheel and rail as they were solved.
+  [[nodiscard]] PosedPair pair() const { return {*wheel, *rail, pose, vertical}; }
 };
 
 struct WheelResult {
@@ -111,12 +115,9 @@ struct WheelResult {
   int convolutions = 0;
   int solutions = 0;
   StopReason stop_reason = StopReason::tolerance_met;
-  std::optional<Residuals> residuals;      ///< on request, see residuals_of
-  std::optional<WheelRates> sensitivities; ///< on request, see sensitivities_of
-  std::optional<ForceJacobian> jacobian;   ///< on request, see jacobian_of
-  std::optional<int> state;                ///< flags of wheel/wheel_state.hpp, of mechanics
-  bool solved = false;                     ///< the mechanics have run
-  std::vector<PatchResult> patches;        ///< largest normal force first
+  std::optional<int> state;         ///< flags of wheel/wheel_state.hpp, of mechanics
+  bool solved = false;              ///< the mechanics have run
+  std::vector<PatchResult> patches; ///< largest normal force first
   Warnings warnings;
   WheelDetails details;
 };

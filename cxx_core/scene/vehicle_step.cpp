@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "derivatives/force_jacobian.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
@@ -38,7 +37,7 @@ std::array<SixNumbers, 6> derivatives_of(const ForceJacobian& jacobian, const Co
   return by;
 }
 
-WheelForces forces_of(WheelResult& wheel, const Convention& convention, bool derivatives) {
+WheelForces forces_of(SceneWheel& wheel, const Convention& convention, bool derivatives) {
   WheelForces result;
   result.state = wheel.state.value_or(0);
   const WheelForce total = wheel.total.value_or(WheelForce{});
@@ -48,7 +47,7 @@ WheelForces forces_of(WheelResult& wheel, const Convention& convention, bool der
                   to_caller(total.moment.x, convention, moment),
                   to_caller(total.moment.y, convention, turning_moment),
                   to_caller(total.moment.z, convention, turning_moment)};
-  if (const ForceJacobian* jacobian = derivatives ? jacobian_of(wheel) : nullptr) {
+  if (const ForceJacobian* jacobian = derivatives ? wheel.jacobian() : nullptr) {
     result.by_position = derivatives_of(*jacobian, position_columns, convention);
     result.by_velocity = derivatives_of(*jacobian, velocity_columns, convention);
   }

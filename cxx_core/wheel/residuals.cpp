@@ -36,10 +36,7 @@ void add_displacement_by_others(const WheelResult& side,
 
 } // namespace
 
-const Residuals& residuals_of(WheelResult& side) {
-  if (side.residuals) {
-    return *side.residuals;
-  }
+Residuals residuals_of(const WheelResult& side) {
   const std::vector<const PatchResult*> patches = solved_patches(side);
   std::vector<std::vector<double>> displacements;
   for (const PatchResult* patch : patches) {
@@ -73,8 +70,7 @@ const Residuals& residuals_of(WheelResult& side) {
   if (side.details.load && !side.patches.empty()) {
     worst.load_balance = std::abs(load - *side.details.load) / *side.details.load;
   }
-  side.residuals = worst;
-  return *side.residuals;
+  return worst;
 }
 
 } // namespace wrc

@@ -1,7 +1,7 @@
 /// How well the pressures of a wheel solve its contact problem.
 ///
 /// Units: shares of the largest displacement and of the load (mechanics/normal_contact.hpp). Thread
-/// rule: one thread at a time for a result.
+/// rule: a pure function.
 #pragma once
 
 #include "records/wheel_result.hpp"
@@ -9,9 +9,9 @@
 namespace wrc {
 
 /// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
-/// of their own; computed once. What patches displace at each other counts as in the solution, also
+/// of their own. What patches displace at each other counts as in the solution, also
 /// in the displacement that gaps are relative to, but for other nodes (patch_coupling.hpp), which
 /// shows where they interact.
-const Residuals& residuals_of(WheelResult& side);
+Residuals residuals_of(const WheelResult& side);
 
 } // namespace wrc

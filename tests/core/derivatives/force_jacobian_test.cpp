@@ -75,7 +75,7 @@ TEST_P(Jacobians, AreThoseOfCentralDifferences) {
   SceneResult here = solve_scene(scene);
   scene.derivatives = false;
   for (const auto side : {&SceneResult::left, &SceneResult::right}) {
-    const ForceJacobian* jacobian = jacobian_of(*(here.*side));
+    const ForceJacobian* jacobian = (here.*side)->jacobian();
     ASSERT_NE(jacobian, nullptr);
     Scene one = scene;
     one.side = side == &SceneResult::left ? SideChoice::left : SideChoice::right;
@@ -132,7 +132,7 @@ TEST_P(JacobiansOfTwoLobes, KnowWhatVelocitiesDoAlongNormals) {
   scene.motion = Motion{.speed = 2e4, .pitch = 43.5};
   scene.derivatives = true;
   SceneResult here = solve_scene(scene);
-  const ForceJacobian& jacobian = *jacobian_of(*here.left);
+  const ForceJacobian& jacobian = *here.left->jacobian();
   scene.derivatives = false;
   for (std::size_t which = position_count; which < state_count; ++which) {
     const ForceColumn difference = difference_by(scene, which, &SceneResult::left);
@@ -166,7 +166,7 @@ TEST(JacobiansAtConstantLoad, KnowHowEdgesMove) {
   scene.vertical = under_load.left->vertical - under_load.left->depth;
   scene.derivatives = true;
   SceneResult here = solve_scene(scene);
-  const ForceJacobian& jacobian = *jacobian_of(*here.left);
+  const ForceJacobian& jacobian = *here.left->jacobian();
   const double height = -jacobian[2][0] / jacobian[2][1];
   EXPECT_NEAR((jacobian[0][0] + height * jacobian[0][1]) / difference, 1.0, 0.1);
 }
@@ -190,7 +190,7 @@ TEST(JacobiansOfLobes, StretchNoElements) {
   EXPECT_EQ(here.left->patches[0].lobes, 2);
   scene.derivatives = false;
   constexpr std::size_t vertical = 1;
-  EXPECT_LE(column_error(*jacobian_of(*here.left), vertical,
+  EXPECT_LE(column_error(*here.left->jacobian(), vertical,
                          difference_by(scene, vertical, &SceneResult::left)),
             3e-2);
 }
@@ -204,8 +204,8 @@ TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
   *scene.roll = -*scene.roll;
   scene.motion = mirrored(*scene.motion);
   SceneResult other = solve_scene(scene);
-  const ForceJacobian& left = *jacobian_of(*one.left);
-  const ForceJacobian& right = *jacobian_of(*other.right);
+  const ForceJacobian& left = *one.left->jacobian();
+  const ForceJacobian& right = *other.right->jacobian();
   for (std::size_t which = 0; which < state_count; ++which) {
     const bool turns = which == 1 || which == 4 || which == 6 || which == 8;
     for (std::size_t row = 0; row < 6; ++row) {
@@ -218,15 +218,15 @@ TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
 TEST(JacobiansWithoutDerivatives, AreThoseOfNormalForcesOrNone) {
   Scene scene = scene_of({"", 1.0, 0.0});
   SceneResult with_creep = solve_scene(scene);
-  EXPECT_EQ(jacobian_of(*with_creep.left), nullptr); // not requested
+  EXPECT_EQ(with_creep.left->jacobian(), nullptr); // not requested
   scene.motion.reset();
   SceneResult without = solve_scene(scene);
-  const ForceJacobian& jacobian = *jacobian_of(*without.left);
+  const ForceJacobian& jacobian = *without.left->jacobian();
   EXPECT_EQ(jacobian[2][1], sensitivities_of(*without.left)->force.vertical.force.z);
   EXPECT_EQ(jacobian[0][static_cast<std::size_t>(StateVariable::speed)], 0.0);
   scene.vertical = 500.0;
   SceneResult apart = solve_scene(scene);
-  EXPECT_EQ(jacobian_of(*apart.left), nullptr);
+  EXPECT_EQ(apart.left->jacobian(), nullptr);
 }
 
 /// With creepages given, the positions change normal forces, planes and what scales with them.
@@ -236,7 +236,7 @@ TEST(JacobiansOfGivenCreepages, LeaveThemAsTheyAre) {
   scene.left.creepages = scene.right.creepages = Creepages{5e-4, -1e-3, 1e-4};
   scene.derivatives = true;
   SceneResult here = solve_scene(scene);
-  const ForceJacobian& jacobian = *jacobian_of(*here.left);
+  const ForceJacobian& jacobian = *here.left->jacobian();
   scene.motion = Motion{.speed = 1.0, .pitch = 1.0}; // has a place for each state, changes nothing
   for (std::size_t which = 0; which < 3; ++which) {  // the yaw changes next to nothing
     EXPECT_LE(column_error(jacobian, which, difference_by(scene, which, &SceneResult::left)),

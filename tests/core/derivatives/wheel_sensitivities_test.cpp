@@ -71,10 +71,8 @@ TEST_P(SideSensitivities, AreThoseOfTheWholeScene) {
   const Scene scene = scene_of(c);
   SceneResult here = solve_scene(scene);
   ASSERT_EQ(solved_patches(*here.left).size(), c.patches);
-  EXPECT_FALSE(here.left->sensitivities);
-  const WheelRates* rates = sensitivities_of(*here.left);
-  ASSERT_NE(rates, nullptr);
-  EXPECT_EQ(sensitivities_of(*here.left), rates);
+  const std::optional<WheelRates> rates = sensitivities_of(*here.left);
+  ASSERT_TRUE(rates);
 
   const std::array<Vector3, 4> found{rates->force.lateral.force, rates->force.vertical.force,
                                      (1.0 / arm) * rates->force.roll.force,
@@ -139,20 +137,16 @@ TEST(SideSensitivitiesByName, AreComputedWhenAskedFor) {
   Scene scene;
   scene.grid = {{24, 20}};
   SceneResult result = solve_scene(scene);
-  number_names(result);
   EXPECT_FALSE(number_value(result, "left.sensitivities.lateral_force"));
   EXPECT_FALSE(number_value(result, "left.sensitivities.at_load.pressure_force.y.vertical"));
-  EXPECT_FALSE(result.left->sensitivities);
   EXPECT_TRUE(number_value(result, "left.sensitivities.pressure_force.y.roll"));
-  EXPECT_TRUE(result.left->sensitivities);
-  EXPECT_FALSE(result.right->sensitivities);
 }
 
 TEST(SideSensitivitiesByName, ThereAreNoneWithoutContact) {
   Scene scene;
   scene.vertical = 500.0;
   SceneResult result = solve_scene(scene);
-  EXPECT_EQ(sensitivities_of(*result.left), nullptr);
+  EXPECT_FALSE(sensitivities_of(*result.left));
   EXPECT_FALSE(number_value(result, "left.sensitivities.pressure_force.y.lateral"));
   for (const std::string& name : number_names(result)) {
     EXPECT_EQ(name.find("sensitivities"), std::string::npos) << name;

@@ -28,7 +28,7 @@ Scene scene_at(double lateral, const Creepages& left, double accuracy = 1e-3) {
   return scene;
 }
 
-const CreepResult& creep_of(const std::optional<WheelResult>& wheel, std::size_t patch = 0) {
+const CreepResult& creep_of(const std::optional<SceneWheel>& wheel, std::size_t patch = 0) {
   return wheel.value().patches.at(patch).creep.value();
 }
 

@@ -23,7 +23,7 @@ Scene scene_at(double lateral) {
   return scene;
 }
 
-const CreepResult& creep_of(const std::optional<WheelResult>& wheel) {
+const CreepResult& creep_of(const std::optional<SceneWheel>& wheel) {
   return wheel.value().patches.at(0).creep.value();
 }
 

@@ -70,8 +70,7 @@ inline ForceColumn force_column(const WheelResult& wheel) {
 
 /// Over a share of the usual step.
 inline ForceColumn difference_by(const Scene& scene, std::size_t which,
-                                 std::optional<WheelResult> SceneResult::*side,
-                                 double share = 1.0) {
+                                 std::optional<SceneWheel> SceneResult::*side, double share = 1.0) {
   const double step = share * step_of(scene, which);
   const auto forces = [&](double sign) {
     Scene moved = scene;
