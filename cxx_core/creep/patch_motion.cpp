@@ -9,12 +9,6 @@
 namespace wrc {
 namespace {
 
-/// Wheel and rail at the height that the load has brought the wheel to.
-PosedPair under_load(const WheelResult& wheel) {
-  const WheelDetails& details = wheel.details;
-  return {*details.wheel, *details.rail, details.pose, wheel.vertical - wheel.depth};
-}
-
 /// Of a plane with its pressures.
 SlipGeometry geometry_of(const PosedPair& pair, const ContactFrame& frame, double approach,
                          const Grid& grid, std::span<const double> pressure,
@@ -35,7 +29,7 @@ WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& req
   const RailSurface& rail = *wheel.details.rail;
   return {frame.mirrored(*request.motion),
           wheel.details.pose,
-          wheel.vertical - wheel.depth,
+          wheel.details.vertical,
           request.nominal_radius,
           frame.mirrored(request.rail_velocity),
           rail.origin_y(),
@@ -46,7 +40,7 @@ void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {
   if (request.slip.variation == SlipVariation::planar || !request.motion) {
     return;
   }
-  const PosedPair pair = under_load(wheel);
+  const PosedPair pair = wheel.details.pair();
   const auto find = [&](PatchResult& patch) {
     patch.slip =
         geometry_of(pair, patch.frame, patch.approach, patch.grid, patch.pressure, request.slip);
@@ -98,12 +92,12 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
 
 std::vector<SlipRow> rows_on(const WheelResult& wheel, const PatchResult& patch, const Grid& grid,
                              const SlipChoice& choice) {
-  return slip_rows(under_load(wheel), patch.frame, grid, {}, choice);
+  return slip_rows(wheel.details.pair(), patch.frame, grid, {}, choice);
 }
 
 MovedContact::MovedContact(const WheelResult& wheel, const PatchResult& patch,
                            const PatchRates& rates, std::size_t position, double step)
-    : wheel_(wheel), pose_(wheel.details.pose), height_(wheel.vertical - wheel.depth),
+    : wheel_(wheel), pose_(wheel.details.pose), height_(wheel.details.vertical),
       frame_(patch.frame), approach_(patch.approach - step * rates.gap[position]) {
   const std::array<double*, position_count> moved{&pose_.lateral, &height_, &pose_.roll,
                                                   &pose_.yaw};

@@ -48,43 +48,35 @@ std::array<double, count> times(const Signs& signs, std::array<double, count> va
 } // namespace
 
 Creepages RollingFrame::mirrored(const Creepages& creepages) const {
-  return times(mirror_signs(mirror_), creepages);
+  return times(mirror_signs(mirror()), creepages);
 }
 
 CreepForces RollingFrame::mirrored(const CreepForces& forces) const {
-  return times(mirror_signs(mirror_), forces);
-}
-
-Vector3 RollingFrame::mirrored(const Vector3& vector) const {
-  return {vector.x, mirror_ * vector.y, vector.z};
-}
-
-Vector3 RollingFrame::mirrored_moment(const Vector3& moment) const {
-  return {mirror_ * moment.x, moment.y, mirror_ * moment.z};
+  return times(mirror_signs(mirror()), forces);
 }
 
 Stress RollingFrame::mirrored(Stress stress) const {
   for (const StressComponent component : {xy, yz}) {
-    stress[component] *= mirror_;
+    stress[component] *= mirror();
   }
   return stress;
 }
 
 Motion RollingFrame::mirrored(const Motion& motion) const {
   Motion other = motion;
-  other.lateral = mirror_ * motion.lateral;
-  other.roll = mirror_ * motion.roll;
-  other.yaw = mirror_ * motion.yaw;
-  other.curvature = mirror_ * motion.curvature;
+  other.lateral = mirror() * motion.lateral;
+  other.roll = mirror() * motion.roll;
+  other.yaw = mirror() * motion.yaw;
+  other.curvature = mirror() * motion.curvature;
   return other;
 }
 
 RailDisplacement RollingFrame::mirrored(const RailDisplacement& displacement) const {
-  return mirror_ < 0.0 ? wrc::mirrored(displacement) : displacement;
+  return mirror() < 0.0 ? wrc::mirrored(displacement) : displacement;
 }
 
 CreepDerivatives RollingFrame::mirrored(CreepDerivatives derivatives) const {
-  const Signs signs = mirror_signs(mirror_);
+  const Signs signs = mirror_signs(mirror());
   derivatives.by_creepage = times_both(signs, derivatives.by_creepage);
   derivatives.by_load = times(signs, derivatives.by_load);
   derivatives.by_friction = times(signs, derivatives.by_friction);
@@ -92,7 +84,7 @@ CreepDerivatives RollingFrame::mirrored(CreepDerivatives derivatives) const {
 }
 
 ForceRates RollingFrame::mirrored(const ForceRates& rates) const {
-  const ByMotion<double> signs{mirror_, 1.0, mirror_, mirror_};
+  const ByMotion<double> signs{mirror(), 1.0, mirror(), mirror()};
   return by_motion([&](std::size_t motion) {
     const auto& [force, moment] = rates[motion];
     return signs[motion] * WheelForce{mirrored(force), mirrored_moment(moment)};
@@ -100,7 +92,7 @@ ForceRates RollingFrame::mirrored(const ForceRates& rates) const {
 }
 
 ForceJacobian RollingFrame::mirrored(ForceJacobian jacobian) const {
-  const double m = mirror_;
+  const double m = mirror();
   const std::array<double, 6> rows{1.0, m, 1.0, m, 1.0, m}; // force x, y, z and moment x, y, z
   std::array<double, state_count> columns{};
   columns.fill(1.0);

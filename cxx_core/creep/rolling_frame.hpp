@@ -25,8 +25,8 @@
 #include "creep/kinematics.hpp"
 #include "creep/rigid_slip.hpp"
 #include "damage/element_stress.hpp"
-#include "geometry/frames.hpp"
 #include "geometry/rail_surface.hpp"
+#include "geometry/side_frame.hpp"
 #include "records/creep_result.hpp"
 #include "records/rates.hpp"
 #include "rolling/creep_laws.hpp"
@@ -34,18 +34,16 @@
 
 namespace wrc {
 
-class RollingFrame {
+class RollingFrame : public SideFrame {
 public:
   RollingFrame() = default;
   /// `mirror`: 1 on the left, -1 on the right (WheelDetails).
   explicit RollingFrame(double mirror, bool backwards = false)
-      : mirror_(mirror), turn_(backwards ? -1.0 : 1.0) {}
+      : SideFrame(mirror), turn_(backwards ? -1.0 : 1.0) {}
 
+  using SideFrame::mirrored;
   [[nodiscard]] Creepages mirrored(const Creepages& creepages) const;
   [[nodiscard]] CreepForces mirrored(const CreepForces& forces) const;
-  [[nodiscard]] Vector3 mirrored(const Vector3& vector) const;
-  [[nodiscard]] Vector3 mirrored_moment(const Vector3& moment) const;
-  [[nodiscard]] double mirrored_lateral(double component) const { return mirror_ * component; }
   [[nodiscard]] Stress mirrored(Stress stress) const;
   [[nodiscard]] Motion mirrored(const Motion& motion) const;
   [[nodiscard]] RailDisplacement mirrored(const RailDisplacement& displacement) const;
@@ -68,7 +66,6 @@ public:
 private:
   [[nodiscard]] bool backwards() const { return turn_ < 0.0; }
 
-  double mirror_ = 1.0;
   double turn_ = 1.0;
 };
 

@@ -37,7 +37,7 @@ void add_up_force(PatchResult& patch, const RollingFrame& side) {
 WheelForce total_force(const WheelResult& wheel) {
   const RollingFrame side(wheel.details.mirror);
   const Vector3 centre =
-      side.mirrored(Vector3{0.0, wheel.details.pose.lateral, wheel.vertical - wheel.depth});
+      side.mirrored(Vector3{0.0, wheel.details.pose.lateral, wheel.details.vertical});
   const auto arm = [&](const ContactPoint& point) {
     return Vector3{point.x, point.y, point.z} - centre;
   };

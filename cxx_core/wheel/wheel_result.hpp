@@ -11,10 +11,10 @@
 
 namespace wrc {
 
-/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
+/// `mirror`: as WheelDetails.
 WheelResult make_wheel_result(WheelSolution solution,
                               const std::shared_ptr<const WheelSurface>& wheel,
                               const std::shared_ptr<const RailSurface>& rail,
-                              const SideEquilibrium& equilibrium, double side);
+                              const SideEquilibrium& equilibrium, double mirror);
 
 } // namespace wrc

@@ -88,20 +88,6 @@ TEST_P(Frames, ForcesAreThoseOfTheMappedForceAtItsMappedPlace) {
   expect_equal(frame.turned(forces), wrench_of(turn.of(force), turn.of(place)));
 }
 
-TEST_P(Frames, VectorsAndMomentsOfTheTrackAreMirrored) {
-  const Vector3 force{3.0, 5.0, 7.0};
-  const Vector3 arm{11.0, 13.0, 17.0};
-  const Vector3 moment = frame.mirrored_moment(cross(arm, force));
-  const Vector3 expected = cross(frame.mirrored(arm), frame.mirrored(force));
-  EXPECT_EQ(frame.mirrored(force).x, 3.0);
-  EXPECT_EQ(frame.mirrored(force).y, right() ? -5.0 : 5.0);
-  EXPECT_EQ(frame.mirrored(force).z, 7.0);
-  EXPECT_EQ(frame.mirrored_lateral(5.0), frame.mirrored(force).y);
-  EXPECT_EQ(moment.x, expected.x);
-  EXPECT_EQ(moment.y, expected.y);
-  EXPECT_EQ(moment.z, expected.z);
-}
-
 /// The traction of a stress on a mirrored area is the mirrored traction.
 TEST_P(Frames, StressesPassOnMirroredTractions) {
   const auto traction = [](const Stress& s, const Vector3& normal) {
