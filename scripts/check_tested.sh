@@ -9,6 +9,11 @@ declarations=(
   base/by_motion.hpp       # four members
   base/stopwatch.hpp       # no test is timed
   base/vector_clones.hpp   # macros
+  records/friction_law.hpp # plain values, as all of this room
+  records/motion.hpp
+  records/rates.hpp
+  records/slip_geometry.hpp
+  records/wheel_solution.hpp
   wheel/module.hpp         # an enumeration
 )
 failures=0

@@ -107,16 +107,6 @@ inline constexpr double min_joint_step_part = 0.1;
 /// change a step by 1e-6.
 inline constexpr double joint_step_ridge = 1e-9;
 
-/// Less is not aimed at: the residual that the iteration carries along would go on falling, the
-/// true one would not.
-/// origin: derived: some fifty roundings of double precision.
-inline constexpr double min_stiffness_tolerance = 1e-14;
-
-/// What an answer adds to those kept is not worth keeping below this share of its energy: it
-/// would consist of rounding.
-/// origin: derived: the square of 1e-10, what cancellation leaves of a sum of thousands.
-inline constexpr double min_new_energy = 1e-20;
-
 /// Polonsky & Keer: iterations without better pressures after which it stops.
 /// origin: bound: longer than any plateau on noise and on two contacts; a floor costs this
 /// many iterations.

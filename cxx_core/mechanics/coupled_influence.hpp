@@ -9,12 +9,31 @@
 #include <span>
 #include <vector>
 
-#include "half_space/patch_coupling.hpp"
 #include "mechanics/cascade.hpp"
-#include "mechanics/contact_stiffness.hpp"
 #include "mechanics/normal_contact.hpp"
+#include "mechanics/patch_coupling.hpp"
 
 namespace wrc {
+
+/// A patch as it was solved; only where the pressure is positive counts.
+struct SolvedPatch {
+  Grid grid;
+  std::span<const double> pressure;
+  Elements elements = Elements::constant;
+};
+
+/// What patches do to each other, if anything. One field a patch, in the order of its grid.
+class PatchInfluence {
+public:
+  PatchInfluence() = default;
+  PatchInfluence(const PatchInfluence&) = delete;
+  PatchInfluence& operator=(const PatchInfluence&) = delete;
+  virtual ~PatchInfluence() = default;
+  /// Adds to each patch's displacement, mm, what the pressures of all others, MPa, cause there.
+  /// Symmetric: element i of one patch displaces element j of another, per force, as j does i.
+  virtual void add(std::span<const std::vector<double>> pressure,
+                   std::span<std::vector<double>> displacement) = 0;
+};
 
 /// A box of a patch's elements in the mean plane.
 Grid grid_in_mean_plane(const Grid& grid, const PatchInteraction::Place& place,

@@ -38,10 +38,10 @@
 #include <span>
 #include <vector>
 
-#include "half_space/patch_coupling.hpp"
 #include "mechanics/iteration_box.hpp"
 #include "mechanics/joint_step.hpp"
 #include "mechanics/normal_contact.hpp"
+#include "mechanics/patch_coupling.hpp"
 #include "mechanics/projected_cg_loops.hpp"
 
 namespace wrc {

@@ -2,8 +2,8 @@
 ///
 /// That header says what is found, and how. The same statements run on values that carry
 /// derivatives (base/value_with_rates.hpp), which gives the rates of the planes
-/// (remesh/plane_rates.hpp); all decisions are those of the values. Units mm and rad; track frame,
-/// left-hand side (geometry/frames.hpp). Thread rule: one object, one thread.
+/// (derivatives/plane_rates.hpp); all decisions are those of the values. Units mm and rad; track
+/// frame, left-hand side (geometry/frames.hpp). Thread rule: one object, one thread.
 #pragma once
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
+#include "creep/rolling_frame.hpp"
 #include "scene/patch_fields.hpp"
 #include "wheel/contact_damage.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
 namespace {

@@ -26,7 +26,7 @@ using OfPatch = Number<PatchResult>;
 using OfWheel = Number<WheelResult>;
 using OfCreep = Number<CreepResult>;
 using OfPoint = Number<ContactPoint>;
-using OfTotal = Number<TotalForce>;
+using OfTotal = Number<WheelForce>;
 using OfResiduals = Number<Residuals>;
 using OfTime = Number<StageMilliseconds>;
 using OfScene = Number<SceneResult>;
@@ -211,12 +211,12 @@ inline constexpr std::array side_numbers{
 };
 
 inline constexpr std::array total_numbers{
-    OfTotal{"force.x", force, member<&TotalForce::force, &Vector3::x>},
-    OfTotal{"force.y", turning_force, member<&TotalForce::force, &Vector3::y>},
-    OfTotal{"force.z", turning_force, member<&TotalForce::force, &Vector3::z>},
-    OfTotal{"moment.x", moment, member<&TotalForce::moment, &Vector3::x>},
-    OfTotal{"moment.y", turning_moment, member<&TotalForce::moment, &Vector3::y>},
-    OfTotal{"moment.z", turning_moment, member<&TotalForce::moment, &Vector3::z>},
+    OfTotal{"force.x", force, member<&WheelForce::force, &Vector3::x>},
+    OfTotal{"force.y", turning_force, member<&WheelForce::force, &Vector3::y>},
+    OfTotal{"force.z", turning_force, member<&WheelForce::force, &Vector3::z>},
+    OfTotal{"moment.x", moment, member<&WheelForce::moment, &Vector3::x>},
+    OfTotal{"moment.y", turning_moment, member<&WheelForce::moment, &Vector3::y>},
+    OfTotal{"moment.z", turning_moment, member<&WheelForce::moment, &Vector3::z>},
 };
 
 inline constexpr std::array residual_numbers{

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "creep/rolling_frame.hpp"
 #include "scene/number_tables.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
 namespace {
@@ -84,7 +84,7 @@ static_assert(std::all_of(members.begin(), members.end(),
 
 std::vector<FoundPatch> ordered_patches(const SceneResult& result) {
   std::vector<FoundPatch> found;
-  for (const std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
+  for (const std::optional<SceneWheel>* wheel : {&result.left, &result.right}) {
     const auto first = static_cast<std::ptrdiff_t>(found.size());
     if (*wheel) {
       for (const PatchResult& patch : (*wheel)->patches) {

@@ -1,7 +1,7 @@
 /// Tables of derivatives: results by variables, as matrices, row by row.
 ///
-/// Jacobians of a wheel (wheel/force_jacobian.hpp) and creep forces by creepages,
-/// load and friction (wheel/creep_forces.hpp). As all tables of scene/number_tables.hpp.
+/// Jacobians of a wheel (derivatives/force_jacobian.hpp) and creep forces by creepages,
+/// load and friction (creep/creep_forces.hpp). As all tables of scene/number_tables.hpp.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "derivatives/force_jacobian.hpp"
 #include "scene/number_table.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace wrc::number_tables {
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
+#include "creep/rolling_frame.hpp"
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 #include "wheel/combined_contact.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc {
 namespace {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "scene/number_ids.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/force_jacobian.hpp"
-#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc {
 namespace {
@@ -22,7 +21,8 @@ struct Reading {
 
   /// From a table; `none` if there is nothing the number could belong to.
   template <class Owner, std::size_t count>
-  double value(const std::array<Number<Owner>, count>& table, const Owner* owner) const {
+  double value(const std::array<Number<Owner>, count>& table,
+               const std::type_identity_t<Owner>* owner) const {
     const Number<Owner>& number = table[id.entry];
     return owner != nullptr ? to_caller(number.value(*owner), convention, number.dimension) : none;
   }
@@ -59,7 +59,7 @@ double patch_value(const WheelResult& side, const Reading& reading) {
   }
 }
 
-double side_value(WheelResult& side, const Reading& reading) {
+double side_value(SceneWheel& side, const Reading& reading) {
   switch (reading.id.group) {
   case NumberGroup::side:
     return reading.value(side_numbers, &side);
@@ -70,16 +70,16 @@ double side_value(WheelResult& side, const Reading& reading) {
   case NumberGroup::centroid:
     return reading.value(centroid_numbers, &side.centroid);
   case NumberGroup::residuals:
-    return reading.value(residual_numbers, side.solved ? &residuals_of(side) : nullptr);
+    return reading.value(residual_numbers, side.solved ? &side.residuals() : nullptr);
   case NumberGroup::sensitivities:
-    return reading.value(sensitivity_numbers, sensitivities_of(side));
+    return reading.value(sensitivity_numbers, side.sensitivities());
   case NumberGroup::at_load: {
-    const WheelRates* rates = sensitivities_of(side);
+    const WheelRates* rates = side.sensitivities();
     return reading.value(condensed_numbers,
                          rates != nullptr ? address_of(rates->at_load) : nullptr);
   }
   case NumberGroup::jacobian:
-    return reading.value(jacobian_numbers, jacobian_of(side));
+    return reading.value(jacobian_numbers, side.jacobian());
   case NumberGroup::side_damage:
     return reading.value(damage_numbers, address_of(side.damage));
   case NumberGroup::near_contact:
@@ -89,19 +89,20 @@ double side_value(WheelResult& side, const Reading& reading) {
   }
 }
 
-std::optional<TotalForce> wheelset_force(const SceneResult& result) {
+std::optional<WheelForce> wheelset_force(const SceneResult& result) {
   if (!result.left || !result.left->total || !result.right || !result.right->total) {
     return std::nullopt;
   }
-  const TotalForce& left = *result.left->total;
-  const TotalForce& right = *result.right->total;
-  return TotalForce{left.force + right.force, left.moment + right.moment};
+  const WheelForce& left = *result.left->total;
+  const WheelForce& right = *result.right->total;
+  return WheelForce{left.force + right.force, left.moment + right.moment};
 }
 
 /// Of a table, those of an owner; without one, those that are always there.
 template <class Owner, std::size_t count>
 void add_names(std::vector<std::string>& names, const std::string& prefix,
-               const std::array<Number<Owner>, count>& table, const Owner* owner = nullptr) {
+               const std::array<Number<Owner>, count>& table,
+               const std::type_identity_t<Owner>* owner = nullptr) {
   for (const Number<Owner>& number : table) {
     if (number.always || (owner != nullptr && !std::isnan(number.value(*owner)))) {
       names.push_back(prefix + std::string(number.name));
@@ -130,7 +131,7 @@ bool has_creep_derivatives(const WheelResult& side) {
   });
 }
 
-void add_side_names(std::vector<std::string>& names, const std::string& prefix, WheelResult& side) {
+void add_side_names(std::vector<std::string>& names, const std::string& prefix, SceneWheel& side) {
   add_names(names, prefix + "rigid_contact.", touch_numbers);
   for (std::size_t i = 0; i < side.near_contacts.size(); ++i) {
     add_names(names, prefix + "near_contacts." + std::to_string(i) + '.', touch_numbers);
@@ -148,7 +149,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
   // name.
   const bool converged = side.stop_reason == StopReason::tolerance_met;
   if (side.solved && !side.patches.empty() && !side.validity &&
-      ((converged && side.depth > 0.0) || sensitivities_of(side) != nullptr)) {
+      ((converged && side.depth > 0.0) || side.sensitivities() != nullptr)) {
     add_names(names, prefix + "sensitivities.", sensitivity_numbers);
     add_names(names, prefix + "sensitivities.at_load.", condensed_numbers);
     if (has_creep_derivatives(side)) {
@@ -202,7 +203,7 @@ double number_value(SceneResult& result, const NumberId& id, const Convention& c
   default:
     break;
   }
-  std::optional<WheelResult>& side = id.right ? result.right : result.left;
+  std::optional<SceneWheel>& side = id.right ? result.right : result.left;
   return side ? side_value(*side, reading) : none;
 }
 

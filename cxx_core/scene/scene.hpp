@@ -10,15 +10,15 @@
 #include <string>
 #include <string_view>
 
+#include "creep/creep_request.hpp"
 #include "geometry/rail_surface.hpp"
 #include "geometry/wheel_surface.hpp"
 #include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
 #include "profile/profile.hpp"
 #include "profile/readers.hpp"
+#include "records/damage_result.hpp"
 #include "scene/convention.hpp"
-#include "wheel/creep_request.hpp"
-#include "wheel/damage_result.hpp"
 #include "wheel/wheel_request.hpp"
 
 namespace wrc {

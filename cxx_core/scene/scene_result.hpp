@@ -2,8 +2,8 @@
 ///
 /// In the track frame (geometry/frames.hpp), both wheels alike; only along a profile (`s_wheel`,
 /// `t_rail`) and across a patch (`lateral`) positive means to the field side.
-/// Units mm, N, MPa, rad; times in ms. Thread rule: a plain value, except as wheel_result.hpp
-/// computes on request.
+/// Units mm, N, MPa, rad; times in ms. Thread rule: a plain value, except for what its
+/// wheels compute when it is first read (scene_wheel.hpp).
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 #include "scene/profile_warnings.hpp"
 #include "scene/scene.hpp"
-#include "wheel/wheel_result.hpp"
+#include "scene/scene_wheel.hpp"
 
 namespace wrc {
 
@@ -37,8 +37,8 @@ struct SceneResult {
   bool pitch_is_saturated = false; ///< friction cannot hold the torque of a free pitch rate
   std::string model;
   SolverChoice solver = SolverChoice::standard;
-  std::optional<WheelResult> left;
-  std::optional<WheelResult> right;
+  std::optional<SceneWheel> left;
+  std::optional<SceneWheel> right;
   StageMilliseconds time;
   std::vector<std::string> corrections; ///< made to profiles read from files
   ProfileWarnings profile_warnings;     ///< of the profiles it was solved with

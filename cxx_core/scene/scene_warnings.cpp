@@ -5,7 +5,7 @@
 namespace wrc {
 namespace {
 
-void append(const std::optional<WheelResult>& wheel, const std::string& side, Warnings& all) {
+void append(const std::optional<SceneWheel>& wheel, const std::string& side, Warnings& all) {
   if (wheel) {
     for (const Warning& warning : wheel->warnings) {
       all.push_back({warning.kind, side + ": " + warning.text});

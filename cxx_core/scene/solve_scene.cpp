@@ -5,13 +5,15 @@
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "creep/creep_forces.hpp"
+#include "creep/free_pitch.hpp"
+#include "creep/total_force.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/surface_cache.hpp"
 #include "scene/total_load.hpp"
 #include "wheel/contact_damage.hpp"
-#include "wheel/creep_forces.hpp"
-#include "wheel/free_pitch.hpp"
-#include "wheel/total_force.hpp"
+#include "wheel/wheel_result.hpp"
+#include "wheel/wheel_solution.hpp"
 #include "wheel/wheel_state.hpp"
 #include "wheel/wheel_warnings.hpp"
 
@@ -82,11 +84,11 @@ CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
 }
 
 /// The displacement of one patch by another is interpolated; boxes nearly in touch spoil that.
-void warn_of_residuals(WheelResult& wheel, double accuracy) {
+void warn_of_residuals(SceneWheel& wheel, double accuracy) {
   if (!wheel.details.interaction || wheel.patches.empty()) {
     return;
   }
-  const Residuals& residuals = residuals_of(wheel);
+  const Residuals& residuals = wheel.residuals();
   const double worst = std::max(-residuals.least_gap, residuals.complementarity);
   if (worst > accuracy) {
     wheel.warnings.push_back(
@@ -117,7 +119,7 @@ struct WheelTask {
 
   /// In place of a result under another load, whose cost counts, too.
   void complete(WheelSolution solution, const SideEquilibrium& equilibrium, StageMilliseconds& time,
-                std::optional<WheelResult>& wheel) const {
+                std::optional<SceneWheel>& wheel) const {
     time.remesh += 1e3 * solution.times.remesh;
     time.mechanics += 1e3 * solution.times.mechanics;
     WheelResult result =
@@ -129,7 +131,7 @@ struct WheelTask {
       result.convolutions += wheel->convolutions;
       result.solutions += wheel->solutions;
     }
-    wheel = std::move(result);
+    wheel.emplace(std::move(result));
   }
 };
 
@@ -150,6 +152,13 @@ std::vector<DrivenWheel> driven_wheels(const Scene& scene, SceneResult& result) 
     }
   }
   return wheels;
+}
+
+/// With derivatives by positions, if they are requested.
+void solve_creep_forces_of(const DrivenWheel& driven, RollingSolver& solver, SceneResult& result) {
+  SceneWheel& wheel = driven.wheel->details.mirror > 0.0 ? *result.left : *result.right;
+  solve_creep_forces(wheel, driven.request, solver,
+                     driven.request.derivatives ? wheel.sensitivities() : nullptr);
 }
 
 /// Creep forces under the loads of now, of those wheels that these are new to.
@@ -176,7 +185,7 @@ void solve_creep_forces_of(const Scene& scene, const WheelLoads& loads, RollingS
       }
       driven.request.derivatives = scene.derivatives && !loads.are_sought();
       if (loads.is_open(driven.wheel->details.mirror > 0.0 ? 0 : 1)) {
-        solve_creep_forces(*driven.wheel, driven.request, solver);
+        solve_creep_forces_of(driven, solver, result);
       }
     }
   }
@@ -194,7 +203,7 @@ void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingS
       driven.request.motion->pitch = result.pitch;
     }
     if (scene.derivatives && (loads.are_sought() || (moving && scene.pitch_is_free))) {
-      solve_creep_forces(*driven.wheel, driven.request, solver);
+      solve_creep_forces_of(driven, solver, result);
     }
     warn_of_creep_forces(*driven.wheel, driven.request);
     if (result.pitch_is_saturated) {
@@ -214,7 +223,7 @@ void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingS
 WheelNumbers totals_of(const SceneResult& result) {
   WheelNumbers totals{};
   for (std::size_t i = 0; i < totals.size(); ++i) {
-    const std::optional<WheelResult>& wheel = i == 0 ? result.left : result.right;
+    const std::optional<SceneWheel>& wheel = i == 0 ? result.left : result.right;
     totals[i] = wheel && wheel->solved ? total_force(*wheel).force.z : 0.0;
   }
   return totals;
@@ -297,14 +306,14 @@ void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& 
     solve_creep_forces_of(scene, loads, *rolling, result);
     loads.take(totals_of(result));
   } while (loads.any_open());
-  for (std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
+  for (std::optional<SceneWheel>* wheel : {&result.left, &result.right}) {
     if (*wheel) {
       warn_of_residuals(**wheel, scene.accuracy);
     }
   }
   complete_creep_forces(scene, loads, *rolling, result);
   const Stopwatch damage;
-  for (std::optional<WheelResult>* wheel : {&result.left, &result.right}) {
+  for (std::optional<SceneWheel>* wheel : {&result.left, &result.right}) {
     if (*wheel && (*wheel)->solved) {
       (*wheel)->total = total_force(**wheel);
       add_up_forces(**wheel);

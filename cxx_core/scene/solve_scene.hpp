@@ -4,8 +4,8 @@
 /// profile
 /// (`s_wheel`, `t_rail`) and across a patch (`lateral`) positive means to the field side.
 /// Units mm, N, MPa, rad, by name also others (scene/convention.hpp); times in ms. Thread rule:
-/// functions of the results are pure, except residuals_of, sensitivities_of and number_value,
-/// which keep what they have computed.
+/// functions of the results are pure, except number_names and number_value, which keep what they
+/// have computed (scene_wheel.hpp).
 #pragma once
 
 #include <memory>

@@ -8,7 +8,6 @@
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
 #include "scene/scene_keys.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace wrc {
 namespace {
@@ -38,17 +37,17 @@ std::array<SixNumbers, 6> derivatives_of(const ForceJacobian& jacobian, const Co
   return by;
 }
 
-WheelForces forces_of(WheelResult& wheel, const Convention& convention, bool derivatives) {
+WheelForces forces_of(SceneWheel& wheel, const Convention& convention, bool derivatives) {
   WheelForces result;
   result.state = wheel.state.value_or(0);
-  const TotalForce total = wheel.total.value_or(TotalForce{});
+  const WheelForce total = wheel.total.value_or(WheelForce{});
   result.force = {to_caller(total.force.x, convention, pure),
                   to_caller(total.force.y, convention, turning_force),
                   to_caller(total.force.z, convention, turning_force),
                   to_caller(total.moment.x, convention, moment),
                   to_caller(total.moment.y, convention, turning_moment),
                   to_caller(total.moment.z, convention, turning_moment)};
-  if (const ForceJacobian* jacobian = derivatives ? jacobian_of(wheel) : nullptr) {
+  if (const ForceJacobian* jacobian = derivatives ? wheel.jacobian() : nullptr) {
     result.by_position = derivatives_of(*jacobian, position_columns, convention);
     result.by_velocity = derivatives_of(*jacobian, velocity_columns, convention);
   }

@@ -213,11 +213,6 @@ void ApproximateWheel::publish_patches() {
 WheelSolution ApproximateWheel::solve() {
   result_.solved = true;
   const Stopwatch watch;
-  if (equilibrium_.scan.candidates.front().at_profile_end) {
-    result_.warnings.push_back(
-        {WarningClass::profile_end,
-         "contact at the end of a profile, or where the rail turns upright"});
-  }
   result_.vertical = equilibrium_.vertical;
   depth_ = first_depth();
   if (!is_in_contact(request_, depth_, result_.warnings)) {

@@ -12,7 +12,9 @@
 /// its assumptions hold, docs/cheaper-models.md what errors go with it).
 #pragma once
 
-#include "wheel/wheel_solution.hpp"
+#include "geometry/wheelset_equilibrium.hpp"
+#include "records/wheel_solution.hpp"
+#include "wheel/wheel_request.hpp"
 
 namespace wrc {
 

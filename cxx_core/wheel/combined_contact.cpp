@@ -234,8 +234,7 @@ std::vector<double> scales_of_elements(const PatchResult& patch) {
 }
 
 std::vector<double> combined_distance(const PatchResult& whole, const WheelDetails& side) {
-  return sample_undeformed_distance({*side.wheel, *side.rail, side.pose, side.vertical},
-                                    whole.frame, whole.grid);
+  return sample_undeformed_distance(side.pair(), whole.frame, whole.grid);
 }
 
 std::vector<double> combined_displacement(const PatchResult& whole, const WheelDetails& side) {

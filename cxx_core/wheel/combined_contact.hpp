@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "wheel/wheel_result.hpp"
+#include "records/wheel_result.hpp"
 
 namespace wrc {
 

@@ -9,9 +9,9 @@
 
 #include "damage/constants.hpp"
 #include "mechanics/cascade.hpp"
+#include "records/wheel_result.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/constants.hpp"
-#include "wheel/wheel_result.hpp"
 
 namespace wrc {
 namespace {
@@ -177,7 +177,7 @@ WearPlaces wear_places(const WheelDetails& wheel, const PatchResult& patch) {
   if (!wheel.damage.wear || !patch.parts.empty() || !has_tractions(patch)) {
     return places;
   }
-  const PosedPair pair{*wheel.wheel, *wheel.rail, wheel.pose, wheel.vertical};
+  const PosedPair pair = wheel.pair();
   const Grid& grid = patch.creep->grid;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const SurfacePlace surface =

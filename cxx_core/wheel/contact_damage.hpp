@@ -14,7 +14,7 @@
 
 #include "damage/subsurface_stress.hpp"
 #include "damage/wear.hpp"
-#include "wheel/damage_result.hpp"
+#include "records/damage_result.hpp"
 
 namespace wrc {
 

@@ -117,12 +117,6 @@ int affordable_iterations(double elements, double limit) {
   return static_cast<int>(std::clamp(work / std::max(1.0, elements), 1.0, most_work));
 }
 
-std::string text_of_limit(double wanted, double limit) {
-  return "the accuracy needs " + short_text_of(wanted) +
-         " elements, solve.element_limit = " + std::to_string(static_cast<long long>(limit)) +
-         " permits no more: solved on as many, with the accuracy that they give";
-}
-
 GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equilibrium,
                           const WheelRequest& request, double depth) {
   GridSolution solution;

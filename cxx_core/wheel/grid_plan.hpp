@@ -39,9 +39,6 @@ private:
   std::vector<PatchElements> elements_;
 };
 
-/// That a limit holds, how many elements would be needed, and what lifts it.
-std::string text_of_limit(double wanted, double limit);
-
 /// Iterations after which a solution on so many elements ends, at least 1.
 int affordable_iterations(double elements, double limit);
 

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "accuracy/accuracy_of.hpp"
+#include "accuracy/constants.hpp"
 #include "half_space/influence_coefficients.hpp"
 #include "remesh/undeformed_distance.hpp"
-#include "wheel/constants.hpp"
 #include "wheel/module.hpp"
 
 namespace wrc {

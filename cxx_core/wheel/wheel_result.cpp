@@ -2,28 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 
 #include "geometry/first_touch.hpp"
-#include "half_space/displacement_operator.hpp"
-#include "mechanics/coupled_influence.hpp"
+#include "geometry/side_frame.hpp"
 #include "models/hertz.hpp"
-#include "remesh/row_scales.hpp"
 #include "wheel/combined_contact.hpp"
 
 namespace wrc {
 namespace {
 
-/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
 ContactPoint point_of(const ContactCandidate& candidate, const WheelSurface& wheel,
-                      const RailSurface& rail, double vertical, double side) {
+                      const RailSurface& rail, double vertical, const SideFrame& side) {
   ContactPoint point;
   const Vector3 position = candidate.wheel.position;
   const double rail_z = position.z - candidate.distance;
   point.x = position.x;
-  point.y = side * position.y;
+  point.y = side.mirrored_lateral(position.y);
   point.z = rail_z;
-  point.angle = side * candidate.rail_angle;
+  point.angle = side.mirrored_lateral(candidate.rail_angle);
   point.s_wheel = candidate.wheel.lateral;
   point.w_wheel = candidate.wheel.height;
   point.wheel_angle = candidate.wheel.wheel_angle;
@@ -35,13 +33,13 @@ ContactPoint point_of(const ContactCandidate& candidate, const WheelSurface& whe
 
 /// Where the normal through a place of a patch's plane meets rail and wheel.
 ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
-                      double lateral, double side) {
+                      double lateral, const SideFrame& side) {
   const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
   ContactPoint point;
   point.x = surface.rail.x;
-  point.y = side * surface.rail.y;
+  point.y = side.mirrored_lateral(surface.rail.y);
   point.z = surface.rail.z;
-  point.angle = side * surface.rail_angle;
+  point.angle = side.mirrored_lateral(surface.rail_angle);
   point.s_wheel = surface.wheel_lateral;
   point.w_wheel = surface.wheel_height;
   const Vector3 body =
@@ -56,26 +54,24 @@ Vector3 position_of(const ContactPoint& point) {
   return {point.x, point.y, point.z};
 }
 
-PatchResult patch_of(Patch solved, const PosedPair& pair, double combined_modulus, double side) {
+PatchResult patch_of(Patch solved, const PosedPair& pair, double combined_modulus,
+                     const SideFrame& side) {
   PatchResult result;
   Patch& patch = result;
   patch = std::move(solved);
   const PressureRegion& contact = patch.contact;
   result.pmax = contact.peak_pressure;
   result.pmax_element = contact.largest_element_pressure;
-  result.plane_angle = side * patch.frame.angle();
+  result.plane_angle = side.mirrored_lateral(patch.frame.angle());
   result.reference = point_on(pair, patch.frame, 0.0, 0.0, side);
   result.centroid =
       point_on(pair, patch.frame, contact.centroid_longitudinal, contact.centroid_lateral, side);
   const Vector3 force = patch.contact_force.force;
-  result.force = {force.x, side * force.y, force.z};
+  result.force = side.mirrored(force);
   result.angle =
       norm(force) > 0.0 ? std::atan2(-result.force.y, result.force.z) : result.plane_angle;
-  // About the reference, and seen in the mirror.
-  const Vector3 arm = patch.frame.origin -
-                      Vector3{result.reference.x, side * result.reference.y, result.reference.z};
-  const Vector3 moment = patch.contact_force.moment + cross(arm, force);
-  result.moment = {side * moment.x, moment.y, side * moment.z};
+  const Vector3 arm = patch.frame.origin - side.mirrored(position_of(result.reference));
+  result.moment = side.mirrored_moment(patch.contact_force.moment + cross(arm, force));
   result.semi_axis_longitudinal = contact.semi_axis_longitudinal;
   result.semi_axis_lateral = contact.semi_axis_lateral;
   if (contact.semi_axis_longitudinal > 0.0 && contact.semi_axis_lateral > 0.0) {
@@ -93,7 +89,7 @@ PatchResult patch_of(Patch solved, const PosedPair& pair, double combined_modulu
 
 /// The patches of one plane.
 PatchResult contact_of(std::span<Patch> patches, const PosedPair& pair, double combined_modulus,
-                       double side) {
+                       const SideFrame& side) {
   if (patches.size() == 1) {
     return patch_of(std::move(patches.front()), pair, combined_modulus, side);
   }
@@ -151,7 +147,8 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
 WheelResult make_wheel_result(WheelSolution solution,
                               const std::shared_ptr<const WheelSurface>& wheel,
                               const std::shared_ptr<const RailSurface>& rail,
-                              const SideEquilibrium& equilibrium, double side) {
+                              const SideEquilibrium& equilibrium, double mirror) {
+  const SideFrame side(mirror);
   WheelResult result;
   result.vertical = equilibrium.vertical;
   const auto& candidates = equilibrium.scan.candidates;
@@ -160,11 +157,15 @@ WheelResult make_wheel_result(WheelSolution solution,
     result.near_contacts.push_back(
         point_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
   }
-  result.warnings = std::move(solution.warnings);
+  if (candidates.front().at_profile_end) {
+    result.warnings.push_back({WarningClass::profile_end,
+                               "contact at the end of a profile, or where the rail turns upright"});
+  }
+  std::ranges::move(solution.warnings, std::back_inserter(result.warnings));
   if (std::optional<Warning> odd = warning_of_touch(*wheel, candidates.front())) {
     result.warnings.push_back(std::move(*odd));
   }
-  result.details = {side,
+  result.details = {mirror,
                     equilibrium.pose,
                     solution.vertical,
                     solution.combined_modulus,
@@ -219,87 +220,6 @@ WheelResult make_wheel_result(WheelSolution solution,
     result.centroid = mean_point(result.patches, result.normal_force);
   }
   return result;
-}
-
-std::vector<const PatchResult*> solved_patches(const WheelResult& side) {
-  std::vector<const PatchResult*> patches;
-  for (const PatchResult& patch : side.patches) {
-    if (patch.parts.empty()) {
-      patches.push_back(&patch);
-    }
-    for (const PatchResult& part : patch.parts) {
-      patches.push_back(&part);
-    }
-  }
-  return patches;
-}
-
-namespace {
-
-/// Adds to displacements what the other patches cause, as far as there is pressure or the own one
-/// leaves overlap: nodes are best on as small a rectangle as will do.
-void add_displacement_by_others(const WheelResult& side,
-                                std::span<const PatchResult* const> patches,
-                                std::vector<std::vector<double>>& displacements) {
-  std::vector<std::vector<double>> pressures;
-  std::vector<std::vector<double>> touched;
-  std::vector<SolvedPatch> rectangles;
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    const PatchResult& patch = *patches[k];
-    pressures.push_back(over_scales(patch.grid, patch.row_scales, patch.pressure));
-    std::vector<double>& here = touched.emplace_back(pressures.back());
-    const std::vector<double> distance =
-        times_scales(patch.grid, patch.row_scales, patch.undeformed_distance);
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      here[i] = std::max(here[i], -distance[i] - displacements[k][i]);
-    }
-    rectangles.push_back({patch.grid, here});
-  }
-  CoupledInfluence(rectangles, *side.details.interaction, side.details.combined_modulus)
-      .add(pressures, displacements);
-}
-
-} // namespace
-
-const Residuals& residuals_of(WheelResult& side) {
-  if (side.residuals) {
-    return *side.residuals;
-  }
-  const std::vector<const PatchResult*> patches = solved_patches(side);
-  std::vector<std::vector<double>> displacements;
-  for (const PatchResult* patch : patches) {
-    const std::vector<double> pressure =
-        over_scales(patch->grid, patch->row_scales, patch->pressure);
-    DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements)
-        .apply(pressure, displacements.emplace_back(pressure.size()));
-  }
-  if (side.details.interaction) {
-    add_displacement_by_others(side, patches, displacements);
-  }
-  Residuals worst;
-  double load = 0.0;
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    const PatchResult& patch = *patches[k];
-    // Along its normal by itself.
-    const std::vector<double> distance =
-        times_scales(patch.grid, patch.row_scales, patch.undeformed_distance);
-    const PatchGap gap{patch.grid, distance};
-    NormalProblem problem;
-    problem.patches = {&gap, 1};
-    problem.combined_modulus = side.details.combined_modulus;
-    problem.approach = 0.0;
-    const Residuals residuals =
-        compute_residuals(problem, over_scales(patch.grid, patch.row_scales, patch.pressure),
-                          displacements[k], *problem.approach);
-    worst.least_gap = std::min(worst.least_gap, residuals.least_gap);
-    worst.complementarity = std::max(worst.complementarity, residuals.complementarity);
-    load += patch.force.z;
-  }
-  if (side.details.load && !side.patches.empty()) {
-    worst.load_balance = std::abs(load - *side.details.load) / *side.details.load;
-  }
-  side.residuals = worst;
-  return *side.residuals;
 }
 
 } // namespace wrc

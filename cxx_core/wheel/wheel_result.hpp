@@ -1,160 +1,20 @@
-/// The result of one wheel: points of contact, forces, patches.
+/// From a solution in the left-hand frame of its side to the result in the track frame.
 ///
-/// In the track frame (geometry/frames.hpp), both sides alike: results of the right side are those
-/// of a left one mirrored. Forces and moments are those of the rail on the wheel.
-/// Units mm, N, N mm, MPa, rad. Thread rule: functions of the results are pure, but for
-/// residuals_of, sensitivities_of and jacobian_of.
+/// Units mm, N, N mm, MPa, rad. Thread rule: a pure function.
 #pragma once
 
-#include <cstddef>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "remesh/plane_rates.hpp"
-#include "wheel/creep_result.hpp"
-#include "wheel/damage_result.hpp"
-#include "wheel/friction.hpp"
-#include "wheel/kinematics.hpp"
-#include "wheel/rigid_slip.hpp"
-#include "wheel/sensitivities.hpp"
-#include "wheel/wheel_solution.hpp"
+#include "geometry/wheelset_equilibrium.hpp"
+#include "records/wheel_result.hpp"
+#include "records/wheel_solution.hpp"
 
 namespace wrc {
 
-/// A place where wheel and rail meet.
-struct ContactPoint {
-  double x = 0.0, y = 0.0, z = 0.0; ///< track frame
-  double angle = 0.0;               ///< of the rail's tangent about x, > 0: rises to the left
-  double s_wheel = 0.0;
-  double w_wheel = 0.0;
-  double wheel_angle = 0.0; ///< t of the wheel point about the axle, rad
-  double t_rail = 0.0;
-  double v_rail = 0.0;         ///< height in the rail profile's own frame
-  double rolling_radius = 0.0; ///< at the contact point
-  double distance = 0.0;       ///< vertical, at the first touch; 0 for the first contact
-};
-
-/// A patch as it was solved (left-hand frame of the side), and what it is in the track frame.
-struct PatchResult : Patch {
-  double pmax = 0.0;
-  double pmax_element = 0.0; ///< largest element value
-  Vector3 force;             ///< of the pressures
-  Vector3 total_force;       ///< with creep forces
-  Vector3 moment;            ///< of the pressures, about the contact reference
-  double angle = 0.0;        ///< about x, of the tangent across the force; > 0: rises to the left
-  double plane_angle = 0.0;  ///< likewise, of the plane
-  ContactPoint reference;    ///< weighted mean place of penetration, through which the plane goes
-  ContactPoint centroid;     ///< centre of pressure, on the rail's surface
-  double semi_axis_longitudinal = 0.0;
-  double semi_axis_lateral = 0.0;
-  double radius_longitudinal = 0.0; ///< of curvature, of the Hertzian bodies with these semi-axes
-  double radius_lateral = 0.0;
-  double fill = 0.0; ///< share of the elements under pressure
-  int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
-  std::optional<CreepResult> creep;    ///< if creep forces were requested
-  std::optional<SlipGeometry> slip;    ///< with them, if slip is that of each element
-  std::optional<ContactDamage> damage; ///< if any of it was requested
-  /// Of several patches that share a plane, each as it was solved; else empty. All else is then
-  /// that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which are
-  /// computed on request.
-  std::vector<PatchResult> parts;
-};
-
-/// What the fields of all patches have in common.
-struct WheelDetails {
-  double mirror = 1.0;   ///< +1 on the left, -1 on the right: from the side's left-hand frame
-  Pose pose;             ///< left-hand frame of the side
-  double vertical = 0.0; ///< height of the wheelset's centre
-  double combined_modulus = 0.0;
-  Elements elements = Elements::constant;
-  std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
-  double joining_distance = 0.0;               ///< of the patches, mm
-  std::optional<double> load;                  ///< vertical, of the normal problem; or none
-  GapConvention gap = GapConvention::tangent;
-  std::optional<WheelsetMotion> motion; ///< from which creepages follow, left-hand frame
-  FrictionLaw friction;                 ///< of creep forces
-  std::shared_ptr<const WheelSurface> wheel;
-  std::shared_ptr<const RailSurface> rail;
-  DamageRequest damage{}; ///< what of it was requested
-};
-
-/// How a patch changes with the wheelset's position, left-hand frame of the side.
-struct PatchRates {
-  ByMotion<double> normal_force;
-  ByMotion<ElementMotion> elements;       ///< that follow the contact, the plane fixed
-  ByMotion<std::vector<double>> pressure; ///< of these, MPa
-  ByMotion<double> angle;                 ///< of the plane
-  ByMotion<Vector3> reference;            ///< of the plane's origin, which stays on the rail
-  ByMotion<double> gap; ///< of the undeformed distance where it is least, the plane fixed
-};
-
-/// How the normal forces change with the wheelset's position, track frame
-/// (wheel/sensitivities.hpp).
-struct WheelRates {
-  ForceRates force; ///< pairs of it are equal (make_symmetric)
-  /// Each motion by itself, as the rates of pressures are from which creep forces follow.
-  ForceRates by_pressures;
-  std::optional<CondensedRates> at_load;
-  std::vector<PatchRates> patches; ///< as solved_patches
-};
-
-/// All contact forces of a wheel together (wheel/total_force.hpp).
-struct TotalForce {
-  Vector3 force;
-  Vector3 moment;
-};
-
-struct WheelResult {
-  ContactPoint rigid_contact;
-  std::vector<ContactPoint> near_contacts; ///< further ones, nearest first
-  double vertical = 0.0; ///< height of the wheelset's centre at which this wheel first touches
-  double pmax = 0.0;     ///< largest one of the patches
-  double pmax_element = 0.0;
-  double normal_force = 0.0; ///< sum over the patches of the amounts of their forces
-  Vector3 force;             ///< of the pressures; with creep forces: `total`
-  Vector3 moment;            ///< of the pressures, about the reference of the first patch
-  /// Force-weighted mean of the patches' centres of pressure: it moves without jumps.
-  ContactPoint centroid;
-  std::optional<TotalForce> total;            ///< if the mechanics have run
-  std::optional<ContactDamage> damage;        ///< worst of the patches, if any of it was requested
-  double approach = 0.0;                      ///< of the first patch
-  double depth = 0.0;                         ///< vertical approach, from the first touch
-  double angle = 0.0;                         ///< of the first patch
-  std::optional<double> error_estimate;       ///< discretisation and model together, ...
-  std::optional<double> discretisation_error; ///< ... and each alone
-  std::optional<double> model_error;
-  std::optional<double> validity; ///< of an approximate model, see patch_model.hpp
-  std::string model;              ///< used for this side, and ...
-  std::string model_reason;       ///< ... why
-  int iterations = 0;
-  int convolutions = 0;
-  int solutions = 0;
-  StopReason stop_reason = StopReason::tolerance_met;
-  std::optional<Residuals> residuals;      ///< on request, see residuals_of
-  std::optional<WheelRates> sensitivities; ///< on request, see sensitivities_of
-  std::optional<ForceJacobian> jacobian;   ///< on request, see jacobian_of
-  std::optional<int> state;                ///< flags of wheel/wheel_state.hpp, of mechanics
-  bool solved = false;                     ///< the mechanics have run
-  std::vector<PatchResult> patches;        ///< largest normal force first
-  Warnings warnings;
-  WheelDetails details;
-};
-
-/// `side` is +1 on the left and -1 on the right: the mirror from the side's left-hand frame.
+/// `mirror`: as WheelDetails.
 WheelResult make_wheel_result(WheelSolution solution,
                               const std::shared_ptr<const WheelSurface>& wheel,
                               const std::shared_ptr<const RailSurface>& rail,
-                              const SideEquilibrium& equilibrium, double side);
-
-/// The patches as they were solved, those of one plane one by one. Valid as long as the result.
-std::vector<const PatchResult*> solved_patches(const WheelResult& side);
-
-/// KKT residuals of a side's patches in double precision, the worst of each kind, by convolutions
-/// of their own; computed once. What patches displace at each other counts as in the solution, also
-/// in the displacement that gaps are relative to, but for other nodes (patch_coupling.hpp), which
-/// shows where they interact.
-const Residuals& residuals_of(WheelResult& side);
+                              const SideEquilibrium& equilibrium, double mirror);
 
 } // namespace wrc

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy/constants.hpp"
+#include "accuracy/element_limit.hpp"
 #include "accuracy/model_error.hpp"
 #include "accuracy/peak_section.hpp"
 #include "accuracy/resolution.hpp"
@@ -402,11 +403,6 @@ GridSolution WheelSolver::sample_only(double depth) {
 
 WheelSolution WheelSolver::solve() {
   result_.solved = request_.until == Module::mechanics;
-  if (equilibrium_.scan.candidates.front().at_profile_end) {
-    result_.warnings.push_back(
-        {WarningClass::profile_end,
-         "contact at the end of a profile, or where the rail turns upright"});
-  }
   result_.vertical = equilibrium_.vertical;
   if (request_.until == Module::geometry) {
     return std::move(result_);

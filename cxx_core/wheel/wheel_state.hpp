@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "wheel/wheel_result.hpp"
+#include "records/wheel_result.hpp"
 
 namespace wrc {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "patches/constants.hpp"
 #include "wheel/constants.hpp"
 #include "wheel/depth_checks.hpp"
 
@@ -128,10 +129,6 @@ void warn_of_pressure(WheelResult& wheel) {
                                 " MPa, is more than steel can carry: the hardest rails flow at " +
                                 text_of(std::round(hardest_steel)) +
                                 " MPa, so real pressures are lower and the contact is larger"});
-}
-
-std::string of_patch(const WheelResult& wheel, std::size_t index) {
-  return wheel.patches.size() > 1 ? "patch " + std::to_string(index) + ": " : std::string();
 }
 
 } // namespace wrc

@@ -6,13 +6,10 @@
 /// functions.
 #pragma once
 
-#include <cstddef>
-#include <string>
-
 #include "accuracy/grid_solution.hpp"
+#include "records/wheel_result.hpp"
+#include "records/wheel_solution.hpp"
 #include "wheel/wheel_request.hpp"
-#include "wheel/wheel_result.hpp"
-#include "wheel/wheel_solution.hpp"
 
 namespace wrc {
 
@@ -26,8 +23,5 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
 void warn_of_patches(const WheelRequest& request, WheelSolution& result);
 /// Warns of a largest pressure that no steel of wheels and rails carries; none of stiffer bodies.
 void warn_of_pressure(WheelResult& wheel);
-
-/// "patch 1: ", or nothing if the wheel has one patch only.
-std::string of_patch(const WheelResult& wheel, std::size_t index);
 
 } // namespace wrc

@@ -21,9 +21,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "derivatives/force_jacobian.hpp"
 #include "support/random_wheels.hpp"
 #include "support/state_differences.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace {
 
@@ -132,8 +132,8 @@ Case compare(Scene scene) {
   Case result;
   for (std::size_t which = 0; which < state_count; ++which) {
     const double share = share_of_step(*here.left, which);
-    result.found[which] = column_of(*jacobian_of(*here.left), which);
-    result.without_slip[which] = column_of(*jacobian_of(*without_slip.left), which);
+    result.found[which] = column_of(*here.left->jacobian(), which);
+    result.without_slip[which] = column_of(*without_slip.left->jacobian(), which);
     result.one[which] = difference_by(scene, which, &SceneResult::left, share);
     result.other[which] = difference_by(scene, which, &SceneResult::left, 0.5 * share);
   }

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "half_space/displacement_operator.hpp"
-#include "half_space/patch_coupling.hpp"
+#include "mechanics/patch_coupling.hpp"
 #include "support/errors.hpp"
 #include "support/solver_checks.hpp"
 

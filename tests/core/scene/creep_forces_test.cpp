@@ -1,6 +1,6 @@
 /// Creep forces of whole wheels: against CONTACT's wheel/rail cases, between mirrored wheels, along
 /// small steps, in other units.
-#include "wheel/creep_forces.hpp"
+#include "creep/creep_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "creep/total_force.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
-#include "wheel/total_force.hpp"
 
 namespace wrc::test::creep_forces_test {
 namespace {
@@ -28,7 +28,7 @@ Scene scene_at(double lateral, const Creepages& left, double accuracy = 1e-3) {
   return scene;
 }
 
-const CreepResult& creep_of(const std::optional<WheelResult>& wheel, std::size_t patch = 0) {
+const CreepResult& creep_of(const std::optional<SceneWheel>& wheel, std::size_t patch = 0) {
   return wheel.value().patches.at(patch).creep.value();
 }
 
@@ -360,7 +360,7 @@ TEST(CreepForces, TwoPatchesOnTheFlangeCarryWhatAllForcesDo) {
   scene.slip = SlipVariation::planar; // D = 2
   const double load = input.at("Fz_N");
   scene.right.load = load;
-  TotalForce total = total_force(*solve_scene(scene).right);
+  WheelForce total = total_force(*solve_scene(scene).right);
   EXPECT_GT(total.force.z, 1.17 * load);
   for (int repeated = 0; repeated < 5; ++repeated) {
     scene.right.load += load - total.force.z;

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "creep/rolling_frame.hpp"
 #include "scene/result_names.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/reference_data.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc::test::creep_motion_test {
 namespace {
@@ -23,7 +23,7 @@ Scene scene_at(double lateral) {
   return scene;
 }
 
-const CreepResult& creep_of(const std::optional<WheelResult>& wheel) {
+const CreepResult& creep_of(const std::optional<SceneWheel>& wheel) {
   return wheel.value().patches.at(0).creep.value();
 }
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "creep/creep_forces.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/creep_forces.hpp"
 
 namespace wrc::test::creep_power_test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "derivatives/force_jacobian.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/force_jacobian.hpp"
 
 namespace wrc::test::number_ids_test {
 namespace {
@@ -125,7 +125,7 @@ TEST(JacobianNames, AreThoseOfRowsAndColumnsInTheCallersConvention) {
   scene.motion = Motion{.speed = 2e4, .yaw = 0.01};
   scene.derivatives = true;
   SceneResult result = solve_scene(scene);
-  const ForceJacobian jacobian = *jacobian_of(*result.right);
+  const ForceJacobian jacobian = *result.right->jacobian();
   const Convention si_down{Units::si, TrackFrame::right_down};
   const auto value = [&](const char* name, const Convention& convention = {}) {
     return number_value(result, std::string("right.") + name, convention).value();

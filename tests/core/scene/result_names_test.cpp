@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "derivatives/wheel_sensitivities.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc::test::result_names_test {
 namespace {
@@ -59,9 +59,10 @@ TEST(ResultNames, HaveAValueEach) {
 /// A solution that had not converged listed a Jacobian that it did not have.
 TEST(ResultNames, LeaveOutRatesThatAreNoNumbers) {
   SceneResult result = rolling_wheel();
-  WheelResult& wheel = result.left.value();
-  ASSERT_NE(sensitivities_of(wheel), nullptr);
-  wheel.sensitivities->force.yaw.moment.z = std::numeric_limits<double>::quiet_NaN();
+  SceneWheel& wheel = result.left.value();
+  wheel = SceneWheel(WheelResult(wheel)); // without the sensitivities of its creep forces
+  wheel.patches.front().frame.origin.x = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_EQ(wheel.sensitivities(), nullptr);
   wheel.stop_reason = StopReason::iteration_limit;
   EXPECT_FALSE(lists(result, "sensitivities."));
   EXPECT_FALSE(lists(result, "jacobian."));
@@ -70,11 +71,10 @@ TEST(ResultNames, LeaveOutRatesThatAreNoNumbers) {
 /// A failed solution that ended above the first touch read beyond an array of no planes.
 TEST(ResultNames, LeaveOutRatesAboveTheFirstTouch) {
   SceneResult result = rolling_wheel();
-  WheelResult& wheel = result.left.value();
-  wheel.sensitivities.reset();
-  wheel.jacobian.reset();
+  SceneWheel& wheel = result.left.value();
+  wheel = SceneWheel(WheelResult(wheel)); // without the sensitivities of its creep forces
   wheel.depth = -0.025;
-  EXPECT_EQ(sensitivities_of(wheel), nullptr);
+  EXPECT_EQ(wheel.sensitivities(), nullptr);
   EXPECT_FALSE(lists(result, "sensitivities."));
   EXPECT_FALSE(lists(result, "jacobian."));
 }

@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "creep/rolling_frame.hpp"
 #include "profile/readers.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/scene_result.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/errors.hpp"
-#include "wheel/rolling_frame.hpp"
 
 namespace wrc::test::sides_test {
 namespace {

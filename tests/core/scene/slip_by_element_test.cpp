@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "creep/total_force.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/total_force.hpp"
 
 namespace wrc::test::slip_by_element_test {
 namespace {
@@ -204,8 +204,8 @@ TEST(SlipByElement, TotalForcesDoTheWorkOfFriction) {
       scene.motion->vertical = vertical;
       const SceneResult result = solve_scene(scene);
       const WheelResult& wheel = result.right.value();
-      const TotalForce total = total_force(wheel);
-      TotalForce normal;
+      const WheelForce total = total_force(wheel);
+      WheelForce normal;
       for (const PatchResult& patch : wheel.patches) {
         const Vector3 centre{0.0, -wheel.details.pose.lateral, wheel.vertical - wheel.depth};
         const Vector3 place{patch.reference.x, patch.reference.y, patch.reference.z};
@@ -261,11 +261,11 @@ TEST(SlipByElement, LeavesGivenCreepagesInThePlane) {
     set_text(scene, "solve.slip_surface", surface);
     return total_force(*solve_scene(scene).left);
   };
-  const TotalForce planar = force_of("planar", "wheel");
+  const WheelForce planar = force_of("planar", "wheel");
   EXPECT_GT(std::abs(planar.force.y), 1e3);
   for (const auto& [slip, surface] :
        {std::pair{"by-element", "wheel"}, {"by-element", "mean"}, {"plane-axes", "wheel"}}) {
-    const TotalForce found = force_of(slip, surface);
+    const WheelForce found = force_of(slip, surface);
     SCOPED_TRACE(slip);
     EXPECT_EQ(found.force.x, planar.force.x);
     EXPECT_EQ(found.force.y, planar.force.y);

@@ -40,7 +40,7 @@ constexpr double pressure_rate = 1.8;
 /// Goes through the loads from the first to the last.
 void sweep_load(Scene scene, double first, double last, double step, double jumps_in_accuracies) {
   SceneSolver solver;
-  std::optional<WheelResult> before;
+  std::optional<SceneWheel> before;
   const double change = std::log1p(step);
   const double jump = jumps_in_accuracies * scene.accuracy;
   double load_before = 0.0;

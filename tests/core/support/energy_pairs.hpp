@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
+#include "creep/total_force.hpp"
+#include "derivatives/wheel_sensitivities.hpp"
 #include "profile/profile.hpp"
 #include "scene/solve_scene.hpp"
 #include "support/random_wheels.hpp"
-#include "wheel/total_force.hpp"
-#include "wheel/wheel_sensitivities.hpp"
 
 namespace wrc::test {
 
@@ -89,7 +89,7 @@ inline double largest_asymmetry(const std::array<CoordinateForces, 3>& rates) {
 }
 
 inline CoordinateForces forces_of(const WheelResult& wheel, double yaw) {
-  const TotalForce total = total_force(wheel);
+  const WheelForce total = total_force(wheel);
   return along_coordinates(total.force, total.moment, yaw);
 }
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "creep/total_force.hpp"
 #include "scene/solve_scene.hpp"
-#include "wheel/total_force.hpp"
 
 namespace wrc::test {
 
@@ -62,7 +62,7 @@ inline double step_of(const Scene& scene, std::size_t which) {
 }
 
 inline ForceColumn force_column(const WheelResult& wheel) {
-  const TotalForce total = total_force(wheel);
+  const WheelForce total = total_force(wheel);
   const double share = 1.0 / contact_arm;
   return {total.force.x,          total.force.y,          total.force.z,
           share * total.moment.x, share * total.moment.y, share * total.moment.z};
@@ -70,8 +70,7 @@ inline ForceColumn force_column(const WheelResult& wheel) {
 
 /// Over a share of the usual step.
 inline ForceColumn difference_by(const Scene& scene, std::size_t which,
-                                 std::optional<WheelResult> SceneResult::*side,
-                                 double share = 1.0) {
+                                 std::optional<SceneWheel> SceneResult::*side, double share = 1.0) {
   const double step = share * step_of(scene, which);
   const auto forces = [&](double sign) {
     Scene moved = scene;

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "wheel/damage_result.hpp"
-#include "wheel/wheel_result.hpp"
+#include "records/damage_result.hpp"
+#include "records/wheel_result.hpp"
 
 namespace wrc::test::contact_damage_test {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "accuracy/constants.hpp"
 #include "support/simple_profiles.hpp"
 #include "wheel/constants.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "patches/constants.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc::test::wheel_warnings_test {

@@ -1,0 +1,13 @@
+#include "accuracy/element_limit.hpp"
+
+#include "base/error.hpp"
+
+namespace wrc {
+
+std::string text_of_limit(double wanted, double limit) {
+  return "the accuracy needs " + short_text_of(wanted) +
+         " elements, solve.element_limit = " + std::to_string(static_cast<long long>(limit)) +
+         " permits no more: solved on as many, with the accuracy that they give";
+}
+
+} // namespace wrc

@@ -1,0 +1,210 @@
+#include "creep/creep_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "accuracy/constants.hpp"
+#include "creep/constants.hpp"
+#include "creep/creep_elements.hpp"
+#include "pressure/smooth_pressure.hpp"
+
+namespace wrc {
+namespace {
+
+/// What is solved for, in the plane of the patch.
+struct PatchFields {
+  Grid grid;
+  ProblemFields fields;
+};
+
+/// Pressures on a grid, of this force together: at the centres of elements, or, where the shares in
+/// contact are asked for, their means.
+std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
+                                 double normal_force, std::vector<double>* covered) {
+  std::vector<double> result;
+  if (covered != nullptr) {
+    pressure.fill_means(grid, result, *covered);
+  } else {
+    pressure.fill(grid, result);
+  }
+  const double force = std::accumulate(result.begin(), result.end(), 0.0) * grid.element_area();
+  for (double& p : result) {
+    p *= force > 0.0 ? normal_force / force : 0.0;
+  }
+  return result;
+}
+
+PatchFields turned(PatchFields patch, const RollingFrame& frame) {
+  ProblemFields& fields = patch.fields;
+  return {frame.turned(patch.grid),
+          {frame.turned_numbers(std::move(fields.pressure)),
+           frame.turned_numbers(std::move(fields.covered)), frame.turned(std::move(fields.slip)),
+           frame.turned(std::move(fields.weights))}};
+}
+
+/// By position; `now`: in the rolling frame, on `grid` of the patch's plane.
+std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
+                                       const RollingProblem& now) {
+  std::vector<ProblemRate> result;
+  const PatchResult& patch = task.patch;
+  const auto moves = moves_of(patch, *task.rates, creep_pressure_step);
+  for (std::size_t position = 0; position < position_count; ++position) {
+    const MovedPatch& moved = moves[position].ahead;
+    const double step = 0.5 * moves[position].apart;
+    const Grid around = moved_grid(patch.grid, moved.elements);
+    const SmoothPressure smooth(around, moved.pressure);
+    PatchFields ahead{moved_around_contact(grid, smooth), {}};
+    ahead.fields.pressure = pressures_on(ahead.grid, smooth, moved.normal_force,
+                                         now.covered.empty() ? nullptr : &ahead.fields.covered);
+    if (task.motion.twist) {
+      const MovedContact contact(task.wheel, patch, *task.rates, position, step);
+      const SlipGeometry geometry = contact.geometry(around, moved.pressure, task.request.slip);
+      const std::vector<SlipRow> rows = contact.rows(ahead.grid, task.request.slip);
+      ahead.fields.slip = slip_beyond(geometry, rows, ahead.grid, contact.twist());
+      ahead.fields.weights = slip_beyond(geometry, rows, ahead.grid, along_the_normal);
+    }
+    ahead = turned(std::move(ahead), task.motion.frame);
+    result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
+  }
+  return result;
+}
+
+/// By slips of elements alone.
+ProblemRate rate_by(const RollingProblem& problem, std::span<const double> slip_x,
+                    std::span<const double> slip_y) {
+  ProblemRate rate;
+  rate.pressure.resize(problem.pressure.size());
+  rate.slip_x.assign(slip_x.begin(), slip_x.end());
+  rate.slip_y.assign(slip_y.begin(), slip_y.end());
+  return rate;
+}
+
+void take_derivatives(const RollingSolution& solution, CreepDerivatives& derivatives) {
+  derivatives.by_creepage = solution.by_creepage;
+  derivatives.normal_by_creepage = solution.weighted_by_creepage;
+  std::size_t next = 0;
+  if (solution.by_rate.size() >= position_count) {
+    auto& by = derivatives.by_position.emplace();
+    for (; next < position_count; ++next) {
+      const std::array<double, 4>& rate = solution.by_rate[next];
+      by[next] = rate[0];
+      by[position_count + next] = rate[1];
+      by[2 * position_count + next] = rate[2];
+      derivatives.normal_by_position[next] = rate[3];
+    }
+  }
+  if (solution.by_rate.size() > next) {
+    derivatives.by_slip = solution.by_rate[next];
+    derivatives.by_normal_velocity = solution.by_rate[next + 1];
+  }
+}
+
+void take_facts(const RollingSolution& solution, CreepResult& creep) {
+  creep.slip_area = solution.slip_area;
+  creep.adhesion_area = solution.adhesion_area;
+  for (std::size_t i = 0; i < solution.traction_x.size(); ++i) {
+    creep.largest_traction = std::max(creep.largest_traction,
+                                      std::hypot(solution.traction_x[i], solution.traction_y[i]));
+  }
+  creep.numerical_loss = solution.numerical_loss;
+  creep.power_of_pressures = solution.power_of_pressures;
+  creep.residual = solution.residual;
+  creep.convolutions = solution.convolutions;
+}
+
+/// Power and forces of the slip beyond creepages, in the plane of the patch.
+void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const SlipField& slip,
+                  const RollingSolution& solution, CreepResult& creep) {
+  for (std::size_t i = 0; i < slip.x.size(); ++i) {
+    creep.power_per_speed -= creep.grid.element_area() * (solution.traction_x[i] * slip.x[i] +
+                                                          solution.traction_y[i] * slip.y[i]);
+  }
+  creep.beyond_creepages =
+      wrench_beyond(*task.patch.slip, rows, creep.grid, solution.traction_x, solution.traction_y);
+}
+
+/// The rates that derivatives need: by positions where they are known and bodies are alike, by the
+/// slip beyond creepages and by a velocity along the normal.
+std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
+                                   const RollingProblem& problem) {
+  std::vector<ProblemRate> rates;
+  if (task.rates != nullptr && !unlike_bodies(task.request)) {
+    rates = problem_rates(task, grid, problem);
+  }
+  if (task.motion.twist) {
+    rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
+    rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
+  }
+  return rates;
+}
+
+} // namespace
+
+CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(task) {
+  const auto& [wheel, patch, motion, request, known] = task;
+  const SmoothPressure pressure(patch.grid, patch.pressure);
+  const CreepGrid chosen = grid_of_patch(patch, pressure, request);
+  grid_ = creep.grid = chosen.grid;
+  creep.elements_wanted = chosen.wanted;
+  PatchFields now{grid_, {}};
+  const bool by_means = request.model == CreepModel::full;
+  now.fields.pressure =
+      pressures_on(grid_, pressure, patch.normal_force, by_means ? &now.fields.covered : nullptr);
+  if (motion.twist) {
+    rows_ = rows_on(wheel, patch, grid_, request.slip);
+    now.fields.slip = slip_ = slip_beyond(*patch.slip, rows_, grid_, *motion.twist);
+    if (request.derivatives) {
+      now.fields.weights = slip_beyond(*patch.slip, rows_, grid_, along_the_normal);
+    }
+  }
+  creep.pressure = now.fields.pressure;
+  now = turned(std::move(now), motion.frame);
+  fields_ = std::move(now.fields);
+  problem_.grid = now.grid;
+  problem_.slip_x = fields_.slip.x;
+  problem_.slip_y = fields_.slip.y;
+  problem_.weight_x = fields_.weights.x;
+  problem_.weight_y = fields_.weights.y;
+  problem_.pressure = fields_.pressure;
+  problem_.covered = fields_.covered;
+  problem_.friction = motion.friction;
+  problem_.shear_modulus = request.material.modulus;
+  problem_.poisson = request.material.poisson;
+  problem_.creepages = motion.frame.turned(motion.creepages);
+  error_of_elements_ = creep_error_of_one_column / (chosen.columns * chosen.columns);
+  // An iteration beyond what fewer elements than the accuracy needs can show would be in vain.
+  problem_.tolerance =
+      creep_iteration_share *
+      (chosen.limited ? std::max(request.accuracy, std::min(error_of_elements_, coarsest_accuracy))
+                      : request.accuracy);
+  problem_.derivatives = request.derivatives;
+}
+
+void CreepProblem::request_rates() {
+  rates_ = all_rates(task_, grid_, problem_);
+  problem_.rates = rates_;
+}
+
+CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) const {
+  const CreepRequest& request = task_.request;
+  solution = task_.motion.frame.turned(std::move(solution));
+  if (request.derivatives) {
+    take_derivatives(solution, creep.derivatives.emplace());
+  }
+  take_facts(solution, creep);
+  if (request.model == CreepModel::full) {
+    creep.error_estimate = error_of_elements_ + creep_error_by_residual * solution.residual;
+  }
+  if (task_.motion.twist) {
+    take_in_slip(task_, rows_, slip_, solution, creep);
+  }
+  creep.traction_x = std::move(solution.traction_x);
+  creep.traction_y = std::move(solution.traction_y);
+  creep.slip_x = std::move(solution.slip_x);
+  creep.slip_y = std::move(solution.slip_y);
+  return {solution.longitudinal_force, solution.lateral_force, solution.spin_moment};
+}
+
+} // namespace wrc

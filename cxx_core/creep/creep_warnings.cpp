@@ -1,0 +1,58 @@
+// What to warn of in creep forces that were found.
+#include <algorithm>
+
+#include "accuracy/element_limit.hpp"
+#include "base/error.hpp"
+#include "creep/creep_forces.hpp"
+#include "records/wheel_result.hpp"
+
+namespace wrc {
+namespace {
+
+void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
+  if (request.material.difference_parameter == 0.0 || wheel.patches.empty()) {
+    return;
+  }
+  if (request.model != CreepModel::full) {
+    wheel.warnings.push_back({WarningClass::unlike_materials,
+                              "creep forces of unlike materials: this model leaves out what "
+                              "pressures and tractions change in each other, the full one knows "
+                              "it"});
+    return;
+  }
+  double change = 0.0;
+  for (const PatchResult* patch : solved_patches(wheel)) {
+    change = std::max(change, patch->creep->pressure_change);
+  }
+  if (change > request.accuracy) {
+    wheel.warnings.push_back({WarningClass::unlike_materials,
+                              "creep forces of unlike materials: tractions change pressures by " +
+                                  short_text_of(change) +
+                                  " in the mean, which results of normal contact leave out"});
+  }
+}
+
+} // namespace
+
+void warn_of_creep_forces(WheelResult& wheel, const CreepRequest& request) {
+  double wanted = 0.0;
+  for (const PatchResult& patch : wheel.patches) {
+    wanted += patch.creep->elements_wanted;
+  }
+  if (wanted > request.element_limit) {
+    wheel.warnings.push_back({WarningClass::element_limit,
+                              "creep forces: " + text_of_limit(wanted, request.element_limit)});
+  }
+  for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
+    const PatchResult& patch = wheel.patches[i];
+    if (patch.creep->error_estimate.value_or(0.0) > request.accuracy) {
+      wheel.warnings.push_back({WarningClass::creep_accuracy,
+                                of_patch(wheel, i) + "creep forces: accuracy " +
+                                    text_of(request.accuracy) + " not reached: estimated error " +
+                                    short_text_of(*patch.creep->error_estimate)});
+    }
+  }
+  warn_of_unlike_bodies(wheel, request);
+}
+
+} // namespace wrc

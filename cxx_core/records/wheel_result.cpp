@@ -1,0 +1,22 @@
+#include "records/wheel_result.hpp"
+
+namespace wrc {
+
+std::vector<const PatchResult*> solved_patches(const WheelResult& side) {
+  std::vector<const PatchResult*> patches;
+  for (const PatchResult& patch : side.patches) {
+    if (patch.parts.empty()) {
+      patches.push_back(&patch);
+    }
+    for (const PatchResult& part : patch.parts) {
+      patches.push_back(&part);
+    }
+  }
+  return patches;
+}
+
+std::string of_patch(const WheelResult& wheel, std::size_t index) {
+  return wheel.patches.size() > 1 ? "patch " + std::to_string(index) + ": " : std::string();
+}
+
+} // namespace wrc

@@ -1,0 +1,33 @@
+#include "scene/scene_wheel.hpp"
+
+#include <utility>
+
+#include "derivatives/force_jacobian.hpp"
+#include "derivatives/wheel_sensitivities.hpp"
+#include "wheel/residuals.hpp"
+
+namespace wrc {
+
+SceneWheel::SceneWheel(WheelResult result) : WheelResult(std::move(result)) {}
+
+const Residuals& SceneWheel::residuals() {
+  return residuals_ ? *residuals_ : residuals_.emplace(residuals_of(*this));
+}
+
+const WheelRates* SceneWheel::sensitivities() {
+  if (!sensitivities_) {
+    sensitivities_.emplace(sensitivities_of(*this));
+  }
+  return *sensitivities_ ? &**sensitivities_ : nullptr;
+}
+
+const ForceJacobian* SceneWheel::jacobian() {
+  if (!jacobian_ && jacobian_is_known(*this)) {
+    if (const WheelRates* rates = sensitivities()) {
+      jacobian_ = jacobian_of(*this, *rates);
+    }
+  }
+  return jacobian_ ? &*jacobian_ : nullptr;
+}
+
+} // namespace wrc

@@ -1,0 +1,16 @@
+/// The warning of a limit names the elements needed, the key and its value.
+#include "accuracy/element_limit.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wrc::test::element_limit_test {
+namespace {
+
+TEST(ElementLimit, TextNamesNeedAndLimit) {
+  const std::string text = text_of_limit(250000.0, 1e5);
+  EXPECT_NE(text.find("the accuracy needs 2.5e+05 elements"), std::string::npos) << text;
+  EXPECT_NE(text.find("solve.element_limit = 100000 permits no more"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace wrc::test::element_limit_test
