@@ -124,8 +124,12 @@ Told solve(const DrawnScene& drawn) {
       copy_text(std::string(told.status.data()), told.wrong);
     }
     if (status == WRC_OK || status == WRC_NOT_CONVERGED) {
-      check_elements(scene, drawn, "left", told);
-      check_elements(scene, drawn, "right", told);
+      const std::string solved = scene.get_text("solve.side");
+      for (const char* side : {"left", "right"}) {
+        if (solved == "both" || solved == side) {
+          check_elements(scene, drawn, side, told);
+        }
+      }
       check_numbers(scene, told);
     }
   } catch (const wrcontact::Error& refusal) {
