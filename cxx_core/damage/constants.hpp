@@ -10,12 +10,12 @@ namespace wrc {
 
 /// Distance, in sizes of an element, from which elements of that size will do for a section: depth,
 /// and distance of a row of elements from the section.
-/// origin: measured (SubsurfaceStress.CoarserElementsWillDoBelow): stresses are off by 1e-3 of the
+/// origin: measured (SubsurfaceStress.CoarserElementsSufficeAtDepth): stresses are off by 1e-3 of the
 /// greatest pressure at most.
 inline constexpr double depth_of_element = 3.0;
 
 /// Distance of the depths at which a section is computed, over the depth: cubics give the rest.
-/// origin: measured (SubsurfaceStress.CoarserElementsWillDoBelow): as depth_of_element.
+/// origin: measured (SubsurfaceStress.CoarserElementsSufficeAtDepth): as depth_of_element.
 inline constexpr double depth_spacing = 0.25;
 
 /// Rows of elements from which those far from a section are worth larger elements.

@@ -97,7 +97,7 @@ inline constexpr double max_joint_step_shrinking = 0.5;
 /// origin: reasoned: see max_joint_step_shrinking.
 inline constexpr double max_joint_step_growth = 1.0;
 
-/// origin: measured (JointContactRandom.MeetsTheToleranceAsked): without it and the limit of growth
+/// origin: measured (JointContactRandom.MeetsTheRequestedTolerance): without it and the limit of growth
 /// one pressure ends off by 1.2.
 inline constexpr double min_joint_step_part = 0.1;
 

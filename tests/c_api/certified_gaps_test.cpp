@@ -98,7 +98,7 @@ Gap shaped(double aspect) {
   return gap;
 }
 
-TEST(CertifiedGaps, InsideTheyAreSolved) {
+TEST(CertifiedGaps, AreSolvedWithinTheirRanges) {
   const Named all[] = {
       with("as it is", [](Gap&) {}),
       with("least load", [](Gap& gap) { gap.load = 1e-60; }),
@@ -144,7 +144,7 @@ TEST(CertifiedGaps, InsideTheyAreSolved) {
   }
 }
 
-TEST(CertifiedGaps, OutsideTheyAreRefusedWithArgumentValueAndWhatIsAllowed) {
+TEST(CertifiedGaps, AreRefusedOutsideWithArgumentValueAndAllowedRange) {
   struct Refusal {
     Named named;
     std::vector<std::string> said;
@@ -207,7 +207,7 @@ TEST(CertifiedGaps, OutsideTheyAreRefusedWithArgumentValueAndWhatIsAllowed) {
                WRC_INVALID_ARGUMENT, "approach = -1.1e+60: allowed is -1e60");
 }
 
-TEST(CertifiedGaps, NoLoadAndNoTouchBearNothing) {
+TEST(CertifiedGaps, WithoutLoadOrTouchThereIsNoPressure) {
   const NormalPointer normal = make_normal();
   Gap gap = hertz();
   gap.load = 0.0;
@@ -223,7 +223,7 @@ TEST(CertifiedGaps, NoLoadAndNoTouchBearNothing) {
   }
 }
 
-TEST(CertifiedGaps, TheWholeGridBears) {
+TEST(CertifiedGaps, TheWholeGridMayBeInContact) {
   const NormalPointer normal = make_normal();
   Gap gap = hertz();
   gap.load = 1e7;

@@ -144,7 +144,7 @@ TEST(CertifiedRanges, ScenesInsideAreSolved) {
   }
 }
 
-TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndWhatIsAllowed) {
+TEST(CertifiedRanges, ScenesOutsideAreRefusedWithKeyValueAndAllowedRange) {
   const auto key_refusal = [](const char* name, const char* key, double value, const char* said,
                               const char* allowed) {
     return Outside{name, number(key, value), WRC_INVALID_ARGUMENT, {key, said, allowed}};
@@ -251,7 +251,7 @@ struct State {
   const char* warning; ///< a part of one; "" for none at all
 };
 
-TEST(CertifiedRanges, StatesWithoutUsualContactHaveResults) {
+TEST(CertifiedRanges, UnusualContactStatesHaveResults) {
   const State all[] = {
       {"no load", number("load.vertical", 0.0), false, ""},
       {"load below what positions can tell", number("load.vertical", 1e-8), false,
@@ -349,7 +349,7 @@ TEST(CertifiedRanges, PlanesThatDoNotSettleAreNotConverged) {
 
 /// The search for the depth may wander, and lose wheel and rail: it says so, where it once gave NaN
 /// or a depth of a metre.
-TEST(CertifiedRanges, AConformalWheelThatIsWedgedIsNoUsualResult) {
+TEST(CertifiedRanges, AWedgedConformalWheelWarnsOrFails) {
   const ScenePointer scene = wedged_scene(1.002, 3.65333);
   const wrc_status status = wrc_scene_solve(scene.get());
   if (status == WRC_NO_CONTACT) {

@@ -64,7 +64,7 @@ TEST(Convention, MetresAndPascalsGiveTheSameScene) {
   }
 }
 
-TEST(Convention, EveryNumberIsTheSameOneTurnedOrScaled) {
+TEST(Convention, EveryNumberIsTransformedConsistently) {
   // With the results of one solution, told in four ways.
   const ScenePointer scene = make_small_scene();
   solve(scene.get(), {{"pose.lateral", 4.0}, {"pose.yaw", 5e-3}});
@@ -118,7 +118,7 @@ TEST(Convention, ATurnedSceneIsTheSameScene) {
   expect_same_bits(usual.get(), turned.get(), "seen from the usual frame again");
 }
 
-TEST(Convention, RefusedValuesAreToldInBothUnits) {
+TEST(Convention, RefusedValuesAreReportedInBothUnits) {
   const ScenePointer scene = make_scene();
   set(scene.get(), {{"convention.units", "SI"}});
   EXPECT_EQ(wrc_scene_set_number(scene.get(), "track.gauge", 1435.0), WRC_INVALID_ARGUMENT);
@@ -128,7 +128,7 @@ TEST(Convention, RefusedValuesAreToldInBothUnits) {
   EXPECT_TRUE(contains(text, "600 to 1700 mm")) << text;
 }
 
-TEST(Inputs, AreTheirDefaultsAndThenWhatWasSet) {
+TEST(Inputs, AreDefaultsUntilSet) {
   const ScenePointer scene = make_scene();
   wrc_scene* s = scene.get();
   double number = 0.0;
@@ -165,7 +165,7 @@ TEST(Inputs, AreTheirDefaultsAndThenWhatWasSet) {
   EXPECT_EQ(wrc_scene_get_number(s, "track.gauge", nullptr), WRC_INVALID_ARGUMENT);
 }
 
-TEST(Inputs, EveryKeyHasAValueThatMaySetItAgain) {
+TEST(Inputs, EveryValueCanBeSetAgain) {
   const ScenePointer scene = make_scene();
   wrc_scene* s = scene.get();
   for (std::int64_t i = 0; i < wrc_scene_key_count(); ++i) {
@@ -190,7 +190,7 @@ TEST(Inputs, EveryKeyHasAValueThatMaySetItAgain) {
   }
 }
 
-TEST(Modules, StopWhereTheyAreAsked) {
+TEST(Modules, StopOnRequest) {
   const ScenePointer scene = make_scene();
   solve(scene.get(), {{"solve.grid", std::vector{64.0, 32.0}}, {"pose.lateral", 3.0}});
   const double roll = number_of(scene.get(), "roll");
@@ -270,7 +270,7 @@ void set_simple_points(wrc_profile* profile, std::int32_t kind) {
 
 class SceneFile : public WithFolder {};
 
-TEST_F(SceneFile, ProfilesOfTheProgramAreThoseOfAFile) {
+TEST_F(SceneFile, ProfilesFromTheProgramEqualThoseOfAFile) {
   const ProfilePointer wheel = make_profile();
   set_simple_points(wheel.get(), WRC_WHEEL);
   const ProfilePointer rail = make_profile();
@@ -303,7 +303,7 @@ TEST_F(SceneFile, ProfilesOfTheProgramAreThoseOfAFile) {
   expect_same_bits(scene.get(), standard.get(), "the standard profiles");
 }
 
-TEST_F(SceneFile, ABuiltInProfileStaysOne) {
+TEST_F(SceneFile, ABuiltInProfileIsSavedByName) {
   const ProfilePointer rail = make_profile();
   ASSERT_EQ(wrc_profile_load_standard(rail.get(), "54E3"), WRC_OK);
   const ScenePointer scene = make_small_scene();
@@ -325,7 +325,7 @@ TEST_F(SceneFile, CannotBeWrittenWhereThereIsNoFolder) {
                WRC_FILE_UNREADABLE, "not a regular file");
 }
 
-TEST(ProfilePoints, AreRefusedWithTheirFault) {
+TEST(ProfilePoints, AreRefusedWithTheCause) {
   const ProfilePointer profile = make_profile();
   wrc_read_options options{};
   options.struct_size = sizeof options;

@@ -82,7 +82,7 @@ TEST(CppInterface, KeysAndNamesAreThoseOfTheLibrary) {
   EXPECT_GT(wrcontact::standard_profile_names(WRC_WHEEL).size(), 3U);
 }
 
-TEST(CppInterface, WhatIsRefusedIsThrown) {
+TEST(CppInterface, RefusalsAreThrown) {
   wrcontact::Scene scene;
   EXPECT_EQ(status_of([&] { scene.set("pose.lateral", 1e9); }), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(status_of([&] { scene.set("pose.latral", 1.0); }), WRC_UNKNOWN_NAME);

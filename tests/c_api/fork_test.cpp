@@ -21,7 +21,7 @@ double solved(wrc_solver* solver, double lateral) {
   return pmax;
 }
 
-TEST(Fork, ChildrenSolveWhileThreadsOfTheParentDo) {
+TEST(Fork, ChildrenSolveWhileThreadsOfTheParentSolve) {
   constexpr int children = 60;
   constexpr unsigned patience = 60; // seconds, on a busy machine
   std::atomic<bool> ended{false};
@@ -64,7 +64,7 @@ TEST(Fork, ChildrenSolveWhileThreadsOfTheParentDo) {
   EXPECT_EQ(failed, 0);
 }
 
-TEST(Fork, AHandleInUseByAThreadThatTheChildLacksIsBusy) {
+TEST(Fork, AHandleInUseByAThreadMissingInTheChildIsBusy) {
   const ScenePointer scene = make_scene();
   set(scene.get(), {{"solve.accuracy", 1e-4}});
   std::atomic<bool> ended{false};

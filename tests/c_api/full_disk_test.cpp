@@ -73,20 +73,20 @@ TEST_F(FullDisk, LinksAreFollowedAndModesKept) {
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
-TEST_F(FullDisk, LeavesNoHalfOfAScene) {
+TEST_F(FullDisk, LeavesNoPartialScene) {
   const ScenePointer scene = make_scene();
   expect_nothing_written([&](const char* file) { return wrc_scene_write(scene.get(), file); });
   solve(scene.get());
 }
 
-TEST_F(FullDisk, LeavesNoHalfOfAProfile) {
+TEST_F(FullDisk, LeavesNoPartialProfile) {
   const ProfilePointer profile = make_profile();
   ASSERT_EQ(wrc_profile_load_standard(profile.get(), "S1002"), WRC_OK);
   expect_nothing_written(
       [&](const char* file) { return wrc_profile_write(profile.get(), file, 1.0); });
 }
 
-TEST_F(FullDisk, LeavesNoHalfOfWisdom) {
+TEST_F(FullDisk, LeavesNoPartialWisdom) {
   expect_nothing_written([](const char* file) { return wrc_save_wisdom(file); });
 }
 

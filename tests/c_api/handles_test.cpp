@@ -90,7 +90,7 @@ TEST(Status, AnExceptionOfTheCallersOwnCodeIsAnInternalFault) {
   ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
 }
 
-TEST(FloatingPoint, FlagsAndRoundingStayTheCallers) {
+TEST(FloatingPoint, FlagsAndRoundingOfTheCallerAreKept) {
   const ScenePointer scene = make_small_scene();
   std::feclearexcept(FE_ALL_EXCEPT);
   std::feraiseexcept(FE_DIVBYZERO);

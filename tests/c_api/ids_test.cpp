@@ -153,7 +153,7 @@ TEST(Ids, ReadWhatTheNamesRead) {
   expect_all_numbers(s, "a batch");
 }
 
-TEST(Ids, WhatASceneDoesNotHaveIsNotANumber) {
+TEST(Ids, AbsentResultsAreNotANumber) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   Ids ids;
@@ -175,7 +175,7 @@ TEST(Ids, WhatASceneDoesNotHaveIsNotANumber) {
   }
 }
 
-TEST(Ids, ARefusedNumberLeavesAllAsTheyWere) {
+TEST(Ids, ARefusedNumberChangesNothing) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   set(s, {{"pose.lateral", 1.0}, {"load.vertical", 7e4}});
@@ -201,7 +201,7 @@ TEST(Ids, ARefusedNumberLeavesAllAsTheyWere) {
                "solve.side = 1", "\"left\"");
 }
 
-TEST(Ids, ThoseOfKeysAndOfResultsAreDifferent) {
+TEST(Ids, IdsOfKeysAndResultsAreDistinct) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   solve(s);
@@ -220,7 +220,7 @@ TEST(Ids, ThoseOfKeysAndOfResultsAreDifferent) {
   EXPECT_EQ(value, 0.0);
 }
 
-TEST(Ids, NamesThatAreNoneHaveNoId) {
+TEST(Ids, UnknownNamesHaveNoId) {
   const ScenePointer scene = make_scene();
   wrc_scene* s = scene.get();
   std::int32_t id = 7;

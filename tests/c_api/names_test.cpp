@@ -158,7 +158,7 @@ TEST(PlainForces, AreTotals) {
 }
 
 /// Yaw of 1 mrad at 20 m/s: the lateral force points the other way than that of the pressures.
-TEST(PlainForces, MayHaveTheOtherSignThanThoseOfPressures) {
+TEST(PlainForces, MayHaveTheOppositeSignOfThePressureForces) {
   const ScenePointer scene = make_scene();
   solve(scene.get(), {{"pose.lateral", 3.0}, {"pose.yaw", 1e-3}, {"motion.speed", 2e4}});
   EXPECT_LT(number_of(scene.get(), "left.pressure_force.y"), -5e3);
@@ -225,7 +225,7 @@ struct OldPatch {
   std::array<double, 22> members;
 };
 
-TEST(Patches, AreGivenToProgramsWithTheOldStruct) {
+TEST(Patches, ProgramsWithTheOldStructCanReadThem) {
   const ScenePointer scene = solve_moving();
   constexpr double untouched = -7.0;
   std::array<OldPatch, 9> old{};
@@ -280,7 +280,7 @@ TEST(OldNames, OfRollingContactAreUnderstood) {
   wrc_rolling_destroy(rolling);
 }
 
-TEST(OldFunctions, DoWhatTheyDid) {
+TEST(OldFunctions, StillBehaveAsBefore) {
   const SolverPointer solver = make_solver();
   const ScenePointer scene = make_small_scene();
   EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);

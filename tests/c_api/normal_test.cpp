@@ -109,7 +109,7 @@ TEST(NormalHandle, ThereAreNoResultsBeforeSolving) {
   EXPECT_EQ(count, 5);
 }
 
-TEST(NormalProblem, WhatIsMissingIsNamed) {
+TEST(NormalProblem, MissingInputIsNamed) {
   const NormalPointer normal = make_normal();
   wrc_normal* n = normal.get();
   const std::vector<double> gap(6, 0.0);
@@ -172,7 +172,7 @@ TEST(NormalProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
   EXPECT_EQ(field_of(n, "pressure"), field_of(plain.get(), "pressure"));
 }
 
-TEST(NormalProblem, UnknownNamesAreToldWithThoseThatAreKnown) {
+TEST(NormalProblem, AnUnknownNameIsReportedWithTheKnownOnes) {
   const NormalPointer normal = make_sphere(8);
   wrc_normal* n = normal.get();
   double value = 7.0;

@@ -47,7 +47,7 @@ TEST(OutOfMemory, NoHandleIsMade) {
   EXPECT_EQ(profile, nullptr);
 }
 
-TEST(OutOfMemory, ATextIsNotSet) {
+TEST(OutOfMemory, ATextStaysUnchanged) {
   const ScenePointer scene = make_small_scene();
   const std::string long_name(200, 'x');
   EXPECT_EQ(
@@ -57,7 +57,7 @@ TEST(OutOfMemory, ATextIsNotSet) {
   EXPECT_EQ(wrc_scene_solve(scene.get()), WRC_OK) << "the rail has changed";
 }
 
-TEST(OutOfMemory, AProfileKeepsWhatItHeld) {
+TEST(OutOfMemory, AProfileKeepsItsData) {
   const ProfilePointer profile = make_profile();
   ASSERT_EQ(wrc_profile_load_standard(profile.get(), "S1002"), WRC_OK);
   const auto kind = [&] {
@@ -85,7 +85,7 @@ TEST(OutOfMemory, ASceneKeepsItsResultsWhicheverAllocationFails) {
   std::printf("%ld allocations of a solution failed, one after the other\n", failures);
 }
 
-TEST(OutOfMemory, NumbersByIdTakeNoneAndStayIfOneCannotBeComputed) {
+TEST(OutOfMemory, NumbersByIdNeedNoMemoryAndAFailureKeepsTheArray) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   ASSERT_EQ(wrc_scene_solve(s), WRC_OK);
@@ -112,7 +112,7 @@ TEST(OutOfMemory, NumbersByIdTakeNoneAndStayIfOneCannotBeComputed) {
   EXPECT_GT(values[3], 0.0);
 }
 
-TEST(OutOfMemory, ASolverThatFailsAnywhereStartsAnew) {
+TEST(OutOfMemory, ASolverIsUsableAfterAnyFailure) {
   wrc_solver* failing = nullptr;
   ASSERT_EQ(wrc_solver_create(&failing), WRC_OK);
   const ScenePointer scene = make_small_scene();

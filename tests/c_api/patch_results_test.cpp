@@ -194,7 +194,7 @@ TEST(PartsOfAPatch, MakeUpTheWhole) {
   EXPECT_GT(number(whole + "semi_axes.lateral"), 3.0 * number(parts[0] + "semi_axes.lateral"));
 }
 
-TEST(PartsOfAPatch, HaveFieldsOfTheirOwnAndTogether) {
+TEST(PartsOfAPatch, HaveTheirFieldsAndACombinedOne) {
   const ScenePointer scene = solve_one_contact_of_two_parts();
   wrc_scene* s = scene.get();
   const auto number = [s](const std::string& name) { return number_of(s, name.c_str()); };
@@ -239,7 +239,7 @@ TEST(PartsOfAPatch, HaveFieldsOfTheirOwnAndTogether) {
   }
 }
 
-TEST(PartsOfAPatch, AreNotThereWithoutAJoiningDistance) {
+TEST(PartsOfAPatch, ExistOnlyWithAJoiningDistance) {
   const ScenePointer scene = solve_one_contact_of_two_parts();
   wrc_scene* s = scene.get();
   solve(s, {{"solve.joining_distance", 0.0}});
@@ -250,7 +250,7 @@ TEST(PartsOfAPatch, AreNotThereWithoutAJoiningDistance) {
             0.1);
 }
 
-TEST(Patches, ResidualsCountWhatPatchesDisplaceAtEachOther) {
+TEST(Patches, ResidualsIncludeDisplacementsByOtherPatches) {
   // Nodes of the interaction differ from those of the solution.
   constexpr double interpolation = 5e-3;
   for (const char* interaction : {"near", "all"}) {
@@ -263,7 +263,7 @@ TEST(Patches, ResidualsCountWhatPatchesDisplaceAtEachOther) {
   }
 }
 
-TEST(Patches, AnUnknownIndexIsToldByName) {
+TEST(Patches, AnUnknownIndexIsReportedWithItsName) {
   const ScenePointer scene = solve_two_patches();
   double value = 7.0;
   std::int64_t count = 5;
@@ -337,7 +337,7 @@ TEST(Sensitivities, SidesMirrorEachOther) {
   EXPECT_LT(number_of(left.get(), "left.sensitivities.pressure_force.y.lateral"), 0.0);
 }
 
-TEST(Sensitivities, CondensedAgreeWithDifferencesUnderConstantLoad) {
+TEST(Sensitivities, AtConstantLoadAgreeWithDifferences) {
   // The grid follows the contact from one position to the next: 1.8 % of the largest rate at most.
   constexpr double step = 2e-3;
   constexpr double arm = 750.0;

@@ -20,7 +20,7 @@ void plan_something() {
   ASSERT_EQ(wrc_measure_transform(8, 8, 1, &time), WRC_OK);
 }
 
-TEST(PlannerLock, OfTheHostIsHeldWhilePlanning) {
+TEST(PlannerLock, OfTheHostIsHeldDuringPlanning) {
   CountingLock counts;
   EXPECT_EQ(wrc_set_planner_lock(CountingLock::lock, nullptr, &counts), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_set_planner_lock(nullptr, CountingLock::unlock, &counts), WRC_INVALID_ARGUMENT);
@@ -61,7 +61,7 @@ TEST(Yardstick, IsAPositiveTime) {
   }
 }
 
-TEST(Yardstick, RefusesWhatItCannotMeasure) {
+TEST(Yardstick, RefusesInvalidSizes) {
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   double time = 7.0;
   EXPECT_EQ(wrc_measure_transform(8, 8, 1, nullptr), WRC_INVALID_ARGUMENT);

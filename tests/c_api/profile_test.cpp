@@ -42,7 +42,7 @@ TEST(ProfileHandle, EveryFunctionRefusesANullHandle) {
   EXPECT_TRUE(contains(wrc_profile_error(nullptr), "NULL"));
 }
 
-TEST(ProfileHandle, AnEmptyOneHasNoResult) {
+TEST(ProfileHandle, AnEmptyHandleHasNoResult) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();
   std::int32_t kind = 0;
@@ -98,7 +98,7 @@ TEST(StandardProfiles, AllNamesLoadAsTheirKind) {
   EXPECT_EQ(wrc_profile_standard_name(-1, 0), nullptr);
 }
 
-TEST(StandardProfiles, AnUnknownNameKeepsTheProfileAtHand) {
+TEST(StandardProfiles, AnUnknownNameLeavesTheProfileUnchanged) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();
   ASSERT_EQ(wrc_profile_load_standard(p, "S1002"), WRC_OK);
@@ -148,7 +148,7 @@ TEST(ProfileCurve, HasLengthNodesAndPoints) {
 
 class ProfileFiles : public WithFolder {};
 
-TEST_F(ProfileFiles, UnreadableAndMalformedFilesKeepTheProfileAtHand) {
+TEST_F(ProfileFiles, UnreadableAndMalformedFilesLeaveTheProfileUnchanged) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();
   ASSERT_EQ(wrc_profile_load_standard(p, "60E1"), WRC_OK);
@@ -187,7 +187,7 @@ TEST_F(ProfileFiles, WrittenFilesReadBack) {
 const char* const upside_down = "-30 20\n-27.5 15\n-25 11\n-20 5\n-15 2.5\n-10 1\n-5 0.2\n0 0\n5 "
                                 "0.2\n10 1\n15 2.5\n20 5\n25 11\n27.5 15\n30 20\n";
 
-TEST_F(ProfileFiles, CorrectionsAreToldAndStrictRefusesThem) {
+TEST_F(ProfileFiles, CorrectionsAreReportedAndRefusedInStrictMode) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();
   const std::string file = write("a.rail", upside_down);
@@ -262,7 +262,7 @@ TEST_F(ProfileFiles, AWheelIsShiftedToItsTapingLine) {
   EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_INVALID_ARGUMENT);
 }
 
-TEST_F(ProfileFiles, PointsReadAndDroppedAreThere) {
+TEST_F(ProfileFiles, ReadAndDroppedPointsAreAvailable) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();
   const std::string file = write("a.wheel", wheel_from_flange_back(true));
@@ -306,7 +306,7 @@ TEST_F(ProfileFiles, OneSliceIsAProfile) {
   EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_FILE_MALFORMED);
 }
 
-TEST_F(ProfileFiles, OptionsAreHeeded) {
+TEST_F(ProfileFiles, OptionsAreApplied) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();
   const std::string file = write("a.rail", upside_down);
@@ -349,7 +349,7 @@ TEST_F(ProfileFiles, BadOptionsAreRefused) {
   EXPECT_EQ(status_with([](auto& o) { o.smoothing_wavelength = -1.0; }), WRC_INVALID_ARGUMENT);
 }
 
-TEST_F(ProfileFiles, AnOlderCallersSmallerStructIsReadNoFurther) {
+TEST_F(ProfileFiles, AnOlderCallersSmallerStructIsNotReadBeyondItsSize) {
   const ProfilePointer profile = make_profile();
   const std::string file = write("a.rail", upside_down);
   // What lies behind the caller's struct would be refused if it were read.

@@ -144,7 +144,7 @@ TEST(Results, LoadAlongTheNormalIsThatOfTheMainPatch) {
   }
 }
 
-TEST(Results, ATooSmallArrayIsLeftAloneAndTheLengthTold) {
+TEST(Results, AnArrayThatIsTooSmallIsNotWrittenAndTheLengthReturned) {
   const ScenePointer scene = make_small_scene();
   solve(scene.get());
   std::vector<double> values(24 * 20, -1.0);
@@ -179,7 +179,7 @@ TEST_F(Solving, NoContactWhenTheWheelIsOffTheRail) {
   expect_failure_keeps_results(scene.get(), WRC_NO_CONTACT);
 }
 
-TEST_F(Solving, AnUnknownProfileIsToldWithThoseBuiltIn) {
+TEST_F(Solving, AnUnknownProfileIsReportedWithTheBuiltInOnes) {
   const ScenePointer scene = make_small_scene();
   solve(scene.get());
   set(scene.get(), {{"track.rail", "60E7"}});
@@ -188,7 +188,7 @@ TEST_F(Solving, AnUnknownProfileIsToldWithThoseBuiltIn) {
   expect_failure_keeps_results(scene.get(), WRC_UNKNOWN_NAME);
 }
 
-TEST_F(Solving, AMalformedProfileFileIsToldWithItsLine) {
+TEST_F(Solving, AMalformedProfileFileIsReportedWithItsLine) {
   const ScenePointer scene = make_small_scene();
   solve(scene.get());
   const std::string file = write("bad.txt", "0 0\n1 x\n");

@@ -104,7 +104,7 @@ TEST(RollingHandle, ThereAreNoResultsBeforeSolving) {
   EXPECT_EQ(count, 5);
 }
 
-TEST(RollingProblem, WhatIsMissingIsNamed) {
+TEST(RollingProblem, MissingInputIsNamed) {
   const RollingContact contact;
   wrc_rolling* r = contact.handle();
   const std::vector<double> values(6, 1.0);
@@ -185,7 +185,7 @@ TEST(RollingProblem, ValuesOutOfRangeAreRefusedAndChangeNothing) {
   EXPECT_EQ(contact.field("traction_x"), plain.field("traction_x"));
 }
 
-TEST(RollingProblem, UnknownNamesAreToldWithThoseThatAreKnown) {
+TEST(RollingProblem, AnUnknownNameIsReportedWithTheKnownOnes) {
   RollingContact contact = make_circle(8);
   wrc_rolling* r = contact.handle();
   double value = 7.0;
@@ -227,7 +227,7 @@ TEST(RollingProblem, DefaultsAreThoseOfSteelAndTheHeader) {
 
 // The values printed by CONTACT (Vollebregt, open source, 2024) on the same elements; those of
 // tests/core/rolling.
-TEST(RollingResults, AreContactsWithItsDifference) {
+TEST(RollingResults, MatchContactWithItsFirstOrderDifference) {
   constexpr double printed = 3e-6;
   RollingContact contact = make_circle(32);
   contact.set("difference", "first-order");
@@ -388,7 +388,7 @@ TEST(RollingSteps, EndInSteadyRolling) {
               1e-6 * before);
 }
 
-TEST(RollingSteps, HistoryIsWhatTheCallerSays) {
+TEST(RollingSteps, HistoryIsGivenByTheCaller) {
   for (const char* step : {"transient", "shift"}) {
     RollingContact contact = make_circle(12);
     contact.set("contact", step);

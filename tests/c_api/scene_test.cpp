@@ -150,7 +150,7 @@ TEST(SceneKeys, SettingEveryDefaultChangesNothing) {
   }
 }
 
-TEST(SceneKeys, AnUnknownKeyIsToldWithThoseThatAreKnown) {
+TEST(SceneKeys, AnUnknownKeyIsReportedWithTheKnownOnes) {
   const ScenePointer scene = make_scene();
   const double value = 1.0;
   expect_error(scene.get(), wrc_scene_set_number(scene.get(), "pose.latteral", 1.0),
@@ -159,7 +159,7 @@ TEST(SceneKeys, AnUnknownKeyIsToldWithThoseThatAreKnown) {
   EXPECT_EQ(wrc_scene_set_numbers(scene.get(), "grid", &value, 1), WRC_UNKNOWN_NAME);
 }
 
-TEST(SceneKeys, AWrongTypeIsRefusedWithKeyAndWhatIsAllowed) {
+TEST(SceneKeys, AWrongTypeIsRefusedWithTheKeyAndAllowedValues) {
   const ScenePointer scene = make_scene();
   wrc_scene* s = scene.get();
   const double grid[] = {8.0, 8.0};
@@ -198,7 +198,7 @@ TEST(SceneKeys, ValuesOutOfRangeAreRefused) {
   set(s, {{"track.cant", "1:20"}});
 }
 
-TEST(SceneKeys, AFailedCallLeavesTheSceneAsItWas) {
+TEST(SceneKeys, AFailedCallDoesNotChangeTheScene) {
   const ScenePointer plain = make_small_scene();
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
@@ -214,7 +214,7 @@ TEST(SceneKeys, AFailedCallLeavesTheSceneAsItWas) {
   EXPECT_EQ(number_of(s, "right.pmax"), number_of(plain.get(), "right.pmax"));
 }
 
-TEST(SceneKeys, TheLaterCallOfOneSubjectCounts) {
+TEST(SceneKeys, LaterSettingsOfASubjectReplaceEarlierOnes) {
   constexpr double load_balance = 1e-9; // the load is met exactly but for rounding
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
@@ -227,7 +227,7 @@ TEST(SceneKeys, TheLaterCallOfOneSubjectCounts) {
   EXPECT_NEAR(number_of(s, "left.normal_force"), 40000.0, 40000.0 * load_balance);
 }
 
-TEST(SceneExtremes, LoadsTooSmallToTellFromNoneGiveNoContact) {
+TEST(SceneExtremes, LoadsIndistinguishableFromZeroGiveNoContact) {
   const ScenePointer scene = make_small_scene();
   // On steel the boundary is near 2e-7 N.
   for (const double load : {5e-324, 1e-300, 1e-30, 1e-12, 1e-7}) {

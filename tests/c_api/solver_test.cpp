@@ -64,7 +64,7 @@ void expect_the_same(wrc_solver* solver, const Step& step, double accuracy,
 
 constexpr std::array accuracies{1e-2, 1e-3};
 
-TEST(Solver, IsASceneByItselfInAHuntingMotion) {
+TEST(Solver, EqualsAFreshSceneInAHuntingMotion) {
   constexpr int steps = 24;
   constexpr double amplitude = 5.0;
   for (const double accuracy : accuracies) {
@@ -108,7 +108,7 @@ TEST(Solver, SettlesOnFewRowsOfASteepContact) {
   EXPECT_EQ(solve_at(lateral, 1.0), WRC_OK);
 }
 
-TEST(Solver, IsASceneByItselfOnTheFlangeAndBack) {
+TEST(Solver, EqualsAFreshSceneOnTheFlangeAndBack) {
   for (const double accuracy : accuracies) {
     const SolverPointer solver = make_solver();
     for (const double lateral : {4.0, 4.0, 8.0, 8.0, 4.0, -8.0, 8.0, 0.0}) {
@@ -117,7 +117,7 @@ TEST(Solver, IsASceneByItselfOnTheFlangeAndBack) {
   }
 }
 
-TEST(Solver, GoesOnAfterAStepThatDidNotSettle) {
+TEST(Solver, ContinuesAfterAStepThatDidNotConverge) {
   // Two patches about to join at an accuracy that is hardly within reach: depth and coupling chase
   // each other, and the number of patches changes from step to step.
   SolverPointer solver = make_solver();
@@ -135,7 +135,7 @@ TEST(Solver, GoesOnAfterAStepThatDidNotSettle) {
   }
 }
 
-TEST(Solver, IsASceneByItselfAfterChangesOfLoad) {
+TEST(Solver, EqualsAFreshSceneAfterChangesOfLoad) {
   for (const double accuracy : accuracies) {
     const SolverPointer solver = make_solver();
     for (const double load : {80e3, 8e3, 80e3, 800e3, 80e3, 8e3, 800e3, 0.8}) {
@@ -145,7 +145,7 @@ TEST(Solver, IsASceneByItselfAfterChangesOfLoad) {
   }
 }
 
-TEST(Solver, IsASceneByItselfAfterChangesOfProfilesAndYaw) {
+TEST(Solver, EqualsAFreshSceneAfterChangesOfProfilesAndYaw) {
   constexpr double accuracy = 1e-3;
   const SolverPointer solver = make_solver();
   for (const double yaw : {0.0, 0.02, -0.05}) {
@@ -163,7 +163,7 @@ TEST(Solver, IsASceneByItselfAfterChangesOfProfilesAndYaw) {
   }
 }
 
-TEST(Solver, IsASceneByItselfAtPrescribedHeightsAndWithoutContact) {
+TEST(Solver, EqualsAFreshSceneAtPrescribedHeightsAndWithoutContact) {
   constexpr double accuracy = 1e-3;
   const SolverPointer solver = make_solver();
   const ScenePointer first = make_scene_at({2.0}, accuracy);
@@ -183,7 +183,7 @@ TEST(Solver, IsASceneByItselfAtPrescribedHeightsAndWithoutContact) {
   }
 }
 
-TEST(Solver, IsASceneByItselfWithoutLoad) {
+TEST(Solver, EqualsAFreshSceneWithoutLoad) {
   constexpr double accuracy = 1e-3;
   const SolverPointer solver = make_solver();
   for (const double load : {80e3, 0.0, 80e3}) {
@@ -194,7 +194,7 @@ TEST(Solver, IsASceneByItselfWithoutLoad) {
   }
 }
 
-TEST(Solver, IsASceneByItselfWhetherAnythingIsForgottenOrNot) {
+TEST(Solver, EqualsAFreshSceneWithOrWithoutClearing) {
   for (const bool clears : {false, true}) {
     const SolverPointer solver = make_solver();
     for (int i = 0; i < 12; ++i) {

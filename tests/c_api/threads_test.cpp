@@ -43,7 +43,7 @@ const std::vector<AllResults>& single_results() {
   return results;
 }
 
-TEST(Batch, IsBitForBitTheScenesOneByOne) {
+TEST(Batch, EqualsSingleSolutionsBitForBit) {
   for (const std::int32_t threads : {1, 2, 3, 7}) {
     const std::vector<ScenePointer> scenes = make_varied_scenes();
     const std::vector<wrc_scene*> handles = handles_of(scenes);
@@ -57,7 +57,7 @@ TEST(Batch, IsBitForBitTheScenesOneByOne) {
   }
 }
 
-TEST(Batch, ABadSceneSpoilsNoOther) {
+TEST(Batch, ABadSceneDoesNotAffectOthers) {
   constexpr std::size_t unknown = 4;
   constexpr std::size_t off_the_rail = 11; // in double precision, the next one is not
   for (const std::int32_t threads : {1, 2}) {
@@ -82,7 +82,7 @@ TEST(Batch, ABadSceneSpoilsNoOther) {
   }
 }
 
-TEST(Batch, RefusesWhatItCannotDo) {
+TEST(Batch, RefusesInvalidArguments) {
   const ScenePointer one = make_small_scene();
   const ScenePointer other = make_small_scene();
   const std::array<wrc_scene*, 3> twice{one.get(), other.get(), one.get()};
@@ -297,7 +297,7 @@ TEST(Threads, AHandleMayBeDestroyedDuringACall) {
   EXPECT_EQ(wrc_scene_solve(scene), WRC_INVALID_ARGUMENT);
 }
 
-TEST(Threads, GoOnWhileTheHostUsesFftwToo) {
+TEST(Threads, SolveWhileTheHostUsesFftw) {
   constexpr int threads = 4;
   constexpr int scenes_each = 4;
   std::recursive_mutex mutex;

@@ -89,7 +89,7 @@ TEST(TotalLoad, IsThatOfPressuresWithoutCreepForces) {
 }
 
 /// What the pressures carry then, given as their load, is the same scene.
-TEST(TotalLoad, IsTheSameAsItsShareOfPressures) {
+TEST(TotalLoad, EqualsPrescribingThePressureLoadFound) {
   const ScenePointer total = moving_scene(6.3, 3e-3);
   solve(total.get(), {{"load.total_vertical", 80e3}});
   const ScenePointer pressures = moving_scene(6.3, 3e-3);
@@ -142,7 +142,7 @@ TEST(TotalLoad, DoesNotDependOnWhatWasSolvedBeforeOrOnThreads) {
 }
 
 /// The wheel on its flange, pulled upwards along it by friction that carries more than itself.
-TEST(TotalLoad, IsRefusedWhereNoLoadGivesIt) {
+TEST(TotalLoad, IsRefusedIfNoLoadGivesIt) {
   const ScenePointer scene = make_scene();
   const double steep = 8.0;
   set(scene.get(), {{"pose.lateral", steep},
@@ -155,7 +155,7 @@ TEST(TotalLoad, IsRefusedWhereNoLoadGivesIt) {
 }
 
 /// As such a load on the pressures is: nothing is pressed together, and a warning says so.
-TEST(TotalLoad, IsTreatedAsNoneWhereItIsTooSmall) {
+TEST(TotalLoad, IsTreatedAsZeroIfTooSmall) {
   for (const char* pitch : {"rolling", "free"}) {
     const ScenePointer scene = moving_scene(3.0, 1e-3);
     solve(scene.get(), {{"load.total_vertical", 1e-12}, {"motion.pitch", pitch}});

@@ -53,7 +53,7 @@ double total(const Scene& scene, std::size_t i) {
   return scene.number(std::string(i < 6 ? "left.total." : "right.total.") + components[i % 6]);
 }
 
-TEST(Steps, AreWhatKeysAndSolveGive) {
+TEST(Steps, EqualKeysAndSolve) {
   Scene by_keys = vehicle_scene();
   set_state(by_keys, position, velocity);
   by_keys.set("track.right.displacement", {0.5, -0.01, 1e-3});
@@ -83,7 +83,7 @@ TEST(Steps, AreWhatKeysAndSolveGive) {
   EXPECT_EQ(step.states, (std::array<std::int32_t, 2>{}));
 }
 
-TEST(Steps, TakeAndGiveTheConventionOfTheScene) {
+TEST(Steps, UseTheConventionOfTheScene) {
   Scene scene = vehicle_scene();
   Solver solver;
   Step inside;
@@ -112,7 +112,7 @@ TEST(Steps, TakeAndGiveTheConventionOfTheScene) {
   }
 }
 
-TEST(Steps, OfAWheelsetOffItsRailsHaveNoForces) {
+TEST(Steps, AWheelsetOffItsRailsHasNoForces) {
   Scene scene = vehicle_scene();
   Solver solver;
   Step step;
@@ -130,7 +130,7 @@ TEST(Steps, OfAWheelsetOffItsRailsHaveNoForces) {
   EXPECT_GT(step.force[8], 0.0);
 }
 
-TEST(Steps, ThatFailLeaveEverythingAsItWas) {
+TEST(Steps, AFailedStepChangesNothing) {
   Scene scene = vehicle_scene();
   Solver solver;
   Step step;
@@ -170,7 +170,7 @@ void expect_refused_step(Scene& scene, const std::string& text, bool derivatives
   }
 }
 
-TEST(Steps, AreRefusedWhereThereAreNoForcesOrNoDerivatives) {
+TEST(Steps, AreRefusedWithoutForcesOrDerivatives) {
   Scene scene = vehicle_scene();
   for (const char* until : {"geometry", "remesh"}) {
     scene.set("solve.until", until);
@@ -264,7 +264,7 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
 }
 
 /// Creepages of all patches, as keys.
-TEST(CreepOfACaller, IsThatOfGivenCreepages) {
+TEST(CreepOfACaller, EqualsCreepOfGivenCreepages) {
   for (const char* model : {"full", "polach", "fastsim-strips"}) {
     SCOPED_TRACE(model);
     Scene given = vehicle_scene(model);
@@ -310,7 +310,7 @@ TEST(CreepOfACaller, IsThatOfGivenCreepages) {
   }
 }
 
-TEST(Tables, HoldWhatSingleSolutionsGive) {
+TEST(Tables, EqualSingleSolutions) {
   Scene scene = vehicle_scene();
   scene.set("motion.speed", 2e4);
   const std::vector<double> laterals{-3.0, 0.0, 4.0};
@@ -380,7 +380,7 @@ TEST(Tables, AreRefusedBeforeTheFirstSolution) {
   EXPECT_TRUE(std::isnan(scene.tabulate({{"track.gauge", {600}}}, {"left.pmax"}).at(0)));
 }
 
-TEST(Tables, TellTheCauseOfWhatOnlyASolutionRefuses) {
+TEST(Tables, ReportTheCauseIfASolutionIsRefused) {
   Scene scene;
   scene.set("pose.roll", 0.0);
   try {

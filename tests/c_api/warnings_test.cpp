@@ -51,7 +51,7 @@ void expect_both(const wrcontact::Scene& scene) {
   EXPECT_EQ(scene.count_of("corrections"), 0);
 }
 
-TEST(Warnings, ThoseOfProfilesThatTheProgramGivesComeAlong) {
+TEST(Warnings, IncludeThoseOfProfilesGivenByTheProgram) {
   wrcontact::Scene scene = warned_scene();
   EXPECT_TRUE(scene.warnings().empty()) << "not solved yet";
   EXPECT_TRUE(scene.solve());
@@ -66,7 +66,7 @@ TEST(Warnings, ThoseOfProfilesThatTheProgramGivesComeAlong) {
   EXPECT_TRUE(scene.warnings().empty()) << scene.warnings()[0];
 }
 
-TEST(Warnings, AreThereOfEveryCallThatSolves) {
+TEST(Warnings, AreReturnedByEveryCallThatSolves) {
   wrcontact::Solver solver;
   wrcontact::Scene scene = warned_scene();
   for (int repeated = 0; repeated < 2; ++repeated) {

@@ -36,13 +36,13 @@ TEST(Conicity, OfAConeIsItsSlope) {
   }
 }
 
-TEST(Conicity, DoesNotDependOnWhereTheWheelsetRests) {
+TEST(Conicity, DoesNotDependOnThePositionOfRest) {
   constexpr double rounding = 1e-12;
   const auto samples = sample(10.0, 400, [](double y) { return 0.1 * (y - 0.333); });
   EXPECT_NEAR(conicity_of(samples, 3.0) / 0.05, 1.0, rounding);
 }
 
-TEST(Conicity, OfTwoSlopesIsThatOfTwoHalfWaves) {
+TEST(Conicity, OfTwoSlopesCombinesTwoHalfWaves) {
   // Each side swings as its own cone; energy makes the turning points y1, y2 with g1 y1^2 = g2
   // y2^2, and half the wave of each is added.
   constexpr double g1 = 0.3;
@@ -56,7 +56,7 @@ TEST(Conicity, OfTwoSlopesIsThatOfTwoHalfWaves) {
   }
 }
 
-TEST(Conicity, OfACubicForceIsGausssLemniscate) {
+TEST(Conicity, OfACubicDifferenceHasTheClosedForm) {
   // y'' = -y^3 with amplitude A has the period 4 K(1/2)^(1/2) / A, K(1/2) = 1.85407467730137.
   constexpr double complete_elliptic = 1.854074677301372;
   const auto samples = sample(5.0, 4000, [](double y) { return 2.0 * y * y * y; });
@@ -91,7 +91,7 @@ TEST(Conicity, GoesThroughJumpsAndFallingParts) {
               1.0, width);
 }
 
-TEST(Conicity, IsUnknownWhereTheSamplesEndOrLeadAway) {
+TEST(Conicity, IsUndefinedBeyondTheSamplesAndWithoutARestoringDifference) {
   const auto samples = sample(5.0, 100, [](double y) { return 0.1 * y; });
   EXPECT_TRUE(std::isnan(conicity_of(samples, 5.5)));
   EXPECT_TRUE(std::isnan(conicity_of(samples, 0.0)));
@@ -105,7 +105,7 @@ TEST(Conicity, IsUnknownWhereTheSamplesEndOrLeadAway) {
 
 /// A force that is 0 up to a half width w, then grows at a rate k: half a sine, and twice w at the
 /// speed with which it begins.
-TEST(Conicity, IsZeroWhereNothingLeadsBackAndGrowsBeyond) {
+TEST(Conicity, IsZeroWithinPlayAndGrowsBeyond) {
   constexpr double w = 2.0;
   constexpr double k = 0.05;
   const auto band = [](double noise) {
@@ -141,7 +141,7 @@ TEST(Conicity, IsZeroWhereNothingLeadsBackAndGrowsBeyond) {
 
 /// Led away from the centre by a force F up to 1 mm and back beyond: narrow motions about a rest at
 /// 1 mm, wide ones over both, whose parts are as long as a speed changes by F.
-TEST(Conicity, IsThatOfMotionsOverTwoPositionsOfRest) {
+TEST(Conicity, CoversMotionsAcrossTwoPositionsOfRest) {
   constexpr double force = 0.25;
   RadiusDifference samples;
   samples.lateral = {-10.0, -1.0 - 1e-9, -1.0 + 1e-9, -1e-9, 1e-9, 1.0 - 1e-9, 1.0 + 1e-9, 10.0};
@@ -168,7 +168,7 @@ TEST(Conicity, IsThatOfMotionsOverTwoPositionsOfRest) {
       << between.reason;
 }
 
-TEST(Conicity, EndsWhereADifferenceIsUnknown) {
+TEST(Conicity, IsUndefinedBeyondAnUnknownDifference) {
   auto samples = sample(10.0, 20, [](double y) { return 0.1 * y; });
   samples.difference[14] = std::numeric_limits<double>::quiet_NaN(); // y = 4
   constexpr double rounding = 1e-12;

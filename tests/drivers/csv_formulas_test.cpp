@@ -24,7 +24,7 @@ TEST(CsvFormulas, TextsAreMarkedAndNumbersAreNot) {
   EXPECT_EQ(driver::csv_entry("a=b"), "a=b");
 }
 
-TEST(CsvFormulas, ATableIsReadAsItWas) {
+TEST(CsvFormulas, ATableReadsBackUnchanged) {
   const auto path = std::filesystem::path(::testing::TempDir()) /
                     ("wrcontact_csv_formulas_" + std::to_string(getpid()) + ".csv");
   const std::vector<std::string> texts{"=1+1", "+1",  "-1", "-x", "@a", "'", "''=1", "'a",
@@ -47,7 +47,7 @@ protected:
   CsvFormulasOfAStudy() : Driver(WRC_SWEEP_PROGRAM) {}
 };
 
-TEST_F(CsvFormulasOfAStudy, AreNeitherInItsTableNorInThatOfConicity) {
+TEST_F(CsvFormulasOfAStudy, AreAbsentFromItsTableAndTheConicityTable) {
   const std::vector<std::string> names{"=cmd|x!A1.txt", "+1.txt", "-1+1.txt", "@x.txt", "\tx.txt"};
   std::string list;
   for (const std::string& name : names) {

@@ -32,7 +32,7 @@ protected:
   }
 };
 
-TEST_F(FullDisk, NoDriverLeavesHalfAFileOrSpoilsAnOldOne) {
+TEST_F(FullDisk, NoDriverLeavesAPartialFileOrDamagesAnOldOne) {
   const std::array writers{
       Writer{WRC_CASE_PROGRAM, "--vtk a.vtk", "a.vtk"},
       Writer{WRC_CASE_PROGRAM, "--field a.csv", "a.csv"},
@@ -63,7 +63,7 @@ TEST_F(FullDisk, NoDriverLeavesHalfAFileOrSpoilsAnOldOne) {
   }
 }
 
-TEST_F(FullDisk, ResultsThatCannotBePrintedAreAFailure) {
+TEST_F(FullDisk, FailingToPrintResultsIsAnError) {
   for (const auto& [program, arguments] : {std::pair{WRC_CASE_PROGRAM, ""},
                                            {WRC_CASE_PROGRAM, "--json"},
                                            {WRC_CASE_PROGRAM, "--help"},
@@ -74,7 +74,7 @@ TEST_F(FullDisk, ResultsThatCannotBePrintedAreAFailure) {
   }
 }
 
-TEST_F(FullDisk, ASweepKeepsWhatIsDoneAndResumes) {
+TEST_F(FullDisk, ASweepKeepsFinishedRowsAndResumes) {
   write("s.toml", "[pose]\nlateral = {from = -3, to = 3, count = 31}\n[solve]\ngrid = [12, 10]\n");
   ASSERT_EQ(run(WRC_SWEEP_PROGRAM, "s.toml --out whole").exit_code, 0);
   const auto size = [this](const std::string& file) {

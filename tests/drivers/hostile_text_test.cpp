@@ -198,7 +198,7 @@ TEST_F(HostileText, IsDrawnInPicturesOfProfilesAndCases) {
   }
 }
 
-TEST_F(HostileText, IsNotLookedThroughForKeysOfTheStudy) {
+TEST_F(HostileText, IsNotSearchedForKeysOfTheStudy) {
   const std::string wheel = "{wheelset.wheel}{track.rail}.txt";
   write_wheel(wheel);
   write("s.toml",
@@ -209,7 +209,7 @@ TEST_F(HostileText, IsNotLookedThroughForKeysOfTheStudy) {
   EXPECT_NE(read("p.html").find("\"title\":\"" + wheel + '"'), std::string::npos);
 }
 
-TEST_F(HostileText, IsATextInThePage) {
+TEST_F(HostileText, IsPlainTextInThePage) {
   const std::vector<std::string> names{"evil/<img src=x onerror=alert(1)><!--\"'</script><script>"
                                        "alert(2)</scr.txt",
                                        "w1/=cmd|calc!A1.txt", "w1/x<script>alert(3)<b>.txt",

@@ -74,7 +74,7 @@ TEST_F(InputsAndOutputs, LinksAreFollowedAndModesKept) {
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
 }
 
-TEST_F(InputsAndOutputs, ARailReplacedMeanwhileIsAnotherStudy) {
+TEST_F(InputsAndOutputs, ReplacingTheRailFileMakesAnotherStudy) {
   write_profile("60E1", "rail.dat");
   write("s.toml", "[track]\nrail = \"rail.dat\"\n[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
   std::filesystem::create_directories(folder() / "o/s.csv"); // cannot be written
@@ -149,7 +149,7 @@ TEST_F(InputsAndOutputs, KilledWhileNetcdfIsWrittenItResumesAtOnce) {
   EXPECT_EQ(read("o/s.csv"), read("whole/s.csv"));
 }
 
-TEST_F(InputsAndOutputs, AFailingGnuplotIsToldByItsCause) {
+TEST_F(InputsAndOutputs, AFailureOfGnuplotIsReportedWithItsCause) {
   NEEDS_GNUPLOT();
   const auto run_with = [this](const std::string& before, const std::string& program,
                                const std::string& arguments) {

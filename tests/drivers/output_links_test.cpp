@@ -81,7 +81,7 @@ TEST_F(OutputLinks, AreFollowedByEveryWriter) {
   }
 }
 
-TEST_F(OutputLinks, ThatLeadRoundInACircleAreRefused) {
+TEST_F(OutputLinks, ThatFormACircleAreRefused) {
   for (const Writer& writer : writers()) {
     SCOPED_TRACE(writer.before + ' ' + writer.file);
     const Outcome outcome = run_with_link(writer, writer.file);
@@ -91,7 +91,7 @@ TEST_F(OutputLinks, ThatLeadRoundInACircleAreRefused) {
   }
 }
 
-TEST_F(OutputLinks, TheRowsOfAStudyAreKeptWhereALinkLeads) {
+TEST_F(OutputLinks, RowsOfAStudyAreKeptAtTheTargetOfALink) {
   fs::create_directories(folder() / "o/s.csv"); // cannot be written, so rows are left
   fs::create_directories(folder() / "large");
   fs::create_symlink("../large/rows", folder() / "o/s.rows");
@@ -104,7 +104,7 @@ TEST_F(OutputLinks, TheRowsOfAStudyAreKeptWhereALinkLeads) {
   EXPECT_TRUE(fs::is_symlink(folder() / "o/s.rows"));
 }
 
-TEST_F(OutputLinks, AreNotFollowedAside) {
+TEST_F(OutputLinks, OfTemporaryFilesAreNotFollowed) {
   write("victim", "mine");
   // The shell has the process number that the program will have.
   const std::string program = WRC_CASE_PROGRAM;

@@ -20,7 +20,7 @@ protected:
   }
 };
 
-TEST_F(SceneFileLimits, RefuseAGigabyteAndWhatIsNoFile) {
+TEST_F(SceneFileLimits, RefuseAGigabyteAndSpecialFiles) {
   write("s.toml", "[pose]\n");
   std::filesystem::resize_file(folder() / "s.toml", std::uintmax_t{1} << 30U); // sparse
   expect_refused({"s.toml", "larger than 1048576 bytes"});
@@ -30,7 +30,7 @@ TEST_F(SceneFileLimits, RefuseAGigabyteAndWhatIsNoFile) {
   run(WRC_CASE_PROGRAM, "/dev/zero").expect_refusal({"/dev/zero", "not a regular file"});
 }
 
-TEST_F(SceneFileLimits, RefuseKeysWithinKeysWithoutEnd) {
+TEST_F(SceneFileLimits, RefuseDeeplyNestedKeys) {
   constexpr int many = 400000;
   write("s.toml", repeated(".a", many, "a") + " = 1\n");
   expect_refused({"s.toml", "more than 64 parts"});
@@ -47,7 +47,7 @@ TEST_F(SceneFileLimits, RefuseKeysWithinKeysWithoutEnd) {
   expect_refused({"longer than 256 bytes"});
 }
 
-TEST_F(SceneFileLimits, LongCommentsAndListsAreNoKeys) {
+TEST_F(SceneFileLimits, LongCommentsAndListsDoNotCountAsKeys) {
   write("s.toml", "# " + repeated(".", 300) + "\n# " + repeated(". ", 300) +
                       "\n[pose]\nlateral = 3 # " + repeated("..", 100) + "\n");
   EXPECT_EQ(run(WRC_CASE_PROGRAM, "s.toml --set solve.until=geometry").exit_code, 0);
@@ -63,7 +63,7 @@ TEST_F(SceneFileLimits, RefuseStudiesThatDoNotFitIntoMemory) {
   run(WRC_SWEEP_PROGRAM, "s.toml").expect_refusal({"pose.lateral", "less than 1e6 steps"});
 }
 
-TEST_F(SceneFileLimits, WhatAFailureQuotesStaysOneLine) {
+TEST_F(SceneFileLimits, AnErrorTextStaysOnOneLine) {
   write("s.toml", "track.rail = \"\"\"a\nb\"\"\"\n");
   run(WRC_CASE_PROGRAM, "s.toml").expect_refusal({"track.rail", "a b"});
   write("s.toml", "solve.grid = tru\nepose.roll");

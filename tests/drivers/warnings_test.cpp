@@ -15,7 +15,7 @@ protected:
   WrcSweepWarnings() : Driver(WRC_SWEEP_PROGRAM) {}
 };
 
-TEST_F(WrcSweepWarnings, AreToldOnceForEachKindWithTheNumberOfScenes) {
+TEST_F(WrcSweepWarnings, EachKindIsPrintedOnceWithTheNumberOfScenes) {
   write("s.toml",
         "[pose]\nlateral = [0, 5, 5.05, 6.5]\n[solve]\naccuracy = 0.004\n[study]\nresults = "
         "[\"left.pmax\"]\n");
@@ -53,7 +53,7 @@ protected:
   WrcProfileWarnings() : Driver(WRC_PROFILE_PROGRAM) {}
 };
 
-TEST_F(WrcProfileWarnings, ConfidenceIsTheFilesWhereNothingWasGuessed) {
+TEST_F(WrcProfileWarnings, ConfidenceIsThatOfTheFileIfNothingWasGuessed) {
   const Outcome rail = run("60E1 --convert r.txt");
   ASSERT_EQ(rail.exit_code, 0) << rail.error;
   EXPECT_NE(run("r.txt --kind rail").out.find("confidence           as the file\n"),
@@ -68,7 +68,7 @@ protected:
   WrcCaseWarnings() : Driver(WRC_CASE_PROGRAM) {}
 };
 
-TEST_F(WrcCaseWarnings, NearContactsAreThreeAndACount) {
+TEST_F(WrcCaseWarnings, ThreeNearContactsArePrintedAndTheRestCounted) {
   // Waves of 0.05 mm, 3 mm long: a touch on each crest.
   std::string wheel;
   for (double y = -30.0; y <= 60.0; y += 0.25) {
@@ -91,7 +91,7 @@ TEST_F(WrcCaseWarnings, NearContactsAreThreeAndACount) {
 }
 
 /// Below stresses too, and no longer than the picture of one wheel is wide.
-TEST_F(WrcCaseWarnings, StandInPicturesOfEveryKind) {
+TEST_F(WrcCaseWarnings, AppearInPicturesOfEveryKind) {
   NEEDS_GNUPLOT();
   const std::string assigned = "--set pose.lateral=6.5 solve.accuracy=0.1 ";
   const std::string text = "left: the largest pressure, 61";

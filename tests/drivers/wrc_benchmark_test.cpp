@@ -48,7 +48,7 @@ void expect_states(const json& rows) {
   }
 }
 
-TEST_F(WrcBenchmark, GapsAreSolvedToTheAccuracyAsked) {
+TEST_F(WrcBenchmark, GapsAreSolvedToTheRequestedAccuracy) {
   const json result =
       run_json("--case hertz-circle --case hertz-ellipse --case two-lobes --grid 48x32 --repeat 2");
   expect_complete(result);
@@ -71,7 +71,7 @@ TEST_F(WrcBenchmark, GapsAreSolvedToTheAccuracyAsked) {
   EXPECT_EQ(result.at("paper_over_default").size(), 3U);
 }
 
-TEST_F(WrcBenchmark, ScenesShowTheirStages) {
+TEST_F(WrcBenchmark, ScenesShowTheTimeOfEachStage) {
   const json result =
       run_json("--case table1 --case manchester-5 --grid 24x16 --repeat 1 --method default");
   expect_complete(result);
@@ -90,7 +90,7 @@ TEST_F(WrcBenchmark, ScenesShowTheirStages) {
   EXPECT_TRUE(result.at("paper_over_default").empty());
 }
 
-TEST_F(WrcBenchmark, VehicleStepsTellTheirSpread) {
+TEST_F(WrcBenchmark, VehicleStepPrintsTheSpreadOfItsSteps) {
   const json result = run_json("--case vehicle-step --steps 4 --accuracy 1e-2");
   expect_complete(result);
   const json& rows = result.at("rows");
@@ -110,7 +110,7 @@ TEST_F(WrcBenchmark, VehicleStepsTellTheirSpread) {
 }
 
 /// Rows are accuracies of forces and of pressures, loads and positions, for each pair of profiles.
-TEST_F(WrcBenchmark, ServiceTellsTheSpreadOfItsSteps) {
+TEST_F(WrcBenchmark, ServicePrintsTheSpreadOfItsSteps) {
   const json result = run_json("--case service --steps 4 --accuracy 1e-2");
   const json& rows = result.at("rows");
   ASSERT_EQ(rows.size(), 12U);
@@ -160,7 +160,7 @@ TEST_F(WrcBenchmark, ABatchIsEqualOnAnyNumberOfThreads) {
   EXPECT_GT(result.at("batch").at("machine_speedup").get<double>(), 0.0);
 }
 
-TEST_F(WrcBenchmark, SolvesOnceForAProcessOfItsOwn) {
+TEST_F(WrcBenchmark, FirstSolveRunsOnceInItsOwnProcess) {
   const Outcome outcome = run("--first-solve --case two-lobes --grid 24x16 --accuracy 1e-3");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const json result = json::parse(outcome.out);
@@ -186,7 +186,7 @@ TEST_F(WrcBenchmark, HelpTeaches) {
                 "vehicle-step", "batch", "service", "256x128", "Examples", "--repeat", "--json"});
 }
 
-TEST_F(WrcBenchmark, RefusesWhatItDoesNotKnow) {
+TEST_F(WrcBenchmark, RefusesUnknownNamesAndGrids) {
   run("--case nothing").expect_refusal({"--case nothing", "table1"});
   for (const char* grid : {"3", "0x4", "4x", "axb", "4x4x4", "9000x4", "-1x4"}) {
     run(std::string("--grid=") + grid).expect_refusal({"--grid", "NxM"});

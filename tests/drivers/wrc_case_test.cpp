@@ -37,7 +37,7 @@ TEST_F(WrcCase, ASavedSceneIsReplayedBitForBit) {
   EXPECT_EQ(first, again);
 }
 
-TEST_F(WrcCase, UnitsAndFrameAreThoseAskedFor) {
+TEST_F(WrcCase, UnitsAndFrameFollowTheConvention) {
   const json usual = run_json(small + "--set pose.lateral=3");
   const json asked = run_json(small + "--set convention.units=SI --set "
                                       "convention.frame=right-down --set pose.lateral=-0.003");
@@ -52,7 +52,7 @@ TEST_F(WrcCase, UnitsAndFrameAreThoseAskedFor) {
   EXPECT_EQ(without_times(table.out), without_times(usual_table.out));
 }
 
-TEST_F(WrcCase, StopsAfterTheModuleAskedFor) {
+TEST_F(WrcCase, StopsAfterTheRequestedModule) {
   const json geometry = run_json(small + "--set solve.until=geometry");
   EXPECT_TRUE(geometry.at("left").at("rigid_contact").at("y").is_number());
   const json remesh = run_json(small + "--set solve.until=remesh");
@@ -134,7 +134,7 @@ TEST_F(WrcCase, JsonListsEveryPatch) {
 }
 
 /// Forces are totals, and those of the pressures stand beside them where they differ.
-TEST_F(WrcCase, TellsTotalForcesAndThoseOfPressures) {
+TEST_F(WrcCase, TotalForcesAndForcesOfPressuresArePrinted) {
   const std::string moving = "--set solve.accuracy=1e-2 pose.lateral=3 pose.yaw=0.001 ";
   const json side = run_json(moving + "motion.speed=20000").at("left");
   EXPECT_EQ(side.at("lateral_force"), side.at("total").at("force").at("y"));
@@ -150,7 +150,7 @@ TEST_F(WrcCase, TellsTotalForcesAndThoseOfPressures) {
   expect_parts(csv.out, {"pressure_force.y", "pressure_moment.x", "grid.lateral"});
 }
 
-TEST_F(WrcCase, TableTellsEveryPatch) {
+TEST_F(WrcCase, TheTableListsEveryPatch) {
   const Outcome outcome = run(small + two_patches);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   expect_parts(outcome.out, {"\nPatches ", "\nPlaces ", "  left    0 ", "  left    1 ",
@@ -183,7 +183,7 @@ TEST_F(WrcCase, PrescribedPositionWithoutTouchIsAResult) {
   EXPECT_TRUE(result.at("left").at("error_estimate").is_null());
 }
 
-TEST_F(WrcCase, CsvHasALineASide) {
+TEST_F(WrcCase, CsvHasOneLinePerSide) {
   const Outcome outcome = run(small + "--csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   std::istringstream lines(outcome.out);
@@ -207,7 +207,7 @@ TEST_F(WrcCase, CsvHasALineASide) {
   EXPECT_EQ(commas(right), commas(head));
 }
 
-TEST_F(WrcCase, FieldHasALineAnElementOfEveryPatch) {
+TEST_F(WrcCase, FieldFilesHaveOneLinePerElement) {
   const Outcome outcome = run(small + two_patches + "--field out.csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string field = read("out.csv");
@@ -220,7 +220,7 @@ TEST_F(WrcCase, FieldHasALineAnElementOfEveryPatch) {
   EXPECT_EQ(file_count(), 1) << "a file written aside was left";
 }
 
-TEST_F(WrcCase, VtkHasACellAnElementOfEveryPatch) {
+TEST_F(WrcCase, VtkHasOneCellPerElement) {
   const Outcome outcome = run(small + two_patches + "--vtk out.vtk");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const std::string vtk = read("out.vtk");
@@ -337,7 +337,7 @@ TEST_F(WrcCase, SetTakesNamesThatLookLikeNumbers) {
   EXPECT_EQ(other.at("left").at("pmax"), run_json(small).at("left").at("pmax"));
 }
 
-TEST_F(WrcCase, ProfileFilesStandBesideTheSceneFile) {
+TEST_F(WrcCase, ProfilePathsAreRelativeToTheSceneFile) {
   ASSERT_EQ(run(WRC_PROFILE_PROGRAM, "54E3 --convert 54E3.prr").exit_code, 0);
   write("scenes/scene.toml", "[track]\nrail = \"my.prr\"\n[solve]\ngrid = [24, 20]\n");
   write("scenes/my.prr", read("54E3.prr"));

@@ -23,7 +23,7 @@ protected:
   }
 };
 
-TEST_F(WrcPaper, JudgesWhatItIsGiven) {
+TEST_F(WrcPaper, JudgesGivenResults) {
   NEEDS_GNUPLOT();
   sweep("fig05", "S1002", "--set 'solve.grid=[32, 16]'");
   sweep("connections", "S1002");

@@ -76,7 +76,7 @@ TEST_F(WrcProfile, FindsKinksAndOverhangs) {
   EXPECT_TRUE(steep.at(1).at("overhangs").get<bool>());
 }
 
-TEST_F(WrcProfile, DimensionsThatAreNotThereAreNull) {
+TEST_F(WrcProfile, MissingDimensionsAreNull) {
   write("crown.rail", "-4 -0.1\n-2 -0.02\n0 0\n2 -0.02\n4 -0.1\n");
   const json dimensions = run_json("crown.rail --scale 1").at("dimensions");
   for (const char* key : {"head_width_14", "head_width_16", "crown_radius"}) {
@@ -85,7 +85,7 @@ TEST_F(WrcProfile, DimensionsThatAreNotThereAreNull) {
   EXPECT_NE(run("crown.rail --scale 1").out.find("does not reach"), std::string::npos);
 }
 
-TEST_F(WrcProfile, TableTellsCorrections) {
+TEST_F(WrcProfile, TheTableListsCorrections) {
   std::ostringstream points;
   for (int y = -60; y <= 60; y += 2) {
     points << y << ' ' << 20.0 * y * y / 3600.0 << '\n';
@@ -157,7 +157,7 @@ TEST_F(WrcProfile, PlotDrawsBothKindsOfFile) {
   EXPECT_EQ(file_count(), 2);
 }
 
-TEST_F(WrcProfile, ListsAllThatIsBuiltIn) {
+TEST_F(WrcProfile, ListsAllBuiltInProfiles) {
   const json list = run_json("--list");
   EXPECT_EQ(list.size(), 14U);
   EXPECT_EQ(list.front().at("name"), "S1002");

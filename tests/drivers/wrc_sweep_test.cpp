@@ -61,7 +61,7 @@ protected:
   }
 };
 
-TEST_F(WrcSweep, CrossesAllValuesTheLastFastest) {
+TEST_F(WrcSweep, CombinesAllValuesAndVariesTheLastKeyFastest) {
   write("s.toml", "[track]\ncant = [\"1:20\", \"1:40\"]\n[pose]\nlateral = {from = 0, to = 0.3, "
                   "step = 0.1}\n[load]\nvertical = 0\n");
   (void)files("s.toml", "o");
@@ -77,7 +77,7 @@ TEST_F(WrcSweep, CrossesAllValuesTheLastFastest) {
   }
 }
 
-TEST_F(WrcSweep, RowsAreThoseOfWrcCase) {
+TEST_F(WrcSweep, RowsEqualResultsOfWrcCase) {
   write("s.toml", "[pose]\nlateral = [-2, 3]\n[solve]\naccuracy = 1e-2\n[study]\nresults = "
                   "[\"left.pmax\", \"left.patches.0.centroid.y\", \"left.patch_count\"]\n");
   (void)files("s.toml", "o");
@@ -150,7 +150,7 @@ int interrupt_when_begun(const std::filesystem::path& folder, const std::string&
   return status;
 }
 
-TEST_F(WrcSweep, GoesOnAfterAnInterruptOrAKill) {
+TEST_F(WrcSweep, ResumesAfterAnInterruptOrAKill) {
   // Finer than needed, so that the signal comes before the end.
   write("s.toml", "[pose]\nlateral = {from = 2, to = 6, count = 60}\n[solve]\ngrid = [128, 128]\n"
                   "[study]\nfields = [\"pressure\"]\n");
@@ -189,7 +189,7 @@ TEST_F(WrcSweep, TwoRunsDoNotWriteTheSameResults) {
   (void)files("s.toml --restart", "o");
 }
 
-TEST_F(WrcSweep, FailuresAreRows) {
+TEST_F(WrcSweep, FailedScenesHaveRows) {
   write("s.toml", "[pose]\nlateral = [0, 100]\n[track]\nrail = [\"60E1\", \"nowhere.prr\"]\n"
                   "[study]\nresults = [\"left.pmax\"]\n");
   (void)files("s.toml --set solve.accuracy=1e-2", "o");
@@ -204,7 +204,7 @@ TEST_F(WrcSweep, FailuresAreRows) {
   EXPECT_NE(lines[2].find("nowhere.prr"), std::string::npos) << lines[2];
 }
 
-TEST_F(WrcSweep, AssignmentsCountMoreThanTheFile) {
+TEST_F(WrcSweep, AssignmentsOverrideTheFile) {
   write("s.toml", "[pose]\nlateral = [0, 1, 2]\nyaw = 0.01\n[load]\nvertical = 0\n");
   (void)files("s.toml --set pose.lateral=2 --set 'pose.yaw=[0, 0.02]' --set track.rail=54E3", "o");
   const auto lines = lines_of(read("o/s.csv"));
@@ -214,14 +214,14 @@ TEST_F(WrcSweep, AssignmentsCountMoreThanTheFile) {
 }
 
 /// Of one wheel in the file, of both on the command line.
-TEST_F(WrcSweep, AssignmentsOfBothWheelsCountMoreThanOneOfTheFile) {
+TEST_F(WrcSweep, AnAssignmentOfBothWheelsOverridesOneWheelInTheFile) {
   write("s.toml", "[load]\nleft = 50000.0\n[study]\nresults = [\"left.vertical_force\"]\n");
   (void)files("s.toml --set 'load.vertical=[60000,70000]'", "o");
   EXPECT_NEAR(std::stod(entry("o/s.csv", 0, "left.vertical_force")), 60000.0, 1e-3);
   EXPECT_NEAR(std::stod(entry("o/s.csv", 1, "left.vertical_force")), 70000.0, 1e-3);
 }
 
-TEST_F(WrcSweep, AListThatIsOneValueDoesNotVary) {
+TEST_F(WrcSweep, AListOfOneValueDoesNotVary) {
   write("s.toml", "[solve]\ngrid = [24, 20]\n[pose]\nlateral = [0, 1]\n");
   (void)files("s.toml", "o");
   EXPECT_EQ(line_count(read("o/s.csv")), 3);
@@ -230,7 +230,7 @@ TEST_F(WrcSweep, AListThatIsOneValueDoesNotVary) {
   EXPECT_EQ(line_count(read("two/s.csv")), 4);
 }
 
-TEST_F(WrcSweep, ProgressIsShownWhenAsked) {
+TEST_F(WrcSweep, ProgressIsShownOnRequest) {
   write("s.toml", "[pose]\nlateral = [0, 1]\n[load]\nvertical = 0\n");
   EXPECT_EQ(run("s.toml").error, "") << "stderr is no terminal";
   const Outcome outcome = run("s.toml --progress");
@@ -259,7 +259,7 @@ TEST_F(WrcSweep, MapsHaveColoursAndContours) {
   EXPECT_GT(colours.size(), many);
 }
 
-TEST_F(WrcSweep, PicturesTellManyLinesApartAndNumberConnections) {
+TEST_F(WrcSweep, PicturesDistinguishManyLinesAndNumberConnections) {
   NEEDS_GNUPLOT();
   write("s.toml", "[pose]\nyaw = [0.0, 0.01]\nlateral = {from = -6, to = 6, step = 1}\n[load]\n"
                   "vertical = 0\n[[picture]]\nfile = \"lines.svg\"\nx = \"pose.yaw\"\nseries = "

@@ -51,7 +51,7 @@ TEST_F(WrcTradeoff, WritesTableJsonAndPictures) {
   }
 }
 
-TEST_F(WrcTradeoff, SolvesRandomScenesForOneMeaning) {
+TEST_F(WrcTradeoff, RandomScenesAreSolvedForOneKindOfAccuracy) {
   const Outcome outcome = run("--random 2 --accuracy-of forces --repeats 1 --json t.json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const json whole = json::parse(read("t.json"));

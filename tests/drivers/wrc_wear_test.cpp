@@ -12,7 +12,7 @@ protected:
   WrcWear() : Driver(WRC_WEAR_PROGRAM) {}
 };
 
-TEST_F(WrcWear, TheProfileLosesTheAreaThatWasWorn) {
+TEST_F(WrcWear, TheProfileLosesTheWornArea) {
   NEEDS_GNUPLOT();
   const Outcome outcome = run("--distance 2500 --threads 2 --plot wear.png --save worn.prw");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -35,7 +35,7 @@ TEST_F(WrcWear, TheProfileLosesTheAreaThatWasWorn) {
   EXPECT_FALSE(read("worn.prw").empty());
 }
 
-TEST_F(WrcWear, RefusesAKeyThatIsNone) {
+TEST_F(WrcWear, RefusesAnUnknownKey) {
   const Outcome outcome = run("--distance 1 --set wear.lore=usfd");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.error.find("wear.lore"), std::string::npos) << outcome.error;

@@ -56,7 +56,7 @@ TEST(ExpectedContact, OfAParaboloidIsNearlyHertzs) {
 }
 
 /// Half as wide, on the left half of the area; what lies below the level counts for nothing.
-TEST(ExpectedContact, IsNarrowWherePenetrationIs) {
+TEST(ExpectedContact, IsNarrowForNarrowPenetration) {
   const auto narrow = [](double y) { return y > 0.0 ? parabola(2.0 * y - 8.0) : 0.4 * depth; };
   const ExpectedContact wide = contact_of(samples_of(parabola));
   const ExpectedContact contact = contact_of(samples_of(narrow));
@@ -78,7 +78,7 @@ TEST(ExpectedContact, FollowsThePenetrationSmoothly) {
   }
 }
 
-TEST(ExpectedContact, TakesARowWhereNonePenetrates) {
+TEST(ExpectedContact, HasOneRowIfNonePenetrates) {
   const ExpectedContact contact = contact_of(samples_of([](double) { return -depth; }));
   EXPECT_NEAR(contact.scale.across, 16.0 / 65.0, 1e-12);
   EXPECT_NEAR(contact.scale.along, 20.0 / 65.0, 1e-12);

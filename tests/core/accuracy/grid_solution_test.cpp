@@ -37,7 +37,7 @@ Patch patch_with(double force, bool shares_plane) {
   return patch;
 }
 
-TEST(GridSolution, PlanesAndTheirPatchesComeByForce) {
+TEST(GridSolution, PlanesAndPatchesAreSortedByForce) {
   GridSolution solution;
   solution.patches = {patch_with(5.0, false), patch_with(2.0, false), patch_with(0.0, true),
                       patch_with(4.0, true)};

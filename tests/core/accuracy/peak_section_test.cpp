@@ -40,7 +40,7 @@ TEST(PeakSection, FindsTheCrestOfALobeOfAFewRows) {
 }
 
 /// The pressure of a rolling contact without jumps of curvature is as smooth as a semi-ellipse.
-TEST(PeakSection, LeavesSmoothPressuresAsTheyAre) {
+TEST(PeakSection, DoesNotChangeSmoothPressures) {
   Scene scene;
   scene.lateral = -3.0;
   scene.grid = {{128, 64}};
@@ -79,7 +79,7 @@ TEST(PeakSection, FindsACrestOfFewStripsWhereTheRailTurns) {
 }
 
 /// Two strips at the edge, 15 % higher than all others.
-TEST(PeakSection, FindsACrestAtTheEdgeThatNoOtherPressureHints) {
+TEST(PeakSection, FindsACrestAtTheEdgeThatOtherPressuresDoNotIndicate) {
   Scene scene;
   scene.left.wheel.name = scene.right.wheel.name = "LMA";
   scene.left.rail.name = scene.right.rail.name = "54E2";
@@ -112,7 +112,7 @@ TEST(PeakSection, ConvergesWhereACrestIsNarrow) {
   }
 }
 
-TEST(PeakSection, ServesBothKindsOfElements) {
+TEST(PeakSection, HandlesBothKindsOfElements) {
   Scene scene = narrow_lobe();
   const double truth = truth_of(scene);
   scene.grid = {{72, 33}};

@@ -54,7 +54,7 @@ double columns_of(const AccuracyGoal& goal) {
   return 6.0 / elements_for(goal).longitudinal_step;
 }
 
-TEST(Resolution, RowsKeepTheLawToItsShareOfTheAccuracy) {
+TEST(Resolution, RowsKeepTheirErrorWithinItsAllowance) {
   for (const double accuracy : {1e-2, 1e-3, 1e-4}) {
     EXPECT_NEAR(law(rows_of({.accuracy = accuracy})), 0.5335 * accuracy, rounding);
   }
@@ -85,7 +85,7 @@ TEST(Resolution, CreepForcesTakeMoreElements) {
   EXPECT_EQ(elements.middle, 0.5);
 }
 
-TEST(Resolution, ElementsKeepTheirPlaceAboutTheMiddle) {
+TEST(Resolution, ElementsStayAnchoredAtTheMiddle) {
   EXPECT_EQ(elements_for({}).mean_y, 750.0);
   EXPECT_EQ(elements_for({}).middle, 0.4);
 }
@@ -111,7 +111,7 @@ TEST(Resolution, ErrorsFollowTheFewerElements) {
 }
 
 /// In proportion to the angle and the width of a row, over the overlap of 0.05 mm.
-TEST(Resolution, WhereAProfileTurnsAtOnceForcesHaveAnErrorOfFirstOrder) {
+TEST(Resolution, AKinkAddsAFirstOrderErrorToForces) {
   GridSolution solution = block_contact();
   solution.patches[0].undeformed_distance.assign(800, -0.05);
   const double smooth = estimate_error(solution, {}).total();
@@ -122,7 +122,7 @@ TEST(Resolution, WhereAProfileTurnsAtOnceForcesHaveAnErrorOfFirstOrder) {
 }
 
 /// By what a row e times as narrow would add to the largest pressure; no element lessens that.
-TEST(Resolution, WhereAProfileTurnsAtOncePressuresHaveNoBound) {
+TEST(Resolution, AKinkMakesPressuresUnbounded) {
   GridSolution solution = block_contact();
   const double smooth = estimate_error(solution, {}).total();
   solution.patches[0].growth = 30.0;
@@ -133,7 +133,7 @@ TEST(Resolution, WhereAProfileTurnsAtOncePressuresHaveNoBound) {
 }
 
 /// Only what may exceed the largest pressure of all is an error of it.
-TEST(Resolution, ACrestCountsByWhatItMayExceedTheLargestPressure) {
+TEST(Resolution, ACrestCountsByItsPossibleExcessOverTheLargestPressure) {
   GridSolution solution = block_contact();
   solution.patches.push_back(solution.patches.front());
   solution.patches[1].contact.peak_pressure = 900.0;

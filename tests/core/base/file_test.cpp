@@ -48,7 +48,7 @@ TEST_F(File, IsReplacedWhole) {
   EXPECT_EQ(read_file(path("file"), plenty), "b");
 }
 
-TEST_F(File, MayBeAsLongAsTheLimitButNotLonger) {
+TEST_F(File, MayReachTheLimitButNotExceedIt) {
   write_file(path("file"), std::string(100, 'a'));
   EXPECT_EQ(read_file(path("file"), 100).size(), 100U);
   expect_error(
@@ -64,7 +64,7 @@ TEST_F(File, KeepsItsPermissions) {
             perms::owner_read | perms::owner_write);
 }
 
-TEST_F(File, IsWrittenWhereALinkPoints) {
+TEST_F(File, IsWrittenToTheTargetOfALink) {
   write_file(path("target"), "a");
   std::filesystem::create_symlink(path("target"), path("link"));
   write_file(path("link"), "b");
@@ -72,7 +72,7 @@ TEST_F(File, IsWrittenWhereALinkPoints) {
   EXPECT_EQ(read_file(path("target"), plenty), "b");
 }
 
-TEST_F(File, ThatIsNoRegularFileIsRefused) {
+TEST_F(File, MustBeARegularFile) {
   expect_error(
       ErrorCode::file_unreadable, [&] { read_file(path("missing"), plenty); }, "missing");
   expect_error(ErrorCode::file_unreadable, [&] { read_file(folder_, plenty); });

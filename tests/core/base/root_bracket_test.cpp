@@ -31,7 +31,7 @@ TEST(RootBracket, SmoothRootsTakeFewSteps) {
   EXPECT_LE(bracket.one(), bracket.other());
 }
 
-TEST(RootBracket, OneSidedFunctionsDoNotHoldItUp) {
+TEST(RootBracket, OneSidedFunctionsConvergeQuickly) {
   // Plain regula falsi would take thousands of steps here.
   const auto steep = [](double x) { return std::pow(x, 9) - 1e-6; };
   RootBracket bracket = bracket_of(2.0, 0.0, steep);

@@ -52,7 +52,7 @@ TEST(CreepElements, ModelsThatNeedPressures) {
   EXPECT_FALSE(unlike_bodies(unlike));
 }
 
-TEST(CreepElements, OfAFreePitchCountAsOftenAsTheyAreSolved) {
+TEST(CreepElements, OfAFreePitchCountOncePerSolution) {
   const PatchResult patch = patch_of(6.0, 4.0);
   CreepRequest request = request_of(CreepModel::full);
   const double once = wanted_by(patch, request);
@@ -72,7 +72,7 @@ TEST(CreepElements, KeepWithinTheirLimit) {
   EXPECT_GT(static_cast<double>(chosen.grid.element_count()), 300.0) << "as many as there may be";
 }
 
-TEST(CreepElements, PatchesGetTheSameShareOfTheirNeed) {
+TEST(CreepElements, PatchesGetTheSameFractionOfTheirNeed) {
   WheelResult wheel;
   wheel.patches = {patch_of(6.0, 4.0), patch_of(3.0, 2.0)};
   CreepRequest request = request_of(CreepModel::full);

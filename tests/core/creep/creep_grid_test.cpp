@@ -83,7 +83,7 @@ TEST(CreepGrid, ReachesFromEdgeToEdgeWithTheElementsOfTheLaw) {
 }
 
 /// By the power of length over width.
-TEST(CreepGrid, LongContactsHaveMoreColumnsAndAsManyRows) {
+TEST(CreepGrid, LongContactsHaveMoreColumnsAndTheSameRows) {
   expect_counts(grid_of(Pressures{{0.0, 0.0, 8.0, 0.5}}), creep_rows_by_columns * wanted,
                 std::pow(16.0, columns_by_sides_exponent) * wanted);
   expect_counts(grid_of(Pressures{{0.0, 0.0, 4.0, 3.5}}), creep_rows_by_columns * wanted,

@@ -55,7 +55,7 @@ TEST(FreePitch, ContactForcesHoldTheTorque) {
   }
 }
 
-TEST(FreePitch, IsThatOfThePrescribedRateWithItsTorque) {
+TEST(FreePitch, RecoversThePrescribedRateFromItsTorque) {
   Scene scene = driven_scene(0.0, 2.0);
   scene.pitch_is_free = false;
   scene.motion->pitch = 1.002 * 2e4 / radius;
@@ -72,7 +72,7 @@ TEST(FreePitch, IsThatOfThePrescribedRateWithItsTorque) {
   }
 }
 
-TEST(FreePitch, MoreThanFrictionHoldsIsTold) {
+TEST(FreePitch, ATorqueAboveFrictionIsReported) {
   const SceneResult result = solve_scene(driven_scene(1.1 * bound * radius));
   EXPECT_TRUE(result.pitch_is_saturated);
   ASSERT_FALSE(result.left->warnings.empty());
@@ -147,7 +147,7 @@ TEST(FreePitch, HasNoJumps) {
 }
 
 // CONTACT finds the pitch rate at which a wheel has a longitudinal force.
-TEST(FreePitch, OfCreepCasesWithAForce) {
+TEST(FreePitch, MatchesContactsCasesWithAPrescribedForce) {
   int compared = 0;
   const nlohmann::json cases = creep_wheel_rail_cases();
   for (const auto& entry : cases) {

@@ -11,7 +11,7 @@
 namespace wrc::test::friction_test {
 namespace {
 
-TEST(Friction, IsLinearBetweenPlacesAndConstantBeyond) {
+TEST(Friction, IsLinearBetweenPositionsAndConstantBeyond) {
   const FrictionLaw law{.coefficient = 0.5, .places = {{-30.0, 0.1}, {-10.0, 0.3}, {20.0, 0.36}}};
   EXPECT_EQ(friction_of(law, -50.0, 0.0), 0.1);
   EXPECT_EQ(friction_of(law, -30.0, 0.0), 0.1);
@@ -41,7 +41,7 @@ TEST(Friction, HasTheDerivativesOfItsFormula) {
 }
 
 // Two patches of a wheel, on tread and flange, with the coefficients of their places.
-TEST(Friction, OfAPatchIsThatOfItsReference) {
+TEST(Friction, OfAPatchIsTakenAtItsReference) {
   Scene scene;
   scene.left.rail.name = scene.right.rail.name = "56E1";
   scene.lateral = 6.15;

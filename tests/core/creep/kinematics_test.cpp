@@ -44,7 +44,7 @@ TEST(Kinematics, EachVelocityHasItsCreepage) {
 }
 
 // In a curve of 1000 m radius the left rail is shorter by 750 mm in it, and so is the way there.
-TEST(Kinematics, CurvesAreTurningOfTheWheelset) {
+TEST(Kinematics, CurvesTurnTheWheelset) {
   const RigidSlip slip = slip_at({.speed = 2e4, .curvature = 1e-6});
   const double share = 1.0 - 0.5 * 750e-6;
   EXPECT_NEAR(slip.reference_speed, share * 2e4, 1e-6);

@@ -31,7 +31,7 @@ TEST(LeastFriction, UsualFrictionIsLeftAlone) {
   }
 }
 
-TEST(LeastFriction, TheLinearLawKnowsNoFriction) {
+TEST(LeastFriction, TheLinearLawIgnoresFriction) {
   const LeastFriction least(motion_of(1e-40, {1e-3, 0.0, 0.0}), CreepModel::linear);
   EXPECT_EQ(least.motion().friction, 1e-40);
 }

@@ -46,7 +46,7 @@ std::array<double, 2> slip_at(const SlipRow& row, double x) {
   return {velocity.x, row.cosine * velocity.y + row.sine * velocity.z};
 }
 
-TEST(RigidSlip, IsThatOfThePlaceAlongItsTangent) {
+TEST(RigidSlip, IsThatOfThePositionAlongItsTangent) {
   const Patch patch;
   const SlipGeometry geometry = patch.geometry();
   const Creepages creepages = fitted_creepages(geometry, moving);
@@ -155,7 +155,7 @@ TEST(RigidSlip, OfRowsFromAnotherOrigin) {
 }
 
 /// Tractions do the work of their force and moment: what creepages fit, and the rest.
-TEST(RigidSlip, WrenchesDoTheWorkOfTractions) {
+TEST(RigidSlip, ForcesAndMomentsDoTheWorkOfTractions) {
   const Patch patch;
   const SlipGeometry geometry = patch.geometry();
   std::vector<double> qx;

@@ -151,7 +151,7 @@ TEST_P(Frames, RatesAndForcesOfASolutionTurnAlike) {
 }
 
 /// Elements keep their numbers and vectors, at mapped places.
-TEST_P(Frames, FieldsStayAtTheirElements) {
+TEST_P(Frames, FieldsAreMappedElementByElement) {
   const Grid turned = frame.turned(grid);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < grid.element_count(); ++i) {

@@ -246,7 +246,7 @@ TEST(SubsurfaceStress, FewDepthsCloseTogetherAreAllComputed) {
   }
 }
 
-TEST(SubsurfaceStress, CoarserElementsWillDoBelow) {
+TEST(SubsurfaceStress, CoarserElementsSufficeAtDepth) {
   const Loads loads = hertz(1.0, 0.6, 64, 32, 0.25, 0.1);
   const SubsurfaceStress stress(loads.surface(), 0.28);
   std::vector<double> x;

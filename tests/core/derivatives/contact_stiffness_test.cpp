@@ -457,7 +457,7 @@ TEST_F(ContactStiffnessTest, AnswersAreKeptUntilTheContactChanges) {
   EXPECT_GT(stiffness.solve(spans_of(one), first, 1e-10).iterations, 5);
 }
 
-TEST_F(ContactStiffnessTest, WithoutContactThereIsNone) {
+TEST_F(ContactStiffnessTest, WithoutContactThereIsNoStiffness) {
   const Grid grid = centred_grid(4, 5, 0.1, 0.1);
   const std::vector<double> nothing(grid.element_count(), 0.0);
   set_contact(grid, nothing);

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// bodies, too.
 class JacobiansOfTwoLobes : public testing::TestWithParam<bool> {};
 
-TEST_P(JacobiansOfTwoLobes, KnowWhatVelocitiesDoAlongNormals) {
+TEST_P(JacobiansOfTwoLobes, IncludeVelocitiesAlongNormals) {
   Scene scene;
   scene.side = SideChoice::left;
   scene.lateral = 5.0;
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, JacobiansOfTwoLobes, testing::Bool(),
 
 /// What is linear in a centred wheelset: two lobes, 23 mm together, whose edges move along the
 /// rail while the load stays.
-TEST(JacobiansAtConstantLoad, KnowHowEdgesMove) {
+TEST(JacobiansAtConstantLoad, IncludeTheMotionOfEdges) {
   Scene scene;
   scene.accuracy_of = AccuracyOf::forces;
   scene.accuracy = 3e-3;

@@ -122,7 +122,7 @@ TEST(GapRatesOfACylinder, InClosedForm) {
   }
 }
 
-TEST(GapRatesOfElements, OnlyThoseWanted) {
+TEST(GapRatesOfElements, OnlySelectedElementsAreComputed) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, wheel_radius});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
   const PosedPair posed{wheel, rail, {0.5, 0.01, 1e-4}, wheel_radius};

@@ -269,7 +269,7 @@ void expect_same(const ForceRates& a, const ForceRates& b, double tolerance) {
   }
 }
 
-TEST(SensitivitiesOfPatches, SeveralInPlanesOfTheirOwn) {
+TEST(SensitivitiesOfPatches, AgreeWithDifferencesForSeveralPlanes) {
   Side side("60E1", {6.0, 0.02, 1e-3}); // the root of the flange, and its face
   side.lower(0.14);
   ASSERT_GE(side.patches.size(), 2u);
@@ -292,7 +292,7 @@ TEST(SensitivitiesOfPatches, SeveralInPlanesOfTheirOwn) {
   expect_same(by_motion.force_rates, by_force.force_rates, 1e-7);
 }
 
-TEST(SensitivitiesOfPatches, NoContact) {
+TEST(SensitivitiesOfPatches, AreAbsentWithoutContact) {
   Side side("60E1", {1.0, 0.0, 0.0});
   side.press(GapConvention::tangent);
   std::vector<double> nothing(side.solved[0].size(), 0.0);
@@ -337,7 +337,7 @@ TEST(SensitivitiesOfPatches, TurningPlanes) {
 
 /// Of any rates pairs become equal, and what the height does and what is left at constant load
 /// stays.
-TEST(SensitivitiesOfPatches, ArePairedWithoutALossAtConstantLoad) {
+TEST(SensitivitiesOfPatches, AreMadeSymmetricByTheLawsOfEnergy) {
   const ForceRates before{{{0.0, -3.0, 1.0}, {-700.0, 1.0, 40.0}},
                           {{0.0, 1.1, -9.0}, {-6800.0, 2.0, 11.0}},
                           {{0.0, -690.0, -6700.0}, {-5.6e6, 8.0, 60.0}},

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST(SideSensitivitiesByName, AreComputedWhenAskedFor) {
+TEST(SideSensitivitiesByName, AreComputedOnRequest) {
   Scene scene;
   scene.grid = {{24, 20}};
   SceneResult result = solve_scene(scene);

@@ -133,7 +133,7 @@ TEST(ContactSearch, TouchesARidgeUnderYawBetweenItsFlanks) {
   }
 }
 
-TEST(ContactSearchFollow, FindsTheLeastPlaceNearbyAtAnotherPose) {
+TEST(ContactSearchFollow, FindsTheNearbyMinimumAtAnotherPose) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
   SideSearch search(wheel, rail);
@@ -170,7 +170,7 @@ TEST(ContactSearchEnds, FlangeTipOnTheRailIsNotAProfileEnd) {
 
 // With yaw the locus runs along the edge of the chamfer, which is a circle about the axle, for 36
 // mm.
-TEST(ContactSamples, RunAlongARidgeUnderYaw) {
+TEST(ContactSamples, FollowARidgeUnderYaw) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
   ASSERT_EQ(wheel.ridges().size(), 1U);

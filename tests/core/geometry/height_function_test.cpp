@@ -44,7 +44,7 @@ TEST(HeightFunction, MeetsTheCurveOfAllBuiltInProfiles) {
   }
 }
 
-TEST(HeightFunction, FindsThePieceOfAnyPlace) {
+TEST(HeightFunction, FindsThePieceOfAnyPosition) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const HeightFunction& heights = wheel.graph().heights();
   const auto pieces = heights.pieces();
@@ -58,7 +58,7 @@ TEST(HeightFunction, FindsThePieceOfAnyPlace) {
   EXPECT_EQ(heights.piece_at(std::numeric_limits<double>::quiet_NaN()), 0u);
 }
 
-TEST(HeightFunction, BeyondTheEndsItStaysAtTheEnd) {
+TEST(HeightFunction, IsConstantBeyondTheEnds) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 460.0});
   const HeightFunction& heights = wheel.graph().heights();
   EXPECT_EQ(heights.at(heights.end() + 5.0).height, heights.at(heights.end()).height);

@@ -20,7 +20,7 @@ constexpr double rounding = 1e-9;
 
 /// The chamfer's edge of a large wheel crosses the rail's gauge corner: less than half of it lies
 /// over the rail. Its lowest place was missed, 27 mm below what was taken for the first contact.
-TEST(PartialRidge, HoldsTheFirstContact) {
+TEST(PartialRidge, ContainsTheFirstContact) {
   const WheelSurface wheel(standard_profile("S1002"), {1360.0, 70.0, 5000.0});
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, std::atan(0.025)});
   const Pose pose{-50.0, 0.2, -0.014};

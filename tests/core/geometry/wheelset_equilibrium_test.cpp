@@ -25,7 +25,7 @@ Pair s1002_on(const char* rail) {
           RailSurface(standard_profile(rail), {1435.0, 14.0, std::atan(1.0 / 40.0)})};
 }
 
-TEST(WheelsetEquilibrium, BothLeastDistancesVanish) {
+TEST(WheelsetEquilibrium, BothWheelsTouch) {
   const Pair pair = s1002_on("60E1");
   for (const double lateral : {-8.0, -2.5, 0.0, 4.0, 6.5, 9.0}) {
     for (const double yaw : {0.0, -0.05}) {
@@ -76,7 +76,7 @@ TEST(WheelsetEquilibrium, CentredWheelsetDoesNotRoll) {
   EXPECT_EQ(find_equilibrium({pair.wheel, pair.rail}, {pair.wheel, pair.rail}, {}).roll, 0.0);
 }
 
-TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
+TEST(WheelsetEquilibrium, RollAgreesWithAnIndependentProgram) {
   const nlohmann::json cases = reference_data("contact_cases.json").at("cases");
   const Pair pair = s1002_on("UIC60-Manchester");
   /// The cases give the roll of a trial with its own profile points; asked for is this, rad.
@@ -96,7 +96,7 @@ TEST(WheelsetEquilibrium, RollOfTheIndependentProgramsCases) {
   EXPECT_EQ(compared, 6);
 }
 
-TEST(WheelsetEquilibrium, LargeWheelsDoNotRollOffTheRailsInSearchOfTheRoll) {
+TEST(WheelsetEquilibrium, TheSearchKeepsLargeWheelsOnTheRails) {
   // A roll of 0.1 rad, half the limit, moves a contact by 0.1 radii: off the rail.
   const RailSurface rail(standard_profile("60E1"), {1435.0, 14.0, 0.025});
   for (const double radius : {1000.0, 1500.0, 3000.0}) {
@@ -111,7 +111,7 @@ TEST(WheelsetEquilibrium, LargeWheelsDoNotRollOffTheRailsInSearchOfTheRoll) {
   }
 }
 
-TEST(WheelsetEquilibrium, PrescribedRollSetsEachWheelDownByItself) {
+TEST(WheelsetEquilibrium, APrescribedRollLowersEachWheelSeparately) {
   const Pair pair = s1002_on("60E1");
   EquilibriumRequest request;
   request.lateral = 4.0;
@@ -122,7 +122,7 @@ TEST(WheelsetEquilibrium, PrescribedRollSetsEachWheelDownByItself) {
   EXPECT_EQ(result.vertical, std::max(result.left->vertical, result.right->vertical));
 }
 
-TEST(WheelsetEquilibrium, OnlyTheSideAskedForIsSearched) {
+TEST(WheelsetEquilibrium, OnlyTheRequestedSideIsSearched) {
   const Pair pair = s1002_on("60E1");
   EquilibriumRequest request;
   request.roll = 0.0;

@@ -66,7 +66,7 @@ TEST(InfluenceCache, TablesOfSmoothElementsHoldTheCorrectedCoefficients) {
   }
 }
 
-TEST(InfluenceCache, GrownTablesAreTheSameBits) {
+TEST(InfluenceCache, EnlargedTablesHaveTheSameBits) {
   InfluenceCache grown;
   for (std::size_t size = 3; size < 70; size += 11) {
     const auto table = grown.table({0.7}, size, 2 * size + 1);
@@ -162,7 +162,7 @@ TYPED_TEST(SpectrumTest, IsTheSameBitsKeptOrFreshOrDropped) {
   expect_same_bits(*fresh.inverse_spectrum<TypeParam>({1.5}, 48, 64), *first_inverse);
 }
 
-TEST(InfluenceCache, DropsWhatWasNotAskedForSinceTheLastTime) {
+TEST(InfluenceCache, DropsTablesUnusedSinceTheLastCall) {
   InfluenceCache cache;
   const auto first = cache.spectrum<double>({1.0}, 32, 32);
   const auto second = cache.spectrum<double>({2.0}, 32, 32);

@@ -185,7 +185,7 @@ public:
   HostLock& operator=(const HostLock&) = delete;
 };
 
-TEST(PlannerLock, IsTakenAroundAllPlanning) {
+TEST(PlannerLock, IsHeldDuringAllPlanning) {
   LockRecord record;
   {
     const HostLock lock(record);

@@ -83,7 +83,7 @@ TEST(VectorLog, EqualsTheLogarithm) {
   EXPECT_EQ(one[0], 0.0);
 }
 
-TEST(VectorLog, OfOnePlusASmallNumberKeepsItsDigits) {
+TEST(VectorLog, OfOnePlusASmallNumberIsAccurate) {
   expect_log1p(powers(-1000.0, 0.0));
   expect_log1p(powers(-60.0, 60.0));
   expect_log1p(powers(-4.0, 1000.0));

@@ -58,7 +58,7 @@ TEST_F(CoupledInfluenceTest, IsSymmetric) {
   EXPECT_NEAR(displaced(1.0, one)[1][18], displaced(1.0, other)[0][5], 1e-14);
 }
 
-TEST(GridInMeanPlane, IsTheBoxMovedToItsPlace) {
+TEST(GridInMeanPlane, IsTheBoxInItsPlane) {
   const Grid box = grid_in_mean_plane({6, 4, 0.2, 0.3, -0.5, -0.45}, {8.0, 3.0}, {1, 3, 2, 3});
   EXPECT_EQ(box.lateral_count, 3u);
   EXPECT_EQ(box.longitudinal_count, 2u);

@@ -89,12 +89,12 @@ template <typename Real> void expect_consistent(std::size_t spacing, double tole
   }
 }
 
-TEST(IterationBox, FewCutPressuresTakeTheirDisplacementsAlong) {
+TEST(IterationBox, DisplacementsFollowAFewCutPressures) {
   expect_consistent<float>(60, 1e-6);
   expect_consistent<double>(60, 1e-13);
 }
 
-TEST(IterationBox, ManyCutPressuresTakeTheirDisplacementsAlong) {
+TEST(IterationBox, DisplacementsFollowManyCutPressures) {
   expect_consistent<float>(5, 1e-5);
   expect_consistent<double>(5, 1e-13);
 }

@@ -97,7 +97,7 @@ std::vector<double> pressures_of(const NormalSolution& solution) {
   return all;
 }
 
-TEST(JointContactRandom, MeetsTheToleranceAsked) {
+TEST(JointContactRandom, MeetsTheRequestedTolerance) {
   constexpr int count = 300;
   NormalSolver solver;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {

@@ -149,7 +149,7 @@ TEST(JointContact, SharedApproachCostsFewMoreConvolutions) {
       << alike.convolutions << " and " << unequal.convolutions;
 }
 
-TEST(JointContact, ALoadOfNothingPressesNothing) {
+TEST(JointContact, ZeroLoadGivesNoPressure) {
   const std::vector<OwnedPatch> patches = tread_and_flange();
   const std::vector<PatchGap> gaps = gaps_of(patches);
   NormalSolver solver;
@@ -237,7 +237,7 @@ TEST(JointContact, CoupledPatchesOfOnePlaneAreOneContact) {
             0.95 * whole.approach);
 }
 
-TEST(JointContact, FindsWhatCoarseGridsMissInBothPatchesThatInteract) {
+TEST(JointContact, FindsContactMissedByCoarseGridsInBothInteractingPatches) {
   CutPlane plane = cut_plane();
   const std::size_t columns = plane.whole.grid.longitudinal_count;
   // Single elements far outside, as deep as the first lobe.
@@ -380,7 +380,7 @@ struct TwoBoxes {
   }
 };
 
-TEST(PatchCoupling, KeepsTheErrorAskedForOnBoxesApart) {
+TEST(PatchCoupling, MeetsTheRequestedErrorOnSeparateBoxes) {
   for (const double error : {1e-3, 1e-4, 1e-5}) {
     for (const double step : {0.03, 0.1, 0.3}) {
       for (const double apart : {1.0, 1.5, 3.0, 8.0}) {
@@ -419,7 +419,7 @@ TEST(PatchCoupling, KeepsTheErrorAskedForOnBoxesApart) {
   }
 }
 
-TEST(JointContact, WhatIsWrongIsNamed) {
+TEST(JointContact, InvalidInputIsNamed) {
   const OwnedPatch patch = hertz_patch(8, 8, 1.0, 1.0, 300.0, 0.0, 1.0);
   NormalSolver solver;
   const auto expect_named = [&solver](const NormalProblem& problem, const char* name) {

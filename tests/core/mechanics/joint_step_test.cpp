@@ -76,7 +76,7 @@ TEST(JointStep, KeepsTheLoadAndLeavesWorkOfTheApproachOnly) {
   }
 }
 
-TEST(JointStep, WhatHasNoEnergyTakesNoPart) {
+TEST(JointStep, DirectionsWithoutEnergyAreLeftOut) {
   System system;
   for (std::size_t i = 0; i < order; ++i) {
     system.energy[1][i] = system.energy[i][1] = 0.0; // a box that rests
@@ -92,7 +92,7 @@ TEST(JointStep, WhatHasNoEnergyTakesNoPart) {
   EXPECT_NEAR(step.growth(0), (4.0 * 0.5 - 1.0 * 1.0) / determinant, 1e-8);
 }
 
-TEST(JointStep, BearsADirectionParallelToThePressures) {
+TEST(JointStep, HandlesADirectionParallelToThePressures) {
   System system;
   system.energy[0][2] = system.energy[2][0] = 2.0 * system.energy[0][0];
   system.energy[2][2] = 4.0 * system.energy[0][0];
@@ -107,7 +107,7 @@ TEST(JointStep, BearsADirectionParallelToThePressures) {
   }
 }
 
-TEST(JointStep, SaysSoWhereEnergiesHaveNoLeastValue) {
+TEST(JointStep, ReportsAnEnergyWithoutMinimum) {
   System system;
   system.energy[0][1] = system.energy[1][0] = 5.0;
   JointStep step = step_of(system);

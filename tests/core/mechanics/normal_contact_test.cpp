@@ -75,7 +75,7 @@ TEST(NormalContact, SameInputSameBits) {
   }
 }
 
-TEST(NormalContact, ResidualsSeeWhatIsWrong) {
+TEST(NormalContact, ResidualsRevealErrors) {
   const Grid grid = centred_grid(25, 25, 0.3, 0.3);
   const std::vector<double> distance = hertz_gap(grid, 1.0 / 300.0, 1.0 / 300.0);
   const PatchProblem problem = with_load(grid, distance, 4000.0, tolerance);

@@ -122,7 +122,7 @@ TEST(ExteriorCheck, FindsSeveralAtOnce) {
   }
 }
 
-TEST(ExteriorCheck, LeavesSeparateBodiesAlone) {
+TEST(ExteriorCheck, FindsNothingForSeparateBodies) {
   // A hair's breadth of room: no pressure there, and the answer of the sphere alone.
   const LoneSphere sphere;
   NormalSolver solver;

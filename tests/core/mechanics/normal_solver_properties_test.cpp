@@ -25,7 +25,7 @@ void expect_same_bits(const PatchSolution& left, const PatchSolution& right,
   EXPECT_EQ(left.stop_reason, right.stop_reason) << name;
 }
 
-TEST(NormalSolver, WhatIsKeptChangesNoBit) {
+TEST(NormalSolver, CachedDataChangeNoBit) {
   for (const Precision precision : {Precision::mixed, Precision::double_only}) {
     NormalSolver warm(PlannerRigor::estimate, precision);
     // Twice the same round: other sizes and element shapes come in between.

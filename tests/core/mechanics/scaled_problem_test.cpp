@@ -118,7 +118,7 @@ TEST_F(ScaledProblemTest, StartsFromPressuresOfAllPatchesOrOfNone) {
   EXPECT_NEAR(scaled_.cascades[1].finest().pressure[7] * scaled_.pressure_scale, 250.0, 1e-9);
 }
 
-TEST(PenetrationBox, HoldsAllThatOverlapsAndAMargin) {
+TEST(PenetrationBox, ContainsAllOverlapAndAMargin) {
   Level level;
   level.size = {6, 8};
   level.shares.assign(48, 0.5);

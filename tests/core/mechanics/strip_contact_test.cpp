@@ -60,7 +60,7 @@ TEST(StripContact, FindsSeveralContactsOfARoughProfile) {
   expect_dense_pressures(distance, 0.006);
 }
 
-TEST(StripContact, StartsFromAnyPressures) {
+TEST(StripContact, AnyInitialPressuresGiveTheSameSolution) {
   const std::vector<double> distance = parabola(80, 0.01);
   const StripProblem problem{0.05, length, modulus, 0.005, distance, 1e-10};
   const std::vector<double> from_none = solve_strips(problem, std::vector<double>(80));

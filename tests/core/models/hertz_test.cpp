@@ -132,7 +132,7 @@ TEST(Hertz, EllipseAndBodiesAreInverse) {
   EXPECT_EQ(sphere.lateral_radius, sphere.longitudinal_radius);
 }
 
-TEST(Hertz, NoLoadNoContact) {
+TEST(Hertz, NoLoadGivesNoContact) {
   for (const HertzContact& contact : {solve_hertz(0.01, 0.02, modulus, 0.0),
                                       solve_hertz_for_approach(0.01, 0.02, modulus, -1e-3)}) {
     EXPECT_EQ(contact.normal_force, 0.0);

@@ -86,7 +86,7 @@ TEST_F(PatchModels, LoadsGrowWithThePowerOfThreeHalvesOfTheDepth) {
   }
 }
 
-TEST_F(PatchModels, BothModelsAreNearEachOther) {
+TEST_F(PatchModels, BothModelsAgreeClosely) {
   const ModelledPatch one = hertz(0.05)->solve(0.05);
   const ModelledPatch other = kik_piotrowski(0.05)->solve(0.05);
   // 0.55 in place of the circle's 0.5 (tests of the formulas): loads by up to sqrt(1.1).

@@ -419,7 +419,7 @@ TEST(ContactPatches, AreaStaysInItsTerritory) {
 constexpr double angle_tolerance = 1.5e-3;
 constexpr double place_tolerance = 0.06;
 
-TEST(ContactPatches, PlanesOfAnIndependentProgram) {
+TEST(ContactPatches, PlanesAgreeWithAnIndependentProgram) {
   const nlohmann::json reference = reference_data("contact_cases.json");
   for (const auto& entry : reference.at("cases")) {
     SCOPED_TRACE(entry.at("id").get<std::string>());

@@ -48,7 +48,7 @@ TEST(LocusSamples, DerivativesAndBulgeOfAParabolaAreExact) {
 }
 
 /// The way down along a parabola ends where it crosses the level.
-TEST(LocusSamples, WayDownEndsAtTheLevel) {
+TEST(LocusSamples, DescentEndsAtTheGivenLevel) {
   const Sample higher = sample_at(0.0, 0.3);
   const Sample lower = sample_at(2.0, -0.2);
   for (const double bulge : {-0.2, 0.0, 0.1, 0.3}) {
@@ -62,7 +62,7 @@ TEST(LocusSamples, WayDownEndsAtTheLevel) {
 }
 
 /// A top is where its parabola is level: penetration falls to both sides by the square.
-TEST(LocusSamples, BesideATopTheParabolaBeginsLevel) {
+TEST(LocusSamples, TheParabolaBesideATopStartsLevel) {
   const Sample top = sample_at(0.0, 0.3, true);
   const Sample beside = sample_at(1.0, 0.1);
   EXPECT_NEAR(patch_finding::bulge_between(top, beside), 0.2, 1e-15);
@@ -70,7 +70,7 @@ TEST(LocusSamples, BesideATopTheParabolaBeginsLevel) {
   EXPECT_NEAR(patch_finding::way_down(top, beside, 0.2, 0.25), 0.5, 1e-14);
 }
 
-TEST(LocusSamples, BulgeAddsNoTopOfItsOwn) {
+TEST(LocusSamples, ABulgeAddsNoTop) {
   Sample from = sample_at(0.0, 0.10);
   Sample to = sample_at(3.0, 0.11);
   from.second = to.second = -1.0;
@@ -106,7 +106,7 @@ struct Source {
   [[nodiscard]] double yaw_tangent() const { return 0.0; }
 };
 
-TEST(LocusSamples, AreTheStretchesThatPenetrateAndTheirTops) {
+TEST(LocusSamples, CoverThePenetratingStretchesAndTheirTops) {
   ContactScan scan;
   for (int i = 0; i <= 80; ++i) {
     const double y = 0.5 * i;

@@ -16,7 +16,7 @@ TEST(PlaneArea, GridFillsTheAreaWithEqualElements) {
 
 /// Of 0.7 mm over 8, between two at a quarter of it; of 0.3 mm over 1, between two in the middle.
 /// The outermost centres are inside, the next ones are not.
-TEST(PlaneArea, ElementsOfGivenSizesKeepAPlace) {
+TEST(PlaneArea, ElementsOfGivenSizesKeepTheirOffsetFromTheMiddle) {
   const PlaneArea area{-3.0, 5.0, 1.0, 2.0};
   const Grid grid = grid_with_sizes(area, 0.7, 0.3, 0.25);
   EXPECT_EQ(grid.lateral_step, 0.7);
@@ -42,7 +42,7 @@ TEST(PlaneArea, NextEvenNumber) {
   EXPECT_EQ(even_count(4.0), 4u);
 }
 
-TEST(PlaneArea, WidensBySharesOfItsSides) {
+TEST(PlaneArea, WidensByFractionsOfItsSides) {
   const PlaneArea area = PlaneArea{-1.0, 3.0, 2.0, 4.0}.widened(0.25);
   EXPECT_DOUBLE_EQ(area.lateral_first, -2.0);
   EXPECT_DOUBLE_EQ(area.lateral_last, 4.0);

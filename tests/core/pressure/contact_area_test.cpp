@@ -294,7 +294,7 @@ TEST(ContactArea, OfTwoContactsIsTheirSum) {
   EXPECT_NEAR(contact_area(both, twice), 2.0 * area, rounding * area);
 }
 
-TEST(ContactArea, NoPressureNoArea) {
+TEST(ContactArea, IsZeroWithoutPressure) {
   const Grid grid{3, 2, 1.0, 1.0, 0.0, 0.0};
   const std::vector<double> none(6, 0.0);
   EXPECT_EQ(contact_area(grid, none), 0.0);

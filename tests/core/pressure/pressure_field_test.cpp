@@ -119,7 +119,7 @@ TEST(PressureField, EqualForcesStayInTheOrderOfTheirFirstElement) {
   EXPECT_TRUE(regions[0].touches_edge.lateral_first && regions[0].touches_edge.lateral_last);
 }
 
-TEST(PressureField, NoPressureNoRegion) {
+TEST(PressureField, NoPressureGivesNoRegion) {
   const Grid grid{3, 2, 1.0, 1.0, 0.0, 0.0};
   const std::vector<double> none(6, 0.0);
   EXPECT_TRUE(pressure_regions(grid, none).empty());

@@ -95,7 +95,7 @@ TEST(SmoothPressure, ExtentsHaveNoStepWhereContactReachesTheNextRow) {
 
 // Against sums over a hundred places: p^2 is linear in halves of elements, 0.1 semi-axes long, and
 // so up to 0.0025 off, where p is 0.2 and more.
-TEST(SmoothPressure, MeansOverElementsCountWhatIsInContact) {
+TEST(SmoothPressure, MeansOverElementsCountThePartInContact) {
   const SmoothPressure smooth(coarse, hertz(coarse, 4.0, 2.3));
   const Grid other{4, 11, 1.0, 0.8, -1.6, -3.9};
   std::vector<double> pressure;

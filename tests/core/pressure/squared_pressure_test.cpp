@@ -21,7 +21,7 @@ std::vector<double> strip(double edge, std::size_t columns) {
   return pressure;
 }
 
-TEST(SquaredPressure, GoesOnLinearlyBeyondASmoothEdge) {
+TEST(SquaredPressure, ContinuesLinearlyBeyondASmoothEdge) {
   const LevelSize size{3, 8};
   std::vector<double> squares;
   square_and_continue(size, strip(4.25, 8), squares);
@@ -34,7 +34,7 @@ TEST(SquaredPressure, GoesOnLinearlyBeyondASmoothEdge) {
   EXPECT_EQ(squares[8 + 6], 0.0);
 }
 
-TEST(SquaredPressure, EdgeOfALoneElementIsHalfWay) {
+TEST(SquaredPressure, TheEdgeOfALoneElementIsHalfWayOut) {
   const LevelSize size{3, 3};
   const std::vector<double> pressure{0, 0, 0, 0, 3, 0, 0, 0, 0};
   std::vector<double> squares;

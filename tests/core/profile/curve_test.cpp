@@ -72,7 +72,7 @@ TEST(Curve, NodesBelongToThePieceThatBegins) {
   EXPECT_EQ(curve.piece_at(curve.starts()[1]), 1U);
 }
 
-TEST(Curve, MovedTurnsThenShifts) {
+TEST(Curve, MovingRotatesThenShifts) {
   const Curve curve{std::vector{arc_piece(10.0, 0.0, 0.1)}};
   const double angle = 0.3;
   const Curve moved = curve.moved(angle, 5.0, -2.0);
@@ -98,7 +98,7 @@ ErrorCode code_of(const std::vector<Curve::Piece>& pieces) {
   return ErrorCode::internal;
 }
 
-TEST(Curve, RefusesWhatIsNoCurve) {
+TEST(Curve, RefusesInvalidPieces) {
   EXPECT_EQ(code_of({}), ErrorCode::invalid_argument);
   for (const double length : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
                               std::numeric_limits<double>::infinity()}) {

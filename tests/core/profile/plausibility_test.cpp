@@ -31,7 +31,7 @@ std::vector<Position> changed(std::vector<Position> points, double lateral, doub
   return points;
 }
 
-TEST(Plausibility, WheelsAndRailsAre) {
+TEST(Plausibility, WheelsAndRailsArePlausible) {
   for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
     Log log("file", true);
     const auto points = kind == ProfileKind::wheel ? wheel_points() : rail_points();

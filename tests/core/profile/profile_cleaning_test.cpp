@@ -20,7 +20,7 @@ RawProfile raw_of(std::vector<Position> points) {
   return raw;
 }
 
-TEST(ProfileCleaning, OnlyPointsThatCoincideAreDoubles) {
+TEST(ProfileCleaning, OnlyCoincidentPointsAreDuplicates) {
   Log log("file", false);
   RawProfile raw = raw_of({{0, 0}, {1, 0}, {1.005, 0}, {1.02, 0}, {2, 0}, {3, 0}});
   remove_doubles(raw, 0.01, log);
@@ -45,7 +45,7 @@ TEST(ProfileCleaning, SinglePointsOffTheLineAreRemovedAndKeptForPictures) {
   EXPECT_EQ(log.guesses(), 1U) << "6 mm are no scatter";
 }
 
-TEST(ProfileCleaning, ACornerIsNoOutlier) {
+TEST(ProfileCleaning, ACornerIsNotAnOutlier) {
   Log log("file", false);
   std::vector<Position> points;
   for (int i = 0; i <= 20; ++i) {
@@ -57,7 +57,7 @@ TEST(ProfileCleaning, ACornerIsNoOutlier) {
   EXPECT_TRUE(log.corrections().empty());
 }
 
-TEST(ProfileCleaning, WhatLiesDeepIsCutOffBothEnds) {
+TEST(ProfileCleaning, DeepEndsAreCutOff) {
   Log log("file", false);
   std::vector<Position> points = rail_points();
   const std::size_t head = points.size();

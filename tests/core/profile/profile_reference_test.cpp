@@ -86,7 +86,7 @@ TEST(ReferenceProfiles, Uic60MeetsTheManchesterPoints) {
   RecordProperty("largest_distance_pm", static_cast<int>(largest * 1e9));
 }
 
-TEST(ReferenceFiles, SimpackWheelIsReadAsItSays) {
+TEST(ReferenceFiles, SimpackWheelIsReadAsItsHeaderStates) {
   WRC_NEEDS_ORIGINAL("MBench_S1002_v3.prw");
   ReadOptions options = all_points();
   options.strict = true;
@@ -99,7 +99,7 @@ TEST(ReferenceFiles, SimpackWheelIsReadAsItSays) {
   EXPECT_EQ(read.profile.points, points_of(s1002_columns));
 }
 
-TEST(ReferenceFiles, SimpackRailIsReadAsItSays) {
+TEST(ReferenceFiles, SimpackRailIsReadAsItsHeaderStates) {
   WRC_NEEDS_ORIGINAL("MBench_UIC60_v3.prr");
   const ReadResult read = read_profile(original_file("MBench_UIC60_v3.prr"), all_points());
   EXPECT_EQ(read.profile.kind, ProfileKind::rail);

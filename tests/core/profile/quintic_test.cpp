@@ -31,7 +31,7 @@ TEST(Quintic, EvaluatesValueAndDerivatives) {
   }
 }
 
-TEST(Quintic, IsAnyPolynomialOfTheFifthDegree) {
+TEST(Quintic, ReproducesPolynomialsOfTheFifthDegree) {
   const Quintic c{0.3, -1.2, 0.7, 0.05, -0.4, 0.11};
   for (const double length : {0.2, 1.0, 2.5}) {
     const Quintic found = quintic(evaluate(c, 0.0), evaluate(c, length), length);

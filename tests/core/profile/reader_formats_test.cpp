@@ -15,7 +15,7 @@ ReadResult read_as(ProfileFormat format, const std::string& text, std::string_vi
 
 // Two columns
 
-TEST(ColumnsReader, TakesCommentsSeparatorsAndPlusSigns) {
+TEST(ColumnsReader, AcceptsCommentsSeparatorsAndPlusSigns) {
   const ReadResult read = read_as(ProfileFormat::columns,
                                   "\xEF\xBB\xBF# rail\n! old\n% older\n\n"
                                   "-20 -6\r\n-10,-1 # behind a point\r+0;+0.0\n +1e1\t-1 \n20, -6",
@@ -42,7 +42,7 @@ TEST(ColumnsReader, RefusesWithLineAndText) {
       contains(refusal("-20,5,6,1\n0,0,1,5\n"), "sample:1: commas between the numbers and"));
 }
 
-TEST(ColumnsReader, FurtherColumnsAreGuessesUnlessAHeadingNamesTheTwo) {
+TEST(ColumnsReader, ExtraColumnsAreAGuessUnlessAHeadingNamesTwo) {
   std::string rows;
   for (const Position& point : wheel_points())
     rows +=
@@ -138,7 +138,7 @@ TEST(SimpackReader, ClipsHeights) {
   EXPECT_LT(distance_at(read.profile.curve, expected), rounding);
 }
 
-TEST(SimpackReader, BoundsThatAreTurnedAroundAreOff) {
+TEST(SimpackReader, ReversedBoundsAreIgnored) {
   const ReadResult read =
       read_as(ProfileFormat::simpack,
               simpack(wheel_rows(), millimetres + " bound.y.min = 1\n bound.y.max = 0\n", 1));
@@ -155,7 +155,7 @@ TEST(SimpackReader, WithoutUnitsValuesAreMetres) {
   EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
 }
 
-TEST(SimpackReader, DropsClosePointsAndSaysWhatItIgnores) {
+TEST(SimpackReader, DropsClosePointsAndReportsIgnoredKeys) {
   const std::string keys =
       millimetres + " point.dist.min = 3\n approx.smooth = 0.5\n strange = 1\n";
   std::string rows = wheel_rows();
@@ -167,7 +167,7 @@ TEST(SimpackReader, DropsClosePointsAndSaysWhatItIgnores) {
   EXPECT_TRUE(says(read, "1 weights other than 1 ignored"));
 }
 
-TEST(SimpackReader, WhatStandsTwiceIsToldAndStrictReadingRefusesIt) {
+TEST(SimpackReader, DuplicateKeysAreReportedAndRefusedInStrictMode) {
   const std::string keys = millimetres + " mirror.y = 1\n mirror.y = 0\n";
   const ReadResult twice = read_as(ProfileFormat::simpack, simpack(wheel_rows(), keys, 1), "a.prw");
   EXPECT_TRUE(says(twice, "mirror.y occurs again in line "));
@@ -215,7 +215,7 @@ TEST(SimpackReader, RefusesBrokenFiles) {
   EXPECT_TRUE(contains(refusal(deep), "sample:9: sections nested deeper than 8"));
 }
 
-TEST(SimpackReader, RotatesByAGuessOfTheSense) {
+TEST(SimpackReader, RotationInAGuessedSenseIsReported) {
   const std::string keys = millimetres + " units.ang.f = 57.29577951308232\n rotate = 1.0\n";
   const double angle = 1.0 / 57.29577951308232;
   const std::string rows = wheel_rows([angle](Position p) {
@@ -248,7 +248,7 @@ TEST(SimpackReader, SignsThatTheFormatStatesAreNotOverruledByTheShape) {
   EXPECT_TRUE(contains(down.profile.warnings.front().text, "the head points down"));
 }
 
-TEST(SimpackReader, TakesTheUnitOfOldFilesByItsName) {
+TEST(SimpackReader, ReadsTheNamedUnitOfOldFiles) {
   const ReadResult read =
       read_as(ProfileFormat::simpack, simpack(wheel_rows(), " units.len = mm\n", 1), "a.prw");
   EXPECT_LT(distance_at(read.profile.curve, wheel_points()), rounding);
@@ -340,7 +340,7 @@ TEST(MiniprofReader, TakesColumnsOffsetsQuotesAndOldHeaders) {
   EXPECT_LT(distance_at(read.profile.curve, rail_points()), rounding);
 }
 
-TEST(MiniprofReader, SaysWhatItSkips) {
+TEST(MiniprofReader, ReportsSkippedRows) {
   const ReadResult read =
       read_as(ProfileFormat::miniprof,
               "ColumnDef=X,Y\nXYPoints=99\n\n\" 1 2\n7\n" + miniprof_rows() + "! 3 4\n", "a.ban");
@@ -349,7 +349,7 @@ TEST(MiniprofReader, SaysWhatItSkips) {
   EXPECT_TRUE(says(read, "XYPoints in the header differs from the 35 points found"));
 }
 
-TEST(MiniprofReader, ColumnsLeftOutAndKeysThatStandTwiceAreTold) {
+TEST(MiniprofReader, IgnoredColumnsAndDuplicateKeysAreReported) {
   std::string rows;
   for (const Position& point : rail_points())
     rows += text_of(-point[0]) + " " + text_of(point[1]) + " 0.1 7\n";

@@ -57,7 +57,7 @@ TEST_P(ReaderLimits, RefuseAGigabyte) {
   EXPECT_TRUE(contains(refusal(), ": is larger than 67108864 bytes"));
 }
 
-TEST_P(ReaderLimits, RefuseALineOfAHundredMegabytesOrLess) {
+TEST_P(ReaderLimits, RefuseLinesLongerThanTheLimit) {
   write("1 2", 100 * megabyte);
   EXPECT_TRUE(contains(refusal(), ": is larger than"));
   write("1 2", 60 * megabyte);
@@ -85,7 +85,7 @@ TEST_P(ReaderLimits, RefuseTenMillionPoints) {
 INSTANTIATE_TEST_SUITE_P(Formats, ReaderLimits, ::testing::Values(".txt", ".prw", ".whl"),
                          [](const auto& format) { return std::string(format.param + 1); });
 
-TEST(PointLimits, RefuseTenMillionPointsOfAProgram) {
+TEST(PointLimits, RefuseTenMillionPointsFromAProgram) {
   const std::vector<Position> points(10000000, Position{1.0, 2.0});
   reset_peak_memory();
   const std::size_t before = memory_in_use();

@@ -55,7 +55,7 @@ TEST(ReaderLines, NumbersDoNotDependOnNotation) {
       ErrorCode::file_malformed, [&] { finite_number("1e999", 7, log); }, "file:7");
 }
 
-TEST(ReaderLines, RowsBecomePlain) {
+TEST(ReaderLines, SeparatorsAreNormalised) {
   const auto numbers_of = [](std::string_view line) {
     std::vector<double> numbers;
     const std::string row = plain_row(line);
@@ -112,7 +112,7 @@ TEST(ReaderLines, GuessesAndWarningsAreErrorsInStrictMode) {
       ErrorCode::file_malformed, [&] { strict.warn(WarningClass::profile_gap, "a gap"); }, "a gap");
 }
 
-TEST(ReaderLines, LinesOfOneSortAreCounted) {
+TEST(ReaderLines, LinesOfOneKindAreCounted) {
   LineCount count;
   count.add(4);
   count.add(9);

@@ -34,7 +34,7 @@ TEST(ReaderText, Utf16IsReadWithAndWithoutItsMark) {
   }
 }
 
-TEST(ReaderText, LookalikesBecomeAscii) {
+TEST(ReaderText, LookalikeCharactersBecomeAscii) {
   EXPECT_EQ(decoded("\xEF\xBB\xBF\xE2\x88\x92"
                     "1.5\xC2\xA0"
                     "2"),

@@ -74,7 +74,7 @@ TEST(Readers, RailComesOutWithHeightUpAndItsLateralSignKept) {
   }
 }
 
-TEST(Readers, HalfARailHeadIsSeenUpright) {
+TEST(Readers, HalfARailHeadIsRecognisedAsUpright) {
   std::vector<Position> points = rail_points();
   std::erase_if(points, [](const Position& p) { return p[0] > 0.0; });
   const ReadResult read = read_rows(rows_of(points, 1.0, -1.0), rail_options());
@@ -115,7 +115,7 @@ TEST(Readers, KindIsGuessedFromTheShape) {
   EXPECT_TRUE(says(rail, "treated as a rail"));
 }
 
-TEST(Readers, UnitsAreGuessedAndSaid) {
+TEST(Readers, UnitsAreGuessedAndReported) {
   for (const double unit : {1e-3, 1e3}) {
     const ReadResult read = read_rows(rows_of(wheel_points(), unit, unit), wheel_options());
     EXPECT_TRUE(says(read, "multiplied by"));
@@ -138,7 +138,7 @@ TEST(Readers, StatedScaleSwitchesTheGuessOff) {
                "mm long in total"));
 }
 
-TEST(Readers, DuplicatesAreDroppedAndSaid) {
+TEST(Readers, DuplicatesAreDroppedAndReported) {
   std::vector<Position> points = wheel_points();
   points.insert(points.begin() + 10, 3, points[10]);
   const ReadResult read = read_rows(rows_of(points), wheel_options());
@@ -160,7 +160,7 @@ TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
                  "at most 1e+05 mm");
 }
 
-TEST(Readers, ScatterIsToldByThePressureThatFlattensIt) {
+TEST(Readers, ScatterIsReportedWithThePressureThatFlattensIt) {
   const auto told_with_digits = [](int digits) {
     std::string rows;
     const Curve curve = standard_profile("S1002").curve;
@@ -252,7 +252,7 @@ TEST(Readers, RefusesOptionsOutOfRange) {
   }
 }
 
-TEST(Readers, SmoothingIsSaidAndDone) {
+TEST(Readers, SmoothingIsDoneAndReported) {
   ReadOptions options = wheel_options();
   options.smoothing_wavelength = 20.0;
   const ReadResult read = read_rows(rows_of(wheel_points()), options);
@@ -269,7 +269,7 @@ TEST(Readers, FormatGoesByTheExtension) {
   EXPECT_EQ(type_of("b").format, ProfileFormat::columns);
 }
 
-TEST(Readers, RefusesWhatIsNoFile) {
+TEST(Readers, RefusesDirectoriesDevicesAndMissingFiles) {
   const auto code_of = [](const std::filesystem::path& path) {
     try {
       (void)read_profile(path);

@@ -83,7 +83,7 @@ ReadResult read_columns_of(const RealFile& file) {
 
 class RealFiles : public ::testing::TestWithParam<RealFile> {};
 
-TEST_P(RealFiles, AreReadAsTheirListSays) {
+TEST_P(RealFiles, AreReadAsTheirListStates) {
   const RealFile& file = GetParam();
   const std::string name = std::string("real_profiles/") + file.file;
   WRC_NEEDS_ORIGINAL(name);
@@ -105,7 +105,7 @@ TEST_P(RealFiles, AreReadAsTheirListSays) {
 
 class RealWheels : public ::testing::TestWithParam<RealFile> {};
 
-TEST_P(RealWheels, AreReadAsTheirListSays) {
+TEST_P(RealWheels, AreReadAsTheirListStates) {
   expect_as_listed(GetParam(), read_columns_of(GetParam()).profile);
 }
 

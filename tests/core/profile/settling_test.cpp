@@ -33,7 +33,7 @@ double largest_difference(const std::vector<Position>& found,
   return largest;
 }
 
-TEST(Settling, PointsInTheFrameStayWithoutAWord) {
+TEST(Settling, PointsInTheFrameAreUnchangedWithoutAMessage) {
   Log log("file", true);
   const Settled wheel = settled(wheel_points(), ProfileKind::wheel, log);
   EXPECT_EQ(wheel.kind, ProfileKind::wheel);
@@ -60,7 +60,7 @@ TEST(Settling, UnitsSignsAndOrderAreFound) {
   }
 }
 
-TEST(Settling, TheTapingLineIsPutTo0) {
+TEST(Settling, TheTapingLineIsShiftedTo0) {
   std::vector<Position> points = wheel_points();
   for (Position& point : points) {
     point = {point[0] + 70.0, point[1] + 3.0};
@@ -72,7 +72,7 @@ TEST(Settling, TheTapingLineIsPutTo0) {
   EXPECT_LT(largest_difference(wheel.points, wheel_points()), 1e-6);
 }
 
-TEST(Settling, AShapeTellsItsKind) {
+TEST(Settling, TheKindFollowsFromTheShape) {
   for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
     RawProfile raw;
     raw.points = kind == ProfileKind::wheel ? wheel_points() : rail_points();

@@ -17,7 +17,7 @@ const std::string two_slices =
     "% a switch\n 100.0  1000.0 % offset, scale\n 2 % slices\n 1 0 0\n 2\n"
     " 0.5 'a.prr'\n 1.25, \"sub/b.prr\" % the tongue\n";
 
-TEST(Slices, AreListedAtTheirPlaces) {
+TEST(Slices, AreListedWithTheirPositions) {
   const std::vector<Slice> slices = read_slices(two_slices, "track/switch.slcs");
   ASSERT_EQ(slices.size(), 2U);
   EXPECT_DOUBLE_EQ(slices[0].place, 100500.0);
@@ -27,7 +27,7 @@ TEST(Slices, AreListedAtTheirPlaces) {
             "2 slices: 1 at 100500 mm 'a.prr', 2 at 101250 mm 'b.prr'");
 }
 
-TEST(Slices, RefuseWhatIsNone) {
+TEST(Slices, RefuseMalformedFiles) {
   const auto refuses = [](const std::string& text, const char* part) {
     test::expect_error(
         ErrorCode::file_malformed, [&] { (void)read_slices(text, "a.slcs"); }, part);
@@ -61,7 +61,7 @@ private:
   std::filesystem::path folder_;
 };
 
-TEST_F(SlicesFile, OneOfThemIsReadAsAProfile) {
+TEST_F(SlicesFile, OneSliceIsReadAsAProfile) {
   (void)write("a.txt", rows_of(rail_points()));
   const auto path = write("a.slcs", "0 1\n2\n1\n1\n0 'a.txt'\n5 'b.slcs'\n");
   ReadOptions options;

@@ -51,7 +51,7 @@ TEST(Smoothing, PassesWavesByTheLaw) {
   }
 }
 
-TEST(Smoothing, HalvesTheWavelengthAskedFor) {
+TEST(Smoothing, HalvesTheRequestedWavelength) {
   const std::vector<double> u = uneven_abscissae();
   for (const double wavelength : {4.0, 10.0, 25.0})
     EXPECT_NEAR(amplitude(u, smooth_values(u, sine(u, wavelength), wavelength), wavelength), 0.5,

@@ -95,7 +95,7 @@ TEST(Spline, RefusesPointsThatJumpBackAndForth) {
       ErrorCode::invalid_argument, [&] { (void)curve_through(points); }, "jump back and forth");
 }
 
-TEST(Spline, RefusesWhatIsNoLine) {
+TEST(Spline, RefusesDegeneratePoints) {
   EXPECT_THROW((void)curve_through(std::vector<Position>{{0, 0}, {1, 0}, {2, 0}}), Error);
   EXPECT_THROW((void)curve_through(std::vector<Position>{{0, 0}, {1, 0}, {1, 0}, {2, 0}}), Error);
   EXPECT_THROW((void)curve_through(std::vector<Position>{{0, 0}, {1, 0}, {NAN, 0}, {2, 0}}), Error);

@@ -78,7 +78,7 @@ TEST(StandardProfiles, AreTheOnesOfTheList) {
   EXPECT_EQ(standard_profile_names(ProfileKind::rail), rails);
 }
 
-TEST(StandardProfiles, CarryTheirPapers) {
+TEST(StandardProfiles, HaveATitleSourceAndConfidence) {
   for (const std::string_view name : all_names()) {
     const Profile profile = standard_profile(name);
     EXPECT_EQ(profile.name, name);

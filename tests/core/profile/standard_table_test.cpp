@@ -57,7 +57,7 @@ TEST(StandardTable, ArcsHaveTheirRadii) {
   EXPECT_GT(arcs, 50U);
 }
 
-TEST(StandardTable, NamesAreDifferentAndSourcesAreGiven) {
+TEST(StandardTable, NamesAreDistinctAndSourcesAreGiven) {
   std::set<std::string_view> names;
   for (const TableProfile& profile : standard_table()) {
     EXPECT_TRUE(names.insert(profile.name).second) << profile.name;

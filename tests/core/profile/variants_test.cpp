@@ -78,7 +78,7 @@ void expect_lines(const std::vector<std::string>& found, const std::vector<std::
                                                               << all_lines(found);
 }
 
-TEST_F(ProfileVariants, AreReadRightOrToldAndNoneIsWrongInSilence) {
+TEST_F(ProfileVariants, AreReadCorrectlyOrReported) {
   const std::vector<Variant> variants = all_variants();
   EXPECT_GE(variants.size(), 150U);
   std::set<std::string> names;
@@ -103,7 +103,7 @@ TEST_F(ProfileVariants, AreReadRightOrToldAndNoneIsWrongInSilence) {
   RecordProperty("variants", static_cast<int>(variants.size()));
 }
 
-TEST_F(ProfileVariants, PlainFilesPassStrictReadingAndTheOthersDoNot) {
+TEST_F(ProfileVariants, OnlyPlainFilesPassStrictReading) {
   for (const Variant& variant : all_variants()) {
     SCOPED_TRACE(variant.name);
     ReadOptions options = variant.options;

@@ -31,7 +31,7 @@ protected:
   std::filesystem::path folder_;
 };
 
-TEST_F(Writers, EveryFormatReadsBackWithoutAGuess) {
+TEST_F(Writers, EveryFormatCanBeReadBackWithoutAGuess) {
   for (const auto& [name, file] : {std::pair{"S1002", "a.txt"}, std::pair{"S1002", "a.prw"},
                                    std::pair{"60E1", "b.txt"}, std::pair{"60E1", "b.prr"}}) {
     SCOPED_TRACE(file);
@@ -78,7 +78,7 @@ TEST_F(Writers, RefusesBadArguments) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(Writers, FaultLeavesTheOldFileAndNothingElse) {
+TEST_F(Writers, AFailureLeavesOnlyTheOldFile) {
   // The target is a folder that is not empty: writing aside works, renaming does not.
   std::filesystem::create_directories(folder_ / "taken.txt" / "inside");
   test::expect_error(ErrorCode::file_unreadable,

@@ -72,7 +72,7 @@ TEST(RailNormals, RatesAreThoseOfDifferences) {
 }
 
 /// To first order: what is left goes with the square of the shift.
-TEST(RailNormals, AShiftedPlaneHasTheDirectionsOfItsNewPlace) {
+TEST(RailNormals, AShiftedPlaneHasTheNormalsOfItsNewPosition) {
   ContactFrame frame = frame_at(725.0, -0.5);
   constexpr double shift = 5e-4;
   RailNormals shifted(rail(), frame, grid);

@@ -121,7 +121,7 @@ TEST(RayRowsKink, RowsAcrossAKinkMeetBothSides) {
   }
 }
 
-TEST(RayRowsEnds, RaysBesideTheProfileAreNotMet) {
+TEST(RayRowsEnds, RaysBesideTheProfileMiss) {
   const std::array<Segment, 1> segments{
       Segment{"plate", LineSegment{{{-10.0, 0.0}}, {{10.0, 0.0}}}}};
   const CurveGraph graph(curve_of(segments), 10.0);
@@ -139,7 +139,7 @@ TEST(RayRowsEnds, RaysBesideTheProfileAreNotMet) {
   EXPECT_FALSE(surface.met(1));
 }
 
-TEST(UndeformedDistance, MemoryOfAnotherGridIsUsedAgain) {
+TEST(UndeformedDistance, MemoryOfAnotherGridIsReused) {
   const WheelSurface wheel(cylindrical_wheel(), {1360.0, 70.0, 460.0});
   const RailSurface rail(circular_rail(300.0), {1435.0, 14.0, 0.0});
   const PosedPair pair{wheel, rail, {}, 460.0};

@@ -101,7 +101,7 @@ TEST_F(RowScalesOfCrown, ThereAreNoneWithTheVerticalConvention) {
   EXPECT_TRUE(row_scales(pair, frame, grid, RailNormals(rail, frame, grid)).empty());
 }
 
-TEST(RowScales, TimesAndOverUndoEachOther) {
+TEST(RowScales, MultiplyingAndDividingAreInverse) {
   std::vector<double> scales(grid.lateral_count);
   std::vector<double> field(grid.element_count());
   for (std::size_t row = 0; row < scales.size(); ++row) {

@@ -34,7 +34,7 @@ TEST_F(SurfaceRays, MeetTheCylinderOfTheWheel) {
   }
 }
 
-TEST_F(SurfaceRays, MeetNothingBesideThem) {
+TEST_F(SurfaceRays, MissBesideTheSurface) {
   const ContactFrame frame = tangent_frame({0.0, axis, 0.0}, 0.0);
   RailRay rail_ray(rail, frame);
   WheelRay wheel_ray(pair, frame);

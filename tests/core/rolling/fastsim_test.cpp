@@ -306,7 +306,7 @@ TEST(FastsimStrips, TractionsStayWithinTheBoundAndOpposeTheSlip) {
 }
 
 // A strip with a gap: the rear part knows nothing of the front one.
-TEST(FastsimStrips, EachPartOfAStripHasItsOwnLeadingEdge) {
+TEST(FastsimStrips, EachPartOfAStripHasALeadingEdge) {
   Patch patch(16, 1, 8.0, 1.0, [](double, double) { return 1.0; });
   patch.pressure[8] = 0.0;
   patch.problem.creepages = {-1e-5, 0.0, 0.0};
@@ -329,7 +329,7 @@ TEST(FastsimStrips, NoContactHasNoFlexibility) {
   EXPECT_EQ(solve_with_fastsim(patch.problem, flexibilities).longitudinal_force, 0.0);
 }
 
-TEST(FastsimStrips, RefusesWhatIsOutsideItsRanges) {
+TEST(FastsimStrips, RefusesArgumentsOutsideTheirRanges) {
   Patch patch(8, 8, 1.0, 1.0, hertz);
   const auto refused = [](auto call, const std::string& name) {
     try {

@@ -85,7 +85,7 @@ TEST(GivenSlip, CountsAsCreepagesDo) {
 }
 
 // With large slips of any shape tractions are mu p against them: a sum of its own.
-TEST(GivenSlip, SlidesAgainstEachElementsSlip) {
+TEST(GivenSlip, TractionsOpposeTheSlipOfEachElement) {
   RollingSolver solver;
   Ellipse ellipse;
   RollingProblem problem = ellipse.problem({}, 1e-5);
@@ -207,7 +207,7 @@ TEST(GivenSlip, CountsUnderPressureOnly) {
   }
 }
 
-TEST(GivenSlip, IsChecked) {
+TEST(GivenSlip, IsValidated) {
   RollingSolver solver;
   Ellipse ellipse;
   RollingProblem problem = ellipse.problem(moderate);

@@ -202,7 +202,7 @@ TEST(KalkerCoefficients, AreSmooth) {
   }
 }
 
-TEST(KalkerCoefficients, RefuseWhatIsOutsideTheirRanges) {
+TEST(KalkerCoefficients, RefuseArgumentsOutsideTheirRanges) {
   const auto refused = [](double a_over_b, double poisson, const std::string& name) {
     try {
       (void)kalker_coefficients(a_over_b, poisson);

@@ -146,7 +146,7 @@ TEST(LeadingEdge, CartersForceIsOfSecondOrder) {
   EXPECT_GT(std::abs(carter_error(16, 0.5, false)), 5e-3);
 }
 
-TEST(LeadingEdge, OfEachStripItsFirstElementUnderABound) {
+TEST(LeadingEdge, IsTheFirstElementOfEachStripUnderABound) {
   // From the leading edge: nothing, a whole element and a part of one behind a gap.
   std::vector<double> bound{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0};
   std::vector<double> edge{0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.25};
@@ -159,7 +159,7 @@ TEST(LeadingEdge, OfEachStripItsFirstElementUnderABound) {
 }
 
 // Neither for a whole element behind nor for one that is not, in strips between oblique edges.
-TEST(LeadingEdge, NothingStepsWhereAnEdgeEntersTheNextElement) {
+TEST(LeadingEdge, ForcesAreContinuousWhenAnEdgeEntersTheNextElement) {
   constexpr double next = 1e-9;
   for (const double behind : {1.0, 0.4}) {
     const auto edges_with = [behind](double ahead) {
@@ -221,7 +221,7 @@ RollingSolution rolling(double a, double b, const Creepages& creepages, std::siz
 }
 
 // Without edge_advance the force is 1.0 % too small on 48 elements, with it 0.2 %.
-TEST(LeadingEdge, ObliqueEdgesAreWhereTheyAre) {
+TEST(LeadingEdge, ObliqueEdgesGiveAccurateForcesOnFewElements) {
   const auto force = [](std::size_t columns, std::size_t rows) {
     return rolling(13.4, 2.68, {0.0, 0.0, 6e-5}, columns, rows).lateral_force;
   };
@@ -241,7 +241,7 @@ TEST(LateralEnds, MomentsOfStripsAreThoseOfTheirContact) {
   EXPECT_LT(std::abs(error(24)), 2.5e-4);
 }
 
-TEST(LateralEnds, MomentsFollowForcesToAnotherPlace) {
+TEST(LateralEnds, MomentsAreTransferredWithTheForces) {
   constexpr Creepages creepages{1e-3, 5e-4, 1e-4};
   constexpr double aside = 30.0;
   const RollingSolution here = rolling(6.0, 4.0, creepages, 24, 12);

@@ -69,7 +69,7 @@ TEST_F(NormalDisplacement, IsTheIntegralOverTheElement) {
   }
 }
 
-TEST_F(NormalDisplacement, LikeBodiesDoNotOpen) {
+TEST_F(NormalDisplacement, IsZeroForLikeBodies) {
   problem_.difference_parameter = 0.0;
   for (const double opened : opened_by(120.0, 90.0)) {
     EXPECT_EQ(opened, 0.0);

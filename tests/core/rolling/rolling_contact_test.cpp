@@ -119,7 +119,7 @@ TEST(RollingContact, FullSlidingTransmitsAllOfTheFriction) {
 }
 
 /// Slips are up to 1e50 times what tractions displace, more than single precision holds.
-TEST(RollingContact, TheLeastFrictionSlidesAsAnyOther) {
+TEST(RollingContact, TheSmallestFrictionSlidesLikeAnyOther) {
   Ellipse ellipse;
   RollingProblem problem = ellipse.problem({1e-3, 0.0, -6e-4});
   problem.derivatives = true;
@@ -139,7 +139,7 @@ TEST(RollingContact, TheLeastFrictionSlidesAsAnyOther) {
 }
 
 /// Pressures so small that their ratio to the largest is no number of full precision.
-TEST(RollingContact, PressuresBelowTheLeastNumberCarryNothing) {
+TEST(RollingContact, SubnormalPressuresDoNotAffectTheForce) {
   const std::vector<double> pressure{1e3, 1e-320, 1e3, 1e-320, 1e3, 1e3, 1e3, 1e-320, 0.0};
   RollingProblem problem;
   problem.grid = {3, 3, 0.3, 0.3, 0.0, 0.0};
@@ -304,7 +304,7 @@ TEST(RollingContact, ShiftsFollowEachOther) {
   EXPECT_NEAR(relative(second.longitudinal_force), -0.7, 2e-3);
 }
 
-TEST(RollingContact, SameBitsWhateverWasSolvedBefore) {
+TEST(RollingContact, BitsDoNotDependOnEarlierSolutions) {
   Ellipse ellipse;
   RollingSolver used;
   (void)used.solve(ellipse.problem({5e-3, 0.0, -1e-4}));
@@ -319,7 +319,7 @@ TEST(RollingContact, SameBitsWhateverWasSolvedBefore) {
   EXPECT_EQ(again.spin_moment, fresh.spin_moment);
 }
 
-TEST(RollingContact, RefusesWhatIsOutsideItsRanges) {
+TEST(RollingContact, RefusesArgumentsOutsideTheirRanges) {
   Ellipse ellipse;
   const RollingProblem good = ellipse.problem({1e-3, 0.0, 0.0});
   const auto refused = [&](auto change, const std::string& name) {

@@ -156,7 +156,7 @@ TEST(UnlikeBodies, ExchangedBodiesPullTheOtherWay) {
   }
 }
 
-TEST(UnlikeBodies, LikeOnesPayNothing) {
+TEST(UnlikeBodies, LikeBodiesCostNothingMore) {
   Spheres spheres(steel, steel, 16);
   const UnlikeSolution both = spheres.solve({-0.001, 0.0, 0.0});
   const RollingSolution plain = RollingSolver().solve(spheres.problem);
@@ -177,7 +177,7 @@ TEST(UnlikeBodies, TheLargestDifferenceAndFrictionConverge) {
   }
 }
 
-TEST(UnlikeBodies, OnlySteadyRollingKnowsThem) {
+TEST(UnlikeBodies, OnlySteadyRollingIsSupported) {
   Spheres spheres(aluminium, steel, 8);
   for (const TangentialMotion motion : {TangentialMotion::transient, TangentialMotion::shift}) {
     spheres.problem.motion = motion;

@@ -35,7 +35,7 @@ WheelResult solve_finely(Scene scene) {
 }
 
 /// 28 rows once gave 593 MPa instead of 627.
-TEST(Accuracy, LmaOnManchesterRailMeetsIt) {
+TEST(Accuracy, LmaOnTheManchesterRailMeetsTheAccuracy) {
   Scene scene;
   scene.side = SideChoice::left;
   scene.left.wheel.name = scene.right.wheel.name = "LMA";
@@ -80,7 +80,7 @@ struct NoisyScene {
 
 /// 0.19 um of noise presses crests half a millimetre wide into the contact. Of 200 such wheels at
 /// seven places these are among the worst; no scene may exceed the accuracy by more than twice.
-TEST(Accuracy, WheelsWithALittleNoiseMeetItOrSaySo) {
+TEST(Accuracy, WheelsWithALittleNoiseMeetTheAccuracyOrWarn) {
   for (const NoisyScene& noisy : {NoisyScene{"S1002", 1, 0.0},
                                   {"S1002", 2, 3.0},
                                   {"LMA", 1, 0.0},
@@ -115,7 +115,7 @@ Scene of_large_wheel(SideChoice side, const char* rail, double radius, double ca
 }
 
 /// Their forces once missed accuracies by up to 26 times without a word.
-TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
+TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferRaiseAWarning) {
   Scene scene = of_large_wheel(SideChoice::left, "49E1", 2175.0, 0.138);
   scene.lateral = -7.9;
   scene.left.load = 368e3;
@@ -139,7 +139,7 @@ TEST(Accuracy, ForcesAndPressuresOnTheEdgeOfAChamferSaySo) {
 }
 
 /// Under yaw a row of elements runs across the wheel's profile, and so onto its chamfer.
-TEST(Accuracy, AChamferUnderYawIsTold) {
+TEST(Accuracy, AChamferUnderYawIsReported) {
   Scene scene = of_large_wheel(SideChoice::right, "CHN60", 2335.0, 0.103);
   scene.lateral = 7.78;
   scene.yaw = -0.0915;

@@ -116,7 +116,7 @@ TEST(BoundedCost, PatchesShareTheLimit) {
   EXPECT_TRUE(warns(wheel, "solve.element_limit"));
 }
 
-TEST(BoundedCost, AGridByHandIsTakenAsItIs) {
+TEST(BoundedCost, APrescribedGridIsNotChanged) {
   Scene scene;
   scene.side = SideChoice::left;
   scene.grid = {{60, 40}};
@@ -127,7 +127,7 @@ TEST(BoundedCost, AGridByHandIsTakenAsItIs) {
 }
 
 /// 1482 x 2366 elements once, for 0.08 N.
-TEST(BoundedCost, ANearlyEmptyPatchStaysWithinTheDefault) {
+TEST(BoundedCost, ANearlyEmptyPatchStaysWithinTheDefaultLimit) {
   Scene scene;
   set_text(scene, "wheelset.wheel", "LMA");
   set_text(scene, "track.rail", "54E2");
@@ -182,7 +182,7 @@ TEST(BoundedCost, ElementsCountThreeTimesWithAFreePitchRate) {
 
 /// Forces are homogeneous in friction and creepages: where all slides they go with friction, whose
 /// smallest numbers gave infinite derivatives.
-TEST(BoundedCost, DerivativesByTheLeastFrictionAreThoseOfSliding) {
+TEST(BoundedCost, DerivativesAtTheSmallestFrictionAreThoseOfSliding) {
   for (const CreepModel model :
        {CreepModel::linear, CreepModel::shen_hedrick_elkins, CreepModel::polach,
         CreepModel::fastsim, CreepModel::fastsim_strips, CreepModel::full}) {

@@ -21,7 +21,7 @@ TEST(Convention, ScalesOfSi) {
   EXPECT_EQ(to_caller(0.4, si, pure), 0.4);
 }
 
-TEST(Convention, OnlyWhatTurnsChangesItsSign) {
+TEST(Convention, OnlyRotatedComponentsChangeSign) {
   constexpr Convention right_down{Units::mm, TrackFrame::right_down};
   EXPECT_EQ(to_caller(2.0, right_down, turning_length), -2.0);
   EXPECT_EQ(to_caller(2.0, right_down, turning_moment), -2.0);
@@ -29,7 +29,7 @@ TEST(Convention, OnlyWhatTurnsChangesItsSign) {
   EXPECT_FALSE(std::signbit(to_caller(0.0, right_down, turning_angle)));
 }
 
-TEST(Convention, ThereAndBack) {
+TEST(Convention, ConversionsAreInvertible) {
   for (const Dimension& dimension :
        {pure, turning_angle, length, turning_length, surface, stress, moment, stiffness}) {
     for (const double value : {0.1, -7.3, 80000.0}) {

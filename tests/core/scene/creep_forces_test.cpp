@@ -136,7 +136,7 @@ TEST(CreepForces, CheaperModelsSaturate) {
 
 // The two patches of one plane are solved one by one: the spin of the whole turns about its
 // reference.
-TEST(CreepForces, PartsOfOnePlaneAddUp) {
+TEST(CreepForces, ForcesOfPartsInOnePlaneAddUp) {
   Scene scene = scene_at(5.0, {5e-4, 0.0, 3e-4});
   scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
   scene.left.load = 10000.0;
@@ -171,7 +171,7 @@ TEST(CreepForces, AreContinuousFunctionsOfTheScene) {
   }
 }
 
-TEST(CreepForces, SameBitsWhateverWasSolvedBefore) {
+TEST(CreepForces, BitsDoNotDependOnEarlierSolutions) {
   SceneSolver used;
   (void)used.solve(scene_at(-4.0, {3e-3, 0.0, 0.0}, 1e-2));
   const Scene scene = scene_at(2.0, moderate);
@@ -344,7 +344,7 @@ TEST(CreepForces, WheelsOfCreepCases) {
 // with both patches on the flange they differ by a sixth. With equal totals forward forces agree to
 // 0.02 % of mu N. CONTACT's lateral force, 1.8 % of mu N from ours, is no reference there: it is
 // none that an energy has (docs/validation.md).
-TEST(CreepForces, TwoPatchesOnTheFlangeCarryWhatAllForcesDo) {
+TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
   const nlohmann::json cases = creep_wheel_rail_cases();
   const auto entry = std::find_if(cases.begin(), cases.end(),
                                   [](const nlohmann::json& one) { return one.at("id") == "wr79"; });

@@ -39,7 +39,7 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-TEST(DamageResults, WhatIsNotAskedForIsNotThere) {
+TEST(DamageResults, OnlyRequestedResultsAreComputed) {
   SceneResult result = solve_scene(braked("none"));
   for (const std::string& name : number_names(result)) {
     EXPECT_EQ(name.find("stress."), std::string::npos) << name;
@@ -65,7 +65,7 @@ TEST(DamageResults, WhatIsNotAskedForIsNotThere) {
   }
 }
 
-TEST(DamageResults, WordsOfTheKey) {
+TEST(DamageResults, TheKeyAcceptsItsWordsOnly) {
   Scene scene;
   EXPECT_EQ(std::get<std::string>(key_value(scene, "solve.results")), "none");
   set_text(scene, "solve.results", "wear,stress");
@@ -112,7 +112,7 @@ TEST(DamageResults, EnergyOfElementsIsTheWearNumberAndVolumeThatOfTheLaw) {
   EXPECT_TRUE(spans(t_rail, number(result, patch + "t_rail")));
 }
 
-TEST(DamageResults, AmountsOfAWheelAreThoseOfItsPatches) {
+TEST(DamageResults, AmountsOfAWheelAreSumsOverItsPatches) {
   Scene scene = braked("stress wear");
   set_text(scene, "track.rail", "56E1");
   scene.lateral = 6.0; // two patches on the left

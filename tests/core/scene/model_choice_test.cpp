@@ -6,7 +6,7 @@
 namespace wrc::test::model_choice_test {
 namespace {
 
-TEST(ModelChoice, IsTheOneAskedForOrTheHalfSpace) {
+TEST(ModelChoice, IsTheRequestedModelOrTheHalfSpace) {
   Scene scene;
   EXPECT_FALSE(choose_model(scene).approximate);
   EXPECT_TRUE(choose_model(scene).reason.starts_with("auto: "));

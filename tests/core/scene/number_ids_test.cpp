@@ -27,7 +27,7 @@ SceneResult solve_rich_scene(double lateral) {
   return solve_scene(scene);
 }
 
-TEST(NumberIds, EveryNameOfAResultHasItsOwn) {
+TEST(NumberIds, EveryResultNameHasADistinctId) {
   std::set<std::string> seen;
   for (const double lateral : {-5.0, 5.0}) {
     SceneResult result = solve_rich_scene(lateral);
@@ -70,7 +70,7 @@ TEST(NumberIds, AreThoseOfTheScenesOfAnyResult) {
   EXPECT_EQ(number_value(empty, *number_id("left.area")), 0.0);
 }
 
-TEST(NumberIds, NamesThatNoResultHasHaveNone) {
+TEST(NumberIds, UnknownNamesHaveNoId) {
   for (const char* name :
        {"", "left", "left.", "left.pmaximum", "top.pmax", "pmax", "left.time_ms.total",
         "left.rigid_contact", "left.centroid.distance", "left.patches.0", "left.patches.-1.pmax",
@@ -94,7 +94,7 @@ TEST(NumberIds, IndicesArePackedUpToTheirLimits) {
   EXPECT_FALSE(packed("0", std::to_string(max_packed_part + 1)));
 }
 
-TEST(NumberIds, IntegersThatAreNoneAreRefused) {
+TEST(NumberIds, InvalidIntegersAreRefused) {
   for (const std::int32_t none : {0, 1, 59, -1, 4711, INT32_MAX, INT32_MIN}) {
     EXPECT_FALSE(unpack(none)) << none;
   }

@@ -25,7 +25,7 @@ template <class Table> void expect_different_names(const Table& table) {
   }
 }
 
-TEST(NumberTables, NamesOfATableAreDifferent) {
+TEST(NumberTables, NamesOfATableAreDistinct) {
   for (std::size_t group = 0; group <= static_cast<std::size_t>(NumberGroup::damage); ++group) {
     with_table(static_cast<NumberGroup>(group),
                [](const auto& table) { expect_different_names(table); });
@@ -112,7 +112,7 @@ TEST(NumberTables, RatesOfCreepForcesAreThoseOfTheMatrix) {
   }
 }
 
-TEST(NumberTables, OlderNamesLeadToThoseOfToday) {
+TEST(NumberTables, OldNamesMapToCurrentOnes) {
   EXPECT_EQ(name_now("grid.0"), "grid.lateral");
   EXPECT_EQ(name_now("moment.x"), "pressure_moment.x");
   EXPECT_FALSE(name_now("pmax"));

@@ -13,7 +13,7 @@
 namespace wrc::test::patch_fields_test {
 namespace {
 
-TEST(PatchFields, AreKnownByTheirNamesAlone) {
+TEST(PatchFields, AreListedByName) {
   EXPECT_EQ(damage_field("pressure"), nullptr);
   EXPECT_EQ(damage_field(""), nullptr);
   ASSERT_NE(damage_field("wear_depth"), nullptr);

@@ -55,7 +55,7 @@ bool tells(const Warnings& warnings, const std::string& part) {
 /// Of points 0.25 mm apart, mm.
 constexpr double spline_error = 1e-3;
 
-TEST_F(ProfileOrigin, AWheelThatCountsFromItsFlangeBackIsPutToItsTapingLine) {
+TEST_F(ProfileOrigin, AWheelMeasuredFromItsFlangeBackIsShiftedToItsTapingLine) {
   Scene standard;
   standard.until = Module::geometry;
   const SceneResult expected = solve_scene(standard);
@@ -81,7 +81,7 @@ TEST_F(ProfileOrigin, TheDistanceIsThatOfTheWheelset) {
   EXPECT_TRUE(tells(solve_scene(scene).corrections, "shifted by -66 mm to the taping line"));
 }
 
-TEST_F(ProfileOrigin, AWrongOriginIsToldByTheProfileAndByTheFirstTouch) {
+TEST_F(ProfileOrigin, AWrongOriginIsReportedByTheProfileAndTheFirstTouch) {
   Scene tip = scene_with(50.0, 0.0);
   set_text(tip, "wheelset.profile_origin", "tape");
   const SceneResult on_tip = solve_scene(tip);

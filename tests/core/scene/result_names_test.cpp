@@ -11,7 +11,7 @@
 namespace wrc::test::result_names_test {
 namespace {
 
-TEST(ResultNames, PrefixIsTakenOffOnlyIfItIsThere) {
+TEST(ResultNames, APrefixIsRemovedOnlyIfPresent) {
   std::string_view name = "left.pmax";
   EXPECT_FALSE(strip_prefix(name, "right."));
   EXPECT_EQ(name, "left.pmax");
@@ -50,7 +50,7 @@ bool lists(SceneResult& result, const std::string& part) {
   return found;
 }
 
-TEST(ResultNames, HaveAValueEach) {
+TEST(ResultNames, EachHasAValue) {
   SceneResult result = rolling_wheel();
   EXPECT_TRUE(lists(result, "sensitivities."));
   EXPECT_TRUE(lists(result, "jacobian."));

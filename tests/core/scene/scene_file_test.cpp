@@ -63,14 +63,14 @@ TEST_F(SceneFile, NumbersInMillimetresWhateverTheConvention) {
   EXPECT_TRUE(contains(text, "lateral = -2.0\n")) << text;
 }
 
-TEST_F(SceneFile, LeavesOutWhatTwoKeysHold) {
+TEST_F(SceneFile, LeavesOutRedundantKeys) {
   Scene scene;
   EXPECT_TRUE(contains(written(scene), "\n[load]\nvertical = 80000.0\n"));
   set_number(scene, "load.left", 70000.0);
   EXPECT_TRUE(contains(written(scene), "\n[load]\nleft = 70000.0\n"));
 }
 
-TEST_F(SceneFile, ProfilesGivenByTheProgramGoBesideIt) {
+TEST_F(SceneFile, ProfilesFromTheProgramAreSavedBesideIt) {
   const std::vector<Position> points{{-60.0, 10.0}, {-50.0, 28.0}, {-30.0, 8.0},
                                      {0.0, 0.0},    {30.0, -1.0},  {60.0, -2.0}};
   ReadOptions options;

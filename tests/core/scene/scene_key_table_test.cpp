@@ -11,7 +11,7 @@
 namespace wrc::test::scene_key_table_test {
 namespace {
 
-TEST(SceneKeyTable, NamesAreDifferentAndGrouped) {
+TEST(SceneKeyTable, NamesAreDistinctAndGrouped) {
   std::set<std::string_view> names;
   for (const Key& key : make_scene_keys()) {
     EXPECT_TRUE(names.insert(key.description.name).second) << key.description.name;

@@ -34,7 +34,7 @@ TEST(SceneKeys, DefaultsAreThePapersTable1) {
   EXPECT_EQ(scene.rail_material.poisson, 0.3);
 }
 
-TEST(SceneKeys, EveryKeyRefusesWhatIsNotPermittedAndSaysWhatIs) {
+TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
   for (const KeyDescription& key : scene_keys()) {
     Scene scene;
     const auto refuse_number = [&](double value) {
@@ -54,7 +54,7 @@ TEST(SceneKeys, EveryKeyRefusesWhatIsNotPermittedAndSaysWhatIs) {
   }
 }
 
-TEST(SceneKeys, UnknownKeySaysTheNearestAndWhereAllAre) {
+TEST(SceneKeys, AnUnknownKeyIsReportedWithTheNearestKeys) {
   const std::array<std::pair<std::string, const char*>, 7> words{{
       {"pose.latral", "pose.lateral"},
       {"track_gage", "track.gauge"},
@@ -113,7 +113,7 @@ TEST(SceneKeys, LaterCallsReplaceEarlierOnesOfTheSameSubject) {
   EXPECT_FALSE(scene.roll);
 }
 
-TEST(SceneKeys, FrictionByPlaceIsPairsOfRisingPlaces) {
+TEST(SceneKeys, FrictionByPositionNeedsPairsWithRisingPositions) {
   Scene scene;
   const std::vector<double> pairs{-25.0, 0.1, -10.0, 0.4};
   set_numbers(scene, "friction.left_places", pairs);

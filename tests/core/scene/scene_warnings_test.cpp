@@ -41,7 +41,7 @@ Scene geometry_of(const Profile& wheel) {
   return scene;
 }
 
-TEST(SceneWarnings, ThoseOfAProfileAreThereWhateverIsKept) {
+TEST(SceneWarnings, ProfileWarningsDoNotDependOnCachedSurfaces) {
   const Scene scene = geometry_of(holed(-5.0, 8.0));
   SceneSolver solver;
   for (int repeated = 0; repeated < 3; ++repeated) {
@@ -56,7 +56,7 @@ TEST(SceneWarnings, ThoseOfAProfileAreThereWhateverIsKept) {
   }
 }
 
-TEST(SceneWarnings, ThoseOfOneSideNameIt) {
+TEST(SceneWarnings, AWarningOfOneSideNamesTheSide) {
   Scene scene = geometry_of(holed(-5.0, 8.0));
   scene.left.wheel = ProfileChoice{"S1002"};
   EXPECT_TRUE(all_warnings(solve_scene(scene)).at(0).text.starts_with("right wheel profile holed"));
@@ -65,7 +65,7 @@ TEST(SceneWarnings, ThoseOfOneSideNameIt) {
 }
 
 /// Both sides have their own surface, since their radii differ.
-TEST(SceneWarnings, TheSameOnBothSidesIsTheirsTogether) {
+TEST(SceneWarnings, TheSameWarningOfBothSidesIsGivenOnce) {
   Scene scene = geometry_of(holed(-5.0, 8.0));
   scene.right.radius = 459.0;
   const Warnings all = all_warnings(solve_scene(scene));
@@ -73,7 +73,7 @@ TEST(SceneWarnings, TheSameOnBothSidesIsTheirsTogether) {
   EXPECT_TRUE(all[0].text.starts_with("wheel profile holed"));
 }
 
-TEST(SceneWarnings, EveryNumberOfThemIsATextByName) {
+TEST(SceneWarnings, AllAreTextsByNameAndTheirCountsAgree) {
   Scene scene = geometry_of(holed(-5.0, 8.0));
   scene.until = Module::mechanics;
   scene.lateral = 6.5;
@@ -94,7 +94,7 @@ TEST(SceneWarnings, EveryNumberOfThemIsATextByName) {
   EXPECT_GT(left, 0U);
 }
 
-TEST(SceneWarnings, APressureThatNoSteelCarriesIsTold) {
+TEST(SceneWarnings, APressureAboveTheStrengthOfSteelIsReported) {
   Scene scene;
   scene.accuracy = 0.1;
   scene.side = SideChoice::left;
@@ -115,7 +115,7 @@ TEST(SceneWarnings, APressureThatNoSteelCarriesIsTold) {
 }
 
 /// A profile of both sides is one entry, and its lead names no side.
-TEST(ProfileWarnings, OfBothSidesAreSaidOnce) {
+TEST(ProfileWarnings, OfBothSidesAreGivenOnce) {
   const auto warnings =
       std::make_shared<const Warnings>(Warnings{{WarningClass::profile_gap, "a gap"}});
   ProfileWarnings all;

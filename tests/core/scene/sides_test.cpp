@@ -29,7 +29,7 @@ Scene scene_at(double lateral) {
   return scene;
 }
 
-TEST(Sides, WheelsStandingByThemselvesKnowNothingOfTheOtherSide) {
+TEST(Sides, WithoutRollEachWheelIsIndependentOfTheOther) {
   Scene both = scene_at(1.0);
   both.roll = 0.0;
   Scene left = both;
@@ -83,7 +83,7 @@ TEST(Sides, ALargerWheelLiftsItsSide) {
   EXPECT_NEAR(found.roll, 1.5 / apart, 0.1 * 1.5 / apart);
 }
 
-TEST(Sides, RailsMovedTogetherAreAWheelsetMovedTheOtherWay) {
+TEST(Sides, MovingBothRailsEqualsMovingTheWheelsetTheOtherWay) {
   Scene moved = scene_at(1.0);
   moved.left.displacement = {0.7, -0.4, 0.0};
   moved.right.displacement = moved.left.displacement;
@@ -102,7 +102,7 @@ TEST(Sides, RailsMovedTogetherAreAWheelsetMovedTheOtherWay) {
   }
 }
 
-TEST(Sides, ARolledRailIsARailOfAnotherCantThere) {
+TEST(Sides, ARolledRailEqualsARailOfAnotherCant) {
   Scene rolled = scene_at(0.0);
   rolled.roll = 0.0;
   rolled.left.displacement.roll = 0.01;
@@ -138,7 +138,7 @@ TEST(Sides, RailsThatMoveWithTheWheelsetLeaveItsCreepages) {
   EXPECT_NEAR(lateral(both), lateral(at_rest), 1e-12);
 }
 
-TEST(Sides, ARailThatRollsAddsItsSpinAndItsArm) {
+TEST(Sides, ARollingRailAddsSpinAndTheVelocityOfItsLeverArm) {
   Scene scene = scene_at(0.0);
   scene.slip = SlipVariation::planar; // at the reference
   scene.motion = Motion{.speed = 20000.0};
@@ -155,7 +155,7 @@ TEST(Sides, ARailThatRollsAddsItsSpinAndItsArm) {
   EXPECT_EQ(patch.creep->creepages.longitudinal, at_rest.longitudinal);
 }
 
-TEST(Sides, KeysOfBothSidesHaveNoValueWhereTheyDiffer) {
+TEST(Sides, AKeyOfBothSidesHasNoValueIfTheyDiffer) {
   Scene scene;
   set_text(scene, "wheelset.right.wheel", "LMA");
   set_number(scene, "wheelset.right.radius", 430.0);
@@ -166,7 +166,7 @@ TEST(Sides, KeysOfBothSidesHaveNoValueWhereTheyDiffer) {
   EXPECT_EQ(std::get<std::string>(key_value(scene, "wheelset.right.wheel")), "LM");
 }
 
-TEST(Sides, DisplacementsAreToldInTheCallersConvention) {
+TEST(Sides, DisplacementsAreReturnedInTheCallersConvention) {
   Scene scene;
   scene.convention = {Units::si, TrackFrame::right_down};
   set_numbers(scene, "track.left.displacement", std::vector{0.001, 0.002, 0.003});
@@ -188,7 +188,7 @@ TEST(Sides, AnErrorNamesTheKeyOfTheSide) {
       ErrorCode::unknown_name, [&] { solve_scene(scene); }, "track.right.rail", "no such rail");
 }
 
-TEST(Sides, GivenProfilesOfTheSidesGoIntoFilesOfTheirOwn) {
+TEST(Sides, ProfilesOfEachSideAreSavedInSeparateFiles) {
   const auto folder = std::filesystem::path(testing::TempDir()) /
                       ("wrcontact_sides_test_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);

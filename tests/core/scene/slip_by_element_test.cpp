@@ -156,7 +156,7 @@ SlidingSum sliding_sum(const WheelResult& wheel, const PatchResult& patch) {
 
 // In full sliding tractions are mu p against the slip of each element: the forces of each lobe need
 // no solver of tractions.
-TEST(SlipByElement, EachLobeSlidesWhereItIs) {
+TEST(SlipByElement, EachLobeSlidesWithItsOwnSlip) {
   Scene scene = sliding_lobes();
   scene.right.friction.coefficient = 0.03; // tractions displace by 2 % of the slip at most
   const SceneResult result = solve_scene(scene);
@@ -174,7 +174,7 @@ TEST(SlipByElement, EachLobeSlidesWhereItIs) {
 
 // What one plane for both lobes takes from them (docs/evidence/validation-creep.md): with three
 // creepages along it the lesser lobe slides by other numbers than its own radius says.
-TEST(SlipByElement, TwoLobesAreNoPlane) {
+TEST(SlipByElement, DiffersFromAPlaneForTwoLobes) {
   Scene scene = sliding_lobes();
   const CreepResult by_element = creep_of(solve_scene(scene));
   EXPECT_GT(by_element.slip_variation, 5e-5);

@@ -31,7 +31,7 @@ TEST(SolveScene, MirroredSceneSwapsTheSidesToTheLastBit) {
   EXPECT_EQ(one.left->patches.at(0).pressure, other.right->patches.at(0).pressure);
 }
 
-TEST(SolveScene, GridsWithoutAnElementBetweenTheEdgesStayWhereBodiesOverlap) {
+TEST(SolveScene, CoarsePrescribedGridsStayWhereBodiesOverlap) {
   Scene scene = small_scene(-5.3, 0.026);
   const double depth = solve_scene(scene).left->depth;
   for (const auto& grid : {std::array<std::size_t, 2>{10, 2}, {2, 10}, {1, 1}, {2, 2}, {1, 40}}) {
@@ -60,7 +60,7 @@ TEST(SolveScene, PatchesBeyondTheirBoundaryHaveAGrid) {
   EXPECT_TRUE(std::isfinite(deep.force.z));
 }
 
-TEST(SolveScene, DepthsThatSwingDoNotLeadAboveTheFirstTouch) {
+TEST(SolveScene, OscillatingDepthsStayBelowTheFirstTouch) {
   // Tread and flange change places from one trial to the next on this grid.
   Scene scene;
   scene.left.rail.name = scene.right.rail.name = "56E1";
@@ -96,7 +96,7 @@ TEST(SolveScene, ThreadsDoNotChangeABit) {
   EXPECT_EQ(one.right->approach, two.right->approach);
 }
 
-TEST(SolveScene, OneSideIsTheSameAloneAsBesideTheOther) {
+TEST(SolveScene, OneSideAloneGivesTheSameResult) {
   Scene scene = small_scene(3.0);
   const SceneResult both = solve_scene(scene);
   scene.side = SideChoice::right;

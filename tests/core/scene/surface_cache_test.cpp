@@ -10,7 +10,7 @@
 namespace wrc::test::surface_cache_test {
 namespace {
 
-TEST(SurfaceCache, ScenesAlikeShareTheirSurfaces) {
+TEST(SurfaceCache, EqualScenesShareSurfaces) {
   SurfaceCache cache;
   Scene scene;
   const SceneSurfaces one = cache.get(scene);
@@ -27,7 +27,7 @@ TEST(SurfaceCache, ScenesAlikeShareTheirSurfaces) {
   EXPECT_EQ(third.right.wheel, one.right.wheel);
 }
 
-TEST(SurfaceCache, RailsAreDisplacedFromWhereTheyWere) {
+TEST(SurfaceCache, RailsAreDisplacedFromTheirNominalPosition) {
   SurfaceCache cache;
   Scene scene;
   const double before = cache.get(scene).left.rail->origin_y();
@@ -47,7 +47,7 @@ TEST(SurfaceCache, UnknownNamesAreRefusedWithTheirKey) {
 }
 
 /// The one used last stays, the one not used for longest goes.
-TEST(RecentSurfaces, KeepsWhatWasUsedLast) {
+TEST(RecentSurfaces, KeepsRecentlyUsedSurfaces) {
   RecentSurfaces<WheelSurface, WheelsetDimensions> recent;
   int made = 0;
   const auto get = [&](double radius) {

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Rails, LoadSweep,
                                                           std::string("60E1")),
                                           testing::Bool()));
 
-TEST(LoadSweeps, PatchesAreBornAndJoinWithoutAJump) {
+TEST(LoadSweeps, PatchesFormAndJoinWithoutAJump) {
   Scene scene = two_lobes("UIC60-Manchester", true);
   sweep_load(scene, 8480.0, 8510.0, 5e-4, 2.0);   // born at 8490 N
   sweep_load(scene, 25230.0, 25310.0, 5e-4, 2.0); // joined at 25270 N
@@ -136,7 +136,7 @@ TEST_P(LateralSweep, FailsNowhere) {
 }
 
 /// A coarse one and the final one, also where wheels slide along their planes.
-TEST(Sweeps, ForcesTakeTwoSolutions) {
+TEST(Sweeps, AForceNeedsTwoSolutions) {
   Scene scene = scene_of("S1002", "60E1");
   scene.accuracy_of = AccuracyOf::forces;
   for (const double lateral : {4.5, 5.2, 5.4, 5.8}) {
@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Profiles, LateralSweep,
                                                                              "UIC60-Manchester"),
                                          std::pair<std::string, std::string>("LMA", "CHN60")));
 
-TEST(Costs, TwoPatchesCostHardlyMoreThanOneOfAsManyElements) {
+TEST(Costs, TwoPatchesCostLittleMoreThanOneOfTheSameElements) {
   // Hertzian bodies, the contact filling the same share of each grid.
   const double modulus = combined_modulus({210000.0, 0.3}, {210000.0, 0.3});
   const auto paraboloid = [](std::size_t rows, std::size_t columns, double radius) {

@@ -55,7 +55,7 @@ TEST(TableGrid, CellsWithoutContactAreNotNumbers) {
   EXPECT_TRUE(std::isnan(result));
 }
 
-TEST(TableGrid, WhatCannotBeSolvedIsRefusedAtOnce) {
+TEST(TableGrid, AnImpossibleSceneIsRefusedAtOnce) {
   const auto make = [](const char* keys, const char* results) {
     const TableGrid grid(coarse_scene(), keys, values.data(), counts.data(), results);
   };

@@ -50,7 +50,7 @@ TEST(LoadSearch, FindsALoadFarAboveTheTotal) {
 }
 
 /// No load is better than the jump leaves it; that stays below the accuracy.
-TEST(LoadSearch, TakesWhatAJumpLeaves) {
+TEST(LoadSearch, EndsAtAJump) {
   constexpr double accuracy = 1e-2;
   for (const double jump : {0.5e-4, 0.5e-2}) {
     const auto total = [jump](double load) {
@@ -62,7 +62,7 @@ TEST(LoadSearch, TakesWhatAJumpLeaves) {
   }
 }
 
-TEST(LoadSearch, RefusesWhereNoLoadWillDo) {
+TEST(LoadSearch, RefusesATotalThatNoLoadGives) {
   const auto expect_refused = [](auto&& total) {
     LoadSearch search(target);
     try {
@@ -96,7 +96,7 @@ TEST(JointLoadSearch, FindsLoadsThatDependOnEachOther) {
   EXPECT_NEAR(found[1], totals[1], tolerance * totals[1]);
 }
 
-TEST(JointLoadSearch, RefusesWhereNoLoadsWillDo) {
+TEST(JointLoadSearch, RefusesTotalsThatNoLoadsGive) {
   for (const double slope : {-0.4, std::nan("")}) {
     JointLoadSearch search({80e3, 60e3});
     const auto seek = [&] {
@@ -107,7 +107,7 @@ TEST(JointLoadSearch, RefusesWhereNoLoadsWillDo) {
   }
 }
 
-TEST(WheelLoads, AreThoseOfTheSceneWhereNoneIsSought) {
+TEST(WheelLoads, AreThoseOfTheSceneIfNoTotalIsGiven) {
   Scene scene;
   scene.left.load = 5e4;
   WheelLoads loads(scene, true, true);
@@ -118,7 +118,7 @@ TEST(WheelLoads, AreThoseOfTheSceneWhereNoneIsSought) {
   EXPECT_FALSE(loads.any_open());
 }
 
-TEST(WheelLoads, AreSoughtForTheWheelsThatAreThere) {
+TEST(WheelLoads, AreFoundForTheSolvedWheels) {
   Scene scene;
   scene.left.total_load = 5e4;
   scene.right.total_load = 6e4;

@@ -35,7 +35,7 @@ WheelSolution solve_crossed_cylinders(ApproximateModel model, double load, doubl
 
 // Where wheel and rail are straight across there is no lateral curvature at the deepest place: that
 // of an ellipse as wide as the virtual penetration stands for it.
-TEST(ApproximateWheel, HertzOnAStraightStretchIsAsWideAsTheVirtualPenetration) {
+TEST(ApproximateWheel, HertzOnAStraightSegmentHasTheWidthOfTheVirtualPenetration) {
   const WheelSurface wheel(cylindrical_wheel(), {1360.0, 70.0, 460.0});
   const RailSurface rail(inclined_rail(0.0), {1435.0, 14.0, 0.0});
   EquilibriumRequest request;
@@ -189,7 +189,7 @@ TEST(ApproximateWheel, YawedStripsAreThoseOfTheStraightWheelAtSmallYaw) {
 }
 
 /// Measured against the half-space solution: errors rounded up to the next per cent, validity down.
-TEST(ApproximateWheel, CalmContactsAreNearTheHalfSpace) {
+TEST(ApproximateWheel, SmoothSingleContactsAgreeWithTheHalfSpace) {
   struct Case {
     double lateral, yaw, hertz, virtual_penetration, validity;
   };
@@ -221,7 +221,7 @@ TEST(ApproximateWheel, TwoLobesAreMissedAndValiditySaysSo) {
 }
 
 /// The ellipse itself is a good one; the other lobe lies beyond it.
-TEST(ApproximateWheel, HertzsValidityKnowsOfAnotherLobe) {
+TEST(ApproximateWheel, HertzsValidityFallsWithAnotherLobe) {
   const Scene scene = scene_at(5.25);
   const SceneResult exact = solve_with("half-space", scene);
   const SceneResult hertz = solve_with("hertz", scene);
@@ -249,7 +249,7 @@ TEST(ApproximateWheel, LoadIsMetFromSmallToLarge) {
   }
 }
 
-TEST(ApproximateWheel, NothingIsThereWithoutContact) {
+TEST(ApproximateWheel, HasNoPatchesWithoutContact) {
   for (const char* model : {"hertz", "kik-piotrowski"}) {
     Scene scene = scene_at(0.0);
     scene.vertical = 470.0;
@@ -262,7 +262,7 @@ TEST(ApproximateWheel, NothingIsThereWithoutContact) {
   }
 }
 
-TEST(ApproximateWheel, ResultsSayWhatWasUsedAndWhy) {
+TEST(ApproximateWheel, ResultsNameTheModelAndTheReason) {
   SceneResult result = solve_with("hertz", scene_at(3.0));
   EXPECT_EQ(result.model, "hertz");
   EXPECT_EQ(result.left->model_reason, "selected by name");
@@ -275,7 +275,7 @@ TEST(ApproximateWheel, ResultsSayWhatWasUsedAndWhy) {
   EXPECT_FALSE(number_value(automatic, "left.validity"));
 }
 
-TEST(ApproximateWheel, RefusesWhatModelsDoNotHave) {
+TEST(ApproximateWheel, RefusesOptionsThatAModelLacks) {
   Scene scene = scene_at(0.0);
   scene.gap = GapConvention::vertical;
   expect_error(

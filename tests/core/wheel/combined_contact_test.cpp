@@ -56,7 +56,7 @@ TEST_F(CombinedContact, AddsForcesAndTheirMoments) {
   EXPECT_NEAR(whole.contact.semi_axis_lateral, std::sqrt(4.0 + 5.0 * 6.75), 1e-9);
 }
 
-TEST_F(CombinedContact, ItsGridSpansAllPartsAndKeepsTheForce) {
+TEST_F(CombinedContact, TheGridSpansAllPartsAndKeepsTheForce) {
   // A tenth of an element off the grid of the first.
   const PatchResult whole = whole_of({part_at(-3.0, 300.0), part_at(3.05, 100.0)});
   const Grid& grid = whole.grid;
@@ -71,7 +71,7 @@ TEST_F(CombinedContact, ItsGridSpansAllPartsAndKeepsTheForce) {
 }
 
 /// 16 times as many elements as all parts have, and what rounding up to whole ones adds.
-TEST_F(CombinedContact, ItsGridIsCoarserWherePartsLieFarApart) {
+TEST_F(CombinedContact, TheGridIsCoarserForDistantParts) {
   const PatchResult whole = whole_of({part_at(-30.0, 300.0), part_at(30.0, 100.0)});
   const double finest = 64.0 * 3.0 / 0.25;
   EXPECT_LT(finest, 16.0 * 96.0);
@@ -87,7 +87,7 @@ TEST_F(CombinedContact, ItsGridIsCoarserWherePartsLieFarApart) {
 }
 
 /// What a part displaces beside another counts by the weight of their interaction.
-TEST_F(CombinedContact, DisplacementsAreThoseThatActOnTheParts) {
+TEST_F(CombinedContact, DisplacementsEqualThoseOfTheParts) {
   PatchResult whole = whole_of({part_at(-3.0, 300.0), part_at(3.0, 100.0)});
   WheelDetails details;
   details.combined_modulus = 1e5;

@@ -32,7 +32,7 @@ WheelResult wheel_of(std::vector<PatchResult> patches) {
   return wheel;
 }
 
-TEST(ContactDamage, OnlyWhatIsRequestedIsThere) {
+TEST(ContactDamage, OnlyRequestedResultsAreComputed) {
   WheelResult wheel = wheel_of({patch_of(8e4, -3e4, 4e4 * 0.3, 900.0)});
   DamageRequest request;
   EXPECT_FALSE(request.any());
@@ -72,7 +72,7 @@ TEST(ContactDamage, FatigueIsThatOfTheShakedownMap) {
   EXPECT_NEAR(fatigue.surface_index, 0.5 - 0.25, 1e-12);
 }
 
-TEST(ContactDamage, TheWorstPatchIsTheWheels) {
+TEST(ContactDamage, TheWorstPatchDeterminesTheWheel) {
   DamageRequest request;
   request.fatigue = true;
   WheelResult wheel =

@@ -38,7 +38,7 @@ TEST(DepthChecks, ADepthOfBodiesThatDoNotFaceEachOtherIsRefused) {
   EXPECT_NO_THROW(check_found_depth(prescribed, 1002.5));
 }
 
-TEST(DepthChecks, ASolutionThatIsGivenUpIsNotConverged) {
+TEST(DepthChecks, AnAbandonedSolutionIsNotConverged) {
   Warnings warnings;
   GridSolution solution = solution_with(0.1);
   mark_unsettled(solution, 21, warnings);
@@ -76,7 +76,7 @@ struct RoundedElement {
   [[nodiscard]] bool warned() const { return !warnings().empty(); }
 };
 
-TEST(DepthChecks, RoundingIsFeltInThePressuresOfSmallElements) {
+TEST(DepthChecks, PressuresOnSmallElementsAreSensitiveToRounding) {
   // 2 * 0.9069 * 1e5 MPa * eps / 2 * 460 mm * sqrt(2) / 1e-5 mm = 1.310e-3 MPa.
   EXPECT_TRUE((RoundedElement{.pressure = 1.30}.warned()));
   EXPECT_FALSE((RoundedElement{.pressure = 1.32}.warned()));
@@ -88,21 +88,21 @@ TEST(DepthChecks, RoundingIsFeltInThePressuresOfSmallElements) {
   EXPECT_FALSE((RoundedElement{.pressure = 14.3, .radius = 5000.0}.warned()));
 }
 
-TEST(DepthChecks, RoundingIsFeltMoreInTheStripsOfASection) {
+TEST(DepthChecks, StripsOfASectionAreMoreSensitiveToRounding) {
   // As above, but sqrt(1 + 64^2) in place of sqrt(2): at least 64 strips, here in one row.
   const AccuracyOf pressures = AccuracyOf::pressures;
   EXPECT_TRUE((RoundedElement{.pressure = 59.2, .accuracy_of = pressures}.warned()));
   EXPECT_FALSE((RoundedElement{.pressure = 59.4, .accuracy_of = pressures}.warned()));
 }
 
-TEST(DepthChecks, OnSteepContactLateralCoordinatesAreFelt) {
+TEST(DepthChecks, SteepContactIsSensitiveToRoundingOfLateralPositions) {
   // At 1.5 rad 0.0707 of the radius, along and across, and 0.997 of the 750 mm across.
   EXPECT_TRUE((RoundedElement{.pressure = 1.50, .angle = 1.5}.warned()));
   EXPECT_FALSE((RoundedElement{.pressure = 1.52, .angle = 1.5}.warned()));
   EXPECT_TRUE((RoundedElement{.pressure = 1.50, .angle = -1.5}.warned()));
 }
 
-TEST(DepthChecks, AnOverlapBelowTheToleranceOfTheTablesIsTold) {
+TEST(DepthChecks, AnOverlapBelowTheTableToleranceIsReported) {
   EXPECT_FALSE((RoundedElement{.pressure = 1e9, .overlap = 2.1e-9}.warned()));
   const auto warnings = RoundedElement{.pressure = 1e9, .overlap = 1.0e-9}.warnings();
   ASSERT_EQ(warnings.size(), 1U);

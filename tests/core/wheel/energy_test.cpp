@@ -18,7 +18,7 @@ constexpr double limit = 2e-3;
 
 /// All built-in profiles, tread to flange (compare_energy has more). With the forces of patches
 /// along the normals of their planes 45 of these pairs and 13 derivatives of the energy are beyond.
-TEST(Energy, ForcesAreItsDerivativesAndTheirOwnAreSymmetric) {
+TEST(Energy, ForcesAreItsDerivativesAndTheirDerivativesAreSymmetric) {
   int asymmetric = 0;
   Draw draw;
   for (int i = 0; i < 50; ++i) {

@@ -35,7 +35,7 @@ GridSolution plan_grids(const Touching& pair, const WheelRequest& request, doubl
 }
 
 /// Where they overlap by d: half of it sqrt(2 R d) each way, and 5 % of the whole on each side.
-TEST(GridPlan, SpansThePenetrationWithALittleRoom) {
+TEST(GridPlan, SpansThePenetrationWithASmallMargin) {
   const Touching pair(cylindrical_wheel(), 0.0);
   constexpr double depth = 0.05;
   const GridSolution plan = plan_grids(pair, {}, depth, GridChoice(ElementCounts{40, 18}));
@@ -71,7 +71,7 @@ TEST(GridPlan, ElementsAreThoseOfTheNearestPatch) {
 }
 
 /// Crown and a flank of 60 degrees, which touches 0.06 mm later; planes are the rail's.
-TEST(GridPlan, PatchesHavePlanesOfTheirOwn) {
+TEST(GridPlan, EachPatchHasItsPlane) {
   const Touching corner(wheel_with_flank(), -1.35);
   const GridSolution plan = plan_grids(corner, {}, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(plan.patches.size(), 2u);
@@ -91,7 +91,7 @@ TEST(GridPlan, OnRequestAllPatchesInteract) {
   EXPECT_NEAR(plan.interaction->places[1].lateral, std::hypot(apart.y, apart.z), 1e-12);
 }
 
-TEST(GridPlan, TheVerticalConventionHasOnePlaneAndTellsWhatItLeavesOut) {
+TEST(GridPlan, TheVerticalConventionHasOnePlaneAndReportsOmittedPatches) {
   const Touching corner(wheel_with_flank(), -1.35);
   WheelRequest request;
   request.gap = GapConvention::vertical;

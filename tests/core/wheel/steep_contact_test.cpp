@@ -83,7 +83,7 @@ void expect_same(const Answer& answer, const Answer& level, double tolerance) {
   EXPECT_NEAR(answer.area, level.area, (std::max(tolerance, area_tolerance) + scaled) * level.area);
 }
 
-TEST(SteepContact, DistancesAndPressuresInThePlanesOwnFrame) {
+TEST(SteepContact, DistancesAndPressuresAgreeInTheFrameOfThePlane) {
   Answer level;
   for (const double degrees : angles) {
     SCOPED_TRACE(degrees);

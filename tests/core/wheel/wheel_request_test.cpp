@@ -6,7 +6,7 @@
 namespace wrc::test::wheel_request_test {
 namespace {
 
-TEST(WheelRequest, LoadIsTheOneThatIsSet) {
+TEST(WheelRequest, UsesTheLoadThatIsSet) {
   WheelRequest request;
   request.vertical_load = 8e4;
   EXPECT_EQ(request.load(), 8e4);

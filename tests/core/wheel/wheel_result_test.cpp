@@ -11,7 +11,7 @@
 namespace wrc::test::wheel_result_test {
 namespace {
 
-TEST(WheelResult, SolvedPatchesAreThePartsOfThoseThatShareAPlane) {
+TEST(WheelResult, SolvedPatchesIncludeThePartsOfAPlane) {
   WheelResult wheel;
   wheel.patches.resize(3);
   wheel.patches[1].parts.resize(2);

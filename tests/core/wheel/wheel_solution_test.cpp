@@ -49,7 +49,7 @@ Fixture s1002(double lateral, double yaw = 0.0) {
                  std::atan(0.025));
 }
 
-TEST(WheelSolution, WholeWayMeetsHertzForSmoothBodies) {
+TEST(WheelSolution, SmoothBodiesGiveHertzsSolution) {
   const Fixture made = fixture(cylindrical_wheel(), circular_rail(300.0), 0.0, 0.0, 0.0);
   // Circles differ from Hertz's parabolas by about (a / R)^2 / 4: below 1e-4 for these loads.
   constexpr double tolerance = 2e-3;
@@ -109,7 +109,7 @@ TEST(WheelSolution, SignorinisConditionsHoldOnTheFinalGrid) {
 
 // Under yaw the edge of the chamfer crosses the rows, and the penetration is wider than the
 // tread's.
-TEST(WheelSolution, ContactUpToARidgeKeepsOffTheEdgesOfItsGrid) {
+TEST(WheelSolution, ContactAtARidgeStaysClearOfTheGridEdges) {
   const Fixture made =
       fixture(standard_profile("S1002"), standard_profile("60E1"), -48.0, 0.08, std::atan(0.08));
   WheelRequest request;
@@ -131,7 +131,7 @@ double vertical_force_of(const WheelSolution& solution) {
   return force;
 }
 
-TEST(WheelSolution, PositionThatALoadGaveGivesTheLoadBack) {
+TEST(WheelSolution, ThePositionOfALoadGivesTheLoad) {
   for (const double lateral : {-3.0, 2.0, 5.6}) {
     const Fixture made = s1002(lateral);
     WheelRequest request;
@@ -151,7 +151,7 @@ TEST(WheelSolution, PositionThatALoadGaveGivesTheLoadBack) {
   }
 }
 
-TEST(WheelSolution, WheelAboveTheRailBearsNothing) {
+TEST(WheelSolution, AWheelAboveTheRailCarriesNothing) {
   const Fixture made = s1002(0.0);
   WheelRequest request;
   request.combined_modulus = modulus;
@@ -195,7 +195,7 @@ std::vector<std::pair<double, double>> lobes_of(const WheelSolution& solution) {
   return lobes;
 }
 
-TEST(WheelSolution, ALobeThatHasJustBegunIsFoundOrTooSmallToMatter) {
+TEST(WheelSolution, ANewLobeIsFoundOrNegligible) {
   // At y = 4.76 the second lobe has just begun, far from the first one.
   const Fixture made = s1002(4.76);
   WheelRequest request;

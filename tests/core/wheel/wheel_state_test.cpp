@@ -22,24 +22,24 @@ int state_at(double lateral) {
   return *solve_scene(scene_at(lateral)).left->state;
 }
 
-TEST(WheelStates, OfAWheelThatRunsAreNone) {
+TEST(WheelStates, ARunningWheelHasNoSpecialState) {
   for (const double lateral : {-10.0, -5.0, 0.0, 5.0, 6.5, 7.5}) {
     EXPECT_EQ(state_at(lateral), 0) << lateral;
   }
 }
 
-TEST(WheelStates, OnTheFlangeTipTheWheelDerails) {
+TEST(WheelStates, ContactOnTheFlangeTipIsDerailment) {
   for (const double lateral : {20.0, 30.0}) {
     EXPECT_EQ(state_at(lateral), on_flange_tip) << lateral;
   }
 }
 
-TEST(WheelStates, OnTheChamferItHasLeftTheTread) {
+TEST(WheelStates, ContactOnTheChamferIsOffTheTread) {
   EXPECT_EQ(state_at(-70.0), 0);
   EXPECT_EQ(state_at(-90.0), on_chamfer);
 }
 
-TEST(WheelStates, BeyondTheLimitOfThePressure) {
+TEST(WheelStates, ExceedingTheYieldPressureIsAState) {
   Scene scene = scene_at(0.0);
   const double pmax = solve_scene(scene).left->pmax;
   scene.yield_pressure = 1.01 * pmax;
@@ -48,7 +48,7 @@ TEST(WheelStates, BeyondTheLimitOfThePressure) {
   EXPECT_EQ(*solve_scene(scene).left->state, beyond_yield);
 }
 
-TEST(WheelStates, LiftedWithoutContactAndNoneBeforeTheMechanics) {
+TEST(WheelStates, LiftedMeansNoContactAndGeometryAloneHasNoState) {
   Scene scene = scene_at(0.0);
   scene.vertical = 470.0;
   EXPECT_EQ(*solve_scene(scene).left->state, lifted);

@@ -16,7 +16,7 @@ bool has(const Warnings& warnings, WarningClass kind) {
                      [kind](const Warning& warning) { return warning.kind == kind; });
 }
 
-TEST(WheelWarnings, PatchesAreNumberedWhereThereAreSeveral) {
+TEST(WheelWarnings, SeveralPatchesAreNumbered) {
   WheelResult wheel;
   wheel.patches.resize(1);
   EXPECT_EQ(of_patch(wheel, 0), "");
@@ -24,7 +24,7 @@ TEST(WheelWarnings, PatchesAreNumberedWhereThereAreSeveral) {
   EXPECT_EQ(of_patch(wheel, 1), "patch 1: ");
 }
 
-TEST(WheelWarnings, PressuresBeyondSteelShowWithTheirPatch) {
+TEST(WheelWarnings, PressuresBeyondSteelAreReportedWithTheirPatch) {
   WheelResult wheel;
   wheel.details.combined_modulus = 115e3;
   wheel.patches.resize(2);
@@ -42,7 +42,7 @@ TEST(WheelWarnings, PressuresBeyondSteelShowWithTheirPatch) {
   EXPECT_TRUE(wheel.warnings.empty()) << "stiffer than steel";
 }
 
-TEST(WheelWarnings, ContactAtABorderIsToldFromOneAtTheGridsEdge) {
+TEST(WheelWarnings, ContactAtABoundaryDiffersFromContactAtTheGridEdge) {
   Patch patch;
   patch.penetration.y_first = 0.0;
   patch.penetration.y_last = 10.0;
@@ -58,7 +58,7 @@ TEST(WheelWarnings, ContactAtABorderIsToldFromOneAtTheGridsEdge) {
   EXPECT_FALSE(reaches_neighbour(patch)) << "of the other side";
 }
 
-TEST(WheelWarnings, PlanesOfPatchesThatErrByMoreThanTheAccuracyShow) {
+TEST(WheelWarnings, ErrorsOfPlanesAboveTheAccuracyAreReported) {
   WheelRequest request;
   request.accuracy = 1e-2;
   WheelSolution solution;
@@ -78,7 +78,7 @@ TEST(WheelWarnings, PlanesOfPatchesThatErrByMoreThanTheAccuracyShow) {
   EXPECT_EQ(solution.warnings.front().kind, WarningClass::vertical_angle);
 }
 
-TEST(WheelWarnings, AccuraciesNotReachedShow) {
+TEST(WheelWarnings, MissedAccuraciesAreReported) {
   WheelRequest request;
   request.accuracy = 1e-2;
   GridSolution grid;
