@@ -10,7 +10,7 @@ wrc_status wrc::SceneObject::take_result(wrc::SceneResult&& new_result) {
   std::string text = converged ? "" : "not converged: see left.stop_reason and right.stop_reason";
   if (converged && new_result.pitch_is_saturated) {
     converged = false;
-    text = "motion.torque: more than friction can hold; the wheels slide";
+    text = "motion.torque: more than friction can transmit; the wheels slide";
   }
   // From here on nothing fails: the handle has the old results or all of the new ones.
   result = std::move(new_result);

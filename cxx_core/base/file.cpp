@@ -125,7 +125,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
     count = read(file.number(), part.data(), part.size());
     if (count < 0 && errno == EAGAIN) {
       throw Error(ErrorCode::file_unreadable,
-                  path.string() + ": has no end: reading it would wait for more");
+                  path.string() + ": is a device or pipe without an end, not a file");
     }
     if (count < 0) {
       refuse(path, "cannot be read", errno);

@@ -14,10 +14,10 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
     return;
   }
   if (request.model != CreepModel::full) {
-    wheel.warnings.push_back({WarningClass::unlike_materials,
-                              "creep forces of unlike materials: this model leaves out what "
-                              "pressures and tractions change in each other, the full one knows "
-                              "it"});
+    wheel.warnings.push_back(
+        {WarningClass::unlike_materials,
+         "creep forces of unlike materials: this model leaves out that pressures and tractions "
+         "change each other; solve.creep = full includes it"});
     return;
   }
   double change = 0.0;
@@ -25,10 +25,11 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
     change = std::max(change, patch->creep->pressure_change);
   }
   if (change > request.accuracy) {
-    wheel.warnings.push_back({WarningClass::unlike_materials,
-                              "creep forces of unlike materials: tractions change pressures by " +
-                                  short_text_of(change) +
-                                  " in the mean, which results of normal contact leave out"});
+    wheel.warnings.push_back(
+        {WarningClass::unlike_materials,
+         "creep forces of unlike materials: tractions change pressures by " +
+             short_text_of(change) +
+             " on average, which the results of normal contact do not include"});
   }
 }
 

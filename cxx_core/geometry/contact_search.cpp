@@ -284,8 +284,8 @@ void SideSearch::scan(const Pose& pose) {
                 "pose.lateral = " +
                     text_of(pose.lateral) + " mm, roll " + short_text_of(pose.roll) +
                     " rad (as for a left wheel; opposite signs for a right one); "
-                    "allowed are displacements and rolls at which the wheel is above the rail, "
-                    "which depends on track.gauge and wheelset.back_to_back");
+                    "allowed are displacements and rolls at which the wheel lies over the rail; "
+                    "they depend on track.gauge and wheelset.back_to_back");
   }
 }
 

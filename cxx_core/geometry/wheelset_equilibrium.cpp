@@ -86,9 +86,9 @@ public:
     }
     throw Error(ErrorCode::no_contact,
                 "no roll within +-" + text_of(max_roll) +
-                    " rad sets both wheels on the rails at pose.lateral = " + text_of(lateral_) +
-                    " mm, pose.yaw = " + text_of(yaw_) + " rad" +
-                    (off_the_rail ? ": on the way to one a wheel goes off the rail" : "") +
+                    " rad brings both wheels onto the rails at pose.lateral = " +
+                    text_of(lateral_) + " mm, pose.yaw = " + text_of(yaw_) + " rad" +
+                    (off_the_rail ? ": a wheel leaves its rail before the other one touches" : "") +
                     "; allowed are positions at which both wheels can stand on their rails");
   }
 

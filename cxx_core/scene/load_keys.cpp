@@ -59,10 +59,11 @@ Key total_key(std::string_view name, std::string_view meaning, const Sides& side
 
 std::vector<Key> make_load_keys() {
   const Sides both{&Scene::left, &Scene::right};
-  Key normal = optional_key({"load.normal", "\"none\"", "\"none\" or 0 to 1e12 N",
-                             "instead: force on each wheel along the force of the patch of first "
-                             "touch; with vertical gaps along the gap (as in the paper)"},
-                            range, pure, &Scene::normal_load, "none");
+  Key normal =
+      optional_key({"load.normal", "\"none\"", "\"none\" or 0 to 1e12 N",
+                    "instead: force on each wheel in the direction of the force on the patch of "
+                    "first touch; with solve.gap = \"vertical\" along the gap (as in the paper)"},
+                   range, pure, &Scene::normal_load, "none");
   normal.set_number = [set = normal.set_number](Scene& scene, double value) {
     set(scene, value);
     scene.left.total_load.reset();

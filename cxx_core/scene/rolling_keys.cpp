@@ -127,10 +127,10 @@ std::vector<Key> friction_keys() {
                           {&Scene::right}),
       friction_law_key({"friction.limit_ratio", "1.0", "0 to 1",
                         "fraction of the coefficient that remains at high slip speed (Polach's A); "
-                        "with friction.decay"},
+                        "used with friction.decay"},
                        {0.0, 1.0}, pure, &FrictionLaw::limit_ratio),
       friction_law_key({"friction.decay", "0.0", "0 to 1 s/mm",
-                        "how fast the coefficient falls with the slip speed w, as (1 - "
+                        "decay of the coefficient with the slip speed w, by the factor (1 - "
                         "limit_ratio) exp(-decay w) + limit_ratio (Polach's B)"},
                        {0.0, 1.0}, stiffness, &FrictionLaw::decay)};
 }
@@ -279,14 +279,15 @@ std::vector<Key> make_rolling_keys() {
                  1e6, length, &Motion::speed),
       pitch_key(),
       number_key({"motion.torque", "0.0", "-1e12 to 1e12 N mm",
-                  "torque about the axle, positive when it drives forward; with pitch = \"free\""},
+                  "torque about the axle, positive when it drives forward; used with motion.pitch "
+                  "= \"free\""},
                  {-1e12, 1e12}, moment, &Scene::torque),
       motion_key("motion.lateral", speed_range, "lateral velocity of the wheelset's centre", 1e6,
                  turning_length, &Motion::lateral),
-      motion_key("motion.vertical", speed_range, "its vertical velocity", 1e6, turning_length,
-                 &Motion::vertical),
-      motion_key("motion.roll", rate_range, "rate of the roll", 1e3, pure, &Motion::roll),
-      motion_key("motion.yaw", rate_range, "rate of the yaw, relative to the track", 1e3,
+      motion_key("motion.vertical", speed_range, "vertical velocity of the wheelset's centre", 1e6,
+                 turning_length, &Motion::vertical),
+      motion_key("motion.roll", rate_range, "roll rate of the wheelset", 1e3, pure, &Motion::roll),
+      motion_key("motion.yaw", rate_range, "yaw rate of the wheelset, relative to the track", 1e3,
                  turning_angle, &Motion::yaw),
       motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
                  "curvature of the track, positive in left-hand curves", 1e-3, turning_curvature,

@@ -205,7 +205,8 @@ std::vector<Key> wheelset_keys() {
       [](auto& s) -> auto& { return s.profile_origin; }));
   keys.push_back(number_key(
       {"wheelset.profile_shift", "0.0", "-500 to 500 mm",
-       "shift added to their lateral positions instead, so that the taping line is at 0; 0: none"},
+       "shift added to lateral positions of wheel profiles read from a file, instead of "
+       "wheelset.profile_origin, so that the taping line is at 0; 0: none"},
       {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.profile_shift; }));
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);
@@ -246,8 +247,8 @@ std::vector<Key> material_keys() {
               rail_modulus),
       poisson("material.poisson", "Poisson's ratio of wheel and rail", wheel_poisson, rail_poisson),
       optional_key({"material.yield_pressure", "\"none\"", "\"none\" or 1 to 1e9 MPa",
-                    "largest pressure above which left.state says beyond yield; changes no other "
-                    "result"},
+                    "maximum pressure above which left.state and right.state report beyond yield; "
+                    "changes no other result"},
                    {1.0, 1e9}, stress, &Scene::yield_pressure, "none"),
       modulus("material.wheel.youngs_modulus", "Young's modulus of the wheel alone", wheel_modulus),
       poisson("material.wheel.poisson", "Poisson's ratio of the wheel alone", wheel_poisson),
@@ -401,11 +402,11 @@ std::vector<Key> solution_keys() {
        "which patches of a wheel interact elastically: those close to each other, or all, as if "
        "in one plane"},
       {{"near", false}, {"all", true}}, &Scene::interaction));
-  keys.push_back(number_key({"solve.joining_distance", "4", "0 to 100 mm",
-                             "penetrations closer than twice this distance share a plane and count "
-                             "as one contact, unless their angles differ greatly; 0: only their "
-                             "own widths decide"},
-                            {0.0, 100.0}, length, &Scene::joining_distance));
+  keys.push_back(
+      number_key({"solve.joining_distance", "4", "0 to 100 mm",
+                  "penetrations closer than twice this distance share a plane and count as one "
+                  "contact, unless their angles differ greatly; 0: only their widths decide"},
+                 {0.0, 100.0}, length, &Scene::joining_distance));
   keys.push_back(number_key(
       {"solve.near_tolerance", "0.1", "0 to 10 mm",
        "further contacts are listed if their distance at first touch is smaller than this"},

@@ -93,7 +93,7 @@ void warn_of_residuals(SceneWheel& wheel, double accuracy) {
   if (worst > accuracy) {
     wheel.warnings.push_back(
         {WarningClass::close_patches,
-         "patches almost touch: the displacement they cause at each other is off by " +
+         "patches almost touch: the displacement that they cause in each other is off by " +
              short_text_of(worst) + " of the largest displacement, more than the accuracy of " +
              text_of(accuracy)});
   }
@@ -136,9 +136,9 @@ struct WheelTask {
 };
 
 void warn_of_saturation(const Scene& scene, WheelResult& wheel) {
-  wheel.warnings.push_back(
-      {WarningClass::torque_exceeded, "motion.torque = " + text_of(scene.torque) +
-                                          " N mm: more than friction can hold; the wheels slide"});
+  wheel.warnings.push_back({WarningClass::torque_exceeded,
+                            "motion.torque = " + text_of(scene.torque) +
+                                " N mm: more than friction can transmit; the wheels slide"});
 }
 
 /// Wheels whose normal contact is solved and that have creep forces.
@@ -212,8 +212,8 @@ void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingS
     if (result.pitch_is_ambiguous) {
       driven.wheel->warnings.push_back(
           {WarningClass::torque_ambiguous,
-           "friction falls with slip: the torque is held at a pitch rate with more slip, too; this "
-           "is the one with the least"});
+           "friction falls with slip: another pitch rate, with more slip, also balances the "
+           "torque; this is the one with the least slip"});
     }
   }
   result.time.rolling += wheels.empty() ? 0.0 : watch.milliseconds();

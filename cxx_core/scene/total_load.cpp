@@ -42,8 +42,8 @@ double permitted_share(int solutions, double accuracy) {
 
 [[noreturn]] void refuse(const char* key, double total, double load, double carried) {
   throw_invalid_argument(key, total,
-                         "no load on the normal pressures gives this total; with " + text_of(load) +
-                             " N on them all contact forces together carry " +
+                         "no load on the normal pressures gives this total: with " + text_of(load) +
+                             " N on them, all contact forces together carry " +
                              short_text_of(carried) + " N");
 }
 

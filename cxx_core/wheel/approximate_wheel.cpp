@@ -146,8 +146,7 @@ void ApproximateWheel::settle_depth() {
   }
   depth_ = depth_of_load(depth_);
   result_.warnings.push_back({WarningClass::not_settled,
-                              "patches and depth do not settle: the load is that of patches "
-                              "found at another depth"});
+                              "not settled: the load is that of patches found at another depth"});
 }
 
 void ApproximateWheel::sample(Patch& patch, const PatchModel& model,
@@ -237,9 +236,9 @@ WheelSolution solve_wheel_approximately(const WheelSurface& wheel, const RailSur
                                         const SideEquilibrium& equilibrium,
                                         const WheelRequest& request, ApproximateModel model) {
   if (request.gap == GapConvention::vertical) {
-    throw_invalid_argument("solve.gap", "\"vertical\"",
-                           "allowed with this model is \"tangent\"; solve.model = \"half-space\" "
-                           "knows both");
+    throw_invalid_argument(
+        "solve.gap", "\"vertical\"",
+        "allowed with this model is \"tangent\"; solve.model = \"half-space\" has both");
   }
   return ApproximateWheel(wheel, rail, equilibrium, request, model).solve();
 }

@@ -55,7 +55,7 @@ void check_found_depth(const WheelRequest& request, double depth) {
     return;
   }
   const double load = request.load();
-  throw Error(ErrorCode::no_contact, "no contact found that bears the load of " + text_of(load) +
+  throw Error(ErrorCode::no_contact, "no contact found that carries the load of " + text_of(load) +
                                          " N: the search for the depth ended at " +
                                          short_text_of(depth) + " mm; allowed is less than " +
                                          text_of(max_depth) + " mm");
@@ -67,7 +67,7 @@ void mark_unsettled(GridSolution& solution, int solutions, Warnings& warnings) {
   }
   solution.stop_reason = StopReason::iteration_limit;
   warnings.push_back({WarningClass::not_settled,
-                      "not settled: depth, plane or extent of the contact still change after " +
+                      "not settled: depth, plane or extent of the contact still changes after " +
                           std::to_string(solutions) + " solutions on the final grid"});
 }
 
@@ -92,8 +92,7 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
         {WarningClass::rounding,
          "wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +
              short_text_of(overlap * error / left) +
-             " mm the rounding of positions changes the pressures by more than elements "
-             "leave of the accuracy of " +
+             " mm the rounding of positions changes the pressures too much for the accuracy of " +
              text_of(request.accuracy)});
   }
 }

@@ -71,13 +71,14 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
   }
   if (request.solver == SolverChoice::paper && solution.patches.size() > 1) {
     warnings.push_back(
-        {WarningClass::other_solver, "several patches: solved together by the default solver"});
+        {WarningClass::other_solver, "several patches: solved together by the default solver, "
+                                     "since solver paper solves one patch only"});
   }
   if (ridge_error > request.accuracy) {
-    warnings.push_back({WarningClass::ridge,
-                        "a profile has a kink of " + short_text_of(solution.sharpest_ridge()) +
-                            " rad under the pressures: they are unbounded there, and "
-                            "forces converge slowly"});
+    warnings.push_back(
+        {WarningClass::ridge,
+         "a profile has a kink of " + short_text_of(solution.sharpest_ridge()) +
+             " rad inside the contact: pressures are unbounded there, and forces converge slowly"});
   }
   if (!request.grid) {
     warn_of_accuracy(request.accuracy, result);
@@ -109,7 +110,7 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
     } else if (patch.plane_error > request.accuracy) {
       warn(WarningClass::patch_turn,
            "the rail turns by " + short_text_of(patch.turn.range()) +
-               " rad under the pressures of a patch that is taken as a plane: estimated error " +
+               " rad within a patch, which is solved as a plane: estimated error " +
                short_text_of(patch.plane_error));
     }
   }

@@ -1,21 +1,6 @@
 !> A bogie on irregular track: an implicit integrator on forces and derivatives of wrcontact.
 !>
-!> Usage: bogie [OPTION VALUE]...
-!>   --speed 40          m/s; backwards below 0
-!>   --acceleration 0    m/s2, from the time 0 on
-!>   --seconds 1         length of the run
-!>   --step 1e-3         s
-!>   --accuracy 1e-2     solve.accuracy; with --critical 3e-4, since slopes of forces need more
-!>   --creep fastsim     solve.creep
-!>   --threads 2         for the wheelsets; results do not depend on it
-!>   --jacobian library  or differences
-!>   --irregularity 1    factor of the track's irregularities
-!>   --lateral 0, --lateral-speed 0, --roll 0    of the first wheelset at the start, m, m/s, rad; with a
-!>                       roll it stands on one wheel
-!>   --data FILE         writes a table of all steps, which bogie.gp draws
-!>   --save FILE         writes the state at the end, from which --restart FILE goes on
-!>   --critical yes      instead: speed from which on a small disturbance grows, by eigenvalues and by
-!>                       runs of that many seconds from a disturbance of --lateral, or 5e-6
+!> bogie --help lists the options.
 program bogie_program
   use, intrinsic :: iso_fortran_env, only: error_unit, int64, real64
   use bogie_model, only: bogie, position_count, state_count, make, centred_state, speed_at, rails_at
@@ -38,7 +23,7 @@ program bogie_program
   if (critical == 'yes') accuracy = critical_accuracy
   call make(vehicle, accuracy, trim(creep))
   if (critical == 'yes') then
-    call tell_critical_speed()
+    call print_critical_speed()
   else
     call run()
   end if
@@ -50,7 +35,12 @@ contains
     integer :: i, bad
     do i = 1, command_argument_count(), 2
       call get_command_argument(i, option)
+      if (option == '--help' .or. option == '-h') then
+        call print_help()
+        stop
+      end if
       call get_command_argument(i + 1, value)
+      if (value == '') call stop_with(trim(option)//': a value must follow; bogie --help lists the options')
       bad = 0
       select case (option)
       case ('--speed')
@@ -89,11 +79,36 @@ contains
         critical = value
         bad = merge(0, 1, value == 'yes')
       case default
-        bad = 1
+        call stop_with(trim(option)//': unknown option; bogie --help lists the options')
       end select
-      if (bad /= 0) call stop_with(trim(option)//' '//trim(value)//': bogie.f90 lists what is allowed')
+      if (bad /= 0) call stop_with(trim(option)//' '//trim(value)//': not an allowed value; bogie --help '// &
+        'lists the options')
     end do
   end subroutine read_options
+
+  subroutine print_help()
+    print '(a)', &
+      'Runs a bogie over irregular track with an implicit integrator on forces and derivatives of wrcontact.', &
+      'Usage: bogie [OPTION VALUE]...', &
+      '', &
+      '  --speed 40            speed, m/s; negative: backwards', &
+      '  --acceleration 0      longitudinal acceleration from time 0, m/s2', &
+      '  --seconds 1           length of the run, s', &
+      '  --step 1e-3           time step, s', &
+      '  --accuracy 1e-2       solve.accuracy; default with --critical: 3e-4, since slopes of forces need more', &
+      '  --creep fastsim       solve.creep', &
+      '  --threads 2           number of threads; results do not depend on it', &
+      '  --jacobian library    library, or differences', &
+      '  --irregularity 1      factor on the track irregularities', &
+      '  --lateral 0           initial lateral displacement of the first wheelset, m', &
+      '  --lateral-speed 0     its initial lateral velocity, m/s', &
+      '  --roll 0              its initial roll, rad; it then stands on one wheel', &
+      '  --data FILE           write a table of all steps, which bogie.gp draws', &
+      '  --save FILE           write the state at the end', &
+      '  --restart FILE        continue from a state written by --save', &
+      '  --critical yes        instead: find the critical speed by eigenvalues, and check it by runs of', &
+      '                        --seconds from a disturbance of --lateral (default 5e-6)'
+  end subroutine print_help
 
   subroutine stop_with(message)
     character(*), intent(in) :: message
@@ -107,8 +122,8 @@ contains
     integer(int64) :: began, ended, rate
     call centred_state(vehicle, u, failed)
     if (failed) call stop_with(trim(vehicle%message))
-    print '(a, f10.6)', 'height of the wheelsets, m            ', vehicle%height
-    call tell_balance()
+    print '(a, f10.6)', 'height of a wheelset, m              ', vehicle%height
+    call print_balance()
     u(1) = lateral
     u(position_count + 1) = lateral_speed
     u(3) = roll
@@ -138,25 +153,25 @@ contains
     print '(a, i0)', 'Newton iterations         ', past%iterations
     print '(a, i0)', 'Jacobians                 ', past%jacobians
     print '(a, i0)', 'evaluations               ', vehicle%evaluations
-    print '(a, f0.1)', 'microseconds for a step   ', 1.0e6_real64*real(ended - began, real64)/ &
+    print '(a, f0.1)', 'microseconds per step     ', 1.0e6_real64*real(ended - began, real64)/ &
       real(rate, real64)/max(1, past%steps)
     print '(a, *(es25.17))', 'state ', u
     if (save_to /= '') call write_state(last*h, u)
   end subroutine run
 
   !> Of the first wheelset of a centred bogie: no force but a drag that takes the power of the spin.
-  subroutine tell_balance()
+  subroutine print_balance()
     type(contact_patch) :: patches(8)
     real(real64) :: total(6), power
     integer :: count
     call vehicle%scenes(1)%patches(patches, count)
     total = sum(vehicle%forces(:, :, 1), dim=2)
     power = sum(patches(:count)%friction_power)
-    print '(a, es12.4)', 'lateral force of a centred one, N   ', total(2)
-    print '(a, es12.4)', 'its moment about the vertical, N m  ', total(6)
-    print '(a, es12.4)', 'power that its drag takes, W        ', -total(1)*vehicle%speed
-    print '(a, es12.4)', 'power of its friction, W            ', power
-  end subroutine tell_balance
+    print '(a, es12.4)', 'lateral force when centred, N        ', total(2)
+    print '(a, es12.4)', 'moment about the vertical, N m       ', total(6)
+    print '(a, es12.4)', 'power of its drag when centred, W    ', -total(1)*vehicle%speed
+    print '(a, es12.4)', 'power of its friction, W             ', power
+  end subroutine print_balance
 
   subroutine write_line(unit, t, u)
     integer, intent(in) :: unit
@@ -181,11 +196,11 @@ contains
     integer :: unit, bad
     open (newunit=unit, file=restart, form='unformatted', access='stream', status='old', iostat=bad)
     if (bad == 0) read (unit, iostat=bad) t, u, past%last_rate
-    if (bad /= 0) call stop_with(trim(restart)//': no state that --save has written')
+    if (bad /= 0) call stop_with(trim(restart)//': not a state written by --save')
     close (unit)
   end subroutine read_state
 
-  subroutine tell_critical_speed()
+  subroutine print_critical_speed()
     real(real64) :: growth(2), by_eigenvalues
     complex(real64) :: eigenvalues(2)
     real(real64), parameter :: around(2) = [0.98_real64, 1.02_real64]
@@ -206,6 +221,6 @@ contains
     print '(a, f9.3)', 'critical speed by eigenvalues, m/s ', by_eigenvalues
     print '(a, f9.3)', 'critical speed in time, m/s        ', by_eigenvalues*(around(1) - growth(1)* &
       (around(2) - around(1))/(growth(2) - growth(1)))
-  end subroutine tell_critical_speed
+  end subroutine print_critical_speed
 
 end program bogie_program

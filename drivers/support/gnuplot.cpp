@@ -256,16 +256,17 @@ void Gnuplot::plot(const std::vector<std::string>& items) {
   script_ << (items.empty() ? "plot NaN notitle\n" : "\n");
 }
 
-void Gnuplot::draw(const std::filesystem::path& path, int width, int height) const {
+void require_picture_name(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  std::string terminal;
-  if (extension == ".png") {
-    terminal = "pngcairo";
-  } else if (extension == ".svg") {
-    terminal = "svg";
-  } else {
-    throw Failure("--plot " + path.string() + ": allowed are files that end in .png or .svg");
+  if (extension != ".png" && extension != ".svg") {
+    throw Failure("--plot " + path.string() + ": allowed is a file that ends in .png or .svg");
   }
+}
+
+void Gnuplot::draw(const std::filesystem::path& path, int width, int height) const {
+  require_picture_name(path);
+  const std::string extension = path.extension().string();
+  const std::string terminal = extension == ".png" ? "pngcairo" : "svg";
   OutputFile file(path);
   std::ostringstream whole;
   whole << "set terminal " << terminal << " size " << width << ',' << height

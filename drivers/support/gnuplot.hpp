@@ -11,6 +11,8 @@ namespace driver {
 
 /// Throws Failure if gnuplot cannot be run.
 void require_gnuplot();
+/// Throws Failure unless the file ends in .png or .svg.
+void require_picture_name(const std::filesystem::path& path);
 
 /// Whether _ and ^ make subscripts and superscripts, of one letter or of a group in braces.
 enum class Markup { none, subscripts };

@@ -34,7 +34,7 @@ std::string read_file(const std::string& what, const std::string& path, std::siz
     refuse("is not a regular file");
   }
   if (trouble == EAGAIN) {
-    refuse("has no end: reading it would wait for more");
+    refuse("is a device or pipe without an end, not a file");
   }
   if (trouble != 0) {
     refuse(std::strerror(trouble));

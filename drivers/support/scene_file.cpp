@@ -84,6 +84,11 @@ void set_value(Scene& scene, const std::string& key, const Value& value) {
 void set_values(Scene& scene, const Values& values) {
   for (const auto& [key, value] : values) {
     if (allowed(key).empty()) {
+      const std::string parent = key.substr(0, key.rfind('.'));
+      if (!allowed(parent).empty()) {
+        throw Failure(parent +
+                      ": allowed is one value; wrc_sweep takes ranges and lists of values");
+      }
       set_value(scene, key, value); // fails and says which keys there are
     }
   }

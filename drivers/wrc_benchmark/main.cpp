@@ -40,13 +40,12 @@ std::vector<Case> all_cases() {
   }
   all.push_back(
       {{"vehicle-step", "scene: a hunting wheelset, both wheels, step by step"}, Kind::vehicle});
-  all.push_back({{"batch", "scene: 64 of them on one and on two threads"}, Kind::batch});
+  all.push_back({{"batch", "scene: 64 scenes on one and on two threads"}, Kind::batch});
   all.push_back({{"rolling", "pressures: creep forces of 40 ellipses on 8x4 to 256x128 elements"},
                  Kind::rolling});
-  all.push_back(
-      {{"service", "scene: a run over irregular track, three pairs of profiles; takes over "
-                   "a minute and is not among all"},
-       Kind::service});
+  all.push_back({{"service", "scene: a run over irregular track, three pairs of profiles; takes "
+                             "over a minute and runs only if named"},
+                 Kind::service});
   return all;
 }
 
@@ -170,7 +169,7 @@ int run(const Options& options) {
     const bool scene = chosen.kind == Kind::scene;
     if (cases.size() != 1 || grids.size() != 1 || (chosen.kind != Kind::gap && !scene)) {
       throw driver::Failure(
-          "--first-solve: allowed is with one case that has a grid, and one grid");
+          "--first-solve: give exactly one --case, of those with a grid, and one --grid");
     }
     const auto problem = benchmark::make_problem(chosen.description.name, grids.front(),
                                                  scene ? (options.both_wheels ? 2 : 1) : 0);
@@ -219,7 +218,7 @@ int main(int argc, char** argv) {
       ->type_name("EPS")
       ->check(CLI::Range(1e-9, 0.1));
   app.add_option("--method", options.method,
-                 "default or paper; if not given both, paper only up to 1024x512")
+                 "method to time; default: both, but paper only up to 1024x512")
       ->type_name("NAME")
       ->check(CLI::IsMember({"default", "paper"}));
   app.add_option("--repeat", options.plan.repeat,
@@ -230,20 +229,22 @@ int main(int argc, char** argv) {
                  "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  app.add_flag("--creep", options.plan.creep, "with service: also rows with creep forces");
+  app.add_flag("--creep", options.plan.creep, "with --case service: add rows with creep forces");
   app.add_flag("--json", options.json, "print one JSON object instead of the tables");
   app.add_flag(
       "--first-solve", options.first_solve,
-      "only solve the one case given, once, to --accuracy as the solver's tolerance, and "
-      "print times and memory as JSON; the benchmark calls itself this way for cold-process");
-  app.add_flag("--both-wheels", options.both_wheels, "with --first-solve and table1");
-  app.footer("\nExamples:\n"
-             "  wrc_benchmark                                  everything at 256x128, under a "
-             "minute\n"
-             "  wrc_benchmark --case table1 --method default   where the time of a scene is spent\n"
-             "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
-             "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
-             "  wrc_benchmark --case service --steps 300       what a step of a real run costs\n"
-             "docs/evidence/performance.md and docs/evidence/service.md explain the columns.");
+      "solve one --case on one --grid once, with --accuracy as the solver's tolerance, and print "
+      "times and memory as JSON; the benchmark runs itself this way for cold-process");
+  app.add_flag("--both-wheels", options.both_wheels,
+               "with --first-solve --case table1: solve both wheels");
+  app.footer(
+      "\nExamples:\n"
+      "  wrc_benchmark                                  everything at 256x128, under a "
+      "minute\n"
+      "  wrc_benchmark --case table1 --method default   where the time of a scene is spent\n"
+      "  wrc_benchmark --grid all --method default      how the cost grows with the grid\n"
+      "  wrc_benchmark --case two-lobes --accuracy 1e-6 --json\n"
+      "  wrc_benchmark --case service --steps 300       the cost of a step in a realistic run\n"
+      "docs/evidence/performance.md and docs/evidence/service.md explain the columns.");
   return driver::run_program(app, argc, argv, [&] { return run(options); });
 }

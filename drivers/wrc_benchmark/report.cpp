@@ -157,18 +157,17 @@ void print_cases(const std::vector<Row>& rows) {
   if (table.row_count() > 1) {
     table.print(std::cout);
     std::cout
-        << "\n  requested: largest error of p over pmax. toler.: what the solver was given for it; "
-           "for "
-           "paper the loosest one that\n  gives an error p no larger than requested, or than that "
-           "of "
-           "default. error p: true largest error of p over pmax, against\n  the same grid solved "
+        << "\n  requested: largest error of p over pmax. toler.: tolerance given to the solver for "
+           "it; for paper the loosest one that\n  gives an error p not larger than requested or "
+           "than that of default. error p: true largest error of p over pmax, against\n  the same "
+           "grid solved "
            "to 1e-10 (above 1024x512: 1e-8). error pmax: against the closed form, or a grid 2 to 3 "
-           "times finer.\n  fill: share of elements under pressure. iter: of one wheel, all grids. "
+           "times finer.\n  fill: fraction of elements under pressure. iter: iterations of one "
+           "wheel on all grids. "
            "Times in ms, medians; min: least total.\n  pair: one FFTW transform of twice the grid "
            "in each direction and back, same run. pairs: mechan/pair; total/pair.\n  cold-process: "
-           "first solution of a process; cold: new handle; warm: same handle again. MB: peak "
-           "memory "
-           "of a process\n  that solves once, over that before, with gap and results.\n\n";
+           "first solution of a process; cold: new handle; warm: same handle again. MB: memory of "
+           "a process\n  that solves once: its peak above that before, with gap and results.\n\n";
   }
 }
 
@@ -191,12 +190,12 @@ void print_motions(const std::vector<Row>& rows) {
     std::cout
         << "\n  Table 1 scene, both wheels, one solver handle. hunting: 3 mm sideways over a wave "
            "of "
-           "8 m, steps of 40 mm, with yaw;\n  1 %, 0.1 %: steps sideways by that share of the "
+           "8 m, steps of 40 mm, with yaw;\n  1 %, 0.1 %: lateral steps of this fraction of the "
            "patch's width. Times in ms per step. requested: error of pmax; error pmax:\n  largest "
            "of "
            "both "
            "wheels at ten steps, against 384x384 elements. grid: of the left wheel at the last "
-           "step.\n  pair: that of 256x128. paper goes through five steps of the hunting only.\n\n";
+           "step.\n  pair: that of 256x128. paper solves only five steps of the hunting.\n\n";
   }
 }
 
@@ -219,17 +218,19 @@ void print_service(const std::vector<ServiceRow>& rows) {
   if (table.row_count() > 1) {
     table.print(std::cout);
     std::cout
-        << "\n  Steps of 40 mm over irregular track, " << rows.front().steps
-        << " of them, both wheels, one solver handle; the first step "
-           "of all is cold and not counted.\n  requested: error of the results named by \"of\". "
+        << "\n  " << rows.front().steps
+        << " steps of 40 mm over irregular track, both wheels, one solver handle; the very first "
+           "step is cold and not counted.\n  requested: error of the results named by \"of\". "
            "prescribed: "
-           "loads, with roll solved; or roll and a height for each wheel, those of the\n  same "
-           "loads. depth, normal, lateral, pmax: largest error of both wheels at about 40 steps, "
+           "loads, with roll solved; or the roll and the height of each wheel that the\n  same "
+           "loads give. depth, normal, lateral, pmax: largest error of both wheels at about 40 "
+           "steps, "
            "against accuracy 1e-5, relative;\n  of the lateral force over the vertical one. "
-           "solut., most: joint solutions of a wheel in a step, mean and most. mean ms:\n  "
+           "solut., most: joint solutions of a wheel per step, mean and largest number. mean ms:\n "
+           " "
            "processor time per step, keys set and both wheels solved. pair: one transform of "
-           "twice 256x128 and back, sampled\n  between the steps of the row. mean to worst: "
-           "of the times of a step, in pairs.\n\n";
+           "twice 256x128 and back, sampled\n  between the steps of the row. mean to worst: times "
+           "per step, in pairs.\n\n";
   }
 }
 
@@ -319,9 +320,10 @@ void print_tables(const Report& report) {
     std::cout << ": " << fixed(report.batch->speedup, 2) << " times faster, results "
               << (report.batch->bitwise_equal ? "equal bit for bit" : "NOT EQUAL")
               << ".\n  Two threads took " << fixed(report.batch->work_ratio, 2)
-              << " times the processor time of one. Two that only transform, in turns with it, did "
+              << " times the processor time of one. Two threads that only transform did "
               << fixed(report.batch->machine_speedup, 2)
-              << " times\n  the work of one in the same time: that much the machine had to give.\n";
+              << " times\n  the work of one in the same time: more is not to be expected of this "
+                 "machine.\n";
   }
 }
 

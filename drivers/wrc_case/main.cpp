@@ -1,17 +1,19 @@
 // wrc_case: solves one scene and prints, writes or draws what came out.
 #include <iostream>
 
+#include "support/gnuplot.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene_file.hpp"
+#include "support/toml.hpp"
 #include "wrc_case/reports.hpp"
 
 namespace {
 
 constexpr const char* purpose =
-    "Solves a wheel/rail contact scene: where and how hard both wheels press on the "
-    "rails.\nWithout a scene file: the paper's Table 1 scene (S1002 on 60E1, 80 kN per "
-    "wheel, centred).";
+    "Solves a wheel/rail contact scene: contact patches, pressures and forces of both wheels.\n"
+    "Without a scene file it solves Table 1 of the paper: S1002 on 60E1, 80 kN per wheel, "
+    "centred.";
 
 constexpr const char* examples =
     "\nExamples:\n"
@@ -20,6 +22,17 @@ constexpr const char* examples =
     "  wrc_case scene.toml --set solve.grid=[256,128] --field field.csv\n"
     "  wrc_case --set creepage.left=[0.001,0.0005,0.0002] --plot tractions.png\n"
     "  wrc_case --set solve.results=stress --plot stress.png --stress stress.vtk\n";
+
+/// Mistakes that show before the scene is solved.
+void check(const driver::Scene& scene, const std::string& plot, const std::string& stress) {
+  if (!plot.empty()) {
+    driver::require_picture_name(plot);
+  }
+  if (!stress.empty() && scene.get_text("solve.results").find("stress") == std::string::npos) {
+    throw driver::Failure("--stress " + stress +
+                          ": no stresses are computed; add --set solve.results=stress");
+  }
+}
 
 std::string keys_text() {
   std::ostringstream text;
@@ -52,14 +65,16 @@ int main(int argc, char** argv) {
   bool csv = false;
   std::string vtk, plot, field, creep_field, stress, save;
   app.add_option("SCENE", scene_file, "scene file in TOML; every key is optional");
-  app.add_option("--set", assignments,
-                 "set one or more keys of the scene; may be repeated. Numbers and words need no "
-                 "quotes, lists are [a,b]")
+  app.add_option(
+         "--set", assignments,
+         "set one or more keys of the scene, such as pose.lateral=5 track.rail=CHN60; may be "
+         "repeated. Words need no quotes, lists are [a,b]")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--json", json, "print one JSON object instead of the table");
   app.add_flag("--csv", csv, "print CSV, one line per side, instead of the table");
-  app.add_option("--vtk", vtk, "write the fields of all patches as legacy VTK")->type_name("FILE");
+  app.add_option("--vtk", vtk, "write the fields of all patches as legacy VTK, for ParaView")
+      ->type_name("FILE");
   app.add_option("--plot", plot, "draw profiles, patches, pressures and tractions")
       ->type_name("FILE.png|svg");
   app.add_option("--field", field, "write the fields of all patches as CSV, one line per element")
@@ -70,12 +85,15 @@ int main(int argc, char** argv) {
   app.add_option("--stress", stress,
                  "write sections of the stresses below the surface as legacy VTK")
       ->type_name("FILE.vtk");
-  app.add_option("--save", save, "write the scene with all its keys, to be solved again")
+  app.add_option("--save", save, "write all keys of the scene, to solve it again")
       ->type_name("FILE.toml");
   app.footer("\n" + keys_text() + driver::standard_names_text() + examples);
   return driver::run_program(app, argc, argv, [&] {
     if (json && csv) {
       throw driver::Failure("--json --csv: allowed is one of them");
+    }
+    for (const std::string& assignment : assignments) {
+      (void)driver::split_assignment(assignment);
     }
     driver::Scene scene;
     if (!scene_file.empty()) {
@@ -84,6 +102,7 @@ int main(int argc, char** argv) {
     driver::apply_assignments(scene, assignments);
     driver::refuse_overwriting({save, field, creep_field, vtk, stress, plot},
                                inputs_of(scene, scene_file));
+    check(scene, plot, stress);
     const bool converged = scene.solve();
     if (!save.empty()) {
       scene.write(save);
@@ -116,7 +135,7 @@ int main(int argc, char** argv) {
       driver::draw_scene(scene, plot);
     }
     if (!converged) {
-      std::cerr << "wrc_case: not converged; the results are printed all the same\n";
+      std::cerr << "wrc_case: not converged: the printed results are approximate\n";
       return 3;
     }
     return 0;

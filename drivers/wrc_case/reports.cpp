@@ -450,7 +450,7 @@ void write_creep_field(const Scene& scene, const std::filesystem::path& path) {
   const auto patches = parts_with(scene, all_patches(scene), creep_result);
   if (patches.empty()) {
     throw Failure("--creep-field " + path.string() +
-                  ": there are no creep forces; set creepage.left or creepage.right");
+                  ": there are no creep forces; set creepages (creepage.*) or a motion (motion.*)");
   }
   write_fields(scene, patches, names, path);
 }

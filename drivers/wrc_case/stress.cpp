@@ -43,7 +43,8 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path) {
     }
   }
   if (grid.points.empty()) {
-    throw Failure("--stress: there are no stresses; set solve.results=stress");
+    throw Failure("--stress " + path.string() +
+                  ": there are no stresses, since no wheel is in contact");
   }
   VtkFile file(path,
                "wrcontact: x y z in mm (track frame), stresses in MPa in the patch's plane, z into "

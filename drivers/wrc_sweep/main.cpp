@@ -163,7 +163,8 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
     return 0;
   }
   if (options.study_file.empty()) {
-    throw driver::Failure("STUDY is missing: allowed is a study file in TOML (see --help)");
+    throw driver::Failure(
+        "no study given: allowed is a study file in TOML; wrc_sweep --help shows one");
   }
   if (options.resume && options.restart) {
     throw driver::Failure("--resume --restart: allowed is one of them");
@@ -199,9 +200,9 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Solves a study: a wheel/rail scene in every combination of the values that its "
-               "keys list.",
-               "wrc_sweep");
+  CLI::App app(
+      "Solves a study: a wheel/rail scene for every combination of the values listed for its keys.",
+      "wrc_sweep");
   Options options;
   app.add_option("STUDY", options.study_file, "study file in TOML");
   app.add_option("--out", options.folder, "folder of the results; created if it does not exist")

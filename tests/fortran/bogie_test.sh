@@ -40,7 +40,7 @@ runs() {
   expect "$(value whole.txt 'lateral force of') == 0 && $(value whole.txt 'its moment about') == 0" \
     "a centred bogie has no forces"
   local drag power
-  drag=$(value whole.txt 'power that its drag') power=$(value whole.txt 'power of its friction')
+  drag=$(value whole.txt 'power of its drag') power=$(value whole.txt 'power of its friction')
   # Its own accuracy is 1e-2; the approach of the bodies moves the place of friction by less.
   expect "$power > 100 && $drag/$power - 1 < 1e-3 && 1 - $drag/$power < 1e-3" "power balance"
 }

@@ -148,7 +148,7 @@ CASES = {
     "unlike_materials": Case("creep forces of unlike materials", {
         "creepage.longitudinal": 0.001, "material.rail.youngs_modulus": 70000,
         "solve.creep": "linear", **LEFT, **QUICK}),
-    "torque_exceeded": Case("more than friction can hold", {
+    "torque_exceeded": Case("more than friction can transmit", {
         "motion.speed": 2e4, "motion.pitch": "free", "motion.torque": 3e7, **QUICK}),
     "torque_ambiguous": Case("with more slip, too", {
         "motion.speed": 2e4, "motion.pitch": "free", "motion.torque": 12e6,

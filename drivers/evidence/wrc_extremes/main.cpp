@@ -56,45 +56,46 @@ std::set<std::string> quantity_names() {
 std::string explanation() {
   std::string text =
       "\nEach point is solved through the public interface. Verdicts:\n"
-      "  held        solved; residuals, recomputed by this program, and errors as requested\n"
-      "  warned      solved, and a warning or status says what is wrong\n"
-      "  no contact  no forces, and the status or a warning says so\n"
-      "  refused     a status and a text that names argument, value and what is allowed\n"
-      "  faded       solved, worse than requested, without a warning\n"
-      "  wrong       residuals beyond all bounds, or a fault of the library\n"
-      "The exit code is 3 if a point is wrong.\n\nQuantities:\n";
+      "  held        solved; recomputed residuals and errors are as requested\n"
+      "  warned      solved; a warning or the status says what is wrong\n"
+      "  no contact  no forces; the status or a warning says so\n"
+      "  refused     not solved; the error names argument, value and allowed range\n"
+      "  faded       solved, but less accurately than requested and without a warning\n"
+      "  wrong       residuals beyond all bounds, or an internal fault of the library\n"
+      "Exit code: 3 if a point is wrong, otherwise 0.\n\nQuantities:\n";
   for (const extremes::Quantity& quantity : extremes::quantities()) {
     text +=
         "  " + quantity.name + std::string(16 - quantity.name.size(), ' ') + quantity.title + '\n';
   }
-  return text + "\nExamples:\n"
-                "  wrc_extremes --threads 2 --out extremes     # all of it, in minutes\n"
-                "  wrc_extremes --only load --only tolerance   # two quantities, table only\n";
+  return text +
+         "\nExamples:\n"
+         "  wrc_extremes --threads 2 --out extremes     # all quantities, takes minutes\n"
+         "  wrc_extremes --only load --only tolerance   # two quantities, prints the table only\n";
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Takes every quantity to its limits, one at a time, and reports what holds where: "
-               "status, residuals, digits lost against elimination in extended precision, and "
-               "where accuracy fades.",
+  CLI::App app("Varies each quantity to its limits and reports, for each point, whether the "
+               "solution holds: status, recomputed residuals, digits lost against elimination in "
+               "extended precision, and errors beyond the requested accuracy.",
                "wrc_extremes");
   bool quick = false;
   std::vector<std::string> only;
   std::string folder;
   std::uint64_t seed = 1;
   int threads = 1;
-  app.add_flag("--quick", quick, "few points of each quantity, in seconds");
-  app.add_option("--only", only, "this quantity; may be given again")
+  app.add_flag("--quick", quick, "a few points of each quantity; takes seconds");
+  app.add_option("--only", only, "measure only this quantity; may be repeated")
       ->type_name("QUANTITY")
       ->check(CLI::IsMember(quantity_names()));
   app.add_option("--out", folder,
-                 "write extremes.json and extremes_<quantity>.png into a folder, "
-                 "which is made if it is not there")
+                 "write extremes.json and extremes_<quantity>.png into this folder, which is "
+                 "created if it does not exist")
       ->type_name("FOLDER");
-  app.add_option("--seed", seed, "of noise, and of elements drawn from large grids")
+  app.add_option("--seed", seed, "seed of random noise and of the elements sampled on large grids")
       ->capture_default_str();
-  app.add_option("--threads", threads, "points measured at once; no result depends on it")
+  app.add_option("--threads", threads, "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.footer(explanation());

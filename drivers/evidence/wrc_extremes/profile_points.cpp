@@ -239,14 +239,14 @@ void add_shapes(std::vector<Point>& points) {
     points.push_back(
         profile_point("profile", "wheel S1002", name, ++index, quick, WRC_WHEEL, make));
   };
-  add("as it is", [](std::uint64_t) { return points_of(wheel_name, usual_count); });
+  add("unchanged", [](std::uint64_t) { return points_of(wheel_name, usual_count); });
   add("right to left", [](std::uint64_t) { return reversed(); });
-  add("in disorder", in_disorder);
-  add("points twice", [](std::uint64_t) { return with_points_twice(0.0); });
+  add("shuffled", in_disorder);
+  add("duplicate points", [](std::uint64_t) { return with_points_twice(0.0); });
   quick = false;
-  add("points twice, 1e-12 mm apart", [](std::uint64_t) { return with_points_twice(1e-12); });
-  add("points twice, 1e-6 mm apart", [](std::uint64_t) { return with_points_twice(1e-6); });
-  add("points twice, 1e-3 mm apart", [](std::uint64_t) { return with_points_twice(1e-3); });
+  add("duplicates 1e-12 mm apart", [](std::uint64_t) { return with_points_twice(1e-12); });
+  add("duplicates 1e-6 mm apart", [](std::uint64_t) { return with_points_twice(1e-6); });
+  add("duplicates 1e-3 mm apart", [](std::uint64_t) { return with_points_twice(1e-3); });
   for (const double angle : {1e-6, 1e-4, 1e-3, 0.01, 0.1}) {
     add(in_words("ridge of", angle, " rad"), [angle](std::uint64_t) { return with_kink(angle); });
     add(in_words("groove of", angle, " rad"), [angle](std::uint64_t) { return with_kink(-angle); });
@@ -255,10 +255,10 @@ void add_shapes(std::vector<Point>& points) {
     add(in_words("step of", height, " mm"), [height](std::uint64_t) { return with_step(height); });
   }
   quick = true;
-  add("all points the same", [](std::uint64_t) {
+  add("all points equal", [](std::uint64_t) {
     return Points{std::vector<double>(100, 1.0), std::vector<double>(100, 2.0)};
   });
-  add("all points level", [](std::uint64_t) {
+  add("all points at one height", [](std::uint64_t) {
     Points made = points_of(wheel_name, usual_count);
     std::fill(made.height.begin(), made.height.end(), 0.0);
     return made;

@@ -103,9 +103,9 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
         << ' ' << name_of(verdict) << (verdict == Verdict::wrong ? "\n" : ",");
   }
   out << "\nresidual: largest overlap or gap under pressure over the largest displacement, "
-         "recomputed\np error: of the pressures at the floor of the tolerance, against "
-         "elimination in long double\nerror: of pmax and approach, against a finer solution, a "
-         "closed form, or other units\n";
+         "recomputed\np error: error of the pressures at the smallest tolerance, against "
+         "elimination in long double\nerror: error of pmax and approach, against a finer solution, "
+         "a closed form, or other units\n";
   driver::TextTable table("lrrrrrl", {74, 4, 12});
   std::string quantity;
   std::string base;
@@ -168,7 +168,7 @@ const std::vector<Quantity>& quantities() {
       {"cant", "Inclination of the rails", "cant, rad", false, false},
       {"gauge", "Gauge", "gauge, mm", false, false},
       {"accuracy", "Requested accuracy", "accuracy", true, false},
-      {"scene-grid", "Grid of a scene, by hand", "elements", true, false},
+      {"scene-grid", "Prescribed grid of a scene", "elements", true, false},
       {"grid", "Grid of a gap", "elements", true, false},
       {"aspect", "Aspect ratio of elements", "lateral/longitudinal", true, false},
       {"units", "Units of lengths and moduli", "factor", true, false},

@@ -240,7 +240,7 @@ NormalCase block(double load, std::optional<double> approach) {
 void add_state_points(std::vector<Point>& points) {
   States states(points);
   states.add("no load", Verdict::none, loaded(0.0));
-  states.add("load below what positions can tell", Verdict::none, loaded(1e-9));
+  states.add("load below the rounding of positions", Verdict::none, loaded(1e-9));
   states.add("height prescribed above the rail", Verdict::none, at_height(461.0));
   states.add("height prescribed, pressed in", Verdict::held, at_height(459.75));
   states.add("height prescribed below the rail", Verdict::refused, at_height(300.0));
@@ -248,7 +248,7 @@ void add_state_points(std::vector<Point>& points) {
   states.add("wheel beyond the rail", Verdict::refused, at(86.0));
   states.add("gauge too wide for the wheelset", Verdict::refused,
              [](wrcontact::Scene& scene) { scene.set("track.gauge", 1700.0); });
-  states.add("no roll sets both wheels on the rails", Verdict::refused,
+  states.add("no roll brings both wheels onto the rails", Verdict::refused,
              [](wrcontact::Scene& scene) {
                scene.set("pose.lateral", 70.0);
                scene.set("wheelset.back_to_back", 1300.0);

@@ -7,11 +7,14 @@
 #include "wrc_paper/claims.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes a page that says, figure by figure, which statements of the paper the "
-               "results confirm.\nscripts/paper.sh computes the results and calls this.",
-               "wrc_paper");
+  CLI::App app(
+      "Compares results of studies with the paper's statements, figure by figure, and writes a "
+      "page of verdicts.\nscripts/paper.sh computes the results and then runs this program.",
+      "wrc_paper");
   std::string folder;
-  app.add_option("DIR", folder, "folder with the results S1002/, LM/, LMA/; report.md goes there")
+  app.add_option("DIR", folder,
+                 "folder with the results S1002/, LM/ and LMA/ of scripts/paper.sh; report.md is "
+                 "written there")
       ->required();
   return driver::run_program(app, argc, argv, [&] {
     const std::filesystem::path page = std::filesystem::path(folder) / "report.md";

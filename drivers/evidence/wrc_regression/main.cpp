@@ -7,23 +7,24 @@
 #include "wrc_regression/checks.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Solves stored cases and compares them with the paper's Table 2, with the program CONTACT "
-      "and with own baselines.\nExit status: 0 if all are within their tolerances, 4 if not.",
-      "wrc_regression");
+  CLI::App app("Solves stored cases and compares the results with the paper's Table 2, with the "
+               "program CONTACT and with stored results of this library.\nExit code: 0 if all are "
+               "within their tolerances, 4 if not.",
+               "wrc_regression");
   std::string folder = WRC_REGRESSION_FOLDER;
   std::string contact;
   bool update = false;
   app.add_option("--cases", folder,
-                 "folder with cases.toml and baselines.toml; default: drivers/evidence/"
-                 "wrc_regression of the sources it was built from")
+                 "folder with cases.toml and baselines.toml; default: "
+                 "drivers/evidence/wrc_regression in the source tree of this build")
       ->type_name("DIR");
-  app.add_option("--contact", contact,
-                 "JSON file with values of CONTACT; without it these are left out")
+  app.add_option(
+         "--contact", contact,
+         "JSON file with results of CONTACT, such as tests/reference/contact_cases.json; without "
+         "it they are not compared")
       ->type_name("FILE");
-  app.add_flag(
-      "--update", update,
-      "rewrite the baselines of this program and list what has changed; write nothing else");
+  app.add_flag("--update", update,
+               "replace the stored results by those of this build and list what has changed");
   return driver::run_program(app, argc, argv, [&] {
     const std::filesystem::path cases = folder;
     const std::filesystem::path baselines = cases / "baselines.toml";
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (contact.empty()) {
-      std::cerr << "wrc_regression: values of CONTACT are left out (--contact FILE)\n";
+      std::cerr << "wrc_regression: not compared with CONTACT (give --contact FILE)\n";
     } else {
       for (driver::Check& check : driver::run_contact_cases(contact)) {
         checks.push_back(std::move(check));

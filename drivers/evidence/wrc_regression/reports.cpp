@@ -19,7 +19,7 @@ std::string verdict(const Check& check) {
     return "FAILED: " + check.trouble;
   }
   if (std::isnan(check.expected)) {
-    return "FAILED: no baseline yet (--update writes one)";
+    return "FAILED: no stored result yet (--update writes one)";
   }
   return check.passed() ? "ok" : "FAILED";
 }

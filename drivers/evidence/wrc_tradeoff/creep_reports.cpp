@@ -119,7 +119,7 @@ void print_creep_misses(const std::vector<CreepMeasured>& all, std::ostream& out
   }
   std::stable_sort(misses.begin(), misses.end(),
                    [](const CreepMiss& a, const CreepMiss& b) { return a.ratio > b.ratio; });
-  out << '\n' << misses.size() << " misses of the full theory, worst first\n";
+  out << '\n' << misses.size() << " accuracies missed by the full theory, worst first\n";
   for (std::size_t i = 0; i < std::min(printed_creep_misses, misses.size()); ++i) {
     out << "  " << misses[i].text << '\n';
   }
@@ -139,7 +139,7 @@ void print_creep_summary(const std::vector<CreepMeasured>& all, std::ostream& ou
   out << all.size() << " scenes, "
       << std::count_if(all.begin(), all.end(),
                        [](const CreepMeasured& measured) { return !measured.failure.empty(); })
-      << " of them without a solution\n";
+      << " without a solution\n";
   for (const CreepMeasured& measured : all) {
     if (!measured.failure.empty()) {
       out << "  " << measured.settings.options() << ": " << measured.failure << '\n';
@@ -156,7 +156,7 @@ void print_creep_summary(const std::vector<CreepMeasured>& all, std::ostream& ou
                percent(row.bounded), row.median_estimate ? general(*row.median_estimate, 2) : "-"});
   }
   out << "\nErrors of Fx, Fy in % of mu N, of Mz in % of mu N c, against the full theory at "
-      << general(creep_truth_accuracy) << "; time of creep forces for each patch\n";
+      << general(creep_truth_accuracy) << "; time of the creep forces per patch\n";
   table.print(out);
   print_creep_misses(all, out);
 }

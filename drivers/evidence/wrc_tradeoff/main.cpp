@@ -107,32 +107,29 @@ void judge_practical_wheels(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Solves a fixed family of scenes, or random ones, at all accuracies and with all models,\n"
-      "against much finer solutions of the same scenes, and reports what was requested, achieved\n"
-      "and estimated, and how long it took.",
+      "Solves many scenes at every accuracy and with every contact model, compares each with a "
+      "much\nfiner solution, and reports requested, true and estimated errors and the time taken.",
       "wrc_tradeoff");
   Options options;
-  auto* scenes = app.add_option("--scenes", options.scenes, "how many scenes of the family")
+  auto* scenes = app.add_option("--scenes", options.scenes, "number of scenes of the fixed family")
                      ->check(CLI::Range(1, 100000))
                      ->capture_default_str();
   auto* random =
-      app.add_option(
-             "--random", options.random,
-             "so many scenes drawn at random over what vehicles may meet, instead of the family; "
-             "without models and grids by hand")
+      app.add_option("--random", options.random,
+                     "instead of the family: number of random scenes, over all that vehicles may "
+                     "meet; only accuracies are compared, no other models or prescribed grids")
           ->check(CLI::Range(1, 1000000))
           ->excludes(scenes);
-  auto* accuracy_of = app.add_option("--accuracy-of", options.accuracy_of, "what accuracies are of")
+  auto* accuracy_of = app.add_option("--accuracy-of", options.accuracy_of,
+                                     "results that accuracies apply to (solve.accuracy_of)")
                           ->check(CLI::IsMember({"forces", "pressures", "both"}))
                           ->capture_default_str();
-  auto* position =
-      app.add_flag("--position", options.position,
-                   "prescribe the position of each wheel, to what the load gave, instead of loads; "
-                   "misses are reported with the loads");
+  auto* position = app.add_flag("--position", options.position,
+                                "prescribe the position that each load gives instead of the load; "
+                                "missed accuracies are listed with the loads");
   auto* creep = app.add_option("--creep", options.creep,
-                               "instead of everything else: the models of creep forces on so many "
-                               "scenes, with 0.1 to "
-                               "10 times the creepages of saturation")
+                               "instead of everything else: compare models of creep forces on this "
+                               "number of scenes, with creepages of 0.1 to 10 times saturation")
                     ->check(CLI::Range(1, 100000))
                     ->excludes(scenes)
                     ->excludes(random)
@@ -140,8 +137,8 @@ int main(int argc, char** argv) {
                     ->excludes(position);
   app.add_option(
          "--practical", options.practical,
-         "instead of everything else: pmax at 1e-2 on so many scenes of wheels as vehicles use "
-         "them, and what estimates and warnings say of its error")
+         "instead of everything else: check pmax at accuracy 1e-2, its error estimates and its "
+         "warnings on this number of random scenes with built-in profiles in usual dimensions")
       ->check(CLI::Range(1, 100000))
       ->excludes(scenes)
       ->excludes(random)
@@ -152,12 +149,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--repeats", options.repeats,
-                 "solutions timed for each way to solve a scene, at "
-                 "most")
+                 "largest number of timed solutions per scene and setting")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--json", options.json, "write everything as one object")->type_name("FILE");
-  app.add_option("--pictures", options.pictures, "draw pictures, tradeoff_*.png, into a folder")
+  app.add_option("--json", options.json, "write all results as one JSON object")->type_name("FILE");
+  app.add_option("--pictures", options.pictures, "draw tradeoff_*.png into an existing folder")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
   app.footer("\nExamples:\n"

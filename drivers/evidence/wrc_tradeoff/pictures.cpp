@@ -69,7 +69,8 @@ void draw_work_precision(const std::vector<Measured>& all, const std::filesystem
       {"approach", [](const WheelError& error) { return error.of(Quantity::depth); }},
       {"area", [](const WheelError& error) { return error.of(Quantity::area); }}};
   for (const auto& [quantity, error_of] : quantities) {
-    script << "set title '" << quantity << "'\nset ylabel 'relative error: median, and to 95 %'\n";
+    script << "set title '" << quantity
+           << "'\nset ylabel 'relative error: median to 95th percentile'\n";
     Series series(plot);
     for (const char* label : labels) {
       std::ostringstream points;

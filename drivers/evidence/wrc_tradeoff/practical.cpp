@@ -98,7 +98,7 @@ void print_worst(const std::vector<PracticalMeasured>& all, std::ostream& out) {
       if (is_judged(wheel) && (wheel.exceeds_estimate() || wheel.misses_untold())) {
         lines.push_back({wheel.error / std::min(wheel.estimate, practical_accuracy),
                          "error " + general(wheel.error, 3) + ", estimate " +
-                             general(wheel.estimate, 3) + ", truth to " +
+                             general(wheel.estimate, 3) + ", reference accurate to " +
                              general(wheel.uncertainty, 2) + "; " + driver::side_names[side] +
                              ", " + measured.scene.settings.options() +
                              (wheel.warnings.empty() ? std::string() : "; " + wheel.warnings)});
@@ -107,7 +107,7 @@ void print_worst(const std::vector<PracticalMeasured>& all, std::ostream& out) {
   }
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& one, const Line& other) { return one.ratio > other.ratio; });
-  out << '\n' << lines.size() << " wheels beyond their estimate, worst first\n";
+  out << '\n' << lines.size() << " errors above their estimate, worst first\n";
   for (std::size_t i = 0; i < std::min(printed_wheels, lines.size()); ++i) {
     out << "  " << lines[i].text << '\n';
   }
@@ -167,7 +167,7 @@ PracticalMeasured measure_practical(const Case& scene) {
 void print_practical_summary(const std::vector<PracticalMeasured>& all, std::ostream& out) {
   const Counts counts = count(all);
   const std::size_t judged = counts.errors.size();
-  out << counts.wheels << " wheels, " << counts.uncertain << " with an uncertain truth\n"
+  out << counts.wheels << " wheels, " << counts.uncertain << " without a converged reference\n"
       << "error of pmax at accuracy " << general(practical_accuracy) << ": median "
       << general(driver::median(counts.errors), 2) << ", 99 % "
       << general(driver::quantile(counts.errors, 0.99), 2) << ", worst "

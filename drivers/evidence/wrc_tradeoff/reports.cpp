@@ -36,17 +36,17 @@ std::vector<std::string> row_of(std::vector<std::string> cells, const std::vecto
 
 void print_requested(const std::vector<Measured>& all, std::ostream& out) {
   TextTable table("lr");
-  table.add({"accuracy of", "requested", "wheels", "truth", "met %", "median", "95 %", "99 %",
-             "worst/", "estimate", "", "misses", "ms"});
-  table.add({"", "", "", "uncertain", "", "", "", "", "requested", "bounds %", "over error",
-             "flagged %", ""});
+  table.add({"accuracy of", "requested", "wheels", "reference", "met %", "median", "95 %", "99 %",
+             "worst/", "estimate", "estimate/", "misses", "ms"});
+  table.add(
+      {"", "", "", "uncertain", "", "", "", "", "requested", "bounds %", "error", "warned %", ""});
   for (const AskedRow& row : asked_rows(all)) {
     table.add(row_of({row.label},
                      {row.asked, double(row.samples), double(row.left_out), 100.0 * row.met,
                       row.median_error, row.error_95, row.error_99, row.worst, 100.0 * row.bounded,
                       row.median_estimate, 100.0 * row.told, row.median_ms}));
   }
-  out << "\nLargest error of the results that the accuracy covers; both wheels\n";
+  out << "\nLargest error of the results that the accuracy covers; times for both wheels\n";
   table.print(out);
 }
 
@@ -64,7 +64,7 @@ void print_quantities(const std::vector<Measured>& all, std::ostream& out) {
     }
     table.add(row_of({row.label}, values));
   }
-  out << "\nError that 95 of 100 wheels are below, by quantity\n";
+  out << "\n95th percentile of the error, by quantity\n";
   table.print(out);
 }
 
@@ -90,17 +90,17 @@ void print_hands(const std::vector<Measured>& all, std::ostream& out) {
     table.add(row_of(
         {}, {row.asked, double(row.scenes), row.median_ratio, row.ratio_90, 100.0 * row.within}));
   }
-  out << "\nTime of an accuracy of pressures over that of the best grid by hand\n";
+  out << "\nTime of an accuracy of pressures over that of the best prescribed grid\n";
   table.print(out);
 }
 
 void print_misses(const std::vector<Measured>& all, std::ostream& out) {
   const std::vector<Miss> missed = misses(all);
-  out << "\n" << missed.size() << " misses, worst first\n";
+  out << "\n" << missed.size() << " missed accuracies, worst first\n";
   for (std::size_t i = 0; i < std::min(printed_misses, missed.size()); ++i) {
     const Miss& miss = missed[i];
     out << "  " << miss.label << ", requested " << miss.asked << ": " << miss.quantity << ' '
-        << miss.error << ", estimate " << miss.estimate << ", truth good to "
+        << miss.error << ", estimate " << miss.estimate << ", reference accurate to "
         << miss.truth_uncertainty << "; " << miss.side << ", " << miss.options
         << " --set solve.accuracy=" << miss.asked
         << " --set solve.accuracy_of=" << (miss.label == "forces" ? "forces" : "pressures")
@@ -121,7 +121,7 @@ bool has(const std::vector<Measured>& all, const std::string& label) {
 void print_summary(const std::vector<Measured>& all, std::ostream& out) {
   const auto failed = std::count_if(
       all.begin(), all.end(), [](const Measured& measured) { return !measured.failure.empty(); });
-  out << all.size() << " scenes, " << failed << " of them without a solution\n";
+  out << all.size() << " scenes, " << failed << " without a solution\n";
   for (const Measured& measured : all) {
     if (!measured.failure.empty()) {
       out << "  " << measured.scene.settings.options() << ": " << measured.failure << '\n';

@@ -93,7 +93,7 @@ std::vector<AskedRow> asked_rows(const std::vector<Measured>& all) {
 
 std::string name_of(Quantity quantity) {
   const std::string name = quantity_names[static_cast<std::size_t>(quantity)];
-  return quantity == Quantity::area ? name + " by its share" : name;
+  return quantity == Quantity::area ? name + " / allowance" : name;
 }
 
 double counted_95(const std::vector<Measured>& all, const AskedRow& row, Quantity quantity) {

@@ -151,8 +151,9 @@ void draw(const WornProfile& profile, const std::string& path, const std::string
 
 int main(int argc, char** argv) {
   using namespace driver;
-  CLI::App app("Wears a wheel profile over a mission of straight track and curves: wear along the "
-               "profile by element, profile update with smoothing, area kept.",
+  CLI::App app("Simulates the wear of a wheel profile on a mission of straight track and curves. "
+               "Wear is computed on each element and summed along the profile, which is updated "
+               "after at most 0.05 mm of wear; smoothing keeps the worn area.",
                "wrc_wear");
   std::string wheel = "S1002";
   std::string plot;
@@ -160,17 +161,27 @@ int main(int argc, char** argv) {
   double distance = 20000.0;
   int threads = 2;
   std::vector<std::string> assignments;
-  app.add_option("--wheel", wheel, "built-in wheel to begin with");
-  app.add_option("--distance", distance, "to run, km")->check(CLI::Range(1.0, 1e7));
-  app.add_option("--threads", threads, "passages solved at once")->check(CLI::Range(1, 256));
-  app.add_option("--plot", plot, "draw the profile new and worn")->type_name("FILE.png|svg");
-  app.add_option("--save", save, "write the worn profile")->type_name("FILE");
-  app.add_option("--set", assignments, "set a key of all scenes, such as wear.law=archard")
+  app.add_option("--wheel", wheel, "built-in wheel at the start");
+  app.add_option("--distance", distance, "distance to run, km")->check(CLI::Range(1.0, 1e7));
+  app.add_option("--threads", threads, "number of threads; results do not depend on it")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--plot", plot, "draw the new and the worn profile and the depth of wear")
+      ->type_name("FILE.png|svg");
+  app.add_option("--save", save, "write the worn profile, as wrc_profile --convert does")
+      ->type_name("FILE");
+  app.add_option("--set", assignments,
+                 "set a key in all scenes, such as wear.law=archard; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   return run_program(app, argc, argv, [&] {
+    const auto wheels = wrcontact::standard_profile_names(WRC_WHEEL);
+    if (std::find(wheels.begin(), wheels.end(), wheel) == wheels.end()) {
+      throw Failure("--wheel " + wheel +
+                    ": allowed is a built-in wheel; wrc_profile --list lists them");
+    }
     WornProfile profile(wheel, 0.25);
-    double done = 0.0; // km
+    (void)scene_on(profile, assignments); // refuses wrong assignments before the table begins
+    double done = 0.0;                    // km
     double volume = 0.0;
     std::cout << "      km   depth mm   missing mm2      worn mm2   difference\n";
     int updates = 0;
