@@ -92,7 +92,7 @@ bool write_all(int file, const std::string& content) {
 
 /// Where a file stands that may be a link, or a link to one that is not there yet.
 std::filesystem::path target_of(std::filesystem::path path) {
-  constexpr int most_links = 40; // origin: convention: as many as Linux follows
+  constexpr int most_links = 40; // origin: convention: the limit of Linux
   std::array<char, 4096> target{};
   const std::filesystem::path asked = path;
   for (int link = 0; link <= most_links; ++link) {

@@ -29,7 +29,7 @@ struct Grid {
   }
 };
 
-/// Of `count` places a step apart, the index of the one nearest to 0.
+/// Index of the one of `count` positions, a step apart, that is nearest to 0.
 inline std::size_t nearest_to_zero(double first, double step, std::size_t count) {
   return static_cast<std::size_t>(
       std::clamp(std::round(-first / step), 0.0, static_cast<double>(count - 1)));

@@ -11,7 +11,7 @@ namespace wrc {
 double sum_of(const double* values, std::size_t count);
 /// Infinite if there are none.
 double least_of(const double* values, std::size_t count);
-/// Of values over positive others.
+/// Smallest ratio of values to positive others.
 double least_ratio(const double* values, const double* others, std::size_t count);
 bool all_finite(const double* values, std::size_t count);
 

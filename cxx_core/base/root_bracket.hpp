@@ -1,4 +1,4 @@
-/// A root of a function of one variable, between two places where its signs differ.
+/// A root of a function of one variable, between two arguments where its signs differ.
 ///
 /// Regula falsi with the Illinois rule (Dowell & Jarratt, BIT 11, 1971: the value at an end that
 /// stays twice is halved), which is of order 1.44 at a smooth root. Every eighth step is a
@@ -35,7 +35,7 @@ public:
   [[nodiscard]] double width() const { return std::abs(other_.place - one_.place); }
 
   /// Narrows the bracket to `tolerance`, unless that takes more than max_steps. `function` gives
-  /// its value at a place, or none to stop; at a value of zero both ends meet.
+  /// its value, or none to stop; at a value of zero both ends meet.
   template <class Function> void narrow(double tolerance, const Function& function) {
     for (int step = 1; step <= max_steps && width() > tolerance; ++step) {
       const double place = step % bisection_period == 0 ? middle() : drawn();

@@ -27,7 +27,7 @@ template <std::size_t count> struct WithRates {
     return result;
   }
 
-  /// Of a function of one argument, or of two.
+  /// A function of one argument or of two, by its value and slopes.
   static WithRates of(double value, double slope, const WithRates& a) {
     WithRates result(value);
     for (std::size_t i = 0; i < count; ++i) {

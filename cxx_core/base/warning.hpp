@@ -1,9 +1,9 @@
 /// What is found odd in an input or a solution that is given all the same.
 ///
-/// Each warning is of one class of the list below, by whose name programs tell them apart and to
-/// which docs/warnings.md shows how each output of the library reports it; its text has the
-/// numbers. A new class needs its name here and a scene in tests/warnings/classes.py. Thread rule:
-/// plain values.
+/// Each warning belongs to one class of the list below; its text has the numbers. Programs
+/// distinguish warnings by the names of these classes, and docs/warnings.md shows how each output
+/// of the library reports them. A new class needs its name here and a scene in
+/// tests/warnings/classes.py. Thread rule: plain values.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ enum class WarningClass : std::uint8_t {
   profile_signs,      ///< upside down, or left to right
   profile_gap,        ///< a hole where wheel and rail touch
   profile_step,       ///< two scans that do not meet
-  profile_overlap,    ///< two points at one lateral place
+  profile_overlap,    ///< two points at one lateral position
   profile_outliers,
   profile_noise,
   profile_swing,    ///< of the curve through the points

@@ -81,7 +81,7 @@ WRC_VECTOR_BODY void corners_of(Real x_first, Real step, std::size_t count, Real
     const Real r = std::sqrt(x * x + yz2);
     const Real over_r = Real(1) / r;
     const Real below = Real(1) / (r + z);
-    // Of V; parts that depend on x or y alone cancel in the sum over the corners.
+    // Derivatives of V; parts that depend on x or y alone cancel in the sum over the corners.
     const Real v_x = signed_log(r, y, xz2);
     const Real v_y = signed_log(r, x, yz2);
     const Real v_z = -vector_atan(x * y * over_r / z);
@@ -89,7 +89,7 @@ WRC_VECTOR_BODY void corners_of(Real x_first, Real step, std::size_t count, Real
     const Real v_yy = -x * y * over_r / yz2;
     const Real v_xz = -z * y * over_r / xz2;
     const Real v_yz = -z * x * over_r / yz2;
-    // Of T and T1; T_xx + T_yy = -V_z.
+    // Second derivatives of T and T1; T_xx + T_yy = -V_z.
     const Real t_xx =
         vector_atan(x * y * (r - z) / (x * x * r + y * y * z + std::numeric_limits<Real>::min()));
     const Real t_yy = -v_z - t_xx;

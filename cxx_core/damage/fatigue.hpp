@@ -22,7 +22,7 @@ struct ShakedownLimits {
   double shakedown = 0.0; ///< p0/k up to which rolling shakes down
 };
 
-/// Of line contact, at a utilised friction of 0 to 2. Throws Error(invalid_argument) beyond.
+/// Limits of line contact at a utilised friction of 0 to 2. Throws Error(invalid_argument) beyond.
 ShakedownLimits shakedown_limits(double friction);
 
 double surface_fatigue_index(double friction, double peak_pressure, double shear_yield);

@@ -9,7 +9,7 @@
 namespace wrc {
 namespace {
 
-/// Of the parabola through values at -1, 0 and 1; without a top there the side that rises.
+/// Maximum of the parabola through values at -1, 0 and 1; without one there, the side that rises.
 double top_of_parabola(double behind, double middle, double ahead) {
   const double slope = 0.5 * (ahead - behind);
   const double curvature = behind + ahead - 2.0 * middle;

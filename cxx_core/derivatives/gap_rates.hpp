@@ -1,6 +1,6 @@
 /// How the undeformed distance of each element changes when the wheel moves as a rigid body.
 ///
-/// The grid and its plane stay fixed in the track, and so does the rail. A place r of the wheel's
+/// The grid and its plane stay fixed in the track, and so does the rail. A point r of the wheel's
 /// surface moves by d(r) = translation + rotation x (r - r_c), r_c the wheelset's centre. The ray
 /// of an element runs along the plane's normal n and meets the wheel where its surface's normal is
 /// n_w; there the distance changes by
@@ -33,7 +33,7 @@ struct RigidMotion {
   Vector3 rotation;
 };
 
-/// Of a wheelset whose lateral position, height, roll or yaw grows.
+/// Motion of a wheelset whose lateral position, height, roll or yaw grows.
 RigidMotion lateral_motion();
 RigidMotion vertical_motion();
 RigidMotion roll_motion(double yaw);

@@ -59,7 +59,7 @@ public:
   [[nodiscard]] Rated yaw_tangent() const { return rated(sin_yaw_) / rated(cos_yaw_); }
 
 private:
-  /// Wheel and rail at a place of the profile.
+  /// Wheel and rail at a point of the profile.
   struct Meeting {
     ByPlace s, x, y, rail, distance, slope, curvature;
     ByPlace sine; ///< of the angle from the rail's to the wheel's tangent, times a factor
@@ -99,7 +99,7 @@ private:
     return meeting;
   }
 
-  /// Of a place that moves along the profile.
+  /// A point that moves along the profile.
   static Place place_of(const Meeting& meeting, const std::array<double, motion_count>& moves) {
     const auto moved = [&moves](const ByPlace& number) {
       Rated result(number.value);
@@ -119,7 +119,7 @@ private:
             0.0};
   }
 
-  /// Of what is the same all along the profile.
+  /// A quantity that is the same all along the profile.
   static Rated rated(const ByPlace& number) {
     Rated result(number.value);
     std::copy_n(number.rates.begin(), motion_count, result.rates.begin());

@@ -1,18 +1,18 @@
 /// How the planes of the contact patches move with the wheelset.
 ///
-/// The planes are those of patches/contact_patches.hpp: mean normals and places of the rail,
+/// The planes are those of patches/contact_patches.hpp: mean normals and positions of the rail,
 /// weighted with the squared penetration. When the wheelset moves, a node of the wheel's profile
-/// moves on its contact locus (closed form, geometry/wheel_surface.hpp), over another place of the
+/// moves on its contact locus (closed form, geometry/wheel_surface.hpp), over another point of the
 /// rail, and its distance changes:
 ///   dd/dq = dz/dq - z_rail'(y) dy/dq   with s fixed;  by height dd/dz = 1, everything else stays.
 /// The first contact stays the root of F(s, q) = n_y + z_rail' n_z, n the wheel's normal, and so
 /// moves along the profile by ds/dq = -F_q / F_s; with the profile's second derivatives in F_s. The
-/// sums over these places, the turning towards neighbours and their coupling weight are
+/// sums over these points, the turning towards neighbours and their coupling weight are
 /// differentiated as they are computed (base/value_with_rates.hpp), so the rates are exact for the
 /// discrete planes until a patch is born, joined or lost, or a node enters. Units mm and rad (rates
 /// per mm or per rad); track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
-/// functions. Not known here: at a kink of a profile the first contact is taken to stay at its
-/// place of the wheel; places along a ridge under yaw have the rates of its field side.
+/// functions. Not known here: at a kink of a profile the first contact is assumed to stay at its
+/// point of the wheel; points along a ridge under yaw have the rates of its field side.
 #pragma once
 
 #include <cstddef>
@@ -25,10 +25,10 @@
 
 namespace wrc {
 
-/// Of a patch's plane, and of where it penetrates.
+/// Rates of a patch's plane and of its penetration.
 struct PlaneRates {
   ByMotion<double> angle;
-  ByMotion<double> mean_x; ///< of the weighted mean place
+  ByMotion<double> mean_x; ///< of the weighted mean position
   ByMotion<double> mean_y;
   ByMotion<double> x_first; ///< of the ends of penetration
   ByMotion<double> x_last;
@@ -41,7 +41,7 @@ struct MovingPatches {
   std::vector<PlaneRates> rates;            ///< in the same order
   std::vector<ByMotion<double>> link_rates; ///< of `found.links`
 
-  /// Of found.coupling_weight(i, j).
+  /// Rate of found.coupling_weight(i, j).
   [[nodiscard]] ByMotion<double> coupling_weight_rate(std::size_t i, std::size_t j) const;
 };
 

@@ -1,4 +1,4 @@
-/// Constants of behaviour of this room that several of its files share.
+/// Constants of behaviour of this room used by several of its files.
 ///
 /// Each with its origin, as `scripts/list_constants.sh` prints them.
 #pragma once

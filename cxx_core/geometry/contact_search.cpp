@@ -21,7 +21,7 @@ constexpr double end_tolerance = 1e-6;
 /// Samples along a ridge under yaw, at least, ...
 /// origin: reasoned: distances are a parabola there, as between any two samples.
 constexpr int ridge_samples = 8;
-/// ... and how far apart they are across the rail at most where the least distance is sought, mm.
+/// ... and how far apart they are across the rail at most when the least distance is searched, mm.
 /// origin: reasoned: the rail's head has radii from 13 mm; only with a yaw of 0.1 rad or more and
 /// large wheels does a ridge reach farther than this in each of its samples.
 constexpr double ridge_spacing = 1.0;
@@ -50,7 +50,7 @@ CurvePoint SideSearch::on_ridge(const Ridge& ridge, double turned) const {
   return edge;
 }
 
-/// Of a node along which the locus runs at the pose; none elsewhere.
+/// The ridge at a node along which the locus runs at this pose; otherwise none.
 const Ridge* SideSearch::ridge_at(std::size_t node) const {
   const std::vector<Ridge>& ridges = wheel_.ridges();
   const auto found = std::find_if(ridges.begin(), ridges.end(),
@@ -95,7 +95,7 @@ double SideSearch::inside_by(std::size_t piece, double along) const {
   return std::min(y - rail_.begin(), rail_.end() - y);
 }
 
-/// The last place towards `outside` at which wheel and rail still face each other.
+/// The last point towards `outside` at which wheel and rail still face each other.
 double SideSearch::edge_along(std::size_t piece, double inside, double outside) const {
   const RootBracket::Point in{inside, inside_by(piece, inside)};
   const RootBracket::Point out{outside, inside_by(piece, outside)};
@@ -129,7 +129,7 @@ LocusSpot SideSearch::refine(std::size_t piece, double low, double high) const {
                         : LocusSpot{piece, least.other(), above};
 }
 
-/// The last place towards `outside` at which a ridge is over the rail.
+/// The last point towards `outside` at which a ridge is over the rail.
 SideSearch::RidgePlace SideSearch::ridge_end(const Ridge& ridge, RidgePlace inside,
                                              double outside) const {
   while (std::abs(outside - inside.turned) > position_tolerance) {
@@ -144,7 +144,7 @@ SideSearch::RidgePlace SideSearch::ridge_end(const Ridge& ridge, RidgePlace insi
   return inside;
 }
 
-/// From flank to flank, with the places where it leaves the rail or comes to it.
+/// From flank to flank, with the points where it leaves the rail or reaches it.
 std::vector<SideSearch::RidgePlace> SideSearch::ridge_places(const Ridge& ridge, int count) const {
   std::vector<RidgePlace> places{{0.0, meet(on_ridge(ridge, 0.0))}};
   for (int i = 1; i <= count; ++i) {
@@ -160,7 +160,8 @@ std::vector<SideSearch::RidgePlace> SideSearch::ridge_places(const Ridge& ridge,
   return places;
 }
 
-/// Places that a search for the least distance takes: as many as the ridge is long.
+/// Number of points that a search for the least distance samples: proportional to the length of the
+/// ridge.
 int SideSearch::searched_places(const Ridge& ridge) const {
   const auto sine_at = [&](double turned) {
     bool exists = false;
@@ -365,7 +366,7 @@ DistanceSample SideSearch::sample(const LocusSpot& spot) const {
   return {whole.wheel, whole.distance, std::tan(whole.rail_angle)};
 }
 
-/// The places of a ridge between those of its flanks.
+/// The points of a ridge between those of its flanks.
 void SideSearch::add_ridge(const Ridge& ridge, std::vector<DistanceSample>& samples) const {
   for (const auto& [turned, meeting] : ridge_places(ridge, ridge_samples)) {
     if (!meeting.exists || turned >= 1.0) {

@@ -3,10 +3,10 @@
 /// The vertical distance between the wheel's contact locus and the rail,
 ///   d(s) = z_locus(s) - z_rail(y_locus(s)),
 /// is scanned over all nodes of the wheel profile (geometry/locus_scan.hpp) and where the rail
-/// begins and ends below it; each local least place is then refined to the root of the sine of the
+/// begins and ends below it; each local minimum is then refined to the root of the sine of the
 /// angle between wheel and rail tangent (the paper, equations 1 to 8, here one-dimensional). Under
-/// yaw the locus runs along a ridge of the wheel from the slope of one flank to that of the other,
-/// with a least place of its own. The scan is global: no contact is missed that is wider than the
+/// yaw the locus runs along a ridge of the wheel from the slope of one flank to that of the other
+/// and may have a minimum there. The scan is global: no contact is missed that is wider than the
 /// node distance of the profile curve (at most 0.5 mm). Between two scans a contact can be followed
 /// to a pose nearby, which costs little but sees nothing else.
 ///
@@ -47,12 +47,12 @@ struct ContactScan {
   double yaw_tangent = 0.0;                 ///< of the pose
 };
 
-/// A place between the nodes of the wheel's profile.
+/// A point between the nodes of the wheel's profile.
 struct LocusSpot {
   std::size_t piece = 0; ///< of the wheel's graph
   double along = 0.0;    ///< arc from the piece's begin
   double distance = std::numeric_limits<double>::infinity();
-  double turned = 1.0; ///< share of a ridge's turn at the piece's begin; 1: past it
+  double turned = 1.0; ///< fraction of a ridge's turn at the start of the piece; 1: past it
 };
 
 class SideSearch {
@@ -64,10 +64,10 @@ public:
   void scan(const Pose& pose);
   /// The same, but returns false instead of throwing.
   [[nodiscard]] bool try_scan(const Pose& pose);
-  /// All locally least places of the pose scanned last that exceed the least one by no more than
-  /// `near_tolerance` (mm, >= 0), least first.
+  /// All local minima of the pose scanned last that exceed the smallest by no more than
+  /// `near_tolerance` (mm, >= 0), smallest first.
   [[nodiscard]] std::vector<LocusSpot> least_spots(double near_tolerance) const;
-  /// All nodes over the rail, places of ridges under yaw and the ends of the rail, at the pose
+  /// All nodes over the rail, points of ridges under yaw and the ends of the rail, at the pose
   /// scanned last.
   [[nodiscard]] std::vector<DistanceSample> samples() const;
 
@@ -82,13 +82,13 @@ public:
   [[nodiscard]] ContactCandidate candidate(const LocusSpot& spot) const;
 
 private:
-  /// Wheel and rail at one place of the wheel profile.
+  /// Wheel and rail at one point of the wheel profile.
   struct Meeting {
     double sine = 0.0; ///< of the angle from the rail's to the wheel's tangent; rising root: least
     double distance = std::numeric_limits<double>::infinity();
     bool exists = false;
   };
-  /// Along a ridge, by the share of its turn.
+  /// Along a ridge, by the fraction of its turn.
   struct RidgePlace {
     double turned = 0.0;
     Meeting meeting;

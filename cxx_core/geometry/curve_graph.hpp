@@ -2,11 +2,11 @@
 ///
 /// A wheel pressed down on a rail sees of the rail only what is visible from above, and a wheel's
 /// radius is a function of its lateral coordinate only where the profile does not overhang. This
-/// class holds that part of a curve, grown from a seed place to both sides until the curve turns
+/// class holds that part of a curve, extended from a seed point to both sides until the curve turns
 /// steeper than 89.4 degrees. The curve over a given lateral coordinate is found in two ways: by
-/// Newton's method on the curve's own polynomials (at_lateral), and from a table of the height
-/// that meets the curve to 1e-12 mm (heights), which is what searches and rays use.
-/// Units and frame are those of the curve. Thread rule: immutable, safe to share.
+/// Newton's method on the curve's own polynomials (at_lateral), and from a table of the height that
+/// meets the curve to 1e-12 mm (heights), which is what searches and rays use. Units and frame are
+/// those of the curve. Thread rule: immutable, safe to share.
 #pragma once
 
 #include <cstddef>

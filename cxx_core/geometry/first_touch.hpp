@@ -13,7 +13,7 @@
 
 namespace wrc {
 
-/// A warning with the place; none if the touch is on tread, root or flank.
+/// A warning with the position; none if the touch is on tread, root or flank.
 std::optional<Warning> warning_of_touch(const WheelSurface& wheel, const ContactCandidate& touch);
 
 } // namespace wrc

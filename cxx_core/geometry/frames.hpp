@@ -11,7 +11,7 @@
 
 namespace wrc {
 
-/// Of plain numbers, or of numbers with rates (base/value_with_rates.hpp).
+/// Vectors of plain numbers, or of numbers with rates (base/value_with_rates.hpp).
 template <class Real> struct VectorOf {
   Real x{};
   Real y{};

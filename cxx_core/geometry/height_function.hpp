@@ -1,15 +1,14 @@
 /// Height over the lateral coordinate of the part of a curve that is a graph.
 ///
 /// A curve is given over its arc length; the height over a lateral coordinate would take Newton's
-/// method at each place. This table holds it as polynomials of its own: quintic Hermite
+/// method at each point. This table holds it as polynomials of its own: quintic Hermite
 /// interpolation in the lateral coordinate (profile/quintic.hpp) with height, slope and second
 /// derivative from the curve, h' = y'/x', h'' = (y'' x' - y' x'') / x'^3. Each piece of the curve
 /// is one polynomial, halved along its arc until the curve is met to 1e-12 mm along its normal: on
 /// steep flanks that takes several. Kinks and steps between pieces of the curve stay where they
 /// are, since no polynomial reaches across. A piece is found in constant time from a table of equal
-/// intervals.
-/// Units and frame are those of the curve. Thread rule: immutable, safe to share.
-/// Not known here: overhanging parts, which belong to the curve only.
+/// intervals. Units and frame are those of the curve. Thread rule: immutable, safe to share. Not
+/// known here: overhanging parts, which belong to the curve only.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +36,7 @@ public:
     double end; ///< where the next piece starts
   };
 
-  /// Of the pieces first to last of a curve, along which the lateral coordinate grows.
+  /// From the pieces first to last of a curve, along which the lateral coordinate grows.
   HeightFunction(const Curve& curve, std::size_t first_piece, std::size_t last_piece);
 
   /// The same curve somewhere else, its table shifted with it.
@@ -47,8 +46,8 @@ public:
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool covers(double lateral) const { return lateral >= begin_ && lateral <= end_; }
 
-  /// All pieces, ascending. One more follows the last: a height of minus infinity, for places
-  /// where there is nothing.
+  /// All pieces, ascending. One more follows the last: a height of minus infinity, for points
+  /// outside the curve.
   [[nodiscard]] std::span<const Piece> pieces() const { return {pieces_.data(), piece_count()}; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_.size() - 1; }
 

@@ -1,9 +1,9 @@
 /// Vertical distances of the nodes of a wheel's profile from the rail below them, for one pose.
 ///
-/// For each node of the wheel's profile curve the place of the contact locus (closed form,
+/// For each node of the wheel's profile curve the point of the contact locus (closed form,
 /// geometry/wheel_surface.hpp) is found, and the rail's height below it from the table of
 /// geometry/height_function.hpp. Only nodes that can lie over the rail are computed: a node's
-/// lateral place is
+/// lateral position is
 ///   y = y_w + cos(yaw) (cos(roll) (L/2 + l1 + s) + sin(roll) rho cos t) + sin(yaw) rho sin t,
 /// so it differs from the first product by at most rho (|sin(roll)| + |sin(yaw)|).
 /// Units mm; track frame, left side. Thread rule: one object, one thread.
@@ -38,10 +38,10 @@ public:
   [[nodiscard]] bool over_rail(std::size_t node) const {
     return distance(node) < std::numeric_limits<double>::infinity();
   }
-  /// Of all nodes; infinite if none is over the rail.
+  /// The least distance of all nodes; infinite if none is over the rail.
   [[nodiscard]] double least() const { return least_; }
 
-  /// Of a node over the rail.
+  /// Position of a node over the rail.
   [[nodiscard]] Vector3 position(std::size_t node) const { return {x_[node], y_[node], z_[node]}; }
   [[nodiscard]] double rail_slope(std::size_t node) const;
 

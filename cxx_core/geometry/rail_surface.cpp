@@ -7,7 +7,7 @@
 namespace wrc {
 namespace {
 
-/// Lateral coordinate of the gauge face at a given height: the place, going from the top towards
+/// Lateral coordinate of the gauge face at a given height: the point, going from the top towards
 /// the gauge side, where the curve first falls below the height.
 double lateral_of_gauge_face(const Curve& curve, double top_arc, double height,
                              double gauge_height) {

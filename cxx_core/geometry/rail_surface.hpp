@@ -23,8 +23,8 @@ struct TrackDimensions {
   bool operator==(const TrackDimensions&) const = default;
 };
 
-/// Of a rail from its place, or the velocity of that by s. That of a right rail is used as its
-/// mirror image.
+/// Displacement of a rail from its nominal position, or its velocity, per s. That of a right rail
+/// is used as its mirror image.
 struct RailDisplacement {
   double lateral = 0.0; ///< to the left, mm
   double height = 0.0;  ///< upwards, mm
@@ -50,7 +50,7 @@ public:
   /// The profile's origin in the track frame.
   [[nodiscard]] double origin_y() const { return lateral_shift_; }
   [[nodiscard]] double origin_z() const { return height_shift_; }
-  /// A place of the track frame in the profile's own frame (t, height).
+  /// Converts a point of the track frame into the profile's frame (t, height).
   void to_profile_frame(double y, double z, double& lateral, double& height) const;
 
 private:

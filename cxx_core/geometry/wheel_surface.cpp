@@ -8,7 +8,7 @@
 namespace wrc {
 namespace {
 
-/// Change of slope from which on a node is a ridge.
+/// Change of slope above which a node is a ridge.
 /// origin: reasoned: with a radius of 500 mm and a yaw of 0.1 rad the locus jumps by 0.05 mm along
 /// the rail there, less than any element.
 constexpr double ridge_turn = 1e-3;

@@ -14,7 +14,7 @@
 /// so that no angle has to be known; c^2 >= D is a wheel too steep for this yaw.
 /// Units mm and rad; track frame of geometry/frames.hpp. Thread rule: immutable, safe to share.
 /// At a ridge of the profile the locus runs along it under yaw, from the angle t of one flank to
-/// that of the other: it is a place with all slopes in between.
+/// that of the other: it is one point of the profile with all slopes in between.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct WheelsetDimensions {
   bool operator==(const WheelsetDimensions&) const = default;
 };
 
-/// A place of the contact locus, with the wheelset's centre at height 0.
+/// A point of the contact locus, with the wheelset's centre at height 0.
 struct LocusPlace {
   Vector3 position;            ///< track frame
   double lateral = 0.0;        ///< s on the wheel profile
@@ -60,7 +60,7 @@ struct LocusPose {
   explicit LocusPose(const Pose& pose) : LocusPose(pose, Rotation(pose)) {}
   LocusPose(const Pose& pose, const Rotation& rotation_of_pose);
 
-  /// Of a place with this slope of the profile; `exists`: whether there is one.
+  /// Angle at a point with this slope of the profile; `exists`: whether there is one.
   [[nodiscard]] LocusAngle angle_at(double slope, bool& exists) const {
     const double c = slope * along;
     const double square = amplitude_square - c * c;
@@ -101,10 +101,10 @@ public:
   [[nodiscard]] double radius() const { return radius_; }
   /// Lateral coordinate of the taping line in the wheelset frame.
   [[nodiscard]] double taping_line() const { return taping_line_; }
-  /// The locus at a place of the profile; none where the wheel is too steep for this yaw.
+  /// The locus at a point of the profile; none where the wheel is too steep for this yaw.
   [[nodiscard]] std::optional<LocusPoint> locus(const CurvePoint& profile_point, const Pose& pose,
                                                 const Rotation& rotation) const;
-  /// The locus at a place of the profile whose angle is known.
+  /// The locus at a point of the profile whose angle is known.
   [[nodiscard]] LocusPoint locus(const CurvePoint& profile_point, const LocusAngle& angle,
                                  const LocusPose& pose) const;
   /// The nodes of the graph: piece i of the graph runs from node i to node i + 1.

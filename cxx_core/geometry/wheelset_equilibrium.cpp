@@ -23,7 +23,7 @@ constexpr int iteration_limit = 100;
 constexpr double followed_tolerance = 0.2 * position_tolerance;
 /// origin: bound: quadratic convergence takes 3 to 5 steps; more only where contacts change.
 constexpr int follow_limit = 12;
-/// Every so many global searches the bracket is halved, whatever Newton's method says.
+/// After this number of global searches the bracket is halved, whatever Newton's method says.
 /// origin: reasoned: usually one or two searches do, which this must not disturb.
 constexpr int halving_period = 5;
 /// Further contacts are found as far as they may be penetrated, mm.
@@ -32,8 +32,8 @@ constexpr int halving_period = 5;
 constexpr double penetrated_tolerance = 0.3;
 
 /// Derivative of a side's least distance with respect to the side's own roll. A point fixed in the
-/// wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z') its place before the yaw
-/// is applied.
+/// wheelset moves by d(y, z) / d roll = (-cos(yaw) z', y'), with (y', z') its position before the
+/// yaw is applied.
 double roll_derivative(const SideSearch& search, const LocusSpot& spot, const Pose& pose,
                        const Rotation& rotation) {
   const ContactCandidate contact = search.candidate(spot);
@@ -42,11 +42,11 @@ double roll_derivative(const SideSearch& search, const LocusSpot& spot, const Po
   return y + std::tan(contact.rail_angle) * rotation.cos_yaw * place.z;
 }
 
-/// The two wheels in search of the roll at which their least distances agree.
-/// Not by base/root_bracket.hpp: each value costs a global search of both wheels (14 us), of which
-/// a bracket of +-0.02 rad needs 9.5 in the mean, 142 us; Newton's method on contacts followed
-/// takes 30 us and one or two of them (S1002 on 60E1, lateral -6.5 to 6.5 mm). At the limits of the
-/// roll wheels may be off their rails, so there is no value to begin with.
+/// Searches the roll at which the least distances of both wheels agree. It does not use
+/// base/root_bracket.hpp: each value costs a global search of both wheels (14 us), of which a
+/// bracket of +-0.02 rad needs 9.5 on average, 142 us; Newton's method on contacts followed takes
+/// 30 us and one or two of them (S1002 on 60E1, lateral -6.5 to 6.5 mm). At the limits of the roll
+/// wheels may be off their rails, so there is no value to begin with.
 class RollSearch {
 public:
   RollSearch(SideSearch& left, SideSearch& right, double lateral, double yaw)

@@ -19,15 +19,15 @@ namespace wrc {
 
 struct ContactStrip {
   double s = 0.0;        ///< on the wheel
-  Vector3 rail;          ///< the place below the wheel's nearest one
+  Vector3 rail;          ///< the point below the wheel's nearest one
   double distance = 0.0; ///< vertical, with the wheelset's centre at height 0
   double rail_slope = 0.0;
   double lateral_rate = 0.0;      ///< dy/ds
   double longitudinal_rate = 0.0; ///< dx/ds
-  /// Of the wheel along the rail, > 0.
+  /// Curvature of the wheel along the rail, > 0.
   double longitudinal_curvature = 0.0;
-  /// Of wheel and rail together, > 0 where they part: of the wheel's outline, seen along the rail,
-  /// against the rail.
+  /// Curvature of wheel and rail together, > 0 where they part: of the wheel's outline, seen along
+  /// the rail, against the rail.
   double lateral_curvature = 0.0;
 };
 

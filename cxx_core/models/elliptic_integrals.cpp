@@ -7,8 +7,8 @@
 namespace wrc {
 
 EllipticIntegrals elliptic_integrals(double ratio) {
-  // Contacts of no width that a number could tell from nothing, or of a ratio that is none: the
-  // mean of 1 and 0 has no end.
+  // Contacts whose width cannot be distinguished from zero, or whose ratio is not a number: the
+  // mean of 1 and 0 would not end.
   constexpr double least = std::numeric_limits<double>::min();
   const double k = ratio >= least ? ratio : least;
   double arithmetic = 1.0;

@@ -66,7 +66,8 @@ private:
     return std::max(0.0, depth - (side_.first_touch + contact_.distance)) * frame_.normal.z;
   }
   [[nodiscard]] double validity_within(double half_width) const;
-  /// Of the gap at both ends of virtual penetration against the parabola there: a share below 1.
+  /// Deviation of the gap at both ends of virtual penetration from the parabola there, relative,
+  /// below 1.
   [[nodiscard]] double width_difference() const;
 
   const ModelWheel& side_;

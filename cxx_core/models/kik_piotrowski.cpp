@@ -10,14 +10,15 @@
 namespace wrc {
 namespace {
 
-/// Half of the nodes along a yawed strip, as many to each side as across the strips: the rule
-/// carries the roots at both ends.
+/// Half of the nodes along a yawed strip, the same number to each side as across the strips: the
+/// rule includes the roots at both ends.
 constexpr std::size_t half_nodes = penetration_nodes;
 
-/// The upper half of the nodes of the Gauss-Chebyshev rule of the second kind, as many below.
+/// The upper half of the nodes of the Gauss-Chebyshev rule of the second kind; the lower half
+/// mirrors it.
 struct ChebyshevRule {
   std::array<double, half_nodes> place;
-  std::array<double, half_nodes> weight; ///< over sqrt(1 - place^2)
+  std::array<double, half_nodes> weight; ///< over sqrt(1 - x^2)
 };
 
 const ChebyshevRule& chebyshev_rule() {

@@ -1,9 +1,9 @@
 /// Contact by virtual penetration: a load and semi-elliptic pressures without iteration.
 ///
 /// Bodies that approach each other by delta are laid over each other by 0.55 delta only; the region
-/// of that virtual penetration g(y) takes the place of the contact area. A strip along the rail
-/// reaches over x_c(y) +- l(y), l = sqrt(2 R g), and carries p = c sqrt(l^2 - (x - x_c)^2). At the
-/// contact point the half-space sinks by the approach (Boussinesq):
+/// of that virtual penetration g(y) replaces the contact area. A strip along the rail reaches over
+/// x_c(y) +- l(y), l = sqrt(2 R g), and carries p = c sqrt(l^2 - (x - x_c)^2). At the contact point
+/// the half-space sinks by the approach (Boussinesq):
 ///   c = pi E* delta / I2,  N = c I1,
 ///   I1 = int int sqrt(l^2 - (x - x_c)^2) dx dy = pi/2 int l^2 dy,
 ///   I2 = int int sqrt(l^2 - (x - x_c)^2) / sqrt(x^2 + y^2) dx dy
@@ -28,8 +28,9 @@
 
 namespace wrc {
 
-/// Share of the approach by which the bodies are laid over each other, 0.55 (Piotrowski & Kik,
-/// Vehicle System Dynamics 46, 2008). origin: derived: the rest is outside contact.
+/// Fraction of the approach by which the bodies overlap, 0.55 (Piotrowski & Kik, Vehicle System
+/// Dynamics 46, 2008).
+/// origin: derived: the rest is outside contact.
 inline constexpr double virtual_penetration_share = 1.0 - outside_contact_share;
 
 /// Nodes of the quadrature over a region, or over its part to either side of the contact point.
@@ -54,7 +55,7 @@ struct KikPiotrowskiContact {
   double pressure_factor = 0.0; ///< c, of the stretched half lengths
   double centroid_longitudinal = 0.0;
   double centroid_lateral = 0.0;
-  /// Of the Hertzian ellipse with the same second moments of pressure.
+  /// Semi-axis of the Hertzian ellipse with the same second moments of pressure.
   double semi_axis_longitudinal = 0.0;
   double semi_axis_lateral = 0.0;
 };

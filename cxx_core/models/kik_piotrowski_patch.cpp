@@ -62,7 +62,7 @@ public:
   [[nodiscard]] std::vector<double> sample(const Grid& grid) const override;
 
 private:
-  /// A place of the outline l^2(y), from the contact point.
+  /// A point of the outline l^2(y), from the contact point.
   struct OutlinePoint {
     double lateral;
     double half_length_square;
@@ -93,7 +93,7 @@ private:
   double offset_lateral_; ///< of the contact point in the frame
   double offset_longitudinal_;
 
-  // Of the depth solved last.
+  // The depth solved last.
   double depth_ = 0.0;
   double approach_ = 0.0;
   double outside_ = 0.0; ///< penetration that is no contact

@@ -1,15 +1,14 @@
 /// One patch of a wheel by an approximate contact model, at any depth of the wheel.
 ///
-/// `HertzPatch`: the ellipse of the curvatures at the place of deepest penetration, in the tangent
-/// plane there, taken from the profiles themselves. With the least gap of a strip S y^2/2 at
-/// x_c = c y (models/contact_strips.hpp) the gap has the second derivatives h_xx = kappa,
-/// h_xy = -c kappa, h_yy = S + c^2 kappa; the ellipse lies along the principal axes. Where bodies
-/// do not part by curvature (a kink), S is that of the parabola over the width of virtual
-/// penetration. `KikPiotrowskiPatch`: Kik & Piotrowski's virtual penetration
-/// (models/kik_piotrowski.hpp) in the plane that the half-space solution has. Normal penetration
-/// of a strip: the vertical one over cos(alpha) + slope sin(alpha), alpha the plane's angle. The
-/// part of a patch that penetrates by more than 0.45 of the deepest place is its contact, whether
-/// connected or not.
+/// `HertzPatch`: the ellipse of the curvatures at the point of deepest penetration, in the tangent
+/// plane there, taken from the profiles themselves. With the least gap of a strip S y^2/2 at x_c =
+/// c y (models/contact_strips.hpp) the gap has the second derivatives h_xx = kappa, h_xy = -c
+/// kappa, h_yy = S + c^2 kappa; the ellipse lies along the principal axes. Where bodies do not part
+/// by curvature (a kink), S is that of the parabola over the width of virtual penetration.
+/// `KikPiotrowskiPatch`: Kik & Piotrowski's virtual penetration (models/kik_piotrowski.hpp) in the
+/// plane that the half-space solution has. Normal penetration of a strip: the vertical one over
+/// cos(alpha) + slope sin(alpha), alpha the plane's angle. The part of a patch that penetrates by
+/// more than 0.45 of the maximum is its contact, whether connected or not.
 ///
 /// Validity, between 0 and 1: 1 less the largest difference between the lateral shape found and the
 /// one that the model's half-space solution assumes, relative to that:
@@ -53,7 +52,7 @@ struct ModelledPatch {
   /// Centre of pressure in the patch's frame.
   double centroid_longitudinal = 0.0;
   double centroid_lateral = 0.0;
-  /// Of the Hertzian ellipse with the same second moments of pressure.
+  /// Semi-axis of the Hertzian ellipse with the same second moments of pressure.
   double semi_axis_longitudinal = 0.0;
   double semi_axis_lateral = 0.0;
   PlaneArea extent; ///< of the contact

@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: patches of penetration, their planes and the first depth.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,7 @@ inline constexpr double same_plane_angle = 0.2;
 /// origin: derived: see same_plane_angle.
 inline constexpr double other_plane_angle = 0.3;
 
-/// Penetration below this share of the deepest is outside contact.
+/// Penetration below this fraction of the deepest is outside contact.
 /// origin: published: the virtual penetration is 0.55 of the approach (Kik & Piotrowski, 1996).
 inline constexpr double outside_contact_share = 0.45;
 
@@ -45,7 +46,7 @@ inline constexpr double max_top_excess = 0.05;
 /// origin: bound: grids are at most ten times the length that they have without yaw.
 inline constexpr double max_turn = 100.0;
 
-/// Places of the wheel's profile that are no farther apart are one, mm.
+/// Points of the wheel's profile that are no farther apart count as one, mm.
 /// origin: derived: a thousandth of the narrowest element.
 inline constexpr double same_place = 1e-6;
 
@@ -58,8 +59,7 @@ inline constexpr double min_axis_ratio = 1e-4;
 /// origin: measured (smoothness): with a load found to 1e-4, forces jump by 2e-6.
 inline constexpr double estimated_depth_accuracy = 1e-6;
 
-/// Product of the last two relative errors of the load from which on a secant step ends that
-/// search.
+/// Product of the last two relative errors of the load below which a secant step ends the search.
 /// origin: measured (wrc_benchmark --case service): such a step leaves 0.04 of it.
 inline constexpr double settled_excesses = 1e-4;
 
@@ -67,8 +67,8 @@ inline constexpr double settled_excesses = 1e-4;
 /// origin: published: Hertz, 1882.
 inline constexpr double load_power = 1.5;
 
-/// ... and the least that it takes from two depths.
-/// origin: derived: that of bodies in line contact (Johnson, 1985, 5.6), but for a logarithm.
+/// ... and the smallest that is derived from two depths.
+/// origin: derived: that of bodies in line contact (Johnson, 1985, 5.6), except for a logarithm.
 inline constexpr double min_load_power = 1.0;
 
 /// Depths below, mm, are not searched.

@@ -17,12 +17,12 @@ struct ContactPatch {
   double x_last = 0.0;
   double half_length = 0.0;    ///< largest x_l
   double deepest = 0.0;        ///< largest vertical penetration
-  double deepest_y = 0.0;      ///< its place in the track frame and ...
+  double deepest_y = 0.0;      ///< its position in the track frame and ...
   double deepest_s = 0.0;      ///< ... on the wheel's profile
-  double weight = 1.0;         ///< share of the weight W of all patches of the wheel
+  double weight = 1.0;         ///< fraction of the weight W of all patches of the wheel
   double angle_unturned = 0.0; ///< of the rail's mean normal in this patch by itself
   double angle = 0.0;          ///< of its plane, turned towards close neighbours
-  double mean_x = 0.0;         ///< mean place, weighted like the angle
+  double mean_x = 0.0;         ///< mean position, weighted like the angle
   double mean_y = 0.0;
   double mean_s = 0.0;
   /// Ends of the region that approximates the contact itself, where penetration exceeds 0.45 of the
@@ -39,7 +39,7 @@ struct ContactPatch {
   bool shares_plane_with_previous =
       false; ///< shares its plane with the patch before: both are one contact
 
-  /// Whether the deepest place of another patch, at another depth, lies in this one.
+  /// Whether the deepest point of another patch, at another depth, lies in this one.
   [[nodiscard]] bool holds(const ContactPatch& other) const {
     return y_first <= other.deepest_y && other.deepest_y <= y_last;
   }

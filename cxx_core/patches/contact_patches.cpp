@@ -8,7 +8,7 @@
 namespace wrc {
 namespace {
 
-/// Places as the scan has them.
+/// Points as the scan has them.
 class PlainPlaces {
 public:
   using Real = double;
@@ -48,7 +48,7 @@ private:
 };
 
 /// The width that every potential contact area has, over its length.
-/// origin: bound: less than an element; penetration at a single place of the scan has none.
+/// origin: bound: less than an element; penetration at a single point of the scan has none.
 constexpr double least_width = 1e-3;
 
 /// About its middle.
@@ -62,7 +62,7 @@ PlaneArea widened(PlaneArea area) {
   return area;
 }
 
-/// The lateral coordinate of the rail's surface at a place of the track.
+/// The lateral coordinate of the rail's surface at a point of the track.
 double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) {
   const Vector3 place{frame.origin.x, y, rail.graph().heights().at(y).height};
   return dot(place - frame.origin, frame.lateral);

@@ -1,31 +1,31 @@
 /// All patches of virtual penetration of one wheel, each with its own contact plane.
 ///
 /// When the wheel is lowered by a depth, wheel and rail interpenetrate over stretches of the
-/// contact locus; along the rail a place with the normal penetration g reaches over x_l = sqrt(2 R
+/// contact locus; along the rail a point with the normal penetration g reaches over x_l = sqrt(2 R
 /// g), 1/R the curvature there (patches/locus_samples.hpp). Every local maximum of penetration is a
 /// lobe. Lobes that are close are joined, others are patches.
 ///
-/// Plane: every place counts with the integral of the squared penetration g along the rail's
+/// Plane: every point counts with the integral of the squared penetration g along the rail's
 /// normal, along the rail in closed form, W = int int g^2 dx ds = 16/15 int g^2 x_l ds. That normal
-/// meets the rail at another place than the vertical does, since a wheel that sinks under a contact
+/// meets the rail at another point than the vertical does, since a wheel that sinks under a contact
 /// angle slides along the tangent; by that the rail's slope there is extrapolated. The plane's
-/// normal is the mean of the rail's normals and its place the mean place, both weighted so. The
-/// direction of the force differs by 1 mrad on treads and flanges, and by 10 to 15 mrad with two
-/// lobes.
+/// normal is the mean of the rail's normals and its position the mean position, both weighted so.
+/// The direction of the force differs by 1 mrad on treads and flanges, and by 10 to 15 mrad with
+/// two lobes.
 ///
 /// Separation of two neighbours, without dimension:
 ///   D = gap / larger width                                 if they are apart,
 ///   D = -(least penetration between) / (deepest of the shallower one)      if they are connected.
 /// Coupling weight w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall
 /// as the planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned
-/// towards each other by the share w, so that nothing jumps on the way from two patches to one.
+/// towards each other by the fraction w, so that nothing jumps as two patches become one.
 ///
 /// Where planes differ little, the distance d of the penetrations in the cross-section counts, too,
 /// with a joining distance d_j in mm, as in CONTACT (Vollebregt, User guide for CONTACT, where d_j,
 /// 2 d_j and 3 d_j are D_COMB, D_SEP and D_TURN): planes turn towards each other from 3 d_j on and
 /// are one from 2 d_j on; patches interact from 2 d_j on, in full from d_j on, all linearly.
-/// Two in one plane are one contact, on grids of their own until they are joined. The greater share
-/// counts, by width or by distance.
+/// Two in one plane are one contact, on grids of their own until they are joined. The greater
+/// fraction counts, by width or by distance.
 ///
 /// Patches further on are as close as the weakest link between: such an (ultrametric) matrix has no
 /// negative eigenvalue. The angle of a plane is the mean over all levels between 0 and 1 of the

@@ -23,7 +23,8 @@ double load_of(const ContactPatch& patch, double combined_modulus) {
          std::comp_ellint_1(modulus);
 }
 
-/// Of a ball with the wheel's curvature on a plane (Hertz, 1882). `load`: over the modulus, mm^2.
+/// Depth of a ball with the wheel's curvature on a plane (Hertz, 1882). `load`: over the modulus,
+/// mm^2.
 double depth_of_ball(double curvature, double load) {
   return std::cbrt(9.0 / 16.0 * curvature) * std::pow(std::cbrt(load), 2);
 }

@@ -1,10 +1,9 @@
 /// Samples of the contact locus where wheel and rail may interpenetrate.
 ///
-/// Nodes of the scan and its locally least distances: tops, which are known better than nodes tell.
-/// Penetration between two samples is a parabola.
-/// For plain numbers and for numbers with rates (base/value_with_rates.hpp).
-/// Units mm and rad; track frame, left-hand side (geometry/frames.hpp).
-/// Thread rule: one object, one thread.
+/// Nodes of the scan and its locally least distances: tops, which are known more accurately than
+/// from nodes. Penetration between two samples is a parabola. For plain numbers and for numbers
+/// with rates (base/value_with_rates.hpp). Units mm and rad; track frame, left-hand side
+/// (geometry/frames.hpp). Thread rule: one object, one thread.
 #pragma once
 
 #include <algorithm>
@@ -56,8 +55,8 @@ void turn_curvature(const LocusSample<Real>& before, LocusSample<Real>& here,
   }
 }
 
-/// By how much penetration half way between two places exceeds their mean, times four: that of a
-/// parabola with the lesser curvature of the two, without a top of its own in between.
+/// By how much penetration half way between two points exceeds their mean, times four: that of a
+/// parabola with the lesser curvature of the two, without a maximum in between.
 template <class Real>
 Real bulge_between(const LocusSample<Real>& from, const LocusSample<Real>& to) {
   const Real drop = abs(to.penetration - from.penetration);
@@ -72,7 +71,7 @@ Real bulge_between(const LocusSample<Real>& from, const LocusSample<Real>& to) {
   return std::clamp(-0.5 * length * length * second, -drop, drop);
 }
 
-/// The share of the way from one place to a lower one after which penetration is down to a level:
+/// The fraction of the way from one point to a lower one at which penetration falls to a level:
 /// root of higher - drop t + bulge t (1 - t) = level.
 template <class Real>
 Real way_down(const LocusSample<Real>& higher, const LocusSample<Real>& lower, const Real& bulge,
@@ -82,7 +81,7 @@ Real way_down(const LocusSample<Real>& higher, const LocusSample<Real>& lower, c
   return 2.0 * above / (slope + sqrt(std::max(slope * slope + 4.0 * bulge * above, Real(0.0))));
 }
 
-/// Between two places; penetration and top are left to the caller.
+/// Between two points; penetration and top are left to the caller.
 template <class Real>
 LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>& to,
                           const Real& share) {
@@ -145,11 +144,11 @@ public:
 
   /// Stretches that hold penetration, and one sample more at each end.
   [[nodiscard]] const std::vector<LocusSample<Real>>& samples() const { return places_; }
-  /// Of the first contact.
+  /// Index of the first contact.
   [[nodiscard]] std::size_t first_contact() const { return contact_place_; }
 
 private:
-  /// A locally least distance, which is known better than the nodes of the scan tell.
+  /// A local minimum of the distance, known more accurately than from the nodes of the scan.
   struct Top {
     const ContactCandidate* contact;
     std::size_t after; ///< the first sample beyond it
@@ -171,8 +170,8 @@ private:
            std::abs(one.position.y - other.position.y) <= same_place;
   }
 
-  /// No place is deeper than the first contact, except for rounding: at the least depths that would
-  /// be all there is.
+  /// No point is deeper than the first contact, except for rounding: at the least depths only
+  /// rounding would remain.
   void place(LocusSample<Real> sample) {
     if (sample.penetration > depth_) {
       sample.penetration = depth_;

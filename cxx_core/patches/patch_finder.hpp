@@ -81,7 +81,7 @@ public:
     return result;
   }
 
-  // Of the patches found, in their order.
+  // Coupling weights of the patches found, in their order.
   /// Coupling weight of a patch and the next.
   [[nodiscard]] const Real& link(std::size_t patch) const { return links_[patch]; }
   [[nodiscard]] const Real& angle(std::size_t patch) const { return angles_[patch]; }

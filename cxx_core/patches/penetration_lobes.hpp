@@ -17,7 +17,7 @@
 
 namespace wrc::patch_finding {
 
-/// Sums over places, weighted.
+/// Weighted sums over points.
 template <class Real> struct Moments {
   Real weight = 0.0;
   Real cosine = 0.0;
@@ -39,7 +39,7 @@ template <class Real> struct Moments {
 
 /// Penetration from one local minimum to the next.
 template <class Real> struct Lobe {
-  std::size_t first_place; ///< of the places, inclusive
+  std::size_t first_place; ///< of the points, inclusive
   std::size_t last_place;
   Real y_first;
   Real y_last;
@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  /// Where the rail's normal through a place of the wheel meets the rail: under a contact angle
+  /// Where the rail's normal through a point of the wheel meets the rail: under a contact angle
   /// that is not where the vertical does.
   struct Partner {
     Real y;
@@ -121,7 +121,7 @@ private:
     return partner;
   }
 
-  /// What a place counts per length in y of its partner; also its reach along the rail.
+  /// Weight of a point per length in y of its partner; also its reach along the rail.
   Moments<Real> density(const LocusSample<Real>& place, const Partner& partner,
                         Lobe<Real>& lobe) const {
     if (!(place.penetration > 0.0)) {
@@ -216,7 +216,7 @@ private:
     }
     for (Lobe<Real>& lobe : lobes_) {
       if (!(lobe.moments.weight > 0.0)) {
-        // No width that a number could tell from nothing.
+        // A width of zero, up to rounding.
         lobe.moments.add(std::numeric_limits<double>::epsilon(),
                          density(lobe.deepest, below(lobe.deepest), lobe));
       }

@@ -27,12 +27,12 @@ struct PlaneArea {
   /// Moves each edge outwards by a fraction of width and length.
   [[nodiscard]] PlaneArea widened(double share) const;
 
-  /// Holds no place yet.
+  /// Contains no point yet.
   [[nodiscard]] static PlaneArea empty() {
     constexpr double unset = std::numeric_limits<double>::infinity();
     return {unset, -unset, unset, -unset};
   }
-  /// Moves edges outwards until the place is inside.
+  /// Moves edges outwards until the point is inside.
   void include(double lateral, double longitudinal) {
     include(PlaneArea{lateral, lateral, longitudinal, longitudinal});
   }
@@ -51,8 +51,8 @@ Grid grid_over(const PlaneArea& area, std::size_t lateral_count, std::size_t lon
 std::size_t even_count(double count);
 
 /// Elements of given sizes: all that have their centres in an area and at least one each side of
-/// its middle along the rail, and across it of the place that is a fraction of the width from its
-/// edge.
+/// its middle along the rail, and across it one each side of the point at a given fraction of the
+/// width from its edge.
 Grid grid_with_sizes(const PlaneArea& area, double lateral_step, double longitudinal_step,
                      double share_of_width);
 

@@ -12,7 +12,7 @@ namespace wrc {
 
 namespace {
 
-/// Share of a triangle where the linear function with these corner values is above 0.
+/// Fraction of a triangle where the linear function with these corner values is above 0.
 double positive_share(double a, double b, double c) {
   const double low = std::min({a, b, c});
   const double high = std::max({a, b, c});
@@ -29,7 +29,7 @@ double positive_share(double a, double b, double c) {
   return (high / (high - low)) * (high / (high - middle));
 }
 
-/// Share of the rectangle between four centres, on four triangles around its middle.
+/// Fraction of the rectangle between four centres, on four triangles around its middle.
 double positive_share(double upper_left, double upper_right, double lower_left,
                       double lower_right) {
   const double mean = 0.25 * ((upper_left + lower_right) + (upper_right + lower_left));

@@ -23,7 +23,7 @@ double variation_of_slope(std::span<const ContactRow> rows, std::size_t span) {
   return variation / static_cast<double>(span * span);
 }
 
-/// Of pressures.
+/// Row of pressures.
 ContactRow row_of(std::span<const double> pressure, double step) {
   double sum = 0.0;
   double first = 0.0;

@@ -8,8 +8,8 @@
 /// 1985, eq. 4.27, integrated). Moments are sums over element centres; against Hertz the semi-axes
 /// come out too short by about 0.35/n^2, n elements across.
 /// Units mm, N, MPa; frame and order of elements of base/grid.hpp. Areas are counted in
-/// elements, so they are of order one in the step; contact_area.hpp has better ones. Knows nothing
-/// of gaps or of how p was found.
+/// elements, so they are of order one in the step; contact_area.hpp has better ones. Independent of
+/// gaps and of how p was found.
 #pragma once
 
 #include <cstddef>

@@ -19,14 +19,14 @@ std::array<double, 4> cubic_weights(double t) {
           0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
 }
 
-/// The place before, and how far beyond it.
+/// The position before, and how far beyond it.
 struct Place {
   std::size_t before = 0;
   double beyond = 0.0;
   bool inside = false;
 };
 
-/// Of `steps` from the first of `count` places, with `room` places kept free on both sides.
+/// Position after `steps` from the first of `count`, with `room` positions kept free on both sides.
 Place place_of(double steps, std::size_t count, std::size_t room) {
   const auto first = static_cast<double>(room);
   const auto last = static_cast<double>(count - 1 - room);
@@ -215,7 +215,7 @@ std::optional<SmoothPressure::Extent> SmoothPressure::extent(std::size_t lines,
     const auto at = [&](std::size_t index) {
       return squares_[line * line_stride + index * stride];
     };
-    // Of the edge between two places, from the one inside.
+    // Distance of the edge between two positions from the one inside.
     const auto beyond = [&](std::size_t inside, std::size_t outside) {
       const bool known = known_[line * line_stride + outside * stride] > 0.0;
       return known ? at(inside) / (at(inside) - std::min(at(outside), 0.0)) : 0.5;
@@ -260,7 +260,7 @@ std::optional<SmoothPressure::Extent> SmoothPressure::lateral_extent() const {
   return result;
 }
 
-/// Places along the rolling direction are the same for all lines.
+/// Positions along the rolling direction are the same for all lines.
 class SmoothPressure::Line {
 public:
   Line(const SmoothPressure& pressure, double first, double step, std::size_t count)

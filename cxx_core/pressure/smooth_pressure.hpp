@@ -7,7 +7,7 @@
 /// from three elements further in, 3 f1 - 3 f2 + f3. In the same way two elements outside are
 /// filled in, as the mean of 8 directions, which weigh with the slope of p^2 along them; from fewer
 /// elements where there are not three. In between p^2 is interpolated cubically along rows. Across,
-/// where profiles have kinks, it has the smaller of the two second differences about the place,
+/// where profiles have kinks, it has the smaller of the two second differences about the point,
 /// none if their signs differ. Means over elements take p^2 as linear in each half of an element.
 ///
 /// All of this is continuous in the pressures: an element that enters the contact counts as one
@@ -45,16 +45,16 @@ public:
   [[nodiscard]] std::optional<Extent> lateral_extent() const;
   /// Pressures at the centres of another grid in the same plane; 0 outside the contact.
   void fill(const Grid& other, std::vector<double>& pressure) const;
-  /// Means over another grid's elements along the lines through their centres, and the share of
+  /// Means over another grid's elements along the lines through their centres, and the fraction of
   /// these lengths that is in contact.
   void fill_means(const Grid& other, std::vector<double>& pressure,
                   std::vector<double>& covered) const;
 
 private:
-  /// p^2 at places along the rolling direction, on the line at a lateral place; outside the contact
-  /// negative, minus infinity where nothing is filled in.
+  /// p^2 at positions along the rolling direction, on the line at a lateral position; outside the
+  /// contact negative, minus infinity where nothing is filled in.
   class Line;
-  /// p^2 continued from the next one, two and three elements in a direction to the place before
+  /// p^2 continued from the next one, two and three elements in a direction to the position before
   /// them, and how far these are known, 0 to 1.
   struct Continuation {
     std::array<double, 3> values{};

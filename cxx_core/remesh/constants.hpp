@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: rays from the contact plane to the surfaces.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +25,8 @@ inline constexpr int max_newton_steps = 50;
 /// origin: derived: a tenth of a thousandth of the smallest approach of interest, 1e-8 mm.
 inline constexpr double ray_tolerance = 1e-12;
 
-/// At a step of a profile, as the rounding of a standard's coefficients leaves it, Newton's
-/// method has no root to find: a place this near, mm, is taken.
+/// At a step of a profile, as the rounding of a standard's coefficients leaves it, Newton's method
+/// finds no root: a point this near, mm, is accepted.
 /// origin: reasoned: standards state coefficients whose pieces meet to about 1e-3 mm.
 inline constexpr double step_tolerance = 2e-3;
 
@@ -45,7 +46,7 @@ inline constexpr double min_facing_cosine = 0.02;
 /// origin: derived: twice the radius of a wheel.
 inline constexpr double no_material_distance = 1e3;
 
-/// Sine of the angle between both tangents above which a contact stands at a kink.
+/// Sine of the angle between both tangents above which a contact is at a kink.
 /// origin: reasoned: above the rounding of tangents, below any kink that a profile has on
 /// purpose.
 inline constexpr double kink_sine = 1e-6;

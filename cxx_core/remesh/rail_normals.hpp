@@ -5,13 +5,12 @@
 /// normal n. If a body is shifted by d against the other, a distance changes by
 ///   dh = d . f,  f = n_r / (n . n_r),
 /// n_r the normal of the rail's surface at the ray's end (the plane then goes with the wheel; with
-/// the wheel's normal it stays in the track, and the sums are the same but for the discretisation,
-/// since sum p dh/ds vanishes along the plane). A pressure on dA so pushes with p f dA at that end.
-/// With the surface inclined by beta to the plane f = n - tan(beta) t, t the plane's lateral axis:
-/// the plane's own direction counts to second order only. A prismatic rail takes no force along
-/// itself.
-/// Units mm, N, MPa; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
-/// functions. Not known here: friction.
+/// the wheel's normal it stays in the track, and the sums are the same except for the
+/// discretisation, since sum p dh/ds vanishes along the plane). A pressure on dA so pushes with p f
+/// dA at that end. With the surface inclined by beta to the plane f = n - tan(beta) t, t the
+/// plane's lateral axis: the plane's own direction counts to second order only. A prismatic rail
+/// takes no force along itself. Units mm, N, MPa; track frame, left-hand side
+/// (geometry/frames.hpp). Thread rule: pure functions. Not known here: friction.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +24,7 @@
 
 namespace wrc {
 
-/// A force and its moment about some place.
+/// A force and its moment about some point.
 struct ContactForce {
   Vector3 force;  ///< N
   Vector3 moment; ///< N mm
@@ -44,7 +43,7 @@ struct SurfaceTurn {
 
 class RailNormals {
 public:
-  /// Of the rows of a grid; of each element, where the frame is yawed against the rail.
+  /// Normals of the rows of a grid; of each element, where the frame is yawed against the rail.
   RailNormals(const RailSurface& rail, const ContactFrame& frame, const Grid& grid);
 
   /// The plane goes by so much, with the elements; to first order.
@@ -70,8 +69,8 @@ public:
   };
   [[nodiscard]] Rates rates(std::size_t row, std::size_t column, double along, double across) const;
 
-  /// `up` . f of each element: its share of a shift along `up`. At least 0.02: where the rail turns
-  /// upright no contact lies.
+  /// `up` . f of each element: its fraction of a shift along `up`. At least 0.02: where the rail
+  /// turns upright there is no contact.
   [[nodiscard]] std::vector<double> shares(const Vector3& up) const;
   /// Force of the rail on the wheel, and its moment about the frame's origin.
   [[nodiscard]] ContactForce force(std::span<const double> pressure) const;

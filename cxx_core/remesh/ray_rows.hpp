@@ -1,17 +1,16 @@
 /// Parallel rays of a whole row of elements, met with a profile's surface all at once.
 ///
-/// A ray is base + x along + p normal, with x the element's longitudinal coordinate and p sought.
+/// A ray is base + x along + p normal, with x the element's longitudinal coordinate and p unknown.
 /// The surface is z = h(y), a prism, or X^2 + Z^2 = (R + h(Y))^2, a surface of revolution, with h
-/// the profile's table of heights (geometry/height_function.hpp).
-/// Start: the profile's tangent line in the middle of the row in place of h gives a linear or a
-/// quadratic equation. Then Newton's method on the table's own polynomials, in loops over stretches
-/// of a row that meet one polynomial, so that its coefficients stay in registers. As many steps as
-/// the distance of the profile from its tangent line asks for: the error e after a step of size d
-/// is K d^2 / (2 F) with K the curvature and F the derivative along the ray, which bounds the
-/// number of steps before and checks the result after. A ray that is not below the tolerance, left
-/// its polynomial, or sees the surface at too flat an angle, is reported as not met: single rays
-/// (remesh/surface_rays.hpp) decide about it.
-/// Units mm. Thread rule: one object, one thread.
+/// the profile's table of heights (geometry/height_function.hpp). Start: the profile's tangent line
+/// in the middle of the row in place of h gives a linear or a quadratic equation. Then Newton's
+/// method on the table's own polynomials, in loops over stretches of a row that meet one
+/// polynomial, so that its coefficients stay in registers. The number of steps follows from the
+/// distance of the profile from its tangent line: the error e after a step of size d is K d^2 / (2
+/// F) with K the curvature and F the derivative along the ray, which bounds the number of steps
+/// before and checks the result after. A ray that is not below the tolerance, left its polynomial,
+/// or sees the surface at too flat an angle, is reported as not met: single rays
+/// (remesh/surface_rays.hpp) decide about it. Units mm. Thread rule: one object, one thread.
 #pragma once
 
 #include <cstddef>

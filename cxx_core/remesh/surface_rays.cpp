@@ -44,7 +44,7 @@ std::optional<double> RailRay::solve(double longitudinal, double lateral) {
     }
     const double offset = nz * (base.y - point_.lateral) - ny * (base.z - point_.height);
     const double facing = nz * point_.tangent_lateral - ny * point_.tangent_height;
-    // Places that are no numbers are met by no ray either.
+    // Positions that are not numbers are met by no ray either.
     if (!(facing >= min_facing_cosine) || !std::isfinite(offset)) {
       return std::nullopt;
     }

@@ -3,9 +3,9 @@
 /// The rail is a plane curve, so its ray is solved on the profile's arc length, overhanging parts
 /// included. The wheel's ray meets the surface of revolution X^2 + Z^2 = rho(Y)^2 in the wheelset
 /// frame; the form X^2 + (Z - rho)(Z + rho) does not cancel, and needs no root. Both by Newton's
-/// method from the place met last, to 1e-12 mm. At a kink or a step steps are halved after a while,
-/// and a place within the step is taken.
-/// Units mm; track frame, left-hand side. Thread rule: one object, one thread.
+/// method from the point met last, to 1e-12 mm. At a kink or a step steps are halved after a while,
+/// and a point within the step is accepted. Units mm; track frame, left-hand side. Thread rule: one
+/// object, one thread.
 #pragma once
 
 #include <optional>
@@ -32,12 +32,12 @@ public:
 
   /// Start from below the frame's origin again.
   void restart();
-  /// Position along the normal at which the ray through a place of the plane meets the rail; the
+  /// Position along the normal at which the ray through a point of the plane meets the rail; the
   /// next ray starts from there.
   std::optional<double> solve(double longitudinal, double lateral);
-  /// Of the rail, where the last ray met it.
+  /// Point of the rail where the last ray met it.
   [[nodiscard]] const CurvePoint& point() const { return point_; }
-  /// True if that is a place seen from above.
+  /// True if that point is seen from above.
   [[nodiscard]] bool on_graph() const;
 
 private:
@@ -57,7 +57,7 @@ public:
   /// The frame must outlive the ray.
   WheelRay(const PosedPair& pair, const ContactFrame& frame);
 
-  /// Of the wheel profile, where the last ray met it; the next ray starts from its height.
+  /// Position on the wheel profile where the last ray met it; the next ray starts from its height.
   [[nodiscard]] double lateral() const { return lateral_; }
   [[nodiscard]] double height() const { return height_; }
   void start_from(double height) { height_ = height; }
@@ -67,7 +67,7 @@ public:
   /// Tangent of the wheel's angle to the plane across, where the last ray met it.
   [[nodiscard]] double inclination(double longitudinal, double lateral, double position) const;
 
-  /// A place of the plane in the wheelset frame, with Y from the taping line: that of the profile.
+  /// A point of the plane in the wheelset frame, with Y from the taping line: that of the profile.
   [[nodiscard]] Vector3 base(double longitudinal, double lateral) const;
   /// Directions of the frame in the wheelset frame.
   [[nodiscard]] Vector3 longitudinal() const { return longitudinal_; }

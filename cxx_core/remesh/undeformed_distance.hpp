@@ -22,14 +22,14 @@ namespace wrc {
 /// One value per element of the grid, in the grid's order.
 std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
                                                const Grid& grid);
-/// The same with the rail's places known: those of this frame and grid.
+/// The same with the rail's points known: those of this frame and grid.
 std::vector<double> sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame,
                                                const Grid& grid, const RailNormals& rail);
 /// The same, into memory that is kept from call to call.
 void sample_undeformed_distance(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
                                 std::vector<double>& distance);
 
-/// Where the ray through a place of the plane meets rail and wheel.
+/// Where the ray through a point of the plane meets rail and wheel.
 struct SurfacePlace {
   bool on_rail = false;
   bool on_wheel = false;
