@@ -1,8 +1,9 @@
 /// Constants of behaviour of this room: elements for a requested accuracy, and the error of a
 /// solution.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -25,16 +26,15 @@ inline constexpr double error_by_squares = 0.2231;
 /// origin: measured: see error_by_squares.
 inline constexpr double error_by_fourth_powers = 12.125;
 
-/// Error of a force where a profile turns at once under the pressures, over the angle times the
-/// width of a row over the overlap: an eighth of that is what a turn leaves of the distances in its
-/// row.
+/// Error of a force where a profile has a kink inside the contact, over the angle times the width
+/// of a row over the overlap: an eighth of that is what a turn leaves of the distances in its row.
 /// origin: measured (wrc_tradeoff --random 6000 --accuracy-of forces): 247 of 12000 wheels have
 /// such turns. Their errors at 1e-2, 1e-3 and 3e-4 are bounded in 96, 94 and 96 %, without it in
-/// 83, 75 and 78 %, and one miss of them is not told instead of 18, 22 and 28. Twice as much bounds
-/// 98, 95 and 97 %.
+/// 83, 75 and 78 %, and one of their missed accuracies comes without a warning instead of 18, 22
+/// and 28. Twice as much bounds 98, 95 and 97 %.
 inline constexpr double error_by_ridge = 0.03;
 
-/// Of the accuracy, what elements may leave by that law.
+/// Fraction of the accuracy that the error of elements by that law may take.
 /// origin: measured (wrc_tradeoff): 99.5 of 100 wheels or more meet accuracies from 1e-1 to 3e-4;
 /// of 1600 random ones (--random 800) 6 to 10 miss 3e-3 to 3e-4, with 5 % more 6 to 12, with 5 %
 /// less, for 9 % more time, 5 to 9.
@@ -85,7 +85,7 @@ inline constexpr double stress_accuracy_factor = 3.0;
 /// origin: measured (wrc_tradeoff --elements constant).
 inline constexpr double constant_elements_error = 3.0;
 
-/// Of pressures in a row about their middle, in g/k of its virtual penetration
+/// Variance of the pressures in a row about their middle, in g/k of its virtual penetration
 /// (expected_contact.hpp).
 /// origin: derived: under Hertz's pressures on a paraboloid it is a fifth of the squared semi-axis,
 /// 0.2 g/k on a depth of which the virtual penetration is 0.55; weighted, g is 7/8 of the deepest.
@@ -117,7 +117,7 @@ inline constexpr double mean_over_element = 1.0 / 24.0;
 /// solutions.
 inline constexpr double error_by_second_difference = 0.1;
 
-/// Error of a top, as a share of its unresolved part (peak_section.cpp).
+/// Error of a maximum, as a fraction of its unresolved part (peak_section.cpp).
 /// origin: measured (crests of five wheels): a halving of strips far wider than a crest adds 0.5 to
 /// 1 times as much, others less.
 inline constexpr double error_by_unresolved = 0.5;
@@ -140,7 +140,7 @@ inline constexpr int most_refinements = 4;
 /// all.
 inline constexpr double strips_per_row = 4.0;
 
-/// Strips that one strip next to an unresolved top is divided into: as many.
+/// Number of strips into which one strip next to an unresolved maximum is divided.
 inline constexpr auto strip_refinement = static_cast<std::size_t>(strips_per_row);
 
 /// Strips over the rows under pressure, at least.

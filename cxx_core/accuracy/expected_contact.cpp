@@ -12,7 +12,7 @@ namespace {
 
 using patch_finding::LocusSample;
 
-/// The row at a place between two samples.
+/// The row at a position between two samples.
 ContactRow row_between(const LocusSample<double>& from, const LocusSample<double>& to, double share,
                        double level) {
   const LocusSample<double> here = patch_finding::between(from, to, share);

@@ -5,7 +5,7 @@
 ///   g(x) = g - k (x - x_0)^2/2,
 /// with the wheel's curvature k, and count by g^2 times their length, with which the planes of
 /// contact are weighted, too (patches/contact_patches.hpp): a row that contact hardly reaches shows
-/// in nothing. The scale of these rows is that of Hertz's pressures on a paraboloid, and tells
+/// in nothing. The scale of these rows is that of Hertz's pressures on a paraboloid, and predicts
 /// errors of any contact as well as the scale of its pressures does. It is a smooth function of the
 /// scene, which that of the pressures on few elements is not: their rows in contact come and go.
 ///

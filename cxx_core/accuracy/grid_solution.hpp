@@ -73,7 +73,7 @@ struct GridSolution {
   [[nodiscard]] bool no_contact() const;
   [[nodiscard]] double peak_pressure() const;
   [[nodiscard]] Vector3 force() const;
-  /// Of the patches in the plane of the main one.
+  /// Force of the patches in the plane of the main one.
   [[nodiscard]] Vector3 force_of_main() const;
   [[nodiscard]] double sharpest_ridge() const;
   /// Largest normal force first; without the patches that do not touch, if there are pressures.

@@ -16,12 +16,12 @@
 
 namespace wrc {
 
-/// Of several patches in one plane together.
+/// Turn of several patches in one plane together.
 SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other);
 
-/// Of the force of a contact in a plane of an angle, over its amount.
+/// Error of the force of a contact in a plane of an angle, over its amount.
 double force_error_of_plane(const SurfaceTurn& turn, double plane_angle);
-/// Of the largest pressure of a patch, relative.
+/// Error of the largest pressure of a patch, relative.
 double pressure_error_of_plane(const SurfaceTurn& turn);
 
 /// Sets Patch::plane_error, patches of one plane alike: that of forces or the greater one of both.

@@ -26,7 +26,7 @@ double above_value(double before, double value, double after) {
                                                             : 0.0;
 }
 
-/// Values at places in ascending order.
+/// Values at positions in ascending order.
 struct Samples {
   std::vector<double> places;
   std::vector<double> values;
@@ -38,7 +38,7 @@ struct Samples {
   [[nodiscard]] bool within(double place) const {
     return place >= places.front() && place <= places.back();
   }
-  /// Of the polynomial through the nearest samples.
+  /// Value of the polynomial through the nearest samples.
   [[nodiscard]] double at(double place, std::size_t most) const {
     const auto next = static_cast<std::size_t>(
         std::upper_bound(places.begin(), places.end(), place) - places.begin());
@@ -69,7 +69,7 @@ double top_of_row(const Patch& patch, std::size_t row) {
   return *top + (inside ? above_value(*(top - 1), *top, *(top + 1)) : 0.0);
 }
 
-/// Elements under pressure, from their places in the patch's plane to those on the profiles: yaw
+/// Elements under pressure, from their positions in the patch's plane to those on the profiles: yaw
 /// turns rows across the wheel's profile.
 double ridge_under(const Patch& patch, const PosedPair& pair) {
   constexpr double rows = 2.0;
@@ -153,8 +153,8 @@ public:
   Section(const Patch& patch, const PosedPair& pair, StripProblem problem)
       : patch_(patch), pair_(pair), problem_(problem) {}
 
-  /// `count` strips from a place on; `smooth`: what displaces them besides their own pressures,
-  /// `guess`: of these.
+  /// `count` strips from a position on; `smooth`: displacements besides those of their own
+  /// pressures, `guess`: initial pressures.
   Strips solve(double begin, double step, std::size_t count, const Samples& smooth,
                const Samples& guess) {
     Strips strips = strips_from(begin, step, count);
@@ -219,8 +219,8 @@ private:
                                    problem_.combined_modulus, pressure);
   }
 
-  /// Those from `first` to before `end` as narrower strips. A share of the pressures stays, in full
-  /// outside and none around the top, so that what it displaces is smooth.
+  /// Those from `first` to before `end` as narrower strips. A fraction of the pressures stays, all
+  /// of them outside and none around the maximum, so that their displacements are smooth.
   Strips finer(const Strips& strips, std::size_t top, std::size_t first, std::size_t end) {
     const double step = strips.grid.lateral_step;
     Strips fine =

@@ -4,7 +4,7 @@
 /// millimetre, narrower than elements that resolve forces. They vary across the rail only: next to
 /// a crest the half-space is in plane strain, and what is missing on the grid follows from a single
 /// line of strips (mechanics/strip_contact.hpp) over the column of the largest pressure. Its
-/// displacements differ from those of the patch by what is smooth:
+/// displacements differ from those of the patch by a smooth part:
 ///   s = -h - K1 p  at the grid's elements under pressure,
 /// K1 the strips of the grid's rows. Cubic interpolation takes s to narrower strips
 /// (`strips_in_row`), undeformed distances h are sampled there, and
@@ -28,11 +28,11 @@ namespace wrc {
 
 struct PeakInSection {
   double pressure = 0.0; ///< largest, MPa
-  double error = 0.0;    ///< estimate of what the strips do not resolve, MPa
+  double error = 0.0;    ///< estimated error of what the strips do not resolve, MPa
 };
 
-/// Finds Patch::ridge of all patches: the largest angle by which a profile turns at once under the
-/// pressures or within two rows of them.
+/// Finds Patch::ridge of all patches: the largest angle of a kink of a profile under the pressures
+/// or within two rows of them.
 void find_ridges(GridSolution& solution, const PosedPair& pair);
 
 /// What a ridge adds to the largest pressure with every strip e times narrower (Johnson, Contact
@@ -43,7 +43,8 @@ double growth_at_ridge(double angle, double combined_modulus);
 /// many.
 double strips_in_row(const Patch& patch);
 
-/// Of a patch in contact at the pair's position; `tolerance`: of the pressures, relative.
+/// Maximum in the section of a patch in contact at the pair's position; `tolerance`: of the
+/// pressures, relative.
 PeakInSection peak_in_section(const Patch& patch, Elements elements, const PosedPair& pair,
                               double combined_modulus, double tolerance);
 

@@ -35,13 +35,13 @@ double stepped_up(double factor) {
   return std::exp2(0.5 * std::ceil(2.0 * std::log2(std::max(factor, 1.0))));
 }
 
-/// With so many over a contact, an even number of elements in the whole grid: edges then keep their
-/// places between elements, which shows in the slopes of creep forces.
+/// Element size for `count` elements over a contact, with an even number in the whole grid: edges
+/// then keep their positions between elements, which shows in the slopes of creep forces.
 double size_in(double whole, double contact, double count) {
   return whole / static_cast<double>(even_count(whole / contact * count));
 }
 
-/// Of a force where a profile turns at once under the pressures, to first order in the rows.
+/// Error of a force where a profile has a kink under the pressures, to first order in the rows.
 double error_at_ridge(const Patch& patch) {
   return patch.ridge > 0.0
              ? error_by_ridge * patch.ridge * patch.grid.lateral_step / patch.overlap()

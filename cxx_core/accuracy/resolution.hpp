@@ -7,16 +7,16 @@
 /// before anything is solved (expected_contact.hpp), so that the same accuracy takes the same n
 /// whatever the contact looks like: one that fills a fifth of its penetration, lobes, or contact
 /// askew in its grid. Columns are an even number, the same for all contacts: the longest line
-/// begins and ends between elements, where an edge leaves the smallest error. Sizes are real
-/// numbers, continuous in the scene, and elements keep their places about the middle of the forces,
-/// so that those at the edges move least. The largest pressure, taken from a finer section
-/// (peak_section.hpp), has the same error and that of its crest besides. Where a profile turns at
-/// once under the pressures, forces have an error of first order in the rows besides. The area of
-/// contact is not counted: it is right to 11 to 22 accuracies. Creep forces need more elements
-/// than normal ones, by a law of their own: they follow from the shape of the contact, whose errors
-/// average out in normal forces, and a long contact needs more elements along it. Units mm. Thread
-/// rule: pure functions. Not known here: errors of planes (model_error.hpp) and of the half-space,
-/// and crests that the penetration does not show.
+/// begins and ends between elements, where an edge leaves the smallest error. Element sizes vary
+/// continuously with the scene, and the grid is anchored at the centre of the forces, so that
+/// elements at the edges move least. The largest pressure, taken from a finer section
+/// (peak_section.hpp), has the same error and that of its crest besides. If a profile has a kink
+/// under the pressures, forces also have an error of first order in the rows. The area of contact
+/// is not counted: it is right to 11 to 22 accuracies. Creep forces need more elements than normal
+/// ones, by a law of their own: they follow from the shape of the contact, whose errors average out
+/// in normal forces, and a long contact needs more elements along it. Units mm. Thread rule: pure
+/// functions. Not known here: errors of planes (model_error.hpp) and of the half-space, and crests
+/// that the penetration does not show.
 #pragma once
 
 #include <cmath>
@@ -46,7 +46,7 @@ struct ElementCounts {
   std::size_t longitudinal = 0;
 };
 
-/// Of solutions that find the depth of a load, over the penetration of each patch.
+/// Elements over the penetration of each patch, for solutions that find the depth of a load.
 ElementCounts coarse_counts();
 
 /// Sizes of a patch's elements, and between which of them the contact has its middle.

@@ -39,7 +39,7 @@ namespace wrc {
 struct StiffnessOutcome {
   int iterations = 0; ///< one linear and one periodic convolution each; of the patch with most
   StopReason stop_reason = StopReason::tolerance_met;
-  double error = 0.0; ///< square root of the estimated share of the energy that is left
+  double error = 0.0; ///< square root of the estimated fraction of the energy that is left
 };
 
 class ContactStiffness {

@@ -40,9 +40,9 @@ WRC_VECTOR_BODY void separate_body(const Real* line, Real* first, Real* second, 
   }
 }
 
-/// Spectra A, B of two real rows from that of their pair, Z = A + i B, into their places in the
-/// columns: A[k] = (Z[k] + conj Z[n - k]) / 2, B[k] = (Z[k] - conj Z[n - k]) / (2 i). All as pairs
-/// of real numbers; Z[n] is Z[0].
+/// Spectra A, B of two real rows from that of their pair, Z = A + i B, into the columns: A[k] =
+/// (Z[k] + conj Z[n - k]) / 2, B[k] = (Z[k] - conj Z[n - k]) / (2 i). All as pairs of real numbers;
+/// Z[n] is Z[0].
 template <typename Real>
 WRC_VECTOR_BODY void scatter_body(const Real* lines, std::size_t line_pitch, std::size_t length,
                                   Real* columns, std::size_t column_pitch, std::size_t count) {

@@ -221,7 +221,7 @@ template <typename Real> struct LineFft<Real>::Plans {
   std::size_t pitch = 0;
   Plan<Real> forward;
   Plan<Real> backward;
-  // Of blocks; none for long lines.
+  // Plan for blocks; none for long lines.
   Plan<Real> block_forward;
   Plan<Real> block_backward;
 
@@ -290,9 +290,9 @@ template class LineFft<double>;
 /// use them while the process ends.
 class KeptTransforms {
 public:
-  /// Of grids up to 512 elements across, twice as long.
-  /// origin: bound: changes no result: 10 ms of planning; longer lines take 2 ms more each
-  /// octave and belong to grids of many MB, beside which a plan's 16 kB are little.
+  /// Longest length of prepared plans: grids up to 512 elements across, twice as long.
+  /// origin: bound: changes no result: 10 ms of planning; longer lines take 2 ms more per octave
+  /// and belong to grids of many MB, beside which the 16 kB of a plan are small.
   static constexpr std::size_t longest_prepared = 1024;
 
   template <typename Real> const LineFft<Real>& get(std::size_t length, PlannerRigor rigor) {

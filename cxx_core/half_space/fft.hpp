@@ -79,14 +79,14 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Memory for at least so many values; what was there is lost if it has to grow.
+/// Memory for at least this number of values; earlier content is lost if it has to grow.
 template <typename Value> void provide(AlignedArray<Value>& array, std::size_t size) {
   if (array.size() < size) {
     array = AlignedArray<Value>(size);
   }
 }
 
-/// Values per line in an array of lines, so that each starts on an aligned place.
+/// Values per line in an array of lines, so that each line is aligned.
 template <typename Value> constexpr std::size_t aligned_pitch(std::size_t length) {
   constexpr std::size_t unit = AlignedArray<Value>::alignment / sizeof(Value);
   return (length + unit - 1) / unit * unit;
@@ -100,11 +100,11 @@ template <typename Real> const Real* pairs_of(const std::complex<Real>* values) 
   return reinterpret_cast<const Real*>(values);
 }
 
-/// Transforms of complex lines of one length; not normalised. Lines start at aligned places
-/// (AlignedArray), several of them aligned_pitch apart; `from` and `to` do not overlap; `from` is
-/// kept. Lines shorter than 48 use vector instructions across block_lines of them: 24 to 72 ns each
-/// for 12 to 32 single-precision values, both ways, instead of 83 to 230 one by one. The last
-/// bits of such a line depend on whether it comes alone.
+/// Transforms of complex lines of one length; not normalised. Lines are aligned (AlignedArray),
+/// several of them aligned_pitch apart; `from` and `to` do not overlap; `from` is kept. Lines
+/// shorter than 48 use vector instructions across block_lines of them: 24 to 72 ns each for 12 to
+/// 32 single-precision values, both ways, instead of 83 to 230 one by one. The last bits of such a
+/// line depend on whether it comes alone.
 template <typename Real> class LineFft {
 public:
   using Complex = std::complex<Real>;
@@ -144,8 +144,8 @@ void lock_for_fork();
 void unlock_after_fork();
 
 /// Median time in ms of a real two-dimensional transform in double precision and its inverse, over
-/// so many repetitions, at least one: a yardstick of costs. Throws Error(out_of_memory) if there is
-/// no memory for buffers or plans.
+/// this number of repetitions, at least one: the unit in which costs are given. Throws
+/// Error(out_of_memory) if there is no memory for buffers or plans.
 double measure_transform(std::size_t rows, std::size_t columns, int repeats);
 
 } // namespace wrc

@@ -22,7 +22,7 @@ void transform_even_lines(const LineFft<double>& fft, std::size_t length, const 
   Complex* to = from + block * line_pitch;
   for (std::size_t first = 0; first < count; first += 2 * block) {
     for (std::size_t k = 0; k < block; ++k) {
-      // Places without a line hold the last one once more.
+      // Positions without a line repeat the last one.
       const double* one = lines + std::min(first + 2 * k, count - 1) * pitch;
       const double* other = lines + std::min(first + 2 * k + 1, count - 1) * pitch;
       Complex* line = from + k * line_pitch;

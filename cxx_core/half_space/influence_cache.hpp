@@ -3,13 +3,12 @@
 /// Lengths are counted in longitudinal element steps, so that one table for elements of 1 x aspect
 /// (influence_coefficients.hpp) serves grids of any size and every level of a cascade. A spectrum
 /// belongs to a periodic convolution of rows x columns: the kernel is wrapped around with its true
-/// coefficients at every place and even in both directions, so its spectrum is real. Divided by the
-/// number of elements, since the transforms are not normalised.
-/// Nothing kept here changes a result: a kept value has the same bits as a new one.
-/// Contacts of wheels have aspect ratios of their own in every solution, so tables and spectra stay
-/// from one solution to the next only, for those who solve on the same grid again.
-/// Thread rule: LinePlans serve any number of threads at once, an InfluenceCache one at a time.
-/// What was handed out stays valid when it is dropped here.
+/// coefficients at every offset and even in both directions, so its spectrum is real. Divided by
+/// the number of elements, since the transforms are not normalised. Nothing kept here changes a
+/// result: a kept value has the same bits as a new one. Contacts of wheels have aspect ratios of
+/// their own in every solution, so tables and spectra stay from one solution to the next only, for
+/// those who solve on the same grid again. Thread rule: LinePlans serve any number of threads at
+/// once, an InfluenceCache one at a time. What was handed out stays valid when it is dropped here.
 #pragma once
 
 #include <cstddef>

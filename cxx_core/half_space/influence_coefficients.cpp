@@ -41,7 +41,7 @@ WRC_VECTOR_BODY double segment_potential(double offset, double first, double las
   return std::copysign(to_last, last) - std::copysign(to_first, first);
 }
 
-/// One edge's share: its signed offset times the potential of the edge.
+/// Contribution of one edge: its signed offset times the potential of the edge.
 WRC_VECTOR_BODY double edge_term(double offset, double first, double last, double near,
                                  double far) {
   return offset == 0.0 ? 0.0 : offset * segment_potential(std::abs(offset), first, last, near, far);
@@ -251,8 +251,8 @@ void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::
     }
     return;
   }
-  // Rows of constant elements before, at and after the one at hand, one column longer. The kernel
-  // is even, so what comes before the first row is what comes after it.
+  // Rows of constant elements before, at and after the current one, one column longer. The kernel
+  // is even, so the row before the first equals the one after it.
   const std::size_t length = columns + 1;
   ConstantRows constant(kernel.aspect, length);
   std::vector<double> lines(3 * length);

@@ -62,15 +62,15 @@ struct InfluenceKernel {
 double influence_integral(double longitudinal_distance, double lateral_distance,
                           double longitudinal_step, double lateral_step);
 
-/// A table: values[row * columns + column] = pi E* K for places that many elements apart, in units
-/// of the longitudinal step.
+/// A table: values[row * columns + column] = pi E* K for this number of rows and columns between
+/// two elements, in units of the longitudinal step.
 void fill_influence_table(const InfluenceKernel& kernel, std::size_t rows, std::size_t columns,
                           std::span<double> values);
 
-/// What Cerruti's solution needs of an element of 1 x aspect with constant traction, for places
-/// that many elements apart: the integrals of y^2/r^3, x^2/r^3 and x y/r^3 over the element
-/// (Johnson 1985, eq. 3.91: u_x is the integral of (1 - nu)/r + nu x^2/r^3 = x^2/r^3 + (1 - nu)
-/// y^2/r^3). The first two are the two halves of I above, so the same logarithms serve both
+/// Integrals of Cerruti's solution over an element of 1 x aspect with constant traction, by the
+/// number of elements between two points: the integrals of y^2/r^3, x^2/r^3 and x y/r^3 over the
+/// element (Johnson 1985, eq. 3.91: u_x is the integral of (1 - nu)/r + nu x^2/r^3 = x^2/r^3 + (1 -
+/// nu) y^2/r^3). The first two are the two halves of I above, so the same logarithms serve both
 /// problems.
 struct TractionTable {
   std::size_t rows = 0;
@@ -89,9 +89,10 @@ struct TractionTable {
 
 TractionTable traction_table(double aspect, std::size_t rows, std::size_t columns);
 
-/// What unlike bodies displace across: the integrals of x/r^2 and y/r^2 over an element of
-/// 1 x aspect, for places that many elements apart. With Kalker's K (half_space/material.hpp) and
-/// loads on body 1, a pressure p displaces it along the surface, relative to body 2, by
+/// Displacements of unlike bodies across directions: the integrals of x/r^2 and y/r^2 over an
+/// element of 1 x aspect, by the number of elements between two points. With Kalker's K
+/// (half_space/material.hpp) and loads on body 1, a pressure p displaces it along the surface,
+/// relative to body 2, by
 /// -K/(pi G) p (x, y)/r^2, and a traction q opens the gap by K/(pi G) q.(x, y)/r^2 (Johnson 1985,
 /// eqs. 3.18 and 3.75, of both bodies).
 struct CrossTable {
@@ -109,7 +110,7 @@ struct CrossTable {
 
 CrossTable cross_table(double aspect, std::size_t rows, std::size_t columns);
 
-/// The derivatives of these integrals by the place along x, as `longitudinal` and `mixed` of a
+/// The derivatives of these integrals by the position along x, as `longitudinal` and `mixed` of a
 /// table that is to be read with nu = 1: the exact ones, from the element's two edges across.
 TractionTable cross_rate_table(double aspect, std::size_t rows, std::size_t columns);
 

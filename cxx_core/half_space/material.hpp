@@ -18,7 +18,7 @@ struct Material {
 /// E* in MPa. Throws Error(invalid_argument) for constants outside their range.
 double combined_modulus(const Material& wheel, const Material& rail);
 
-/// Of wheel (1) and rail (2) together in tangential contact.
+/// Constants of wheel (1) and rail (2) together in tangential contact.
 struct ShearConstants {
   double modulus = 0.0; ///< G, MPa
   double poisson = 0.0; ///< nu

@@ -127,13 +127,13 @@ void store_column(const std::complex<double>* even, const std::complex<double>* 
 } // namespace
 
 /// The weighted coefficients of all offsets, each component in lines of constant lateral offset:
-/// places from -last to last upstream, contiguous.
+/// offsets from -last to last upstream, contiguous.
 class WeightedCoefficients {
 public:
   WeightedCoefficients(const TractionShape& shape, double poisson, const DifferenceWeights& weights,
                        const TractionTable& table)
       : WeightedCoefficients(shape) {
-    // From one place downstream of the first to two upstream of the last.
+    // From one offset downstream of the first to two upstream of the last.
     const std::size_t reach = length_ + weights.size() - 1;
     const std::size_t middle = last_ + 1;
     std::vector<double> line(3 * reach);
@@ -158,7 +158,7 @@ public:
     }
   }
 
-  /// Of what unlike bodies displace across: xx and xy.
+  /// Coefficients of unlike bodies across directions: xx and xy.
   WeightedCoefficients(const TractionShape& shape, const DifferenceWeights& weights,
                        const CrossTable& table)
       : WeightedCoefficients(shape) {
@@ -226,8 +226,8 @@ TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::
 }
 
 // Along y the coefficients xx and yy are even and xy is odd: the line xx + xy + i yy gives the
-// transforms of xx and yy as the real and the imaginary part of what is even in it, and that of xy,
-// imaginary, as what is odd.
+// transforms of xx and yy as the real and the imaginary part of its even part, and that of xy,
+// imaginary, as its odd part.
 template <typename Real>
 void TractionConvolution<Real>::fill_spectrum(const WeightedCoefficients& coefficients,
                                               LinePlans& plans) {

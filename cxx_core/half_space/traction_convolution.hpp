@@ -13,9 +13,8 @@
 /// index running fastest; `pitch` values from row to row. Units: lengths in longitudinal steps,
 /// tractions in units of the combined shear modulus G, 1/G = (1/G1 + 1/G2)/2; nu/G likewise.
 /// A second kind of coefficients, (x, y)/(pi r^2), serves what unlike bodies displace across
-/// (CrossTable): from a pressure in place of q_x both components, and from tractions, as the first
-/// component, the normal one.
-/// Does not include friction. Thread rule: as BoxConvolution.
+/// (CrossTable): from a pressure instead of q_x both components, and from tractions, as the first
+/// component, the normal one. Does not include friction. Thread rule: as BoxConvolution.
 #pragma once
 
 #include <array>
@@ -49,7 +48,7 @@ class WeightedCoefficients;
 template <typename Real> class TractionConvolution {
 public:
   TractionConvolution() = default;
-  /// `table` has at least table_rows() x table_columns() places; it is not kept.
+  /// `table` has at least table_rows() x table_columns() values; it is not kept.
   TractionConvolution(const TractionShape& shape, std::size_t pitch, double poisson,
                       const DifferenceWeights& weights, const TractionTable& table,
                       LinePlans& plans);

@@ -24,7 +24,7 @@ double distance_at(std::span<const double> distance, const LevelSize& size, std:
   return value(row, column);
 }
 
-/// The two elements next to a place along a side of a grid, and their weights.
+/// The two elements next to a position along a side of a grid, and their weights.
 struct Neighbours {
   std::size_t before = 0;
   std::size_t after = 0;

@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: the normal contact solvers.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ inline constexpr std::size_t min_level_side = 8;
 /// contact.
 inline constexpr std::size_t max_coarsest_side = 32;
 
-/// Share of elements below the distance from which the first pressures are drawn.
+/// Fraction of elements below the distance that the first pressures start from.
 /// origin: reasoned: contact fills a third to two thirds of a potential contact area; too small a
 /// first contact grows faster than one too large shrinks.
 inline constexpr double start_quantile = 0.3;
@@ -36,15 +37,15 @@ inline constexpr std::size_t box_margin = 2;
 /// origin: reasoned: a box too small by half is large enough after three steps.
 inline constexpr std::size_t box_growth_divisor = 4;
 
-/// Of the tolerance, what max|z| may be when the iteration stops: the free step leaves an error
-/// of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts up to 1.9 (at loose
+/// Fraction of the tolerance that max|z| may reach when the iteration stops: the free step leaves
+/// an error of 0.1 to 0.6 of max|z|, in flat punches and very narrow contacts up to 1.9 (at loose
 /// tolerances).
 /// origin: measured (tests/core/mechanics/normal_solver_tolerance_test.cpp): less than 1 is
 /// needed.
 inline constexpr double stop_share = 0.75;
 
-/// Error that interpolation may have in what patches displace at each other: a share of the
-/// tolerance, but no less than the second.
+/// Error that interpolation may have in the displacements of patches by each other: a fraction of
+/// the tolerance, but no less than the second.
 /// origin: reasoned: small beside the tolerance; nodes cost more than they bring below the
 /// second.
 inline constexpr double coupling_share = 0.03;
@@ -52,8 +53,8 @@ inline constexpr double coupling_share = 0.03;
 /// origin: reasoned: small beside what patches in planes of their own leave out.
 inline constexpr double min_coupling_error = 1e-5;
 
-/// Overlap outside the box that counts as contact left out, as a share of the approach, in single
-/// precision.
+/// Overlap outside the box that counts as contact left out, as a fraction of the approach, in
+/// single precision.
 /// origin: derived: eight roundings of single precision; a displacement is a sum of products.
 inline constexpr double missed_overlap = 5e-7;
 
@@ -61,13 +62,13 @@ inline constexpr double missed_overlap = 5e-7;
 /// origin: derived: some hundred roundings of double precision.
 inline constexpr double double_overlap = 1e-13;
 
-/// Pressures whose displacements are taken out one by one: at most so many, ...
+/// Largest number of pressures whose displacements are removed one by one, ...
 /// origin: bound: of a buffer on the stack.
 inline constexpr std::size_t max_single_cuts = 128;
 
-/// ... and one for so many elements of the box.
+/// ... and elements of the box per such pressure.
 /// origin: measured (60 scenes of wrc_tradeoff on 256 x 128 elements): with none one by one 8 %
-/// more time; on 40 x 20 as much.
+/// more time; on 40 x 20 the same.
 inline constexpr double elements_per_cut = 16.0;
 
 /// Rounding in u stands for an error of p relative to the largest p of about this much times
@@ -83,13 +84,14 @@ inline constexpr double double_drift = 2e-16;
 /// origin: measured: see single_drift.
 inline constexpr double drift_exponent = 1.15;
 
-/// Iterations of the projected CG, and of the stiffness, without a smaller error after which no
-/// more is to be had. origin: bound: longer than any plateau of converging cases, some ten
-/// iterations; costs only those that fail.
+/// Number of iterations of the projected CG, and of the stiffness, without a smaller error after
+/// which they stop.
+/// origin: bound: longer than any plateau of converging cases, about ten iterations; costs only
+/// those that fail.
 inline constexpr int stagnation_window = 60;
 
-/// By which share the pressures of one box may shrink or grow in an iteration of several. Where
-/// the least energy lies beyond, all go the same part of the way, which keeps the load; where
+/// Fraction by which the pressures of one box may shrink or grow in an iteration of several boxes.
+/// Where the least energy lies beyond, all go the same part of the way, which keeps the load; where
 /// that would be less than the least part, a step of the same length in all boxes is taken.
 /// origin: reasoned: no box is emptied or doubled by one step.
 inline constexpr double max_joint_step_shrinking = 0.5;
@@ -97,8 +99,8 @@ inline constexpr double max_joint_step_shrinking = 0.5;
 /// origin: reasoned: see max_joint_step_shrinking.
 inline constexpr double max_joint_step_growth = 1.0;
 
-/// origin: measured (JointContactRandom.MeetsTheRequestedTolerance): without it and the limit of growth
-/// one pressure ends off by 1.2.
+/// origin: measured (JointContactRandom.MeetsTheRequestedTolerance): without it and the limit of
+/// growth one pressure ends off by 1.2.
 inline constexpr double min_joint_step_part = 0.1;
 
 /// Added to the diagonal of energies that are 1 there: a direction may be parallel to the

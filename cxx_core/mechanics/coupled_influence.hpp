@@ -2,7 +2,7 @@
 ///
 /// The same operator as in the solution (normal_contact.hpp, patch_coupling.hpp): all patches in
 /// their mean plane, each pair counted with its coupling weight; on boxes around the pressures.
-/// With rates of coupling weight in its place it is the rate of that operator. Units mm, MPa.
+/// With the rates of the coupling weight instead it is the rate of that operator. Units mm, MPa.
 /// Thread rule: one object serves one thread at a time.
 #pragma once
 

@@ -19,7 +19,7 @@ struct IterationBox {
   std::size_t columns = 0;
   InfluenceKernel kernel;
   double share = 1.0;  ///< a typical s: of the approach, in this box's unit of length
-  double weight = 1.0; ///< w: element area times unit of length, in a unit that all boxes share
+  double weight = 1.0; ///< w: element area times unit of length, in a unit common to all boxes
   /// Which sides have elements of the grid beyond them: contact there ends the iteration, since the
   /// rectangle is too small.
   bool open_first_row = false;

@@ -23,7 +23,7 @@ constexpr double max_load = 1e60;
 /// Influence coefficients are right to 1e-12 between elements of these shapes (docs/stability.md).
 /// A permitted range, not a tuning constant.
 constexpr double max_aspect = 1e9;
-/// Of an element's share of the approach, and its inverse. A permitted range, not a tuning
+/// Range of an element's share of the approach, and of its inverse: permitted values, not a tuning
 /// constant.
 constexpr double max_share = 1e9;
 

@@ -58,7 +58,7 @@ struct NormalProblem {
   std::optional<double> load;     ///< F in N, >= 0
   std::optional<double> approach; ///< delta in mm
   double tolerance = 1e-6;        ///< > 0; of pressures, relative to the largest one of all patches
-  /// Share of the tolerance by which rounding in single precision may change the pressures, and
+  /// Fraction of the tolerance by which rounding in single precision may change the pressures, and
   /// results thus differ between instruction sets.
   double rounding_share = 0.1;
   int maximum_iterations = 5000;
@@ -105,11 +105,11 @@ void check_problem(const NormalProblem& problem);
 /// several patches.
 const PatchGap& single_patch(const NormalProblem& problem);
 
-/// Of the pressures of a single patch, from a convolution of its own. Any solver's answer can be
-/// judged with it. When nothing is displaced (no pressure at all), gaps are taken relative to the
+/// Residuals of the pressures of a single patch, from a separate convolution. They apply to any
+/// solver's answer. When nothing is displaced (no pressure at all), gaps are taken relative to the
 /// distance between the approach and the least undeformed distance. A least gap of 0 is reported
-/// when every element bears pressure.
-/// Throws Error(invalid_argument) like single_patch, and for a pressure span of another size.
+/// when every element carries pressure. Throws Error(invalid_argument) like single_patch, and for a
+/// pressure span of another size.
 Residuals compute_residuals(const NormalProblem& problem, std::span<const double> pressure,
                             double approach);
 

@@ -107,7 +107,7 @@ private:
   std::vector<Nodes> nodes_;
   std::vector<Link> links_;
   std::vector<double> rough_links_; ///< [box * boxes + other]: c / r, 0 if not coupled
-  /// Of elements, while a box is gathered or added.
+  /// Buffer of elements, while a box is gathered or added.
   template <typename Real> std::vector<Real>& lines() {
     if constexpr (sizeof(Real) < sizeof(double)) {
       return single_lines_;

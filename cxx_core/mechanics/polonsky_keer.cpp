@@ -40,7 +40,7 @@ struct DimensionlessProblem {
   std::vector<double> shares; ///< of the approach, by element
   bool load_prescribed;
   Elements elements;
-  double load = 0.0;           ///< sum of share times pressure, sought when it is prescribed
+  double load = 0.0;           ///< sum of share times pressure, found when it is prescribed
   double approach = 0.0;       ///< given when it is prescribed
   double pressure_scale = 0.0; ///< MPa for pressure 1
 };

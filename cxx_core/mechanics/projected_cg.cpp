@@ -139,8 +139,8 @@ template <typename Real> void ProjectedCg<Real>::choose_steps() {
   }
 }
 
-/// Energies of what a box displaces at another. Those of directions only decide how far to go:
-/// rough values lead to as many iterations.
+/// Energies of the displacements of one box by another. Those of directions only decide the length
+/// of a step: rough values lead to the same number of iterations.
 template <typename Real> void ProjectedCg<Real>::add_coupled_energies() {
   const PatchCoupling& coupling = *request_->coupling;
   const std::size_t count = request_->boxes.size();
@@ -170,8 +170,8 @@ template <typename Real> void ProjectedCg<Real>::gather_change(std::size_t k) {
   request_->coupling->gather(k, fields.correction.data(), load_change_);
 }
 
-/// Follows the pressures that have moved, been cut and been scaled with what boxes displace at each
-/// other.
+/// Updates the displacements of boxes by each other after pressures have moved, been cut and been
+/// scaled.
 template <typename Real> void ProjectedCg<Real>::advance_coupling() {
   PatchCoupling& coupling = *request_->coupling;
   const std::size_t count = request_->boxes.size();
@@ -192,7 +192,7 @@ template <typename Real> void ProjectedCg<Real>::advance_coupling() {
   }
 }
 
-/// p = max(0, p + z): z estimates the error, so this removes most of what is left of it.
+/// p = max(0, p + z): z estimates the error, so this removes most of the remaining one.
 template <typename Real> void ProjectedCg<Real>::final_correction(double z_mean) {
   const auto boxes = request_->boxes;
   double load = 0.0;
@@ -257,8 +257,8 @@ template <typename Real> typename ProjectedCg<Real>::Progress ProjectedCg<Real>:
   return progress;
 }
 
-/// Scales p and u by what the last step has left to do, and sets the approach by least squares of
-/// the gaps under pressure.
+/// Scales p and u by the remainder of the last step, and sets the approach by least squares of the
+/// gaps under pressure.
 template <typename Real> void ProjectedCg<Real>::update_approach(Progress& progress) {
   IterationOutcome& outcome = progress.outcome;
   double gap_sum = 0.0;
@@ -419,7 +419,7 @@ template <typename Real> void ProjectedCg<Real>::move_pressures(Progress& progre
   progress.rounding =
       largest_factor * progress.rounding + progress.drift_rate * kept_load * largest_change;
   if (coupling != nullptr) {
-    // Of what others displace.
+    // Rounding of the displacements by other boxes.
     progress.rounding += progress.drift_rate * largest_growth * outcome.largest_pressure;
     advance_coupling();
   }

@@ -14,8 +14,8 @@
 /// for each box by joint_step.hpp. With the load given, z and v carry none in sum over the boxes (a
 /// multiple of s on C is taken off), which keeps the load inside the iteration, and p and u are
 /// scaled to it after the cut. No gamma goes beyond -0.5 and 1: all go the same part of the way
-/// then. Where z leads to no less energy, which happens far from the answer, r takes its place.
-/// The method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
+/// then. Where z leads to no less energy, which happens far from the answer, r replaces it. The
+/// method is that of Vollebregt (J. Comput. Phys. 257, 2014, bound-constrained CG with FFT
 /// preconditioner) with the load constraint taken in and the boxes joined.
 ///
 /// z approximates the error of p; iteration stops at max|z| <= tolerance max p and takes one free
@@ -133,7 +133,7 @@ private:
   InfluenceCache& cache_;
   ConvolutionWorkspace<Real> workspace_;
   ConvolutionWorkspace<double> double_workspace_;
-  std::vector<std::unique_ptr<Fields>> fields_; ///< at least as many as boxes
+  std::vector<std::unique_ptr<Fields>> fields_; ///< at least one per box
   const IterationRequest* request_ = nullptr;
   std::vector<CorrectionSums> sums_; ///< by box
   JointStep joint_step_;

@@ -25,7 +25,7 @@ std::vector<double> heights_of(const Level& level) {
   return heights;
 }
 
-/// The approach below which a share of the elements lies.
+/// The approach below which a given fraction of the elements lies.
 double start_height(const Level& level) {
   std::vector<double> ordered = heights_of(level);
   const auto rank =

@@ -54,11 +54,11 @@ struct ScaledProblem {
   /// Takes pressures to start from onto the finest grids; false if not all patches have some.
   bool take_start(const NormalProblem& problem);
   /// First pressures on grid `index` of all patches. With the approach given there are none: the
-  /// first residual tells where contact is.
+  /// first residual shows where contact is.
   void draw_pressure(std::size_t index);
 
   std::size_t count = 0;              ///< of patches
-  std::vector<PatchCascade> cascades; ///< at least as many
+  std::vector<PatchCascade> cascades; ///< at least one per patch
   std::size_t level_count = 0;        ///< of the longest cascade
   const PatchInteraction* interaction = nullptr;
   std::optional<double> load; ///< sum of weight times share times p

@@ -68,8 +68,8 @@ Convolution influence(double step, double length, double combined_modulus, std::
           }};
 }
 
-/// The operator with the spectrum |k|: the inverse of plane strain, but for a factor, and thereby
-/// a preconditioner (its coefficients are the integrals of |k| cos(i k) from -pi to pi).
+/// The operator with the spectrum |k|: the inverse of plane strain, except for a factor, and
+/// thereby a preconditioner (its coefficients are the integrals of |k| cos(i k) from -pi to pi).
 Convolution inverse_of_plane_strain(std::size_t count) {
   return {count, [](std::size_t i) {
             if (i == 0) {

@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: tangential contact.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -32,20 +33,21 @@ inline constexpr double edge_stiffening = 2.965;
 /// origin: derived: as edge_stiffening.
 inline constexpr double edge_traction = 1.08;
 
-/// How far an edge that runs obliquely through strips is found behind its place, over its slope.
+/// Distance of an edge that runs obliquely through strips behind its true position, over its slope.
 /// origin: measured (wrc_tradeoff --creep 500, accuracy 1e-3): with 0, 0.04, 0.06 and 0.08 the
 /// accuracy is met on 94.3, 98.2, 98.7 and 98.7 % of patches, and the rms error of Fy is 0.046,
 /// 0.031, 0.025 and 0.022 % of mu N; strips of the half-plane with such an edge give 0.03 to 0.08.
 inline constexpr double edge_advance = 0.08;
 
 /// Reduction of the slip that pressures of unlike bodies cause in the first element of a strip, as
-/// a share of its value in the plane problem. The slip has an infinite slope there, which one value
-/// per element overstates. origin: measured (ellipses a/b = 0.5 of aluminium on steel, 64
-/// elements): with 0, 0.05 and 0.1 forces are off by up to 1.2e-3, 1.0e-3 and 2.4e-3 of mu N. The
-/// half-plane without slip needs 0.1 on average over the position of the edge in its element.
+/// a fraction of its value in the plane problem. The slip has an infinite slope there, which one
+/// value per element overstates.
+/// origin: measured (ellipses a/b = 0.5 of aluminium on steel, 64 elements): with 0, 0.05 and 0.1
+/// forces are off by up to 1.2e-3, 1.0e-3 and 2.4e-3 of mu N. The half-plane without slip needs 0.1
+/// on average over the position of the edge in its element.
 inline constexpr double edge_slip_share = 0.05;
 
-/// The least share of a first element in contact.
+/// The smallest covered fraction of a first element.
 /// origin: reasoned: less carries nothing, and 1/c is bounded. With 30 % more, errors of creep
 /// forces at 1e-3 change by up to 3e-3 of themselves (scripts/vary_constant.py).
 inline constexpr double min_edge_share = 1e-3;
@@ -60,7 +62,7 @@ inline constexpr double natural_step = 0.5;
 /// within 4 % from 0.2 to 0.4, on S1002 8 % more with 0.1 and 10 % with 0.5.
 inline constexpr double forcing = 0.3;
 
-/// ... but no better than this share of what Newton still has to gain.
+/// ... but not better than this fraction of the remaining residual of Newton's method.
 /// origin: measured (the same): 2 to 4 % fewer than with 0.3; with 0.7, 2 to 5 % fewer still, 1e-3
 /// is met on 98.97 instead of 99.04 % of 3023 patches.
 inline constexpr double forcing_of_rest = 0.5;
@@ -77,7 +79,7 @@ inline constexpr double allowed_growth = 2.0;
 /// origin: reasoned: an edge of adhesion that moves back and forth shows within a few steps.
 inline constexpr int patience = 4;
 
-/// ... by this share of the self-influence, ...
+/// ... by this fraction of the self-influence, ...
 /// origin: reasoned: small beside the diagonal, so that a step is shortened by a tenth.
 inline constexpr double first_damping = 0.1;
 
@@ -108,16 +110,17 @@ inline constexpr std::size_t min_cascade_side = 6;
 /// to 6 % more with 0.01 and 2 % with 0.007.
 inline constexpr double cascade_tolerance = 0.005;
 
-/// From this tolerance on single precision is used.
-/// origin: derived: rounding in single precision leaves a residual of some 1e-6.
+/// Single precision is used for this tolerance and coarser ones.
+/// origin: derived: rounding in single precision leaves a residual of about 1e-6.
 inline constexpr double single_precision_tolerance = 1e-4;
 
 /// Elements that span a patch on the grid its flexibilities are computed on, at most: along, ...
 /// origin: measured (60 patches of compare_creep_models, against 128 x 64): flexibilities are off
-/// by 1.4 to 2.6 % rms, with half as many by 3 to 7 %, which shows beside the springs' own error.
+/// by 1.4 to 2.6 % rms, with half the number by 3 to 7 %, which shows beside the springs' own
+/// error.
 inline constexpr std::size_t flexibility_elements_along = 32;
 /// ... and across.
-/// origin: derived: half as many, as in the measurement.
+/// origin: derived: half the number along, as in the measurement.
 inline constexpr std::size_t flexibility_elements_across = flexibility_elements_along / 2;
 
 /// Tolerance of the solutions without slip that flexibilities are taken from.

@@ -60,7 +60,7 @@ CreepForces shen_hedrick_elkins_forces(const RollingEllipse& ellipse,
                                        const KalkerCoefficients& coefficients,
                                        const Creepages& creepages);
 
-/// Shares of Kalker's stiffness that Polach's law keeps: 1 on clean surfaces, less on wet ones.
+/// Fractions of Kalker's stiffness in Polach's law: 1 on clean surfaces, less on wet ones.
 struct PolachReduction {
   double adhesion = 1.0; ///< kA
   double slip = 1.0;     ///< kS, at most kA

@@ -1,13 +1,13 @@
 /// FASTSIM: rolling contact on a bed of springs (Kalker 1982, A Fast Algorithm for the Simplified
 /// Theory of Rolling Contact, VSD 11, 1-13), on an ellipse and on any patch.
 ///
-/// Displacements are u = L q at each place, so that along a strip of constant y, from its leading
+/// Displacements are u = L q at each point, so that along a strip of constant y, from its leading
 /// edge downstream,
 ///   dq/dx = w/L where it sticks;  q = -mu p s/|s| where it slips,
 /// with the frame, signs and units of rolling_contact.hpp. Three flexibilities L1, L2, L3 serve the
 /// longitudinal and lateral creepage and the spin. On an ellipse, as Kalker has it,
 ///   w/L = (xi/L1 - phi y/L3, eta/L2 + phi x/L3).
-/// On any patch spin is taken for what it is to a strip, whose middle is at xs: longitudinal and
+/// On any patch, spin acts on a strip as it does about the strip's middle, xs: longitudinal and
 /// lateral creepage, and a rest that turns about the middle,
 ///   w/L = ((xi - phi y)/L1, (eta + phi (xs + x0))/L2 + phi (x - xs)/L3),
 /// which on ellipses is nearer to the full theory than Kalker's. The flexibilities are chosen so
@@ -57,16 +57,16 @@ FastsimForces fastsim_forces(const RollingEllipse& ellipse, const Flexibilities&
 
 /// Strip by strip on the problem's own pressures, each strip (each part of it, where it has gaps)
 /// from its own leading edge. For steady rolling: throws Error(invalid_argument) for other motions,
-/// for flexibilities that are not positive, and as check_problem does. What the full solver tells
-/// of its iteration is 0, and `converged`.
+/// for flexibilities that are not positive, and as check_problem does. Numbers of the full solver's
+/// iteration are 0, and the solution is `converged`.
 RollingSolution solve_with_fastsim(const RollingProblem& problem,
                                    const Flexibilities& flexibilities);
 
 /// Flexibilities with which FASTSIM has on this very patch, without slip, the Fx of xi, the Fy of
 /// eta and the Fy of phi of the full theory: from three solutions without slip on a coarse grid.
-/// About the place where Fy of phi and Mz of eta are C23 and -C23, as Kalker's are about the middle
-/// of an ellipse, L3 follows from C23; how far that place is ahead of the springs' is x0.
-/// They do not depend on pressures, friction and creepages, only on which elements are in contact:
+/// About the point where Fy of phi and Mz of eta are C23 and -C23, as Kalker's are about the middle
+/// of an ellipse, L3 follows from C23; the distance of that point ahead of the springs' is x0. They
+/// do not depend on pressures, friction and creepages, only on which elements are in contact:
 /// compute them once for a patch. No ellipse is assumed. Throws as check_problem does.
 Flexibilities flexibilities_of(const RollingProblem& problem, RollingSolver& solver);
 

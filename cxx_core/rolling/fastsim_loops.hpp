@@ -21,7 +21,7 @@ struct EllipseStrips {
   double half_length[strip_group]; ///< 0: no strip
   double change_x[strip_group];    ///< of the traction over a step in adhesion
   double change_y[strip_group];
-  double change_y_by_spin[strip_group]; ///< times the place between -1 and 1 along the strip
+  double change_y_by_spin[strip_group]; ///< times the position between -1 and 1 along the strip
 };
 
 /// Sums over the slices of each strip of a group, added up over the strips with their areas.
@@ -29,11 +29,11 @@ struct StripSums {
   double x = 0.0;        ///< tractions, weighted with half the strip's length
   double y = 0.0;        ///< likewise
   double moment = 0.0;   ///< of the lateral tractions about the middle, with its square
-  double moment_x = 0.0; ///< of the longitudinal tractions, with the strip's place across
+  double moment_x = 0.0; ///< of the longitudinal tractions, by the strip's lateral position
   double slipping = 0.0; ///< number of slices on the bound, weighted with half the length
 };
 
-/// `place`: of each strip across the ellipse, in lateral semi-axes.
+/// `place`: lateral position of each strip across the ellipse, in lateral semi-axes.
 StripSums march_ellipse(const EllipseStrips& strips, const double* place, std::size_t slices);
 
 /// What a march over a rectangle of elements is given.

@@ -31,7 +31,7 @@ std::vector<double> edge_places(const Real* bound, const Real* covered, const Tr
   return places;
 }
 
-/// What an edge advances from strip to strip, in the mean of both sides or on one.
+/// Distance that an edge advances from strip to strip, on average of both sides or on one.
 double advance_at(const std::vector<double>& places, std::size_t column) {
   double sum = 0.0;
   int sides = 0;
@@ -44,8 +44,8 @@ double advance_at(const std::vector<double>& places, std::size_t column) {
   return sides > 0 ? std::abs(sum) / sides : 0.0;
 }
 
-/// The share that counts: more for an oblique edge, by `edge_advance` times its slope in the mean
-/// of all shares, and none where there is none to share, so that nothing steps as edges move on.
+/// The effective covered fraction: more for an oblique edge, on average by `edge_advance` times its
+/// slope, and nothing for an uncovered or a whole element, so that nothing steps as edges move on.
 double advanced_share(double covered, double slope) {
   constexpr double most = 1.0 / 6.0; // with which 1 is reached with slope 0
   return covered + std::min(edge_advance * slope, most) * 6.0 * covered * (1.0 - covered);
@@ -64,12 +64,12 @@ double edge_traction_ratio(double covered) {
 
 double edge_compliance_rate(double compliance, double covered) {
   const double unit = 2.0 / std::numbers::pi * edge_stiffening;
-  const double inverse = 1.0 + compliance / unit; // of the share as the edge is found
+  const double inverse = 1.0 + compliance / unit; // of the fraction as the edge is found
   const double c = std::clamp(covered, min_edge_share, 1.0);
   if (!(compliance > 0.0)) {
     return 0.0;
   }
-  const double advanced = 1.0 / inverse - c; // in shares of c (1 - c)
+  const double advanced = 1.0 / inverse - c; // in fractions of c (1 - c)
   return -unit * inverse * inverse * (1.0 + advanced * (1.0 - 2.0 * c) / (c * (1.0 - c)));
 }
 

@@ -72,7 +72,7 @@ struct SpringSums {
   double force = 0.0;        ///< of one creepage, against it
   double longitudinal = 0.0; ///< where it acts
   double lateral = 0.0;
-  double spin = 0.0; ///< lateral force of spin about that place, against it
+  double spin = 0.0; ///< lateral force of spin about that point, against it
 };
 
 SpringSums spring_sums(const ContactElements& elements) {

@@ -8,7 +8,7 @@
 namespace wrc {
 namespace {
 
-/// Of the coefficients by the logarithm of the ratio of lateral to longitudinal steps.
+/// Derivative of the coefficients by the logarithm of the ratio of lateral to longitudinal steps.
 TractionTable table_by_aspect(double aspect, const TractionShape& shape) {
   const auto table = [&](double factor) {
     return traction_table(factor * aspect, shape.table_rows(), shape.table_columns());
@@ -110,7 +110,7 @@ private:
            (at < solved_.pitch() || !(solved_.bound()[at - solved_.pitch()] > Real{0}));
   }
 
-  /// Growth of edge_traction_ratio, which is c^(-1/2) but for a factor.
+  /// Growth of edge_traction_ratio, which is c^(-1/2) except for a factor.
   [[nodiscard]] double ratio_growth(const ProblemRate& rate, std::size_t at,
                                     std::size_t index) const {
     const bool moves = has_moving_edge(rate, at) && problem_.covered[index] > min_edge_share;
@@ -132,7 +132,7 @@ private:
     });
   }
 
-  /// Of those under pressure; first their place in the fields.
+  /// Visits elements under pressure; the first argument is their index in the fields.
   template <class Visit> void for_each_element(const ProblemRate& rate, const Visit& visit) const {
     const Grid& grid = problem_.grid;
     for (std::size_t row = 0; row < solved_.shape().rows; ++row) {

@@ -17,7 +17,7 @@ namespace wrc {
 
 namespace {
 
-/// Bound and covered shares on the coarser grid: means of two by two elements.
+/// Bound and covered fractions on the coarser grid: means of two by two elements.
 template <typename Real> void coarsen(TractionNewton<Real>& fine, TractionNewton<Real>& coarse) {
   const auto average = [&](const Real* from, Real* to) {
     std::fill_n(to, coarse.size(), Real{0});

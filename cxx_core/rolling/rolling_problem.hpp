@@ -51,8 +51,9 @@ struct ProblemRate {
   double lateral_first = 0.0;
   double lateral_step = 0.0;
   std::vector<double> pressure{}; ///< MPa per element; without effect where there is none
-  std::vector<double> covered{};  ///< share per element; empty: the edge stays in its element
-  std::vector<double> slip_x{};   ///< of the slip given for each element; empty: it stays
+  std::vector<double>
+      covered{}; ///< covered fraction per element; empty: the edge stays in its element
+  std::vector<double> slip_x{}; ///< of the slip given for each element; empty: it stays
   std::vector<double> slip_y{};
   std::vector<double> weight_x{}; ///< of the weights of each element; empty: they stay
   std::vector<double> weight_y{};
@@ -61,9 +62,9 @@ struct ProblemRate {
 struct RollingProblem {
   Grid grid;
   std::span<const double> pressure; ///< MPa per element, >= 0
-  /// Share of each element along x that is in contact, 0 to 1, where pressures are means over
+  /// Fraction of each element along x that is in contact, 0 to 1, where pressures are means over
   /// elements along x, and contact ends at the grid's lateral edges; empty: contact ends between
-  /// elements. Of steady rolling (leading_edge.hpp).
+  /// elements. For steady rolling (leading_edge.hpp).
   std::span<const double> covered;
   double friction = 0.3;      ///< mu, >= 0
   double shear_modulus = 0.0; ///< G, MPa: 1/G = (1/G1 + 1/G2)/2
@@ -110,8 +111,8 @@ struct RollingSolution {
   std::array<double, 9> by_creepage{};
   double weighted_force = 0.0;                  ///< sum of tractions times the problem's weights, N
   std::array<double, 3> weighted_by_creepage{}; ///< likewise on request
-  /// Of Fx, Fy (N), Mz (N mm) and the weighted force by each of the problem's rates, in the same
-  /// way.
+  /// Derivatives of Fx, Fy (N), Mz (N mm) and the weighted force by each of the problem's rates, in
+  /// the same way.
   std::vector<std::array<double, 4>> by_rate;
   double slip_area = 0.0;     ///< mm^2
   double adhesion_area = 0.0; ///< mm^2
@@ -120,7 +121,7 @@ struct RollingSolution {
   /// bodies including the displacement by pressures.
   double friction_power = 0.0;
   double power_of_pressures = 0.0; ///< of it what pressures of unlike bodies add, N
-  double numerical_loss = 0.0;     ///< share of it that slip times traction does not show
+  double numerical_loss = 0.0;     ///< fraction of it that slip times traction does not show
   int iterations = 0;
   int convolutions = 0;  ///< on all grids
   double residual = 0.0; ///< reached by the iteration

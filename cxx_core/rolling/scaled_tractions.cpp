@@ -154,7 +154,7 @@ void ScaledTractions::take_in_pressure(LinePlans& plans) {
   }
 }
 
-/// Of the elements that strips begin with, as far as the one ahead is not covered.
+/// Applies to the elements that strips begin with, as far as the one ahead is not covered.
 void ScaledTractions::lessen_first_elements(const std::vector<double>& pressure) {
   const TractionShape& shape = box_.shape;
   const auto covered = [&](std::size_t row, std::size_t column) {

@@ -30,8 +30,8 @@ SlipDifferenceWeights difference_of(const RollingProblem& problem, double times 
 double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
                        TangentialMotion motion);
 
-/// Lever of a strip's longitudinal tractions about the origin, on a grid with this first place and
-/// step. A strip stands for its middle, and sums of middles exceed the moment by h^2/24 of the
+/// Lever of a strip's longitudinal tractions about the origin, on a grid with this first position
+/// and step. A strip stands for its middle, and sums of middles exceed the moment by h^2/24 of the
 /// slope that y Q(y) ends with, Q the strip's force: where contact ends at the grid's lateral
 /// edges, Q falling to 0, that is a twelfth of the outermost strips' distances from the middle
 /// (midpoint rule with the end correction of Euler and Maclaurin). Forces need no such correction:
@@ -45,7 +45,7 @@ void sum_up(const RollingProblem& problem, double pressure_power, RollingSolutio
 
 class ScaledTractions {
 public:
-  /// The elements in contact, by their place in the problem's grid.
+  /// The elements in contact, by their indices in the problem's grid.
   struct Box {
     TractionShape shape;
     std::size_t first_longitudinal = 0;
@@ -75,7 +75,7 @@ public:
   [[nodiscard]] double mean_share(std::size_t element, double bound) const;
 
   template <typename Real> void fill_bound(Real* bound, std::size_t pitch) const;
-  /// The problem's shares in contact; only if there are any.
+  /// The problem's covered fractions; only if there are any.
   template <typename Real> void fill_covered(Real* covered, std::size_t pitch) const;
   /// Rigid slip at the centres of elements 2^level times as large, x components first.
   template <typename Real>

@@ -7,7 +7,7 @@
 /// solutions on one grid, with and without it, and added to the pressures given: so these may come
 /// from another grid, or from patches that interact.
 /// Units mm, N, MPa. Thread rule: as the solvers'.
-/// Not known here: that the load's share of a patch changes, and its plane.
+/// Not known here: that the fraction of the load on a patch changes, and its plane.
 #pragma once
 
 #include <vector>

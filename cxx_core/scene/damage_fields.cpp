@@ -13,7 +13,7 @@ using namespace dimensions;
 
 using Values = std::vector<double>;
 
-/// A number at each place of the section of stresses, places running fastest.
+/// A number at each point of the section of stresses, positions along it running fastest.
 template <class Number>
 Values section_field(const WheelDetails& side, const PatchResult& patch, Number&& number) {
   const StressSection section = stress_section(side, patch);

@@ -24,7 +24,7 @@ inline constexpr auto of_fatigue = member_of_part<&ContactDamage::fatigue, path.
 
 using OfDamage = Number<ContactDamage>;
 
-/// Of a patch, or the worst of a wheel's.
+/// Numbers of a patch, or the worst of a wheel's.
 inline constexpr std::array damage_numbers{
     OfDamage{"stress.von_mises_max", stress, of_stress<&GreatestStress::von_mises>},
     OfDamage{"stress.shear", stress, of_stress<&GreatestStress::shear>},

@@ -1,5 +1,5 @@
-/// Makers of the usual keys: a number, a number in two places, a list of three, a word, a number or
-/// a word.
+/// Makers of the usual keys: a number, a number held twice, a list of three, a word, a number or a
+/// word.
 ///
 /// Thread rule: pure functions.
 #pragma once
@@ -24,7 +24,7 @@ struct Range {
   double max;
 };
 
-/// A number with one place in the scene: a member, or a function of a scene, const or not.
+/// A number that a scene holds once: a member, or a function of a scene, const or not.
 template <class Place>
 Key number_key(KeyDescription description, Range range, Dimension dimension, Place place) {
   Key key;
@@ -37,7 +37,7 @@ Key number_key(KeyDescription description, Range range, Dimension dimension, Pla
   return key;
 }
 
-/// A number that is held in two places, of wheel and rail or left and right.
+/// A number that a scene holds twice, for wheel and rail or left and right.
 template <class Place, class Other>
 Key number_key(KeyDescription description, Range range, Dimension dimension, Place place,
                Other other) {

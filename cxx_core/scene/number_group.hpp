@@ -24,7 +24,7 @@ enum class NumberGroup : std::uint8_t {
   side_damage,
   near_contact,
   patch,
-  reference, ///< place of a patch
+  reference, ///< position of a patch
   patch_centroid,
   creep,
   damage

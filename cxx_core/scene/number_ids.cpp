@@ -89,7 +89,7 @@ constexpr std::size_t size_of(NumberGroup group) {
   return with_table(group, [](const auto& table) { return table.size(); });
 }
 
-/// Whether nothing is said that the group has no place for.
+/// Whether an id names nothing that its group lacks.
 bool is_consistent(const NumberId& id) {
   return id.group <= NumberGroup::damage && id.entry < size_of(id.group) &&
          (!id.right || id.group >= NumberGroup::side) &&

@@ -159,7 +159,7 @@ inline const PatchResult& first_patch(const WheelResult& wheel) {
   return wheel.patches.empty() ? zeros : wheel.patches.front();
 }
 
-/// Of the rail on the wheel: by pressures and creep forces, where the mechanics have run.
+/// Force of the rail on the wheel, by pressures and creep forces, where the mechanics have run.
 inline Vector3 force_on(const WheelResult& wheel) {
   return wheel.total ? wheel.total->force : wheel.force;
 }

@@ -18,8 +18,8 @@ struct FoundPatch {
   const PatchResult* patch;
 };
 
-/// Those of the left wheel first, each wheel's in the order of their places on it from the flange
-/// on: they keep their order from step to step.
+/// Patches of the left wheel first, each wheel's from the flange to the field side: their order
+/// stays the same from step to step.
 std::vector<FoundPatch> ordered_patches(const SceneResult& result);
 
 /// The members of wrc_patch in their order. Further ones go to the end.
@@ -41,7 +41,7 @@ inline constexpr std::array patch_summary_names = std::to_array<std::string_view
 /// Zeros where there is no number, such as creep forces that were not requested.
 using PatchSummary = std::array<double, patch_summary_names.size()>;
 
-/// Of all patches, as ordered_patches.
+/// Summaries of all patches, as ordered_patches.
 std::vector<PatchSummary> patch_summaries(const SceneResult& result, const Convention& convention);
 
 } // namespace wrc

@@ -61,7 +61,7 @@ inline constexpr std::array creep_columns{
     Variable{"spin", -1, true, " mm"}, Variable{"normal_force", 0, false, "/N"},
     Variable{"friction", 0, false, ""}};
 
-/// Of a force, or of a force times lengths, by a column.
+/// Dimension of a force, or of a force times lengths, by a column.
 constexpr Dimension rate_of(const Variable& row, const Variable& column,
                             std::string_view unit = {}) {
   constexpr std::array quantities{Quantity::stiffness, Quantity::number, Quantity::moment,

@@ -40,7 +40,7 @@ Values creep_places(const WheelDetails& side, const PatchResult& patch) {
   return patch.creep ? places_on<coordinate>(patch.creep->grid, side, patch) : Values{};
 }
 
-/// Of the creep grid; empty without creep forces, and of a patch with parts.
+/// A field on the creep grid; empty without creep forces, and for a patch with parts.
 template <Values CreepResult::*field>
 Values creep_field(const WheelDetails& /*side*/, const PatchResult& patch) {
   return patch.creep ? (*patch.creep).*field : Values{};
@@ -61,7 +61,8 @@ Values undeformed_distance(const WheelDetails& side, const PatchResult& patch) {
   return patch.parts.empty() ? patch.undeformed_distance : combined_distance(patch, side);
 }
 
-/// Of inclined rows (remesh/row_scales.hpp); 1 of a contact with parts, which have their own.
+/// Scale of inclined rows (remesh/row_scales.hpp); 1 for a contact with parts, which have their
+/// own.
 Values row_scale(const WheelDetails& /*side*/, const PatchResult& patch) {
   return scales_of_elements(patch);
 }

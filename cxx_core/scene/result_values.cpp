@@ -98,7 +98,7 @@ std::optional<WheelForce> wheelset_force(const SceneResult& result) {
   return WheelForce{left.force + right.force, left.moment + right.moment};
 }
 
-/// Of a table, those of an owner; without one, those that are always there.
+/// Values of a table for an owner; without one, those that are always there.
 template <class Owner, std::size_t count>
 void add_names(std::vector<std::string>& names, const std::string& prefix,
                const std::array<Number<Owner>, count>& table,
@@ -145,7 +145,7 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
   if (side.solved) {
     add_names(names, prefix + "residuals.", residual_numbers);
   }
-  // Of solutions that have not converged they may be no numbers; others are not computed for a
+  // Results of solutions that have not converged may be not-a-number; others are not computed for a
   // name.
   const bool converged = side.stop_reason == StopReason::tolerance_met;
   if (side.solved && !side.patches.empty() && !side.validity &&

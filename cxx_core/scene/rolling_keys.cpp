@@ -12,12 +12,12 @@ namespace {
 using namespace dimensions;
 using namespace key_makers;
 
-/// Of a coefficient of friction.
+/// Largest coefficient of friction.
 /// origin: bound: ten times that of clean steel.
 constexpr double max_friction = 10.0;
 
-/// Places on a wheel at which friction may be given, each two numbers.
-/// origin: bound: one for each millimetre and more.
+/// Positions on a wheel at which friction may be given, each two numbers.
+/// origin: bound: more than one per millimetre.
 constexpr std::size_t max_friction_places = 256;
 
 using Sides = std::vector<SceneSide Scene::*>;
@@ -59,7 +59,7 @@ std::vector<FrictionAtPlace> friction_places(std::span<const double> values,
   return places;
 }
 
-/// The coefficient of friction by place on the wheel.
+/// The coefficient of friction by position on the wheel.
 Key friction_places_key(std::string_view name, std::string_view meaning, const Sides& sides) {
   Key key;
   key.description = {name, "\"none\"",

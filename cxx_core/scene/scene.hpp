@@ -56,7 +56,7 @@ struct SceneSide {
   /// Instead: all of it, creep forces included (scene/total_load.hpp).
   std::optional<double> total_load;
   FrictionLaw friction;
-  /// Of all patches, at their references; without any on both sides: from `motion`.
+  /// Creepages of all patches, at their references; without any on both sides: from `motion`.
   std::optional<Creepages> creepages;
 };
 

@@ -15,7 +15,7 @@ using namespace key_makers;
 
 using Sides = std::vector<SceneSide Scene::*>;
 
-/// The name of a profile on one or both sides, or one given by the program in its place.
+/// The name of a profile on one or both sides, or a profile given by the program.
 Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice SceneSide::*choice,
                 const Sides& sides) {
   const auto set = [choice, sides](Scene& scene, std::string_view name,

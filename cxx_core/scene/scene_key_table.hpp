@@ -12,7 +12,7 @@ namespace wrc {
 /// All keys, in the order of a scene file: those of one side after those of both. Built by each
 /// call.
 std::vector<Key> make_scene_keys();
-/// Of them, those of loads.
+/// The keys of loads among them.
 std::vector<Key> make_load_keys();
 /// Those of friction, creepages and speed.
 std::vector<Key> make_rolling_keys();

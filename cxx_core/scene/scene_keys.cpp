@@ -163,7 +163,7 @@ void set_text(Scene& scene, std::string_view name, std::string_view value) {
 void set_numbers(Scene& scene, std::string_view name, std::span<const double> values) {
   const Key& key = find_key(name);
   if (!key.set_numbers || !key.set_numbers(scene, values)) {
-    // Of a list of any length only the start is shown.
+    // Largest number of entries shown of a list of any length.
     constexpr std::size_t max_named = 4;
     std::string text = "[";
     for (const double value : values.first(std::min(values.size(), max_named))) {

@@ -26,14 +26,14 @@ void set_number(Scene& scene, std::string_view key, double value);
 void set_text(Scene& scene, std::string_view key, std::string_view value);
 void set_numbers(Scene& scene, std::string_view key, std::span<const double> values);
 
-/// Id of a key: its place in scene_keys(). Throws Error(unknown_name).
+/// Id of a key: its index in scene_keys(). Throws Error(unknown_name).
 std::int32_t key_id(std::string_view key);
 /// As set_number for each key by its id, in this order; if one is refused, none is set. One
 /// value for each id. Throws Error(invalid_argument).
 void set_numbers_by_id(Scene& scene, std::span<const std::int32_t> ids,
                        std::span<const double> values);
 
-/// "track.rail" or "wheelset.wheel": a profile of that kind, in place of one by name.
+/// "track.rail" or "wheelset.wheel": a profile of that kind, instead of one by name.
 void set_profile(Scene& scene, std::string_view key, const Profile& profile);
 
 } // namespace wrc

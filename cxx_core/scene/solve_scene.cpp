@@ -117,7 +117,7 @@ struct WheelTask {
                : solve_wheel(*surfaces.wheel, *surfaces.rail, equilibrium, request, solver);
   }
 
-  /// In place of a result under another load, whose cost counts, too.
+  /// Replaces a result under another load, whose cost counts, too.
   void complete(WheelSolution solution, const SideEquilibrium& equilibrium, StageMilliseconds& time,
                 std::optional<SceneWheel>& wheel) const {
     time.remesh += 1e3 * solution.times.remesh;
@@ -294,8 +294,7 @@ void SceneSolver::State::solve_wheels(const Scene& scene, const SceneSurfaces& s
   }
 }
 
-/// Normal contact and creep forces under the loads that are given or sought, and what follows from
-/// them.
+/// Normal contact and creep forces under the given or unknown loads, and results derived from them.
 void SceneSolver::State::solve_contact(const Scene& scene, const SceneSurfaces& surfaces,
                                        const ModelChoice& model,
                                        const WheelsetEquilibrium& equilibrium,

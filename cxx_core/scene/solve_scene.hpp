@@ -44,8 +44,8 @@ public:
                           const Creepages& creepages, bool derivatives);
   /// Drops everything that is kept.
   void forget();
-  /// One more, for another thread: both share profiles, influence coefficients and plans, and
-  /// either may be used, forgotten or destroyed at any time.
+  /// Another one, for another thread: both share profiles, influence coefficients and plans, and
+  /// either may be used, cleared or destroyed at any time.
   [[nodiscard]] SceneSolver beside() const;
 
 private:

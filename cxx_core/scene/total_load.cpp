@@ -15,8 +15,8 @@ namespace {
 constexpr double total_tolerance = 1e-6;
 constexpr double total_share = 0.01;
 
-/// Solutions after which that share of the accuracy will do, ...
-/// origin: reasoned: twice as many as are needed where nothing jumps.
+/// Number of solutions after which that fraction of the accuracy suffices, ...
+/// origin: reasoned: twice the number needed if nothing jumps.
 constexpr int usual_solutions = 12;
 /// ... and after which there is no load.
 /// origin: bound: bisections of a jump down to the tolerance take 20 more.
@@ -33,7 +33,7 @@ constexpr double largest_growth = 4.0;
 
 constexpr std::array<const char*, 2> total_keys{"load.total_left", "load.total_right"};
 
-/// What may be left of a total after so many solutions, as a share of it.
+/// Permitted error of a total after this number of solutions, as a fraction of it.
 double permitted_share(int solutions, double accuracy) {
   return solutions <= usual_solutions  ? std::min(total_tolerance, total_share * accuracy)
          : solutions <= most_solutions ? total_share * accuracy

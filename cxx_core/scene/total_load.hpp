@@ -75,7 +75,7 @@ private:
   int solutions_ = 0;
 };
 
-/// The loads of a scene's wheels, those that are given and those that are sought.
+/// The loads of a scene's wheels, given ones and those to be found.
 class WheelLoads {
 public:
   /// `left`, `right`: whether there is such a wheel.
@@ -86,7 +86,7 @@ public:
   /// Whether a wheel has to be solved at its load (again).
   [[nodiscard]] bool is_open(std::size_t wheel) const { return open_[wheel]; }
   [[nodiscard]] bool any_open() const { return open_[0] || open_[1]; }
-  /// Whether any load is sought.
+  /// Whether any load is to be found.
   [[nodiscard]] bool are_sought() const { return joint_ || single_[0] || single_[1]; }
   /// Takes what all contact forces of the wheels carry under these loads.
   void take(const WheelNumbers& totals);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace dimensions;
 
-/// Of the columns of a Jacobian, those of positions and velocities; none: nothing depends on it.
+/// The columns of a Jacobian that belong to positions and velocities; none: nothing depends on it.
 using Columns = std::array<std::optional<StateVariable>, 6>;
 constexpr Columns position_columns{
     std::nullopt,        StateVariable::lateral, StateVariable::vertical,

@@ -1,7 +1,7 @@
 /// One evaluation of a vehicle simulation: positions and velocities of a wheelset in, forces and
 /// Jacobians out, as plain arrays.
 ///
-/// Numbers are in the scene's convention (scene/convention.hpp). Thread rule: pure functions but
+/// Numbers are in the scene's convention (scene/convention.hpp). Thread rule: pure functions except
 /// for the result, one thread at a time.
 #pragma once
 
@@ -28,7 +28,7 @@ struct VehicleState {
   bool derivatives = false; ///< whether Jacobians are wanted
 };
 
-/// Of one wheel; zeros without contact.
+/// Forces of one wheel; zeros without contact.
 struct WheelForces {
   SixNumbers force{}; ///< on the wheel, and its moment about the wheelset's centre
   /// Derivatives of the six by each position and each velocity: by x, by y, ...
@@ -49,8 +49,8 @@ Scene scene_at(const Scene& scene, const VehicleState& state);
 /// Left and right.
 std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& convention,
                                         bool derivatives);
-/// Of a patch in the order of ordered_patches (scene/patch_summary.hpp), with friction, accuracy
-/// and model of the scene. Throws Error(invalid_argument).
+/// Creep forces of a patch in the order of ordered_patches (scene/patch_summary.hpp), with
+/// friction, accuracy and model of the scene. Throws Error(invalid_argument).
 PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t index,
                     const std::array<double, 3>& creepages, bool derivatives, SceneSolver& solver);
 
