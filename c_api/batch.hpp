@@ -40,9 +40,9 @@ wrc_status take_all(Handle* const* handles, int64_t count, HandlesInUse<Handle>&
   return WRC_OK;
 }
 
-/// What is to be done by index, on up to so many threads, each with a worker of its own, which
-/// `make_worker` gives. Statuses (or null) are what the worker returns for an index. The first one
-/// that is not WRC_OK.
+/// Calls a worker for each index on up to `threads` threads; each thread has its worker from
+/// `make_worker`. Statuses (or null) hold what the worker returns for an index. Returns the first
+/// status that is not WRC_OK.
 template <class MakeWorker>
 wrc_status run_all(std::size_t count, int32_t threads, wrc_status* statuses,
                    const MakeWorker& make_worker) {

@@ -50,7 +50,7 @@ Grid checked_grid(std::int64_t lateral_count, std::int64_t longitudinal_count, d
                   double longitudinal_step);
 
 /// Copies `count` values; throws Error(invalid_argument) for NULL, a count that no grid has, and
-/// the first value that is not permitted, with the text of what is.
+/// the first value that is not permitted, with the text of permitted values.
 std::vector<double> copied(const char* name, const double* values, std::int64_t count,
                            bool (*permitted)(double), const char* allowed);
 
@@ -75,8 +75,8 @@ const auto& entry_in(const Table& table, const char* what, const char* contact,
   refuse_name(what, contact, name, names_in(table));
 }
 
-/// A number that can be set: its range, which may leave a gap down to 0, and the text of what is
-/// allowed.
+/// A number that can be set: its range, which may leave a gap down to 0, and the text of allowed
+/// values.
 template <class Problem> struct NumberKey {
   const char* name;
   double least;

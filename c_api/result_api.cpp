@@ -41,7 +41,7 @@ const char* text_at(const List& list, int64_t index, Text&& text) {
                    "no " + std::string(what) + " is named \"" + name + '"');
 }
 
-/// The number that ids[place] stands for; not-a-number if the scene has none.
+/// The number with the id ids[place]; not-a-number if the scene has none.
 double number_by_id(wrc::SceneObject& scene, const int32_t* ids, std::size_t place) {
   const auto id = wrc::unpack(ids[place]);
   if (!id) {

@@ -68,11 +68,11 @@ module wrcontact
     type(c_ptr) :: handle = c_null_ptr
     integer :: kind = 0
     integer :: references = 0
-    !> Of a normal or rolling contact: elements along and across the rail, and those when it was
-    !> last solved; shapes of distances or pressures, slips and previous tractions, if of rank 2 (else 0).
+    !> A normal or rolling contact: elements along and across the rail, and those when it was last solved; shapes of
+    !> distances or pressures, slips and previous tractions, if of rank 2 (else 0).
     integer(c_int64_t) :: grid(2) = 0, solved(2) = 0, given(2) = 0, slip(2) = 0, &
       previous(2) = 0
-    !> Of a rolling contact: whether it needs previous tractions.
+    !> Whether a rolling contact needs previous tractions.
     logical :: in_steps = .false.
   end type shared_handle
 

@@ -118,7 +118,7 @@
 !
 ! If a call fails, numbers keep their values and texts become blank.
 
-! The C interface, and what the subroutines share.
+! The C interface, and code common to the subroutines.
 module wrcontact_f77_c
   use, intrinsic :: iso_c_binding
   implicit none

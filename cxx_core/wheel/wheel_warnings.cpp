@@ -70,9 +70,9 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
                             ", error of the pressures " + short_text_of(solution.pressure_error)});
   }
   if (request.solver == SolverChoice::paper && solution.patches.size() > 1) {
-    warnings.push_back(
-        {WarningClass::other_solver, "several patches: solved together by the default solver, "
-                                     "since solver paper solves one patch only"});
+    warnings.push_back({WarningClass::other_solver,
+                        "several patches: solved together by the default solver, "
+                        "since solver paper solves one patch only"});
   }
   if (ridge_error > request.accuracy) {
     warnings.push_back(
@@ -110,7 +110,7 @@ void warn_of_patches(const WheelRequest& request, WheelSolution& result) {
     } else if (patch.plane_error > request.accuracy) {
       warn(WarningClass::patch_turn,
            "the rail turns by " + short_text_of(patch.turn.range()) +
-               " rad within a patch, which is solved as a plane: estimated error " +
+               " rad within a patch that is solved as a plane: estimated error " +
                short_text_of(patch.plane_error));
     }
   }

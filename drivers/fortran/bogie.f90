@@ -159,7 +159,7 @@ contains
     if (save_to /= '') call write_state(last*h, u)
   end subroutine run
 
-  !> Of the first wheelset of a centred bogie: no force but a drag that takes the power of the spin.
+  !> Balance of the first wheelset of a centred bogie: no force except a drag that supplies the power of the spin.
   subroutine print_balance()
     type(contact_patch) :: patches(8)
     real(real64) :: total(6), power

@@ -29,12 +29,12 @@ module bogie_model
   real(real64), parameter :: frame_mass = 2600, frame_inertia(3) = [1700, 1500, 3000]
   real(real64), parameter :: axle_load = 1.1e5_real64 !< on the track, weight of the wheelset included
   real(real64), parameter :: half_wheelbase = 1.28_real64
-  !> Of an axle box: springs and dampers along, across and vertically; their place from the frame's
-  !> centre, from that of the wheelset sideways alone.
+  !> Axle box: springs and dampers along, across and vertically; their position from the frame's centre, and only
+  !> sideways from that of the wheelset.
   real(real64), parameter :: box_stiffness(3) = [1.2e7_real64, 4.0e6_real64, 1.2e6_real64]
   real(real64), parameter :: box_damping(3) = [1.2e4_real64, 4.0e3_real64, 1.0e4_real64]
   real(real64), parameter :: box_side = 1.0_real64, box_height = -0.1_real64
-  !> Of a side, between frame and car body.
+  !> One side, between frame and car body.
   real(real64), parameter :: body_stiffness(3) = [1.6e5_real64, 1.6e5_real64, 4.3e5_real64]
   real(real64), parameter :: body_damping(3) = [1.0e5_real64, 3.0e4_real64, 3.0e4_real64]
   real(real64), parameter :: body_side = 1.0_real64, body_height = 0.3_real64
@@ -49,7 +49,7 @@ module bogie_model
     5.5_real64, 0.1_real64, 2.6_real64, 4.4_real64, 0.7_real64], [4, 2, 2])
   real(real64), parameter :: run_in = 20
 
-  !> Of a wheelset's numbers in a step of the library those that are states: y, z, roll, yaw.
+  !> States among a wheelset's numbers in a step of the library: y, z, roll, yaw.
   integer, parameter :: free(4) = [2, 3, 4, 6]
 
   type bogie
@@ -100,7 +100,7 @@ contains
     end do
   end subroutine make
 
-  !> How a point of a body moves with the positions: translation + angles x place.
+  !> How a point of a body moves with the positions: translation + angles x position.
   pure function motion_at(body, place) result(motion)
     integer, intent(in) :: body !< before its first position
     real(real64), intent(in) :: place(3)
@@ -193,7 +193,7 @@ contains
     difference_step = steps(j)
   end function difference_step
 
-  !> Places in u of y, z, roll, yaw, their rates and the pitch rate of a wheelset.
+  !> Indices in u of y, z, roll, yaw, their rates and the pitch rate of a wheelset.
   pure function states_of(wheelset) result(at)
     integer, intent(in) :: wheelset
     integer :: at(9), i

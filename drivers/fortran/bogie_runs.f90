@@ -16,8 +16,8 @@ module bogie_runs
 
   real(real64), parameter :: g = 1 - sqrt(0.5_real64)
   integer, parameter :: n = state_count, max_iterations = 12, max_halvings = 10
-  !> Of corrections, in m, rad, m/s, rad/s, over the accuracy of contact forces: these then follow
-  !> from the state to some hundredths of their uncertainty, 10 N of 160 kN at 1e-2.
+  !> Tolerance of corrections, in m, rad, m/s, rad/s, over the accuracy of contact forces: these then follow from the
+  !> state to some hundredths of their uncertainty, 10 N of 160 kN at 1e-2.
   real(real64), parameter :: tolerance = 1.0e-6_real64
   !> Velocities change creep forces less than positions normal ones: by 6e5 N s/m at 40 m/s, instead of
   !> 1e9 N/m.
@@ -140,8 +140,8 @@ contains
     vehicle%message = 'Newton''s iteration does not converge'
   end subroutine solve_stage
 
-  !> Of the motions about the centred state, linearised with the Jacobian, the oscillation that decays
-  !> least: eigenvalue in 1/s, motion, and the left eigenvector that finds its share in any motion.
+  !> The oscillation about the centred state, linearised with the Jacobian, that decays least: eigenvalue in 1/s,
+  !> motion, and the left eigenvector that gives its amplitude in any motion.
   subroutine least_stable_mode(vehicle, u, eigenvalue, mode, share, failed)
     type(bogie), intent(inout) :: vehicle
     real(real64), intent(inout) :: u(n) !< the centred state

@@ -1,5 +1,5 @@
-// The steps of vehicle_steps.f90 from C++, to tell what the Fortran interface costs.
-// Usage: vehicle_steps_cxx [N]
+// The steps of vehicle_steps.f90 from C++, to measure the cost of the Fortran interface. Usage:
+// vehicle_steps_cxx [N]
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -23,7 +23,7 @@ constexpr std::array input_names{"pose.lateral", "pose.yaw",        "load.left",
 constexpr std::array summed_names{
     "left.lateral_force", "right.lateral_force", "left.pmax", "right.pmax",
     "left.centroid.y",    "right.centroid.y",    "roll",      "vertical"};
-/// Of each wheel.
+/// Names per wheel.
 constexpr std::array other_names{"total.force.x",
                                  "total.force.y",
                                  "total.force.z",

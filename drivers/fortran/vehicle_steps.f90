@@ -14,7 +14,7 @@ program vehicle_steps
   character(*), parameter :: summed_names(8) = [character(20) :: 'left.lateral_force', &
     'right.lateral_force', 'left.pmax', 'right.pmax', 'left.centroid.y', 'right.centroid.y', &
     'roll', 'vertical']
-  !> Of each wheel.
+  !> Names per wheel.
   character(*), parameter :: other_names(26) = [character(34) :: 'total.force.x', &
     'total.force.y', 'total.force.z', 'total.moment.x', 'total.moment.y', 'total.moment.z', &
     'patch_count', 'normal_force', 'vertical_force', 'depth', 'angle', 'approach', 'centroid.x', &

@@ -23,7 +23,7 @@ namespace driver {
 
 namespace {
 
-/// Whether a picture has its end: gnuplot does not always tell that the disk is full.
+/// Whether a picture has its end: gnuplot does not always report a full disk.
 bool is_whole(const std::filesystem::path& path, const std::string& extension) {
   using namespace std::string_literals;
   const std::string end = extension == ".png" ? "IEND\xAE\x42\x60\x82"s : "</svg>"s;

@@ -28,10 +28,10 @@ std::string gnuplot_text(const std::string& text, Markup markup = Markup::none);
 /// A text to be inserted into one with markup, where it is to be drawn letter by letter.
 std::string without_markup(const std::string& text);
 
-/// Colours of lines, of so many in a picture: up to six that people who see colours less well tell
-/// apart too, more along the rainbow.
+/// Colours of `count` lines in a picture: up to six that colour-blind readers can distinguish, more
+/// along the rainbow.
 std::string line_colour(std::size_t index, std::size_t count = 1);
-/// Of pressures, from none to the largest.
+/// Colours of pressures, from none to the largest.
 extern const char* const pressure_palette;
 
 /// From the least to the greatest value taken in.

@@ -12,7 +12,7 @@
 
 namespace driver {
 
-/// With so many digits behind the point; never -0.
+/// With this number of digits after the point; never -0.
 inline std::string fixed(double value, int decimals) {
   std::array<char, 512> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -23,14 +23,14 @@ inline std::string fixed(double value, int decimals) {
              : text;
 }
 
-/// With so many significant digits, as streams write it.
+/// With this number of significant digits, as streams write it.
 inline std::string general(double value, int digits = 6) {
   std::array<char, 64> buffer{};
   const int length = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
   return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
-/// As a power of ten with so many digits behind the point, "-" for none.
+/// As a power of ten with this number of digits after the point, "-" for none.
 inline std::string power(const std::optional<double>& value, int decimals) {
   std::array<char, 64> buffer{};
   const int length =

@@ -26,7 +26,7 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
           whole == fs::weakly_canonical(fs::absolute(target_of(other), unknown), unknown));
 }
 
-/// Creates a new file, in place of any link of this name.
+/// Creates a new file, replacing any link of this name.
 void make_file(const fs::path& path) {
   std::error_code ignored;
   fs::remove(path, ignored);         // of a process that had our number

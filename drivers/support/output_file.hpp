@@ -24,7 +24,7 @@ public:
   [[nodiscard]] std::ofstream& stream() { return stream_; }
   /// Where the file stands until it is committed.
   [[nodiscard]] const std::filesystem::path& aside() const { return aside_; }
-  /// Puts the file in its place; throws Failure if it could not be written whole.
+  /// Renames the file to its final name; throws Failure if it could not be written whole.
   void commit();
 
 private:

@@ -11,8 +11,8 @@
 
 namespace driver {
 
-/// Calls work(i) for all i below `count` on so many threads, this one included: each takes the next
-/// i that none has taken.
+/// Calls work(i) for all i below `count` on `threads` threads, this one included: each takes the
+/// next i.
 template <class Work> void for_each_index(std::size_t count, int threads, Work work) {
   std::atomic<std::size_t> next{0};
   const auto work_on = [&] {
@@ -27,7 +27,7 @@ template <class Work> void for_each_index(std::size_t count, int threads, Work w
   work_on();
 }
 
-/// Counts what is done, and tells it at most every other second, and at the end.
+/// Counts finished work, and reports it at most every other second, and at the end.
 class ProgressLines {
 public:
   explicit ProgressLines(std::size_t count) : count_(count) {}

@@ -16,7 +16,7 @@ const std::vector<wrcontact::SceneKey>& keys() {
   return all;
 }
 
-/// What the library tells of the values of a key; nothing of an unknown one.
+/// Allowed values of a key, as the library states them; empty for an unknown key.
 std::string_view allowed(const std::string& key) {
   const auto found = std::find_if(keys().begin(), keys().end(),
                                   [&key](const auto& known) { return known.name == key; });

@@ -9,7 +9,8 @@
 
 namespace driver {
 
-/// The value below which this share of the values lies, between neighbours; NaN of none.
+/// The value below which this fraction of the values lies, interpolated between neighbours; NaN of
+/// none.
 inline double quantile(std::vector<double> values, double share) {
   if (values.empty()) {
     return std::numeric_limits<double>::quiet_NaN();

@@ -63,7 +63,7 @@ double patch_width() {
   return 2.0 * scene.number("left.patches.0.semi_axes.lateral");
 }
 
-/// Errors are judged at about this many steps, evenly spread.
+/// Errors are measured at about this many steps, evenly spread.
 std::size_t judging_stride(const Motion& motion) {
   constexpr std::size_t judged = 10;
   return std::max<std::size_t>(1, motion.poses.size() / judged);
@@ -73,8 +73,8 @@ std::vector<double> pmax_of(const driver::Scene& scene) {
   return {scene.number("left.pmax"), scene.number("right.pmax")};
 }
 
-/// pmax of both wheels at the steps that are judged, on a grid fine enough for errors of about
-/// 1e-6.
+/// pmax of both wheels at the steps where errors are measured, on a grid fine enough for errors of
+/// about 1e-6.
 std::vector<std::vector<double>> fine_pmax(const Motion& motion) {
   driver::Scene scene;
   scene.set("solve.grid", std::vector<double>{384.0, 384.0});
@@ -88,8 +88,8 @@ std::vector<std::vector<double>> fine_pmax(const Motion& motion) {
   return pmax;
 }
 
-/// The paper's method takes a second per step, so that it goes through every other judged step
-/// only.
+/// The paper's method takes a second per step, so that it solves only every other one of these
+/// steps.
 Row run(const Motion& motion, const std::string& method, double accuracy,
         const std::vector<std::vector<double>>& true_pmax) {
   const std::size_t stride = method == "paper" ? 2 * judging_stride(motion) : 1;
@@ -209,7 +209,7 @@ public:
     }
     return sum;
   }
-  /// Of the last solution.
+  /// Processor time of the last solution.
   [[nodiscard]] double processor_ms() const { return processor_ms_; }
   [[nodiscard]] std::vector<double> pressures() const {
     std::vector<double> all;

@@ -18,8 +18,8 @@ std::vector<Row> measure_vehicle_steps(const Plan& plan);
 struct Batch {
   std::vector<Row> rows; ///< one per number of threads
   double speedup = 0.0;  ///< of two threads
-  /// Of two threads that only transform, each on memory of its own: what this machine, with
-  /// whatever else goes on in it, has to give.
+  /// Speed of two threads that only transform, each in its own memory: the most that this machine
+  /// allows, with its other load.
   double machine_speedup = 0.0;
   double work_ratio = 0.0; ///< processor time of two threads over that of one
   bool bitwise_equal = false;
@@ -37,7 +37,7 @@ struct ServiceRow {
   double accuracy = 0.0;   ///< requested
   bool creep = false;      ///< with creep forces
   int steps = 0;           ///< counted: without the first one, which is cold
-  /// One wheel's greatest at the judged steps, relative.
+  /// One wheel's largest errors at these steps, relative.
   struct Errors {
     std::optional<double> depth;        ///< none if the position is prescribed
     std::optional<double> normal_force; ///< none if the load is prescribed
@@ -48,7 +48,7 @@ struct ServiceRow {
       return std::max(normal_force.value_or(0.0), lateral_force);
     }
   } errors;
-  double reference_estimate = 0.0; ///< largest error that the solutions judged against own up to
+  double reference_estimate = 0.0; ///< largest estimated error of the reference solutions
   double solutions_mean = 0.0;     ///< joint solutions of a wheel's patches in a step
   double solutions_max = 0.0;
   /// Milliseconds.

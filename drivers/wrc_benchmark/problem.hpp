@@ -34,7 +34,7 @@ struct Times {
   double mechanics = 0.0;
   double total = 0.0;
 
-  /// Of the last solution of a scene that took so long.
+  /// Times of the last solution of a scene, which took `total`.
   static Times of(const wrcontact::Scene& scene, double total) {
     const auto stage = [&scene](const char* name) {
       return scene.number(std::string("time_ms.") + name);
@@ -54,8 +54,8 @@ struct Row {
   int wheels = 1;    ///< wheels solved; 0: a gap is given, there is no wheel
   int threads = 1;
   double accuracy = 0.0;            ///< requested
-  std::optional<double> tolerance;  ///< of the iteration, if it is set by hand
-  double fill = 0.0;                ///< share of elements under pressure
+  std::optional<double> tolerance;  ///< of the iteration, if prescribed
+  double fill = 0.0;                ///< fraction of elements under pressure
   double iterations = 0.0;          ///< a wheel, all grids together
   std::optional<double> error_p;    ///< largest, relative to pmax, on the same grid
   std::optional<double> error_pmax; ///< relative, against closed form or finer grid
@@ -105,8 +105,8 @@ public:
   virtual Times solve_cold(const Settings& settings) = 0;
   /// With the handles of the last solution by this method.
   virtual Times solve_warm(const Settings& settings) = 0;
-  /// Of the last solution by a method: error of its pressures against the same grid's distances
-  /// solved to 1e-10 (above 1024x512 elements 1e-8) in double precision.
+  /// Quality of the last solution by a method: error of its pressures against the same grid's
+  /// distances solved to 1e-10 (above 1024x512 elements 1e-8) in double precision.
   virtual Quality judge(const std::string& method) = 0;
   /// Error of its pmax against the closed form, or a finer grid; none if neither can be had.
   virtual std::optional<double> error_pmax(const std::string& method) = 0;

@@ -58,10 +58,10 @@ Gap hertz_gap(double a, double b) {
   return gap;
 }
 
-/// A wheel of radius 460 mm that touches a rail's head in two places 8 mm apart, across with
+/// A wheel of radius 460 mm that touches a rail's head at two points 8 mm apart, across with
 /// relative radii of 150 and 80 mm, the second 0.02 mm farther away. Under 80 kN the contacts,
-/// which bear 70 and 30 %, reach from -7.18 to 5.80 mm across and over 6.61 mm to both sides along,
-/// as measured on 1024 x 512 elements.
+/// which carry 70 and 30 %, reach from -7.18 to 5.80 mm across and over 6.61 mm to both sides
+/// along, as measured on 1024 x 512 elements.
 double two_lobes(const Gap&, double x, double y) {
   const double first = (y + 4.0) * (y + 4.0) / (2.0 * 150.0);
   const double second = (y - 4.0) * (y - 4.0) / (2.0 * 80.0) + 0.02;

@@ -35,7 +35,7 @@ std::vector<Ellipse> draw_ellipses(int count) {
   const auto log_uniform = [&uniform](double low, double high) {
     return std::exp(uniform(std::log(low), std::log(high)));
   };
-  // Of the order that the linear theory needs to transmit all of the friction.
+  // Creepage for which the linear theory transmits all of the friction, in order of magnitude.
   constexpr double saturation = friction * load / (4.0 * shear_modulus * mean_axis * mean_axis);
   std::vector<Ellipse> ellipses;
   for (int i = 0; i < count; ++i) {

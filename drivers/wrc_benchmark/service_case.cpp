@@ -51,7 +51,7 @@ Step step_at(int index) {
   return step;
 }
 
-/// Of one wheel.
+/// Results of one wheel.
 struct WheelResult {
   double depth = 0.0;
   double normal_force = 0.0;
@@ -78,7 +78,7 @@ public:
     }
   }
 
-  /// This is what is timed. A solution that has not converged is judged like any other.
+  /// The timed part. A solution that has not converged is compared like any other.
   void solve(const Step& step) {
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       set(step, i);
@@ -119,7 +119,7 @@ private:
       scene.set("pose.vertical", step.height.at(index));
     }
     if (creep_) {
-      // Of a wheelset that runs straight: conicity 0.1 and an angle of contact of 0.05 rad.
+      // A wheelset that runs straight: conicity 0.1 and a contact angle of 0.05 rad.
       constexpr double radius = 460.0;
       const double longitudinal = 0.1 * step.lateral / radius;
       scene.set("creepage.left", std::vector{-longitudinal, -step.yaw, 0.05 / radius});
@@ -143,7 +143,7 @@ private:
   driver::Solver solver_;
 };
 
-/// The run of one pair of profiles, with references at the steps that are judged.
+/// The run of one pair of profiles, with references at the steps where errors are measured.
 struct Run {
   Pairing pair;
   std::vector<Step> steps; ///< the first one is the cold start
@@ -220,7 +220,7 @@ ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
   const std::size_t sampling_stride = std::max<std::size_t>(1, run.steps.size() / 20);
   for (std::size_t i = 1; i < run.steps.size(); ++i) {
     if (i % sampling_stride == 0) {
-      yardstick.sample_undisturbed(); // a machine that others share changes its pace within a row
+      yardstick.sample_undisturbed(); // a shared machine changes its pace within a row
     }
     ProcessorStopwatch watch;
     wheelset.solve(run.steps[i]);

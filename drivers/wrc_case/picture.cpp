@@ -25,7 +25,7 @@ std::string force_text(double newtons) {
   return fixed(value, decimals) + (thousands ? " kN" : " N");
 }
 
-/// At most so many bytes and three points, whole letters of UTF-8.
+/// At most this number of bytes and three points, whole letters of UTF-8.
 std::string shortened(const std::string& text, std::size_t length) {
   if (text.size() <= length) {
     return text;

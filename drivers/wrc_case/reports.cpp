@@ -77,7 +77,7 @@ public:
     double factor = 1.0;
   };
 
-  /// Of patches that have the result `needed`.
+  /// Prints patches that have the result `needed`.
   PatchPrinter(const Scene& scene, std::ostream& out, const char* needed = "pmax")
       : scene_(scene), out_(out) {
     for (const PatchName& patch : all_patches(scene)) {
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  /// Of a patch, or of a part of one ("0.1").
+  /// Line of a patch, or of a part of one ("0.1").
   struct Line {
     std::string label;
     std::string prefix;

@@ -41,9 +41,9 @@ std::vector<PatchName> parts_with(const Scene& scene, const std::vector<PatchNam
 /// creep_pressure, traction_x, traction_y, slip_x, slip_y. Throws Failure if there are none.
 void write_creep_field(const Scene& scene, const std::filesystem::path& path);
 
-/// A legacy VTK unstructured grid: one quadrilateral per element, at its place in the track frame,
-/// of all patches of all sides. Values of cells: undeformed_distance, pressure, displacement;
-/// `patch` (N of patches.N) and `side` (1 left, -1 right) tell them apart.
+/// A legacy VTK unstructured grid: one quadrilateral per element, at its position in the track
+/// frame, of all patches of all sides. Values of cells: undeformed_distance, pressure,
+/// displacement; `patch` (N of patches.N) and `side` (1 left, -1 right) distinguish them.
 void write_vtk(const Scene& scene, const std::filesystem::path& path);
 
 inline constexpr const char* creep_result = "creep_force.longitudinal";

@@ -14,7 +14,7 @@ namespace driver {
 
 struct VtkGrid {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 4>> quads; ///< corners by their place in `points`
+  std::vector<std::array<std::size_t, 4>> quads; ///< corners by their index in `points`
 };
 
 /// Written as it comes: the grid at once, then scalars; nothing is there before `commit`.

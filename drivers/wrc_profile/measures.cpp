@@ -22,7 +22,7 @@ constexpr double flange_measuring_height = 10.0;
 constexpr double below_flange_tip = 2.0;
 constexpr double upper_head_depth = 14.0;
 constexpr double lower_head_depth = 16.0;
-/// Half chord of the circle that tells the crown radius: inside the crown arc of all rails built
+/// Half chord of the circle that defines the crown radius: inside the crown arc of all rails built
 /// in, and long against the noise of a measurement.
 constexpr double crown_half_chord = 5.0;
 
@@ -68,7 +68,7 @@ std::optional<ProfilePoint> last_before(const Profile& profile, const std::vecto
   return found == arcs.begin() ? std::nullopt : std::optional(point_at(profile, *(found - 1)));
 }
 
-/// The point of largest quantity: of the points at hand, then between the neighbours of the best.
+/// The point of largest quantity: among the given points, then between the neighbours of the best.
 ProfilePoint greatest(const Profile& profile, const std::vector<ProfilePoint>& points,
                       const Quantity& quantity) {
   const auto less = [&quantity](const ProfilePoint& a, const ProfilePoint& b) {

@@ -13,7 +13,7 @@
 
 namespace driver {
 
-/// A curve at one place.
+/// A curve at one position.
 struct ProfilePoint {
   double arc = 0.0;
   double lateral = 0.0;

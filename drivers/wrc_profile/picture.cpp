@@ -9,13 +9,14 @@
 namespace driver {
 namespace {
 
-/// Pixels. Both panels share their left and right edges, so that curvature stands below its place.
+/// Pixels. Both panels share their left and right edges, so that curvature is drawn below its
+/// position.
 constexpr double plot_width = 900.0;
 constexpr double left_margin = 80.0;
 constexpr double right_margin = 30.0;
 constexpr double top_margin = 50.0;
 constexpr double between = 80.0;
-/// Of the key above the lower panel, between the two, where it covers no curve.
+/// Space of the key above the lower panel, between the two, where it covers no curve.
 constexpr double key_above = 25.0;
 constexpr double curvature_height = 240.0;
 constexpr double bottom_margin = 60.0;

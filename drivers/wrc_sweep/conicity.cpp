@@ -180,7 +180,7 @@ private:
   }
 
   /// Way x between two positions of one segment, where y'' = -(f + c (y - y0)): a sine for c > 0, a
-  /// hyperbolic sine for c < 0, both measured from the place where the force would be zero.
+  /// hyperbolic sine for c < 0, both measured from the position where the force would be zero.
   [[nodiscard]] double passage(std::size_t i, double from, double to, double speed_from,
                                double speed_to) const {
     const double even = 2.0 * (to - from) / (speed_from + speed_to); // constant force

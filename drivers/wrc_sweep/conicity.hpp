@@ -21,8 +21,8 @@
 /// turn, as on cylinders, nothing leads the wheelset back, the wave is infinitely long and the
 /// conicity 0. It grows from there once the turning points lie beyond.
 ///
-/// Units mm. Amplitude is half the distance of the turning points, as in both standards. Knows
-/// nothing of how dr came about: with roll solved, or without as EN 15302 has it.
+/// Units mm. Amplitude is half the distance of the turning points, as in both standards.
+/// Independent of how dr was obtained: with roll solved, or without as EN 15302 has it.
 #pragma once
 
 #include <limits>

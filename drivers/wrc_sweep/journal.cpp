@@ -185,8 +185,8 @@ void Journal::lock() {
     throw Failure("cannot write " + path_.string() +
                   ": does the folder exist, and is it writable?");
   }
-  // Two runs that write the same results would spoil them. File systems without locks do not tell.
-  // A run that was killed may take a moment to die.
+  // Two runs that write the same results would damage them. File systems without locks do not
+  // report this. A run that was killed may take a moment to die.
   constexpr std::chrono::milliseconds pause{20};
   constexpr int tries = 50;
   for (int i = 0; flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++i) {

@@ -31,7 +31,7 @@ struct Options {
   bool list_results = false;
 };
 
-constexpr int interrupted_code = 130; // what shells tell of Ctrl-C
+constexpr int interrupted_code = 130; // exit code of shells for Ctrl-C
 
 const char* const footer = R"(
 A study is a scene file (wrc_case --help lists the keys) in which a key may have many values:

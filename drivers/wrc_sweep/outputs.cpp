@@ -47,7 +47,7 @@ public:
     constexpr int level = 1;
     check(nc_def_var_deflate(file_, variable, shuffle, deflate, level));
   }
-  /// Of a variable, or with NC_GLOBAL of the file.
+  /// Attribute of a variable, or with NC_GLOBAL of the file.
   void attribute(int variable, const std::string& name, const std::string& value) {
     check(nc_put_att_text(file_, variable, name.c_str(), value.size(), value.c_str()));
   }
@@ -98,7 +98,7 @@ private:
 
 constexpr const char* warning_count_name = "warning_count";
 
-/// Whether a study asks for a result by itself, which then has its place among the others.
+/// Whether a study asks for a result by itself, which is then listed among the others.
 bool is_result(const Study& study, const char* name) {
   return std::find(study.results.begin(), study.results.end(), name) != study.results.end();
 }

@@ -40,7 +40,7 @@ json outline(const Scene& scene, const std::string& name) {
   return rounded(points, 0.01);
 }
 
-/// Elements of a grid: the place of each row along the patch's plane and of each column along x,
+/// Elements of a grid: the position of each row along the patch's plane and of each column along x,
 /// then fields. Rows that a patch's plane unrolls begin at the y of the first one.
 json grid(const Scene& scene, const std::string& patch, const std::string& place, bool left,
           std::size_t columns, const std::vector<std::string>& fields) {

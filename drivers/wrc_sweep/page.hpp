@@ -9,7 +9,7 @@
 
 namespace driver {
 
-/// Solves the scenes on so many threads and writes the page. A scene that cannot be solved shows
+/// Solves the scenes on `threads` threads and writes the page. A scene that cannot be solved shows
 /// why. Returns the warnings of all scenes. Throws Failure for more scenes than a browser holds, or
 /// if the file cannot be written.
 WarningSummary write_page(const Study& study, int threads, const std::filesystem::path& path);

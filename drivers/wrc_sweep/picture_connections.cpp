@@ -1,5 +1,5 @@
 // Contact-point connection lines: wheel and rail of the centred wheelset drawn apart, and the
-// places that touch joined by a line for each lateral position.
+// points that touch joined by a line for each lateral position.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Connection {
 
 std::vector<Connection> connections_of(const PictureRequest& picture, const PictureData& data,
                                        const Scene& centred, const std::string& side) {
-  // A wheel point of profile coordinates s, w, at its place on the centred wheelset.
+  // A wheel point of profile coordinates s, w, in its position on the centred wheelset.
   const std::string prefix = side + ".rigid_contact.";
   const double outwards = side == "left" ? 1.0 : -1.0;
   const double taping_y =
@@ -49,7 +49,7 @@ std::vector<Connection> connections_of(const PictureRequest& picture, const Pict
 
 void plot_side(Gnuplot& gnuplot, const PictureRequest& picture, const PictureData& data,
                const Scene& centred, const std::string& side) {
-  constexpr double raised = 30.0; // mm, the wheel above its place
+  constexpr double raised = 30.0; // mm, the wheel above its true position
   const std::vector<double> wheel_y = centred.field(side + ".wheel_y");
   std::vector<double> wheel_z = centred.field(side + ".wheel_z");
   for (double& z : wheel_z) {

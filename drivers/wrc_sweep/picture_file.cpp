@@ -54,7 +54,7 @@ PanelRequest read_panel(const toml::table& table, const std::string& name, const
   return panel;
 }
 
-/// A key of an axis; others have one value and no place in a picture.
+/// A key of an axis; others have one value and cannot be drawn.
 void check_axis(const TableReader& reader, const char* name, const std::string& key,
                 const Study& study) {
   if (study.axis_of(key) < 0) {
@@ -75,7 +75,7 @@ void check_value(const TableReader& reader, const char* name, const std::string&
   reader.refuse(name, text_of(value), "a value of " + key + ": " + allowed);
 }
 
-/// Values of an axis in the picture are places.
+/// Values of an axis in the picture are positions.
 void check_numbers(const TableReader& reader, const char* name, const std::string& key,
                    const Study& study) {
   for (const Value& value : study.axes[static_cast<std::size_t>(study.axis_of(key))].values) {

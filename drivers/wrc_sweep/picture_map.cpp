@@ -5,7 +5,7 @@
 namespace driver {
 namespace {
 
-/// Rows of values, places along x in front: gnuplot's nonuniform matrix.
+/// Rows of values, positions along x first: gnuplot's nonuniform matrix.
 std::string matrix_of(const PictureRequest& picture, const PictureData& data,
                       const PanelRequest& panel) {
   const std::vector<double> x = places_of(picture, data);
@@ -26,7 +26,7 @@ std::string matrix_of(const PictureRequest& picture, const PictureData& data,
   return text + '\n';
 }
 
-/// Places of scenes with warnings: x, y and the height 0.
+/// Positions of scenes with warnings: x, y and the height 0.
 std::string warned_of(const PictureRequest& picture, const PictureData& data,
                       const PanelRequest& panel) {
   std::string text;

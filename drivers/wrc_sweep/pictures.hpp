@@ -38,13 +38,13 @@ private:
   Journal& journal_;
 };
 
-/// The places along x that a picture shows: those it asks for, or all.
+/// The positions along x that a picture shows: the requested ones, or all.
 std::vector<double> places_of(const PictureRequest& picture, const PictureData& data);
-/// One line of a picture: a result over these places. NaN where there is no result.
+/// One line of a picture: a result over these positions. NaN where there is no result.
 std::vector<double> line_of(const PictureRequest& picture, const PictureData& data, Values where,
                             const std::string& result);
 
-/// Places of such a line at which the result has warnings.
+/// Positions of such a line at which the result has warnings.
 std::vector<double> warned_places_of(const PictureRequest& picture, const PictureData& data,
                                      Values where, const std::string& result);
 /// Script lines for a line of text at the lower end of a picture that says how many scenes have
@@ -54,15 +54,15 @@ std::string warning_note(const PictureData& data, const std::string& marks = "",
                          bool has_axes = true);
 std::string end_of_warning_note();
 
-/// "cant {}" with a value in the place of {}, or behind if there is no such place.
+/// "cant {}" with a value instead of {}, or after the text if there is no {}.
 std::string series_name(const PictureRequest& picture, const Value& value);
 /// The same for a picture, and the label alone: the study's label may have markup, the value and
-/// the key that stands in for a missing label are drawn letter by letter.
+/// the key that replaces a missing label are drawn letter by letter.
 std::string series_title(const PictureRequest& picture, const Value& value);
 std::string series_label(const PictureRequest& picture);
 
-/// Axes, grid and legend as all pictures of lines have them; a legend of more than six lines stands
-/// beside them, and the picture needs so many pixels for it.
+/// Axes, grid and legend as all pictures of lines have them; a legend of more than six lines is
+/// drawn beside them, and returns the pixels that it needs.
 std::string line_style(std::size_t lines);
 int legend_width(std::size_t lines);
 

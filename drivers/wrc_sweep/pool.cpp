@@ -14,7 +14,7 @@ class SceneSolver {
 public:
   explicit SceneSolver(const Study& study) : study_(study) {}
 
-  /// Never throws for a scene that cannot be solved: the row tells why.
+  /// Never throws for a scene that cannot be solved: the row says why.
   Row solve(std::int64_t index) {
     Row row;
     row.scene = index;

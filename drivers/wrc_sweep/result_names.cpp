@@ -39,7 +39,7 @@ struct Unit {
   const char* unit;
 };
 
-/// Of keys and fields; the first part that a name contains decides.
+/// Units of keys and fields; the first part that a name contains decides.
 constexpr std::array units{
     Unit{"solve.near_tolerance", "mm"},
     Unit{"solve.joining_distance", "mm"},

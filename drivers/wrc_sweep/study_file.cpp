@@ -17,7 +17,8 @@
 namespace driver {
 namespace {
 
-/// Of a key, and scenes of a study: each is kept in memory, with some ten bytes.
+/// Largest number of values of a key, and of scenes of a study: each is kept in memory, with about
+/// ten bytes.
 constexpr double most_values = 1e6;
 constexpr double most_scenes = 1e7;
 
@@ -155,7 +156,7 @@ private:
       fixed_.insert_or_assign(key, one(key, node));
       return;
     }
-    // A key that was varied already keeps its place.
+    // A key that was varied already keeps its position.
     const auto old = std::find_if(axes_.begin(), axes_.end(),
                                   [&](const PlacedAxis& axis) { return axis.axis.key == key; });
     if (old != axes_.end()) {

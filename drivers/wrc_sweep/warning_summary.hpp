@@ -19,7 +19,7 @@ unsigned warnings_that_concern(const std::string& result);
 
 class WarningSummary {
 public:
-  /// Of one scene; the order in which scenes come does not matter.
+  /// Adds the warnings of one scene; the order in which scenes come does not matter.
   void add(std::int64_t scene, const std::vector<std::string>& warnings);
   /// Scenes with warnings.
   [[nodiscard]] std::int64_t scenes() const { return scenes_; }

@@ -167,7 +167,7 @@ TEST_F(WrcBenchmark, FirstSolveRunsOnceInItsOwnProcess) {
   for (const char* key : {"setup", "mechanics", "total", "memory_mb"}) {
     EXPECT_GT(result.at(key).get<double>(), 0.0) << key;
   }
-  run("--first-solve").expect_refusal({"--first-solve", "one case"});
+  run("--first-solve").expect_refusal({"--first-solve", "one --case"});
   run("--first-solve --case batch").expect_refusal({"--first-solve"});
 }
 

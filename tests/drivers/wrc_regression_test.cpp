@@ -31,7 +31,7 @@ TEST_F(WrcRegression, DeviationsFailUntilTheBaselineIsUpdated) {
   write("c/cases.toml", small_cases);
   const Outcome without = run("--cases c");
   EXPECT_EQ(without.exit_code, 4);
-  EXPECT_NE(without.out.find("no baseline yet"), std::string::npos) << without.out;
+  EXPECT_NE(without.out.find("no stored result yet"), std::string::npos) << without.out;
   const Outcome first = run("--cases c --update");
   EXPECT_EQ(first.exit_code, 0) << first.error;
   EXPECT_NE(first.out.find("left.pmax: new"), std::string::npos) << first.out;

@@ -445,7 +445,7 @@ TEST_F(WrcSweep, APageHoldsTheScenes) {
 
 TEST_F(WrcSweep, RefusesBadArguments) {
   write("s.toml", study);
-  run("").expect_refusal({"STUDY"});
+  run("").expect_refusal({"no study given"});
   run("missing.toml").expect_refusal({"missing.toml"});
   run("s.toml --threads 0").expect_refusal({"--threads"});
   run("s.toml --resume --restart").expect_refusal({"--resume", "--restart"});

@@ -37,7 +37,7 @@ runs() {
     echo "other results with a Jacobian from differences"
     exit 1
   }
-  expect "$(value whole.txt 'lateral force of') == 0 && $(value whole.txt 'its moment about') == 0" \
+  expect "$(value whole.txt 'lateral force when centred') == 0 && $(value whole.txt 'moment about') == 0" \
     "a centred bogie has no forces"
   local drag power
   drag=$(value whole.txt 'power of its drag') power=$(value whole.txt 'power of its friction')

@@ -110,7 +110,7 @@ double greatest_below(const WheelResult& wheel) {
   return greatest;
 }
 
-/// Of one accuracy.
+/// Errors at one accuracy.
 struct Found {
   std::vector<double> errors, searches, times;
   double met = 0.0;

@@ -1,6 +1,6 @@
 /// Random problems of steady rolling, on ellipses and other patches, for the comparison of models.
 ///
-/// A patch is a function of place, so that it can be put on any grid: the pressures are taken at
+/// A patch is a function of position, so that it can be put on any grid: the pressures are taken at
 /// the centres of elements and scaled to the load.
 #pragma once
 

@@ -9,10 +9,10 @@
 //                                                      the expansion meets them, and the tables
 //   fit_kalker_coefficients quick                      a few coarse solutions, against the library
 //
-// Each ellipse is solved on several grids at several places each; the coefficients are regressed on
-// the sizes of the elements and taken at size 0. The elements that lie in an ellipse are not quite
-// one of its ratio of axes: samples are moved to it with the coefficients' slope, so that what
-// is left of the grid's place is small; the slope is that of a first expansion.
+// Each ellipse is solved on several grids at several positions each; the coefficients are regressed
+// on the sizes of the elements and taken at size 0. The elements that lie in an ellipse are not
+// quite one of its ratio of axes: samples are moved to it with the coefficients' slope, so that
+// little depends on the grid's position; the slope is that of a first expansion.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -58,7 +58,7 @@ template <class Real, std::size_t order> struct GaussRule {
 };
 
 /// Integral of 1/distance over a rectangle of 1 x `aspect` (along, across), seen from x along and y
-/// across from its centre, by Gauss's rule: for places some sides away.
+/// across from its centre, by Gauss's rule: for points some sides away.
 template <class Real, std::size_t order> Real integral_by_rule(Real x, Real y, Real aspect) {
   static const GaussRule<Real, order> rule;
   Real sum = 0;
@@ -89,7 +89,7 @@ template <class Real> class LoveIntegral {
 public:
   explicit LoveIntegral(Real aspect) : aspect_(aspect) {}
 
-  /// Of a smooth element.
+  /// Coefficient of a smooth element.
   [[nodiscard]] Real at(std::size_t rows, std::size_t columns) const {
     return smooth_influence<Real>([this](std::size_t i, std::size_t j) { return constant(i, j); },
                                   rows, columns);

@@ -12,7 +12,7 @@ namespace extremes {
 namespace {
 
 constexpr double dense_grid[] = {32.0, 16.0};
-/// A scene shares its load to this.
+/// Relative error to which a scene must balance its load.
 constexpr double permitted_imbalance = 1e-9;
 /// Residuals may exceed the tolerance of pressures by their own rounding: gaps are differences of
 /// distance, approach and displacement.

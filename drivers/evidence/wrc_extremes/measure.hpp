@@ -1,4 +1,4 @@
-/// Solves a point through the public interface and judges what comes out.
+/// Solves a point through the public interface and judges the result.
 #pragma once
 
 #include <cstdint>
@@ -33,15 +33,15 @@ struct NormalAnswer {
 /// Throws wrcontact::Error.
 NormalAnswer solve_normal(const NormalCase& one);
 
-/// A scene, left wheel: solved to 1e-3 or the accuracy it requests, judged patch by patch, compared
-/// with itself at a finer accuracy or on a finer grid, and, on a grid of 32 x 16 elements, with
-/// elimination in long double.
+/// A scene, left wheel: solved to 1e-3 or the accuracy it requests, checked patch by patch,
+/// compared with itself at a finer accuracy or on a finer grid, and, on a grid of 32 x 16 elements,
+/// with elimination in long double.
 using SceneSetup = std::function<void(wrcontact::Scene&)>;
 struct SceneOptions {
   double finer = 2e-4; ///< accuracy that the result is compared with; 0: none
   bool with_dense = true;
-  /// A grid by hand, rows and columns, to compare with instead. The error may then be what the
-  /// library estimates, in place of the accuracy.
+  /// A prescribed grid, rows and columns, to compare with instead. The error may then reach the
+  /// library's estimate instead of the accuracy.
   std::vector<double> finer_grid = {};
 };
 void measure_scene(const SceneSetup& setup, Row& row, std::uint64_t seed,

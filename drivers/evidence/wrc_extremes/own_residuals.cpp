@@ -10,7 +10,7 @@
 namespace extremes {
 namespace {
 
-/// Products of a coefficient and a pressure that a judgement may take.
+/// Largest number of products of a coefficient and a pressure for one check.
 constexpr double most_products = 4e8;
 /// Beyond, coefficients are computed in double by a rule of fewer points: exact to 1e-15.
 constexpr double near_elements = 64.0;
@@ -145,7 +145,7 @@ OwnResiduals judge_pressures(const GapProblem& problem, const std::vector<double
     return sum;
   };
   // The largest displacement is under or beside the largest pressure: that element is always
-  // judged.
+  // checked.
   std::vector<std::size_t> judged = judged_elements(problem.count(), products, seed);
   judged.push_back(static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
                                             pressure.begin()));

@@ -2,8 +2,8 @@
 ///
 /// Residuals are computed by direct summation over all elements under pressure with this program's
 /// own influence coefficients, in double precision: no transform, no table and no code of the
-/// library's solver. On large grids a random sample of elements is judged, whose
-/// size bounds the work. Units mm, N, MPa.
+/// library's solver. On large grids a random sample of elements is checked, whose size bounds the
+/// work. Units mm, N, MPa.
 #pragma once
 
 #include <cstddef>

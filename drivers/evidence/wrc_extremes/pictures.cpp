@@ -35,7 +35,7 @@ constexpr Line lines[] = {{"overlap", "lc rgb '#1f77b4' pt 6", &Row::overlap},
                            &Row::pressure_error},
                           {"pmax, approach", "lc rgb '#d62728' pt 5", &Row::error}};
 
-/// Where a point's share of the axis begins: half way to the one before.
+/// Where a point's part of the axis begins: half way to the one before.
 double border(const std::vector<Row>& rows, std::size_t index, bool logarithmic) {
   const auto between = [logarithmic](double a, double b) {
     return logarithmic ? std::sqrt(a * b) : 0.5 * (a + b);

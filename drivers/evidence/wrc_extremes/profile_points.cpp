@@ -135,8 +135,8 @@ void add_hollows(std::vector<Point>& points) {
   }
 }
 
-/// Where a conformal wheel stands on the rail: moved towards the flange by a multiple of its share
-/// of width, in mm.
+/// Where a conformal wheel is on the rail: moved towards the flange by a multiple of its excess
+/// width, in mm.
 struct Place {
   const char* name;
   double per_share, further;
@@ -146,7 +146,7 @@ constexpr Place places[] = {{"on the crown", 0.0, 0.0},
                             {"wedged between gauge faces", 36.0, 0.1}};
 
 /// The scene with an upright rail and a wheel whose profile is the rail's, turned over and widened
-/// by a share: near a conformal fit.
+/// by a fraction: near a conformal fit.
 SceneSetup conformal(double share, const Place& place) {
   Points made = points_of(rail_name, usual_count);
   for (std::size_t i = 0; i < made.lateral.size(); ++i) {

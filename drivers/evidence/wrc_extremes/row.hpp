@@ -30,7 +30,7 @@ struct Row {
   std::string message;            ///< its error text, or its warnings
   std::optional<double> pmax;     ///< MPa
   std::optional<double> approach; ///< mm; of a scene the vertical one
-  std::optional<double> fill;     ///< share of elements under pressure
+  std::optional<double> fill;     ///< fraction of elements under pressure
   /// Recomputed by this program (gap_problem.hpp).
   std::optional<double> load_balance;
   std::optional<double> overlap;
@@ -38,7 +38,7 @@ struct Row {
   /// Largest error of the pressures over the largest pressure, at the floor of the tolerance,
   /// against elimination in extended precision on the same distances.
   std::optional<double> pressure_error;
-  /// Of pmax and approach, against `truth`.
+  /// Error of pmax and approach, against `truth`.
   std::optional<double> error;
   std::string truth;  ///< "finer", "closed form", "unscaled"
   double asked = 0.0; ///< accuracy or tolerance

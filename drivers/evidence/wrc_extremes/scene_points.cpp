@@ -117,14 +117,14 @@ void add_tracks(std::vector<Point>& points) {
   }
 }
 
-/// What grids by hand are compared with: four times the rows, where that is 512 to 2048. An
-/// automatic grid will not do, the best accuracy to be asked for is 1e-5.
+/// Grid that prescribed grids are compared with: four times the rows, within 512 to 2048. An
+/// automatic grid does not suffice, since the finest accuracy is 1e-5.
 std::vector<double> reference_grid(int rows) {
   const double finer = std::clamp(4 * rows, 512, 2048);
   return {finer, 0.5 * finer};
 }
 
-/// Accuracies, and grids and tolerances by hand.
+/// Accuracies, and prescribed grids and tolerances.
 void add_solving(std::vector<Point>& points) {
   for (const double accuracy : {0.2, 0.1, 0.03, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 9e-6}) {
     points.push_back({"accuracy", table1.name, in_words("solve.accuracy", accuracy), accuracy,

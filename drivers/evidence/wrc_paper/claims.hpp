@@ -1,6 +1,6 @@
-/// What the paper says about its figures, and how the results of a run are judged by it.
+/// What the paper says about its figures, and how the results of a run compare with it.
 ///
-/// Numbers come from the tables of the studies in drivers/studies; nothing is judged by eye.
+/// Numbers come from the tables of the studies in drivers/studies; nothing is compared by eye.
 /// Lateral displacement is positive to the left; roll and yaw have our sign unless a text says
 /// otherwise.
 #pragma once
@@ -34,7 +34,7 @@ enum class Ground {
 /// One statement of the paper, in our words.
 struct Claim {
   std::string text;
-  /// Judges it by the results in a folder.
+  /// Compares it with the results in a folder.
   std::function<Finding(const std::filesystem::path& folder)> judge;
   std::string why_not; ///< the reason, if it is not confirmed for a wheel
   Ground ground = Ground::profile;
@@ -77,7 +77,8 @@ inline double width_of(const std::vector<double>& values) {
   return *most - *least;
 }
 
-/// Largest difference between the values at x and at -x, for curves over places symmetric to zero.
+/// Largest difference between the values at x and at -x, for curves over positions symmetric to
+/// zero.
 inline double asymmetry(const std::vector<double>& values) {
   double most = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {

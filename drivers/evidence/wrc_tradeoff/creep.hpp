@@ -41,8 +41,8 @@ inline constexpr std::array creep_ways{CreepWay{"linear"},
                                        CreepWay{"full", 3e-3},
                                        CreepWay{"full", 1e-3}};
 
-/// Of a scene of the family's group `spread`, with friction of 0.1 to 0.5, and what its creepages
-/// are found from.
+/// A scene of the family's group `spread`, with friction of 0.1 to 0.5, and the source of its
+/// creepages.
 struct CreepCase {
   Case scene;
   std::array<double, 3> direction{}; ///< of the linear forces of the three creepages, of length 1
@@ -50,14 +50,14 @@ struct CreepCase {
 };
 std::vector<CreepCase> make_creep_cases(std::size_t count);
 
-/// Of a patch.
+/// Errors of a patch.
 struct CreepError {
   std::array<double, 3> values{}; ///< with sign: Fx, Fy, Mz
   std::optional<double> estimate;
   [[nodiscard]] double largest() const;
 };
 
-/// Of a wheel: its patches, none if there are more or fewer than in truth.
+/// A wheel with its patches, none if their number differs from the reference.
 struct CreepWheel {
   std::vector<CreepError> patches;
   bool comparable = true;
@@ -74,11 +74,11 @@ struct CreepMeasured {
   std::vector<CreepRun> runs; ///< of creep_ways
 };
 
-/// Times each way so many times at most. Never throws for what a scene may do: that is its
+/// Times each way at most `repeats` times. Never throws for what a scene may do: that is its
 /// `failure`.
 CreepMeasured measure_creep(const CreepCase& one, int repeats);
 
-/// Of a way, over all patches.
+/// Errors of a way over all patches.
 struct CreepRow {
   std::string model;
   double accuracy = 0.0;
@@ -86,9 +86,9 @@ struct CreepRow {
   int left_out = 0; ///< wheels with another number of patches than truth
   std::array<double, 3> rms{}, error_99{}, worst{}; ///< of Fx, Fy, Mz
   double median_us = 0.0;
-  // Of the full theory, the largest of the three errors:
-  std::optional<double> met;             ///< share within the accuracy
-  std::optional<double> bounded;         ///< share of estimates that are no less
+  // Largest of the three errors of the full theory:
+  std::optional<double> met;             ///< fraction within the accuracy
+  std::optional<double> bounded;         ///< fraction of estimates that are not smaller
   std::optional<double> median_estimate; ///< over the error
 };
 std::vector<CreepRow> creep_rows(const std::vector<CreepMeasured>& all);

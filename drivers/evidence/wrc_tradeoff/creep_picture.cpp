@@ -18,7 +18,7 @@ std::size_t series_of(const CreepRow& row) {
                                   joined_models.begin());
 }
 
-/// Where the label of a mark stands: beside what is at about the same place.
+/// Where the label of a mark is: beside other marks at about the same position.
 const char* label_place(const CreepRow& row) {
   return row.model == "full"             ? "right offset -0.8,-0.6"
          : row.model == "fastsim-strips" ? "left offset 1,0.7"

@@ -90,7 +90,7 @@ std::string percent(const std::optional<double>& share) {
   return share ? driver::fixed(100.0 * *share, 1) : "-";
 }
 
-/// Of the full theory, the worst first, each with options of wrc_case that replay it.
+/// Missed accuracies of the full theory, worst first, each with options of wrc_case that replay it.
 void print_creep_misses(const std::vector<CreepMeasured>& all, std::ostream& out) {
   struct CreepMiss {
     double ratio = 0.0;

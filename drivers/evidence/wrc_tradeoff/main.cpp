@@ -13,14 +13,14 @@ namespace {
 
 using tradeoff::Measured;
 
-/// Every so many scenes grids by hand are measured too.
+/// One in this number of scenes is also solved on prescribed grids.
 constexpr std::size_t grid_interval = 5;
 
 struct Options {
   std::size_t scenes = 520;
   std::size_t random = 0;    ///< instead of the family
   std::size_t creep = 0;     ///< models of creep forces, instead of all others
-  std::size_t practical = 0; ///< scenes of which pmax is judged, instead of all others
+  std::size_t practical = 0; ///< scenes whose pmax is checked, instead of all others
   std::string accuracy_of = "both";
   bool position = false;
   int threads = 1;
@@ -49,7 +49,7 @@ std::vector<std::string> labels_of(const Options& options, std::size_t index) {
   return labels;
 }
 
-/// What measure(i) gives of each of so many scenes, with lines on stderr that say how far it is.
+/// Results of measure(i) for `count` scenes, with lines of progress on stderr.
 template <class Measure>
 auto measure_scenes(std::size_t count, const Options& options, Measure measure) {
   std::vector<decltype(measure(count))> all(count);

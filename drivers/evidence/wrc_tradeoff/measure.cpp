@@ -10,7 +10,7 @@ namespace {
 
 /// Slow ways are timed less often: no more once that much time is spent.
 constexpr double budget_ms = 40.0;
-/// Grids by hand: elements across; half as many along, and tolerances that leave the grid's error.
+/// Prescribed grids: elements across; half the number along, and tolerances below the grid's error.
 constexpr std::array rows_by_hand{12.0, 16.0,  24.0,  32.0,  48.0, 64.0,
                                   96.0, 128.0, 192.0, 256.0, 384.0};
 constexpr double hand_tolerance = 1e-4;

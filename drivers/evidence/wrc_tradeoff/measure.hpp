@@ -67,7 +67,7 @@ struct WheelError {
   }
 };
 
-/// Of a wheel, as solved.
+/// Results of a wheel, as solved.
 struct Figures {
   double pmax = 0.0, depth = 0.0, area = 0.0, normal_force = 0.0;
   std::array<double, 3> force{};     ///< along x, y, z
@@ -93,13 +93,13 @@ struct Case {
   std::string group;
   driver::Settings settings;
 };
-/// Of a wheel, 0 left and 1 right.
+/// Load of a wheel, 0 left and 1 right.
 double load_of(const driver::Settings& scene, std::size_t side);
 
 /// The first `count` scenes of the family, groups mixed so that few already show all of them; all
 /// groups but `spread` have an end, `spread` has none.
 std::vector<Case> make_family(std::size_t count);
-/// Instead of the family: so many of driver::random_scene, group `random`.
+/// Instead of the family: `count` scenes of driver::random_scene, group `random`.
 std::vector<Case> make_random(std::size_t count);
 
 inline constexpr std::array<double, 2> truth_grid{576.0, 240.0};

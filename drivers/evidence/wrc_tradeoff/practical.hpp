@@ -7,7 +7,7 @@
 ///
 /// Reference: pmax of a prescribed grid, `first_truth`, made twice as fine in both directions until
 /// two of them agree; their difference is its uncertainty. Wheels whose uncertainty exceeds half of
-/// the error to be judged are counted separately.
+/// the permitted error are counted separately.
 #pragma once
 
 #include <array>

@@ -15,8 +15,8 @@ bool judges(WheelError uncertainty, const Way& way) {
   return way.accuracy == 0.0 || uncertainty.controlled(way.label) <= 0.5 * way.accuracy;
 }
 
-/// Calls `take(measured, run, wheel index, error)` for each wheel of a way that can be judged, and
-/// returns how many cannot.
+/// Calls `take(measured, run, wheel index, error)` for each wheel of a way with a converged
+/// reference, and returns the number without one.
 template <class Take>
 int for_each_wheel(const std::vector<Measured>& all, const std::string& label, double accuracy,
                    Take take) {

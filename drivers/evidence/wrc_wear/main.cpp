@@ -95,7 +95,7 @@ std::vector<Passage> passages_of(Scene scene) {
 /// What a passage takes off per distance rolled.
 struct Worn {
   double volume = 0.0;       ///< of the mean wheel, mm^2
-  std::vector<double> s;     ///< places on the wheel ...
+  std::vector<double> s;     ///< positions on the wheel ...
   std::vector<double> areas; ///< ... and what goes there, mm^2
 };
 

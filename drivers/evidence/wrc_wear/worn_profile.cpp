@@ -27,7 +27,7 @@ WornProfile::WornProfile(const std::string& wheel, double spacing) : spacing_(sp
 }
 
 void WornProfile::add(double s, double area) {
-  // Of several places with this s (the flange's back) the one that touches: farthest to the field
+  // Of several points with this s (the flange's back) the one that touches: farthest to the field
   // side along the curve.
   const std::vector<double>& at = now_.lateral;
   const bool rises = at.back() > at.front();

@@ -14,7 +14,7 @@ public:
   /// Points of a built-in wheel, `spacing` mm apart along the curve.
   WornProfile(const std::string& wheel, double spacing);
 
-  /// Notes an area in mm^2 that is to go at a place s, shared by the two points beside it.
+  /// Notes an area in mm^2 that is worn off at position s, distributed to the two points beside it.
   void add(double s, double area);
   /// Takes off what was noted times `factor`, smoothed over some points; what is taken off is the
   /// area noted, exactly: normals cross where the profile is curved.
