@@ -20,7 +20,7 @@ CreepGrid grid_within(const PatchResult& patch, const SmoothPressure& pressure,
                       const CreepRequest& request, double limit) {
   const PatchPressures pressures{patch.grid, patch.pressure, pressure};
   double times = request.pitch_is_free ? cost_of_free_pitch : 1.0;
-  const auto extend = [&](CreepGrid& chosen) { // returned is how many times as many
+  const auto extend = [&](CreepGrid& chosen) { // returns the factor on their number
     const double inner = static_cast<double>(chosen.grid.element_count());
     chosen.grid = extended_to(chosen.grid, patch.grid);
     return static_cast<double>(chosen.grid.element_count()) / inner;

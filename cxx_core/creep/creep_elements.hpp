@@ -1,6 +1,6 @@
 /// Elements of the creep forces of a wheel: those of its patches, within the limit for all of them.
 ///
-/// If the patches together need more than the limit, each gets the same share of its need.
+/// If the patches together need more than the limit, each gets the same fraction of its need.
 /// Thread rule: pure functions.
 #pragma once
 
@@ -21,7 +21,7 @@ bool unlike_bodies(const CreepRequest& request);
 CreepGrid grid_of_patch(const PatchResult& patch, const SmoothPressure& pressure,
                         const CreepRequest& request);
 
-/// Share of the elements needed by the patches of a wheel that the limit permits; 1: all.
+/// Fraction of the elements needed by the patches of a wheel that the limit permits; 1: all.
 double share_of_elements(const WheelResult& wheel, const CreepRequest& request);
 
 } // namespace wrc

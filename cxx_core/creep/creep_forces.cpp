@@ -151,7 +151,7 @@ void add_part(CreepResult& whole, const CreepResult& part, double weight, double
   whole.slip_area += part.slip_area;
   whole.adhesion_area += part.adhesion_area;
   whole.largest_traction = std::max(whole.largest_traction, part.largest_traction);
-  // The loss is a share of the power: first what is lost, at the end over the whole.
+  // The loss is a fraction of the power: here the lost power, at the end over the whole.
   whole.numerical_loss += part.numerical_loss * part.power_per_speed;
   whole.power_of_pressures += part.power_of_pressures;
   whole.power_per_speed += part.power_per_speed;

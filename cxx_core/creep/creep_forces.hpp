@@ -4,7 +4,7 @@
 /// the pressures interpolated to it (pressure/smooth_pressure.hpp) and scaled to its normal force.
 /// Elements follow from the requested accuracy and the pressures (creep_grid.hpp); where their
 /// number does not change, forces are continuous functions of the scene. Patches of one plane are
-/// solved one by one as well, each with the rigid slip at its place. Tractions of unlike bodies
+/// solved one by one as well, each with the rigid slip at its position. Tractions of unlike bodies
 /// change the pressures they stem from: the full model takes that into the pressures on its own
 /// grid (rolling/unlike_bodies.hpp).
 ///

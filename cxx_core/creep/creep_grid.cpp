@@ -53,7 +53,7 @@ CreepGrid creep_grid(const PatchPressures& pressures, double accuracy, double li
   const double wanted = std::sqrt(creep_error_of_one_column / (share_of_creep_columns * accuracy));
   const double wide = contact_scale(pressures.grid, pressures.values).across;
   const double by_sides = std::pow(along->longest / wide, columns_by_sides_exponent);
-  // As many of these lengths as the rectangle is long and wide.
+  // The rectangle's length and width in these lengths.
   const double times_along = area.length() / along->longest;
   const double times_across = area.width() / wide;
   const double columns =

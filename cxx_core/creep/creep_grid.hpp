@@ -18,7 +18,7 @@
 
 namespace wrc {
 
-/// Of a patch, on the grid of its normal contact.
+/// Pressures of a patch, on the grid of its normal contact.
 struct PatchPressures {
   const Grid& grid;
   std::span<const double> values;
@@ -32,8 +32,8 @@ struct CreepGrid {
   double wanted = 0.0;  ///< elements without the limit
   bool limited = false; ///< these are more
 };
-/// Elements beyond `limit` are as much larger, both ways, as makes them so many; two each way are
-/// the fewest.
+/// With more than `limit` elements, they are enlarged in both directions to meet it; at least two
+/// each way.
 CreepGrid creep_grid(const PatchPressures& pressures, double accuracy, double limit);
 
 /// A grid with the same number of elements over the rectangle around another contact of the same

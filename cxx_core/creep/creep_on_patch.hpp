@@ -23,8 +23,8 @@ namespace wrc {
 CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep);
 
 /// Derivatives by creepages of the cheaper models, row by row: central differences over a small
-/// share of the creepage at which a sphere's contact of this size slides. `forces` returns an array
-/// of numbers.
+/// fraction of the creepage at which a sphere's contact of this size slides. `forces` returns an
+/// array of numbers.
 template <class Forces>
 auto difference_by_creepage(const PatchResult& patch, const CreepRequest& request,
                             const PatchMotion& motion, Creepages at, const Forces& forces) {

@@ -19,8 +19,8 @@ struct PatchFields {
   ProblemFields fields;
 };
 
-/// Pressures on a grid, of this force together: at the centres of elements, or, where the shares in
-/// contact are asked for, their means.
+/// Pressures on a grid, scaled to this force together: at the centres of elements, or their means
+/// if the covered fractions are requested.
 std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
                                  double normal_force, std::vector<double>* covered) {
   std::vector<double> result;

@@ -54,8 +54,8 @@ struct ProblemFields {
 ProblemRate rate_between(const RollingProblem& now, const Grid& grid, const ProblemFields& later,
                          double step);
 
-/// Of the forces, the moment and the weighted force of FASTSIM by strips, by a difference; its
-/// flexibilities are taken to grow with the contact's length.
+/// Rates of the forces, the moment and the weighted force of FASTSIM by strips, by a difference;
+/// its flexibilities are assumed to grow with the contact's length.
 std::array<double, 4> difference_by_strips(const RollingProblem& problem,
                                            const Flexibilities& flexibilities,
                                            const ProblemRate& rate);
@@ -80,8 +80,9 @@ ForcesByPosition differences_of(const ByMotion<PatchMove>& moves, const Forces& 
 /// Those by load and friction, from those by creepages (CreepDerivatives).
 void complete(CreepDerivatives& derivatives, const CreepForces& forces, const Creepages& at,
               double friction, double normal_force);
-/// Adds those of a part at a place of the plane, whose creepages there follow from those at the
-/// origin: c' = T c, and forces about it are T^t of the part's; not those by positions.
+/// Adds the derivatives of a part at a point of the plane, whose creepages follow from those at the
+/// origin: c' = T c, and forces about the origin are T^t of the part's; derivatives by positions
+/// are not added.
 void add_derivatives(CreepDerivatives& whole, const CreepDerivatives& part, double weight,
                      double longitudinal, double lateral);
 

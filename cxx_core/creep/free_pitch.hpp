@@ -4,10 +4,10 @@
 ///
 /// M the moments of all contact forces about the wheelset's centre (creep/total_force.hpp), e_axle
 /// the axle pointing left; T > 0 drives forwards. The sum falls as the pitch rate grows, from
-/// sliding one way to sliding the other way. Polach's model, which costs next to nothing, tells
-/// where to begin and how steep the sum is there; secants and a bracket do the rest. Where friction
-/// falls with slip the sum has a least and a greatest value: of several rates the one with the
-/// least slip is taken. Units N mm, rad/s. Thread rule: as the solver's.
+/// sliding one way to sliding the other way. Polach's model, which costs next to nothing, gives the
+/// start and the slope of the sum there; secants and a bracket do the rest. Where friction falls
+/// with slip the sum has a least and a greatest value: of several rates the one with the least slip
+/// is taken. Units N mm, rad/s. Thread rule: as the solver's.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
-/// The coefficient of friction of a wheel: by place on it, and by the speed at which it slips.
+/// The coefficient of friction of a wheel: by position on it, and by the speed at which it slips.
 ///
-/// Between given places on the wheel's profile it is linear in s, beyond them constant. With the
-/// speed w of slip it falls from its value at rest to a share A of it (Polach, "Creep forces in
+/// Between given positions on the wheel's profile it is linear in s, beyond them constant. With the
+/// speed w of slip it falls from its value at rest to a fraction A of it (Polach, "Creep forces in
 /// simulations of traction vehicles running on adhesion limit", Wear 258, 2005, eq. 15):
 ///
 ///   mu(s, w) = mu(s) ((1 - A) exp(-B w) + A)
@@ -44,7 +44,7 @@ template <class Real> Real friction_of(const FrictionLaw& law, const Real& s, co
   return law.falls() ? at_rest * (share + Real(law.limit_ratio)) : at_rest;
 }
 
-/// At rest, at whichever place.
+/// Largest friction at rest, at any position.
 inline double greatest_friction(const FrictionLaw& law) {
   double greatest = law.places.empty() ? law.coefficient : 0.0;
   for (const FrictionAtPlace& place : law.places) {

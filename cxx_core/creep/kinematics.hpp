@@ -43,7 +43,7 @@ RigidSlip rigid_slip(const WheelsetMotion& wheelset, const ContactFrame& frame, 
 /// A number with its derivatives by positions and velocities.
 using RatedByState = WithRates<state_count>;
 
-/// A patch's frame and its place on the wheel, with their derivatives by the positions.
+/// A patch's frame and its position on the wheel, with their derivatives by the positions.
 struct MovingFrame {
   VectorOf<RatedByState> longitudinal, lateral, normal;
   VectorOf<RatedByState> place;  ///< on the wheel's undeformed surface
@@ -52,7 +52,7 @@ struct MovingFrame {
   RatedByState s_wheel;          ///< of it, on the wheel's profile
 };
 
-/// Of a patch, with the derivatives.
+/// Slip of a patch, with its derivatives.
 struct RatedSlip {
   std::array<RatedByState, twist_count> twist;
   RatedByState slip_speed; ///< as RigidSlip

@@ -81,7 +81,7 @@ public:
 
 private:
   PatchMotion motion_;
-  double of_forces_ = 1.0; ///< those sought over those found
+  double of_forces_ = 1.0; ///< requested forces over the found ones
   double of_creepages_ = 1.0;
 };
 

@@ -20,7 +20,7 @@ struct PatchRates;
 struct PatchResult;
 struct WheelResult;
 
-/// Of a patch, or of patches of one plane together.
+/// Motion of a patch, or of patches of one plane together.
 struct PatchMotion {
   Creepages creepages; ///< at the plane's origin
   RollingFrame frame;
@@ -30,7 +30,7 @@ struct PatchMotion {
   std::optional<Twist> twist{};
 };
 
-/// Creepages at a place of a patch's plane from those at its reference.
+/// Creepages at a point of a patch's plane from those at its reference.
 Creepages creepages_at(const Creepages& reference, double longitudinal, double lateral);
 
 /// That of the request in the left-hand frame of the side.

@@ -1,9 +1,9 @@
 /// The rigid slip of each element of a patch, and the three creepages that fit it best.
 ///
-/// Over the longitudinal place x the surface is that at x = 0 on each row of elements: at lateral
-/// place y it lies at the height h(y) over the place the velocities are given at, and rises by the
-/// angle b(y) against the plane. With the velocity v and the turning o of the wheel's material
-/// against the rail's, over the speed and in the plane's axes (Twist), the slip there is
+/// On each row of elements the surface is taken at x = 0 for all longitudinal positions x: at
+/// lateral position y it lies at the height h(y) over the point where the velocities are given, and
+/// rises by the angle b(y) against the plane. With the velocity v and the turning o of the wheel's
+/// material against the rail's, over the speed and in the plane's axes (Twist), the slip there is
 ///
 ///   w_x = v_x - o_n y + o_y h
 ///   w_y = (v_y - o_x h) cos b + (v_n + o_x y) sin b + (o_n cos b - o_y sin b) x,
@@ -37,8 +37,8 @@
 
 namespace wrc {
 
-/// Slip of each element at its place along its tangent; at its place along the plane's axes (b = 0
-/// above), as CONTACT's D = 3; or of three creepages at the reference, as CONTACT's D = 2.
+/// Slip of each element at its position along its tangent; at its position along the plane's axes
+/// (b = 0 above), as CONTACT's D = 3; or of three creepages at the reference, as CONTACT's D = 2.
 enum class SlipVariation { by_element, plane_axes, planar };
 
 /// Whose height slip is taken at.
@@ -54,13 +54,13 @@ struct SlipChoice {
 std::vector<SlipRow> slip_rows(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
                                std::span<const double> pressure, const SlipChoice& choice);
 
-/// Of a row: (along, across + turning x).
+/// Slip of a row: (along, across + turning x).
 struct SlipOfRow {
   double along = 0.0;
   double across = 0.0;
   double turning = 0.0;
 };
-/// `approach`: of the place of the velocities below the plane's origin.
+/// `approach`: depth of the point of the velocities below the plane's origin.
 SlipOfRow slip_of_row(const SlipRow& row, const Twist& twist, double approach);
 
 SlipGeometry slip_geometry(std::vector<LoadedRow> rows, double approach);
@@ -70,7 +70,7 @@ Creepages fitted_creepages(const SlipGeometry& geometry, const Twist& twist);
 double slip_variation(const SlipGeometry& geometry, const Twist& twist, const Creepages& creepages);
 std::vector<LoadedRow> loaded_rows(const std::vector<SlipRow>& rows, const Grid& grid,
                                    std::span<const double> pressure);
-/// Of rows that are given from another origin of the same plane.
+/// Rows that are given from another origin of the same plane, moved.
 LoadedRow moved_row(LoadedRow row, double longitudinal, double lateral, double height);
 
 /// The slip of each element less that of the creepages that fit it best.
@@ -90,7 +90,7 @@ Wrench wrench_of(const CreepagesByTwist& by, const std::array<double, 3>& forces
 Wrench wrench_beyond(const SlipGeometry& geometry, const std::vector<SlipRow>& rows,
                      const Grid& grid, std::span<const double> traction_x,
                      std::span<const double> traction_y);
-/// The geometry of three creepages at the place of the velocities.
+/// The geometry of three creepages at the point of the velocities.
 constexpr CreepagesByTwist creepages_of_planar_slip() {
   return {{{1.0, 0.0, 0.0, 0.0, 0.0, 0.0},
            {0.0, 1.0, 0.0, 0.0, 0.0, 0.0},

@@ -7,7 +7,7 @@
 namespace wrc {
 namespace {
 
-/// Of a force along x and y and a moment about z, or of slips and spin.
+/// Signs of a force along x and y and a moment about z, or of slips and spin.
 using Signs = std::array<double, 3>;
 
 constexpr Signs mirror_signs(double mirror) {
@@ -36,7 +36,7 @@ std::array<double, 9> times_both(const Signs& signs, std::array<double, 9> by_cr
   return by_creepage;
 }
 
-/// Of the first three; what follows them is along the normal.
+/// Turns the first three; the others are along the normal.
 template <std::size_t count>
 std::array<double, count> times(const Signs& signs, std::array<double, count> values) {
   for (std::size_t i = 0; i < signs.size(); ++i) {

@@ -25,7 +25,7 @@ void add_rate(Vector& vector, std::size_t position, const Vector3& rate) {
   vector.z.rates[position] += rate.z;
 }
 
-/// The place is one approach below the reference, which moves along the rail.
+/// The point is one approach below the reference, which moves along the rail.
 MovingFrame moving_frame(const PatchResult& patch, const PatchRates& rates, const Vector3& centre,
                          const Pose& pose) {
   const ContactFrame& frame = patch.frame;
@@ -60,7 +60,7 @@ struct CreepState {
   RatedByState normal_velocity; ///< over that of slip
 };
 
-/// The geometry of slip, with what positions change in it; of planar slip that of the reference.
+/// The geometry of slip with its derivatives by positions; of planar slip that of the reference.
 std::array<std::array<RatedByState, twist_count>, 3> rated_geometry(const PatchResult& patch) {
   std::array<std::array<RatedByState, twist_count>, 3> rated{};
   const CreepagesByTwist by =
@@ -101,8 +101,8 @@ CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
   return {creepages, friction_of(details.friction, frame.s_wheel, speed), normal_velocity};
 }
 
-/// Of a patch's longitudinal and lateral creep force, its spin moment and the force along the
-/// normal beyond them, left-hand frame.
+/// Derivatives of a patch's longitudinal and lateral creep force, its spin moment and the force
+/// along the normal beyond them, left-hand frame.
 std::array<RatedByState, 4> rated_creep_forces(const CreepResult& creep, const RollingFrame& side,
                                                const PatchRates& rates, const CreepState& state) {
   const CreepForces fitted =

@@ -12,8 +12,8 @@
 /// it; of unlike bodies the contact is taken to stay similar, (dT/dN) dN.
 /// Units N, N mm by mm, rad, mm/s, rad/s. Track frame. Thread rule: pure functions.
 ///
-/// Not known here: elements that enter the contact, or change between adhesion and slip; what
-/// tangential forces of a pitch rate that is sought change in it.
+/// Not known here: elements that enter the contact, or change between adhesion and slip; the change
+/// of it by tangential forces of an unknown pitch rate.
 #pragma once
 
 #include "records/motion.hpp"

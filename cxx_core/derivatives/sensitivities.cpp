@@ -154,7 +154,7 @@ ElementMotion following(const LoadedPatch& patch, std::span<const double> pressu
                                2.0 * centre[i] * centre_rate[i];
     growth[i] = square > 0.0 ? 0.5 * square_rate / square : 0.0;
   }
-  // Of the pressures over the elements as they are; the elements' own motion comes on top.
+  // Rates of the pressures over fixed elements; the elements' own motion is added.
   return {motion.along + centre_rate[0] - growth[0] * centre[0],
           motion.across + centre_rate[1] - growth[1] * centre[1],
           motion.longitudinal_growth + growth[0], motion.lateral_growth + growth[1]};
@@ -180,7 +180,7 @@ public:
     }
   }
 
-  /// Of the scale of a row.
+  /// Rate of the scale of a row.
   [[nodiscard]] double of(std::size_t row, std::size_t motion,
                           const ElementMotion& elements) const {
     return by_turn_[row] * patch_.angle_rates[motion] +
@@ -416,8 +416,8 @@ void make_symmetric(ForceRates& rates, const WheelForce& force, const Pose& pose
     along[3][j] = rates[j].moment.z;
   }
   along[2][3] += dot(force.moment, roll_axis_by_yaw);
-  // Of each pair the motion counts that rolls the wheel less into the rail: height, then lateral
-  // position and yaw with the height following the load, at last the roll.
+  // Of each pair, the motion that presses the wheel less into the rail is kept: height, then
+  // lateral position and yaw with the height following the load, at last the roll.
   constexpr std::size_t height = 1;
   constexpr std::array<int, motion_count> order{1, 0, 3, 2};
   const double stiffness = along[height][height];

@@ -3,7 +3,7 @@
 /// Derivatives of the discrete solution at its fixed set of elements in contact, for integrators
 /// that need a Jacobian. Elements follow the contact: of a single patch as its grid does, so that
 /// the derivatives are those of the discrete forces; of several they move with its centre of
-/// pressure and grow with its semi-axes, as a first solution with elements that stay tells (of
+/// pressure and grow with its semi-axes, as found by a first solution with fixed elements (of
 /// patches that interact they move along the rail alone). What the fixed set leaves out is then
 /// only how the contact changes its form. With the directions f of elements, p their pressures and
 /// r the ends of their rays on the rail (remesh/rail_normals.hpp),

@@ -51,8 +51,8 @@ bool is_changing(const PatchInteraction& interaction) {
                      [](double coupling_weight) { return coupling_weight < 1.0; });
 }
 
-/// The influence with the rates of coupling weight in its place; left empty where the influence
-/// does not change.
+/// The influence with the rates of coupling weight instead; left empty where the influence does not
+/// change.
 void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteraction interaction,
                              const Planes& planes, std::size_t motion, double combined_modulus,
                              std::optional<CoupledInfluence>& change) {
@@ -79,7 +79,7 @@ ByMotion<Vector3> reference_rates(const ContactFrame& frame, const PlaneRates& p
   });
 }
 
-/// Of a grid over the rectangle around a penetration: edges go with its ends.
+/// Motion of a grid over the rectangle around a penetration: its edges move with the ends.
 ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penetration,
                              const PlaneRates& rates, const HeightFunction& rail,
                              std::size_t motion) {

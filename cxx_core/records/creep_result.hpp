@@ -16,8 +16,9 @@
 
 namespace wrc {
 
-/// Of Fx, Fy (N) and Mz (N mm) about the contact reference. All at fixed others: a friction that
-/// falls with slip is not in those by creepages, and slip beyond them stays.
+/// Derivatives of Fx, Fy (N) and Mz (N mm) about the contact reference, each with the other
+/// variables fixed: derivatives by creepages leave out that friction falls with slip and that slip
+/// beyond the creepages changes.
 struct CreepDerivatives {
   std::array<double, 9> by_creepage{}; ///< by xi, eta, phi (1/mm), row by row
   /// As if the contact stayed similar (Hertz), lengths as N^(1/3): T/N then depends on xi/N^(1/3),
@@ -31,14 +32,14 @@ struct CreepDerivatives {
   /// with them (creep/creep_rates.hpp), row by row; left-hand frame of the side. None where these
   /// are not known.
   std::optional<std::array<double, 12>> by_position;
-  /// Of Fx, Fy, Mz and the force along the normal in CreepResult::beyond_creepages (N), left-hand
-  /// frame: by a common factor of the slip beyond creepages, and ...
+  /// Derivatives of Fx, Fy, Mz and the force along the normal in CreepResult::beyond_creepages (N),
+  /// left-hand frame: by a common factor of the slip beyond creepages, and ...
   std::array<double, 4> by_slip{};
   /// ... by a velocity along the normal, over that of slip, through the slip that it adds. Other
   /// velocities are left out: they act through the creepages, and a thousand times less through
   /// this.
   std::array<double, 4> by_normal_velocity{};
-  /// Of that force along the normal, left-hand frame.
+  /// Derivatives of that force along the normal, left-hand frame.
   std::array<double, 3> normal_by_creepage{};
   std::array<double, position_count> normal_by_position{};
   /// How SlipGeometry::creepages_by_twist changes with the same positions; left-hand frame.
@@ -64,8 +65,8 @@ struct CreepResult {
   double power_per_speed = 0.0;
   double power_of_pressures = 0.0; ///< in the slip that pressures of unlike bodies cause
   double friction_power = 0.0;     ///< N mm/s
-  double numerical_loss = 0.0;     ///< share of it that the discretisation ate
-  /// Of forces over mu N; of the full theory only.
+  double numerical_loss = 0.0;     ///< fraction of it lost by discretisation
+  /// error of forces over mu N; of the full theory only
   std::optional<double> error_estimate;
   /// What tractions change in the pressures, mean over mean; of unlike bodies.
   double pressure_change = 0.0;

@@ -39,9 +39,9 @@ struct Fatigue {
   double rail_damage = 0.0;
 };
 
-/// Of a patch, or the worst of several; amounts of wear are added.
+/// Damage of a patch, or the worst of several; amounts of wear are added.
 struct ContactDamage {
-  /// Place in the patch's plane, left-hand frame; the estimate with that of the pressures.
+  /// Position in the patch's plane, left-hand frame; the estimate includes that of the pressures.
   std::optional<GreatestStress> stress;
   std::optional<WearTotals> wear;
   std::optional<Fatigue> fatigue;

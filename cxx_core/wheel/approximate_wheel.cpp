@@ -157,7 +157,7 @@ void ApproximateWheel::sample(Patch& patch, const PatchModel& model,
   const PosedPair pair{wheel_, rail_, equilibrium_.pose, equilibrium_.vertical - depth_};
   patch.undeformed_distance = sample_undeformed_distance(pair, patch.frame, patch.grid);
   patch.normal_force = modelled.normal_force;
-  // Along the normal of its plane: a model knows no pressures of single places.
+  // Along the normal of its plane: a model has no pressures at single points.
   patch.contact_force.force = modelled.normal_force * patch.frame.normal;
   patch.contact_force.moment = cross(modelled.centroid_longitudinal * patch.frame.longitudinal +
                                          modelled.centroid_lateral * patch.frame.lateral,

@@ -51,7 +51,7 @@ Grid grid_of(const Cells& rows, const Cells& columns) {
           columns.begin + 0.5 * columns.step};
 }
 
-/// Cells of one direction that a cell of another overlaps, with the shares of their widths.
+/// Cells of one direction that a cell of another overlaps, with the fractions of their widths.
 struct Overlap {
   std::size_t first = 0;
   Values shares;

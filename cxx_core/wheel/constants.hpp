@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: one wheel, from the first depth to its result.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +11,8 @@
 
 namespace wrc {
 
-/// Of solutions that show the depth for the next one only: it is to be a smooth function of the
-/// scene.
+/// Tolerance of solutions that only give the depth for the next one: it must be a smooth function
+/// of the scene.
 /// origin: measured (smoothness, the depth from the final elements): lateral forces leave their
 /// slope by 5.2e-7 of the load as with 1e-4, which takes 1.3 % more time; with 1e-3, for 1 % less
 /// time, by 8.9e-7.
@@ -29,12 +30,12 @@ inline constexpr double min_depth_ratio = 0.1;
 /// origin: derived: they are longer than normal ones by 1 - cos = 1 % there.
 inline constexpr double vertical_convention_limit = 0.15;
 
-/// Share of the accuracy that the iteration may take in a pressure.
-/// origin: reasoned: with share_of_law and max_rounding the accuracy is shared out.
+/// Fraction of the accuracy that the iteration may take in a pressure.
+/// origin: reasoned: with share_of_law and max_rounding it adds up to the accuracy.
 inline constexpr double iteration_share = 0.2;
 
-/// The same in forces, which are to be smooth, too, to a thousandth of the accuracy: with the
-/// load prescribed the iteration's error shows only in how patches share it, ...
+/// The same in forces, which must also be smooth to a thousandth of the accuracy: with the load
+/// prescribed the iteration's error shows only in its distribution over patches, ...
 /// origin: measured: with 0.2 slopes are as smooth for 4 % less time, but the depth of a wheelset
 /// that hunts between the flanges does not settle (legacy_vehicle), and 1e-3 of creep forces is met
 /// on 98.7 instead of 99.4 % of patches (wrc_tradeoff --creep 500); 0.02 takes 2 % more.
@@ -45,19 +46,19 @@ inline constexpr double smooth_load_share = 5e-2;
 /// instead of 7.6e-7.
 inline constexpr double smooth_position_share = 2e-3;
 
-/// Share of the accuracy that rounding may take in a pressure; forces are sums, in which it
+/// Fraction of the accuracy that rounding may take in a pressure; forces are sums, in which it
 /// averages out.
-/// origin: reasoned: with share_of_law and iteration_share the accuracy is shared out.
+/// origin: reasoned: with share_of_law and iteration_share it adds up to the accuracy.
 inline constexpr double max_rounding = 0.1;
 
-/// Share of the accuracy from which on the rounding of positions is told.
-/// origin: derived: what share_of_law and iteration_share leave. With the whole accuracy pmax of a
-/// flange under 1e-5 N is 1.15e-3 off without a word (wrc_extremes).
+/// Fraction of the accuracy above which position rounding raises a warning.
+/// origin: derived: the rest of share_of_law and iteration_share. With the whole accuracy pmax of a
+/// flange under 1e-5 N is 1.15e-3 off without a warning (wrc_extremes).
 inline constexpr double told_rounding = 1.0 - share_of_law - iteration_share;
 
-/// By how much more steeply than at a place a wheel falls towards the taping line if that place is
-/// on the tip of its flange, rad. origin: reasoned: flanks fall by 1 rad and more, crests of tips
-/// by less.
+/// A point is on the tip of the flange if the wheel falls by this much more steeply between it and
+/// the taping line, rad.
+/// origin: reasoned: flanks fall by 1 rad and more, crests of tips by less.
 inline constexpr double tip_fall = 0.2;
 
 /// Pressure that no steel of wheels and rails carries, MPa: 440 kgf/mm2. A material flows all round
@@ -70,18 +71,19 @@ inline constexpr double hardest_steel = 440.0 * 9.80665;
 /// origin: derived: of two steels of 230 GPa and 0.3; steels have 190 to 220 GPa.
 inline constexpr double stiffest_steel = 0.5 * 230e3 / (1.0 - 0.3 * 0.3);
 
-/// Of a wheel's tread towards the field side, rad; what falls more steeply is its chamfer.
+/// Largest slope of a wheel's tread towards the field side, rad; anything steeper is its chamfer.
 /// origin: published: treads of EN 13715 fall by up to 15 % (0.149 rad), their chamfers by 45
 /// degrees.
 inline constexpr double max_tread_slope = 0.2;
 
-/// In the vertical convention all that turns by less than same_plane_angle (patches/constants.hpp)
-/// from the main patch and lies within this distance of it, mm, shares its grid.
+/// In the vertical convention, patches that turn by less than same_plane_angle
+/// (patches/constants.hpp) from the main patch and lie within this distance of it, mm, share its
+/// grid.
 /// origin: reasoned: the width of the tread's contact band.
 inline constexpr double one_grid_distance = 20.0;
 
 /// Iterations times elements of one solution whose elements follow from the accuracy; a limit of
-/// elements above the default permits as many times more.
+/// elements above the default permits more in the same ratio.
 /// origin: bound: measured (bounded_scenes loaded, seed 22): 1.6e8 take solve.solver = "paper" 3.6
 /// s; the default solver ends after a hundredth of it.
 inline constexpr double most_work = 5e7;
@@ -95,7 +97,7 @@ inline constexpr double least_coarsening = 1.02;
 /// origin: bound: most grids take one or two rounds, those that reach two elements across ten.
 inline constexpr int coarsening_rounds = 60;
 
-/// Depth that positions can just tell apart, mm. On steel it takes about 2e-7 N.
+/// Smallest depth that positions resolve, mm. On steel it takes about 2e-7 N.
 /// origin: derived: the rounding of positions, 1e-13 mm, is 1e-4 of it.
 inline constexpr double min_depth = 1e-9;
 
@@ -108,7 +110,7 @@ inline constexpr double coordinate_deviation = 0.5;
 /// origin: measured: 99 of 100 of 1983 solutions keep to two.
 inline constexpr double pressure_deviations = 2.0;
 
-/// Of pressures to white noise of the distances, law of depth_checks.hpp.
+/// Response of pressures to white noise of the distances, law of depth_checks.hpp.
 /// origin: derived: pi / (2 sqrt(3)).
 inline constexpr double noise_response = 0.9069;
 
@@ -120,11 +122,11 @@ inline constexpr double table_difference = 2e-12;
 /// Enough to draw, figures are in closed form: the size of a picture, not a tuning constant.
 inline constexpr std::size_t sampled_count = 32;
 
-/// Room around the contact on that grid, as a share of it.
+/// Room around the contact on that grid, as a fraction of it.
 /// origin: derived: one element.
 inline constexpr double sampled_margin = 1.0 / static_cast<double>(sampled_count);
 
-/// Share of the load to which an approximate model's depth is found.
+/// Fraction of the load to which an approximate model's depth is found.
 /// origin: reasoned: below what anybody reads, above the rounding of a sum.
 inline constexpr double load_accuracy = 1e-10;
 
@@ -132,8 +134,8 @@ inline constexpr double load_accuracy = 1e-10;
 /// origin: bound: secants and halvings of a bracket need ten to twenty.
 inline constexpr int load_steps = 80;
 
-/// Change of the depth that leaves patches and planes as they are.
-/// origin: derived: planes turn by less than its share of the contact angles' spread.
+/// Relative change of the depth below which patches and planes are kept.
+/// origin: derived: planes turn by less than this fraction of the contact angles' spread.
 inline constexpr double settled_share = 1e-3;
 
 /// Times that patches are found again at the depth of the load.
@@ -159,8 +161,8 @@ inline constexpr std::size_t max_elements_ratio = 16;
 /// origin: measured (compare_stress): errors up to 2.5 times as large, on crests.
 inline constexpr double stress_error_by_crest = 2.5;
 
-/// Places and depths of a section of stresses, ...
-/// About as many as CONTACT's own examples have: the size of a picture, not a tuning constant.
+/// Points along and depths of a section of stresses, ... About the number in CONTACT's own
+/// examples: the size of a picture, not a tuning constant.
 inline constexpr std::size_t section_places = 100;
 inline constexpr std::size_t section_depths = 60;
 /// ... its half length over the contact's semi-axis, and its depth over the smaller one.
@@ -169,7 +171,7 @@ inline constexpr std::size_t section_depths = 60;
 inline constexpr double section_half_length = 1.5;
 inline constexpr double section_depth = 2.0;
 
-/// Share of an error estimate from which on a warning names what it is due to.
+/// Fraction of an error estimate above which a warning names its cause.
 /// origin: reasoned: less does not show in the three digits that are printed.
 inline constexpr double least_share_said = 0.01;
 

@@ -25,12 +25,12 @@ struct WheelResult;
 /// Fills in ContactDamage of the wheel and its patches.
 void find_damage(WheelResult& wheel, const DamageRequest& request);
 
-/// Of a patch or a part of one, under its pressures and, where it has them, its tractions: their
-/// ratios to the pressures of their own, coarser grid on the elements of normal contact. Pressures
-/// that tractions change are those of the tractions' grid.
+/// Stresses below a patch or a part of one, under its pressures and, where it has them, its
+/// tractions: their ratios to the pressures of their coarser grid, on the elements of normal
+/// contact. Pressures that tractions change are those of the tractions' grid.
 SubsurfaceStress stresses_below(const PatchResult& patch, const DamageRequest& request);
 
-/// Stresses in a plane through the place of the greatest one, track frame turned into the patch's
+/// Stresses in a plane through the point of the greatest one, track frame turned into the patch's
 /// plane; empty if they were not requested.
 StressSection stress_section(const WheelDetails& wheel, const PatchResult& patch);
 /// Wear by element of the creep grid and by its rows; empty if it was not requested.

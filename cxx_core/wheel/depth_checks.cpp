@@ -87,7 +87,8 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
   const double error = std::max(pressure / solution.peak_pressure(), table_difference / overlap);
   const double left = told_rounding * request.accuracy;
   if (error > left) {
-    // With as many elements across, elements grow with the root of the overlap, and pressures too.
+    // With the same number of elements across, elements and pressures grow with the root of the
+    // overlap.
     warnings.push_back(
         {WarningClass::rounding,
          "wheel and rail overlap by only " + short_text_of(overlap) + " mm: below " +

@@ -13,8 +13,8 @@
 /// (from element to element) to 0.36 (from row to row). Errors of pmax were below s_p in 82 and
 /// below 2 s_p, which is what is warned of, in 99 per cent of 1983 solutions (loads from 1e-8 N,
 /// tread to flange, radii of 150 to 5000 mm, accuracies of 1e-4 to 1e-2: docs/stability.md).
-/// The approach is off by what the tables of heights leave between the first touch and the rays.
-/// Units mm, N, MPa. Thread rule: pure functions.
+/// The approach is off by the difference between the tables of heights at the first touch and the
+/// rays. Units mm, N, MPa. Thread rule: pure functions.
 #pragma once
 
 #include "accuracy/grid_solution.hpp"
@@ -23,17 +23,17 @@
 
 namespace wrc {
 
-/// Whether there is contact at a depth found from the request. If not, a warning says why, but
-/// for a load of zero: loads too small to tell from zero are treated as zero. An absurd overlap
-/// throws Error(invalid_argument).
+/// Whether there is contact at a depth found from the request. If not, a warning says why, except
+/// for a load of zero: loads too small to distinguish from zero are treated as zero. An absurd
+/// overlap throws Error(invalid_argument).
 bool is_in_contact(const WheelRequest& request, double depth, Warnings& warnings);
 
 /// Throws Error(no_contact) if the depth found for a load in the end is no overlap of wheel
 /// and rail. `depth` is vertical, from the first touch.
 void check_found_depth(const WheelRequest& request, double depth);
 
-/// A solution after which the search gives up, though it is in contact: not converged, and a
-/// warning tells after how many solutions.
+/// Marks a solution that the search abandons, though it is in contact, as not converged; a warning
+/// says after how many solutions.
 void mark_unsettled(GridSolution& solution, int solutions, Warnings& warnings);
 
 /// Warns of overlaps so small that the rounding of positions takes more than the requested

@@ -129,7 +129,7 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
   for (const ContactPatch& penetration : found.patches) {
     Patch& patch = solution.patches.emplace_back();
     patch.penetration = penetration;
-    // Through the weighted mean place on the rail.
+    // Through the weighted mean point on the rail.
     const Vector3 origin{penetration.mean_x, penetration.mean_y,
                          rail.graph().at_lateral(penetration.mean_y).height};
     patch.frame = request.gap == GapConvention::tangent

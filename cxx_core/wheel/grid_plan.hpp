@@ -3,7 +3,7 @@
 /// The planes are those of the patches of penetration (patches/contact_patches.hpp). A grid spans a
 /// patch's penetration with a little room, within its lateral limits: contact cannot leave the
 /// penetration, whose ends the scan knows by parabolas between its nodes. In the vertical
-/// convention all patches near the main one share one plane and grid. Units mm and rad; left-hand
+/// convention all patches near the main one have one plane and grid. Units mm and rad; left-hand
 /// frame of the side. Thread rule: pure functions.
 #pragma once
 
@@ -21,14 +21,14 @@ namespace wrc {
 /// What elements the grids of patches have.
 class GridChoice {
 public:
-  /// As many in each.
+  /// The same number in each patch.
   explicit GridChoice(const ElementCounts& counts) : counts_(counts) {}
-  /// Of the sizes of the nearest of these.
+  /// With element sizes of the nearest of these patches.
   explicit GridChoice(std::vector<PatchElements> elements) : elements_(std::move(elements)) {}
 
   /// Over the potential contact area of a patch.
   [[nodiscard]] Grid grid_of(const ContactPatch& penetration, const PlaneArea& area) const;
-  /// With elements so many times as long and wide; those of counts stay as they are.
+  /// With elements this many times longer and wider; numbers of elements stay.
   [[nodiscard]] GridChoice coarser(double times) const;
   [[nodiscard]] bool by_size() const { return !elements_.empty(); }
 

@@ -27,9 +27,11 @@ struct WheelOptions {
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
   bool interaction = false; ///< all patches interact in full, however far apart
-  /// Patches closer than twice this share a plane, mm (patches/contact_patches.hpp).
+  /// Patches closer than twice this distance, mm, have a common plane
+  /// (patches/contact_patches.hpp).
   double joining_distance = 4.0;
-  /// Of the grids of a wheel that follow from the accuracy, together; likewise of creep forces.
+  /// Limit of the grids of a wheel that follow from the accuracy, together; another limit of the
+  /// same size for creep forces.
   double element_limit = default_element_limit;
 };
 

@@ -31,7 +31,7 @@ ContactPoint point_of(const ContactCandidate& candidate, const WheelSurface& whe
   return point;
 }
 
-/// Where the normal through a place of a patch's plane meets rail and wheel.
+/// Where the normal through a point of a patch's plane meets rail and wheel.
 ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
                       double lateral, const SideFrame& side) {
   const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);

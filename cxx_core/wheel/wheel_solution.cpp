@@ -62,7 +62,7 @@ private:
   [[nodiscard]] double first_depth() const;
   const GridSolution& patches_at(double depth);
   GridSolution sample(double depth, const GridChoice& grids);
-  /// Starting from the pressures of `before`, if that has as many patches.
+  /// Starting from the pressures of `before`, if that has the same number of patches.
   GridSolution solve_at(double depth, const GridChoice& grids, double tolerance,
                         const GridSolution* before);
   /// That of a solution from another depth; not above the first touch, where there is nothing to
@@ -172,9 +172,9 @@ double WheelSolver::vertical_load(const GridSolution& patches) const {
   return request_.load() * (along > 0.0 ? force.z / along : direction.z);
 }
 
-/// From the height sampled to the one that bears the load, by the approach found. Planes go with
-/// the wheel, distances change by the shares of the rail's rise. There the rail's surface has
-/// turned a little under the pressures; they are scaled to the load.
+/// From the sampled height to the one that carries the load, by the approach found. Planes move
+/// with the wheel, and distances change by each element's part of the rail's rise. There the rail's
+/// surface has turned a little under the pressures; they are scaled to the load.
 void WheelSolver::settle(GridSolution& solution, double approach) {
   solution.depth += approach;
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
@@ -337,8 +337,8 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     error_ = estimate_error(solution, goal_);
     result_.discretisation_error = error_.total();
     result_.model_error = estimate_model_error(solution, request_.accuracy_of);
-    // Forces stay as they are: a second grid would be no continuous function of the scene.
-    // More elements than the limit permits are not to be had.
+    // Forces are kept: with a second grid they would not be continuous functions of the scene. The
+    // limit of elements must not be exceeded.
     if (error_.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
         elements_wanted_ > request_.element_limit) {
       return solution;

@@ -22,7 +22,7 @@ double slope_at(const ProfileNodes& nodes, double s) {
   return std::lerp(nodes.slope[i - 1], nodes.slope[i], share);
 }
 
-/// Whether the profile falls more steeply somewhere between this place and the taping line.
+/// Whether the profile falls more steeply somewhere between this point and the taping line.
 bool is_on_flange_tip(const ProfileNodes& nodes, double s) {
   double steepest = INFINITY;
   for (std::size_t i = 0; i < nodes.lateral.size(); ++i) {

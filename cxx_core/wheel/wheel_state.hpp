@@ -1,9 +1,9 @@
-/// States of a wheel that a vehicle must hear of.
+/// States of a wheel that a vehicle simulation must know.
 ///
-/// Lifted: no contact. On the flange tip: a patch lies beyond the steepest place of the flange,
-/// where a wheel that climbs (Nadal 1896) is held no longer. On the chamfer: a patch lies beyond
-/// the tread. Beyond yield: the largest pressure exceeds the limit given. Units mm, MPa. Thread
-/// rule: a pure function.
+/// Lifted: no contact. On the flange tip: a patch lies beyond the steepest point of the flange,
+/// where nothing stops a climbing wheel (Nadal 1896). On the chamfer: a patch lies beyond the
+/// tread. Beyond yield: the largest pressure exceeds the limit given. Units mm, MPa. Thread rule: a
+/// pure function.
 ///
 /// Not known here: how the wheel came there.
 #pragma once

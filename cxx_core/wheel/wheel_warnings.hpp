@@ -16,7 +16,7 @@ namespace wrc {
 /// Contact on the last elements, which a neighbour is next to.
 bool reaches_neighbour(const Patch& patch);
 
-/// Warns of what holds for all patches together. `ridge_error` is that of the error estimate.
+/// Warnings of all patches together. `ridge_error` is that of the error estimate.
 void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
                       double wheel_radius, double ridge_error, WheelSolution& result);
 /// Warns of single patches of a result, which are in their final order.

@@ -61,9 +61,9 @@ std::string series_name(const PictureRequest& picture, const Value& value);
 std::string series_title(const PictureRequest& picture, const Value& value);
 std::string series_label(const PictureRequest& picture);
 
-/// Axes, grid and legend as all pictures of lines have them; a legend of more than six lines is
-/// drawn beside them, and returns the pixels that it needs.
+/// Axes, grid and legend as all pictures of lines have them.
 std::string line_style(std::size_t lines);
+/// Pixels beside the lines for a legend of more than six; 0 for fewer, whose legend is above.
 int legend_width(std::size_t lines);
 
 /// The files of a picture in a folder: the picture, and for conicity a table too.
