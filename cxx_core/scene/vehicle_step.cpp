@@ -122,16 +122,16 @@ PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t i
   const FoundPatch& found = patches[index];
   const CreepResult creep = solver.solve_creep(scene, *found.wheel, *found.patch,
                                                {inside[0], inside[1], inside[2]}, derivatives);
-  PatchCreep told;
-  told.forces = {to_caller(creep.longitudinal_force, convention, pure),
+  PatchCreep converted;
+  converted.forces = {to_caller(creep.longitudinal_force, convention, pure),
                  to_caller(creep.lateral_force, convention, turning_force),
                  to_caller(creep.spin_moment, convention, turning_moment)};
-  for (std::size_t i = 0; creep.derivatives && i < told.by_creepage.size(); ++i) {
-    told.by_creepage[i] =
+  for (std::size_t i = 0; creep.derivatives && i < converted.by_creepage.size(); ++i) {
+    converted.by_creepage[i] =
         to_caller(creep.derivatives->by_creepage[i], convention,
                   number_tables::rate_of(number_tables::creep_rows[i / 3], columns[i % 3]));
   }
-  return told;
+  return converted;
 }
 
 } // namespace wrc

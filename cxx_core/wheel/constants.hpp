@@ -54,7 +54,7 @@ inline constexpr double max_rounding = 0.1;
 /// Fraction of the accuracy above which position rounding raises a warning.
 /// origin: derived: the rest of share_of_law and iteration_share. With the whole accuracy pmax of a
 /// flange under 1e-5 N is 1.15e-3 off without a warning (wrc_extremes).
-inline constexpr double told_rounding = 1.0 - share_of_law - iteration_share;
+inline constexpr double warned_rounding = 1.0 - share_of_law - iteration_share;
 
 /// A point is on the tip of the flange if the wheel falls by this much more steeply between it and
 /// the taping line, rad.

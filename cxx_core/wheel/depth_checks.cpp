@@ -85,7 +85,7 @@ void warn_of_rounding(const GridSolution& solution, const WheelRequest& request,
     return;
   }
   const double error = std::max(pressure / solution.peak_pressure(), table_difference / overlap);
-  const double left = told_rounding * request.accuracy;
+  const double left = warned_rounding * request.accuracy;
   if (error > left) {
     // With the same number of elements across, elements and pressures grow with the root of the
     // overlap.

@@ -175,11 +175,11 @@ c Accelerations of the wheelset.
 c Runs nstep steps of h seconds from the displacement y0. Tells the
 c amplitude and the wavelength between the first and the last zero of
 c y, and the largest |y| of either half.
-      subroutine run(y0, h, nstep, told, ampl, wave, first, last)
+      subroutine run(y0, h, nstep, shown, ampl, wave, first, last)
       implicit none
       real*8 y0, ampl, wave, first, last
       integer nstep
-      logical told
+      logical shown
       real*8 mass, inert, ky, kpsi, v
       common /veh/ mass, inert, ky, kpsi, v
       real*8 h, s(4), p(4), k1(4), k2(4), yold, zero(2)
@@ -194,7 +194,7 @@ c y, and the largest |y| of either half.
       zero(1) = 0.0d0
       ampl = 0.0d0
       wave = 0.0d0
-      if (told) write (*, '(a)') '      x, m     y, mm psi, mrad'
+      if (shown) write (*, '(a)') '      x, m     y, mm psi, mrad'
       do 30 i = 1, nstep
         yold = s(1)
         call accel(s, k1)
@@ -214,7 +214,7 @@ c y, and the largest |y| of either half.
           if (nzero .gt. 1) wave = 2.0d0*(zero(2) - zero(1))/(nzero - 1)
         end if
         if (nzero .gt. 0) ampl = max(ampl, abs(s(1)))
-        if (told .and. mod(i, nstep/10) .eq. 0) write (*, '(3f10.3)')
+        if (shown .and. mod(i, nstep/10) .eq. 0) write (*, '(3f10.3)')
      &    v*h*i, 1.0d3*s(1), 1.0d3*s(2)
    30 continue
       end

@@ -25,8 +25,8 @@ namespace {
   } catch (const std::exception& error) {
     text = error.what();
   }
-  const bool told = write(messages, text.data(), text.size()) >= 0;
-  _exit(told && text.empty() ? 0 : 1); // nothing of the parent's is ended or written here
+  const bool sent = write(messages, text.data(), text.size()) >= 0;
+  _exit(sent && text.empty() ? 0 : 1); // nothing of the parent's is ended or written here
 }
 
 } // namespace

@@ -37,10 +37,10 @@ public:
     const std::scoped_lock lock(mutex_);
     ++done_;
     const double seconds = watch_.seconds();
-    if (done_ < count_ && seconds - told_ < 2.0) {
+    if (done_ < count_ && seconds - reported_ < 2.0) {
       return;
     }
-    told_ = seconds;
+    reported_ = seconds;
     tell(done_, seconds);
   }
 
@@ -49,7 +49,7 @@ private:
   std::size_t count_;
   std::size_t done_ = 0;
   Stopwatch watch_;
-  double told_ = 0.0;
+  double reported_ = 0.0;
 };
 
 } // namespace driver

@@ -61,7 +61,7 @@ std::vector<Row> rows_of(std::string_view bytes) {
 /// What rank 0 knows about another.
 struct Other {
   std::int64_t open = 0; ///< scenes it has
-  bool told_last = false;
+  bool sent_last = false;
 };
 
 std::string time_text(double seconds) {
@@ -92,7 +92,7 @@ void run_study(const Study& study, int threads, const Ranks& ranks, Journal& jou
   std::vector<Other> others(static_cast<std::size_t>(ranks.size()) - 1);
   const auto others_done = [&] {
     return std::all_of(others.begin(), others.end(),
-                       [](const Other& other) { return other.told_last && other.open == 0; });
+                       [](const Other& other) { return other.sent_last && other.open == 0; });
   };
   const auto enough = ahead * static_cast<std::size_t>(threads);
   const std::chrono::milliseconds patience{others.empty() ? 50 : 1};
@@ -116,7 +116,7 @@ void run_study(const Study& study, int threads, const Ranks& ranks, Journal& jou
       answer.scenes = scenes.some(std::min(static_cast<std::size_t>(message->wanted), portion));
       answer.last = scenes.empty();
       other.open += static_cast<std::int64_t>(answer.scenes.size());
-      other.told_last = answer.last;
+      other.sent_last = answer.last;
       ranks.answer(message->from, answer);
     }
     if (const std::vector<Row> rows = pool.take(patience); !rows.empty()) {

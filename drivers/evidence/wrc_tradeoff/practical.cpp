@@ -53,7 +53,7 @@ struct Counts {
   std::size_t wheels = 0;
   std::size_t uncertain = 0;
   std::size_t missed = 0;
-  std::size_t untold = 0;
+  std::size_t silent = 0;
   std::size_t beyond_estimate = 0;
   std::vector<double> errors;
   std::vector<double> ratios; ///< of estimates to errors
@@ -70,7 +70,7 @@ Counts count(const std::vector<PracticalMeasured>& all) {
         continue;
       }
       counts.missed += wheel.misses() ? 1 : 0;
-      counts.untold += wheel.misses_untold() ? 1 : 0;
+      counts.silent += wheel.misses_silently() ? 1 : 0;
       counts.beyond_estimate += wheel.exceeds_estimate() ? 1 : 0;
       counts.errors.push_back(wheel.error);
       counts.ratios.push_back(wheel.estimate / wheel.error);
@@ -95,7 +95,7 @@ void print_worst(const std::vector<PracticalMeasured>& all, std::ostream& out) {
   for (const PracticalMeasured& measured : all) {
     for (std::size_t side = 0; side < 2 && measured.failure.empty(); ++side) {
       const PracticalWheel& wheel = measured.wheels[side];
-      if (is_judged(wheel) && (wheel.exceeds_estimate() || wheel.misses_untold())) {
+      if (is_judged(wheel) && (wheel.exceeds_estimate() || wheel.misses_silently())) {
         lines.push_back({wheel.error / std::min(wheel.estimate, practical_accuracy),
                          "error " + general(wheel.error, 3) + ", estimate " +
                              general(wheel.estimate, 3) + ", reference accurate to " +
@@ -174,7 +174,7 @@ void print_practical_summary(const std::vector<PracticalMeasured>& all, std::ost
       << general(driver::quantile(counts.errors, 1.0), 2) << "; estimate over error "
       << general(driver::median(counts.ratios), 2) << '\n'
       << "accuracy missed: " << share_of(counts.missed, judged) << '\n'
-      << "missed without a warning: " << share_of(counts.untold, judged) << '\n'
+      << "missed without a warning: " << share_of(counts.silent, judged) << '\n'
       << "error above its estimate: " << share_of(counts.beyond_estimate, judged) << '\n';
   for (const PracticalMeasured& measured : all) {
     if (!measured.failure.empty()) {
@@ -204,7 +204,7 @@ json practical_json_of(const std::vector<PracticalMeasured>& all) {
            {{"wheels", counts.wheels},
             {"uncertain", counts.uncertain},
             {"missed", counts.missed},
-            {"missed_without_warning", counts.untold},
+            {"missed_without_warning", counts.silent},
             {"above_estimate", counts.beyond_estimate}}},
           {"scenes", scenes}};
 }

@@ -33,7 +33,7 @@ struct PracticalWheel {
   std::string warnings;
 
   [[nodiscard]] bool misses() const { return error > practical_accuracy; }
-  [[nodiscard]] bool misses_untold() const { return misses() && warnings.empty(); }
+  [[nodiscard]] bool misses_silently() const { return misses() && warnings.empty(); }
   [[nodiscard]] bool exceeds_estimate() const { return error > estimate; }
 };
 

@@ -44,7 +44,7 @@ void print_requested(const std::vector<Measured>& all, std::ostream& out) {
     table.add(row_of({row.label},
                      {row.asked, double(row.samples), double(row.left_out), 100.0 * row.met,
                       row.median_error, row.error_95, row.error_99, row.worst, 100.0 * row.bounded,
-                      row.median_estimate, 100.0 * row.told, row.median_ms}));
+                      row.median_estimate, 100.0 * row.reported, row.median_ms}));
   }
   out << "\nLargest error of the results that the accuracy covers; times for both wheels\n";
   table.print(out);
@@ -153,7 +153,7 @@ json json_of(const std::vector<Measured>& all) {
                               {"worst_over_asked", row.worst},
                               {"estimate_bounds", row.bounded},
                               {"estimate_over_error", row.median_estimate},
-                              {"misses_told", row.told},
+                              {"misses_reported", row.reported},
                               {"ms", row.median_ms}});
   }
   for (const HandRow& row : hand_rows(all)) {

@@ -41,7 +41,7 @@ struct AskedRow {
   double worst = 0.0;           ///< error over accuracy
   double bounded = 0.0;         ///< fraction of estimates that are not smaller than the error
   double median_estimate = 0.0; ///< over the error
-  double told = 0.0; ///< fraction of missed accuracies that a warning or the estimate reports
+  double reported = 0.0; ///< fraction of missed accuracies that a warning or the estimate reports
   double median_ms = 0.0;
 };
 std::vector<AskedRow> asked_rows(const std::vector<Measured>& all);

@@ -49,7 +49,7 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
   std::vector<double> times;
   double met = 0.0;
   double bounded = 0.0;
-  double told = 0.0;
+  double reported = 0.0;
   row.left_out =
       for_each_wheel(all, label, asked,
                      [&](const Measured&, const Run& run, std::size_t, const WheelError& wheel) {
@@ -60,7 +60,7 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
                        times.push_back(run.time_ms);
                        bounded += estimate >= error ? 1.0 : 0.0;
                        met += error <= asked ? 1.0 : 0.0;
-                       told += error > asked && estimate > asked ? 1.0 : 0.0;
+                       reported += error > asked && estimate > asked ? 1.0 : 0.0;
                      });
   const auto count = static_cast<double>(errors.size());
   row.samples = static_cast<int>(errors.size());
@@ -71,7 +71,7 @@ AskedRow asked_row(const std::vector<Measured>& all, const std::string& label, d
   row.worst = quantile(errors, 1.0) / asked;
   row.bounded = share(bounded, count);
   row.median_estimate = median(ratios);
-  row.told = share(told, count - met);
+  row.reported = share(reported, count - met);
   row.median_ms = median(times);
   return row;
 }

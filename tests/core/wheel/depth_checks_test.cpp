@@ -67,7 +67,7 @@ struct RoundedElement {
     patch.contact = summarise_pressure(patch.grid, patch.pressure);
     WheelRequest request;
     request.combined_modulus = 1e5;
-    request.accuracy = left / told_rounding;
+    request.accuracy = left / warned_rounding;
     request.accuracy_of = accuracy_of;
     Warnings warnings;
     warn_of_rounding(solution, request, radius, warnings);
@@ -108,7 +108,7 @@ TEST(DepthChecks, AnOverlapBelowTheTableToleranceIsReported) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].text.find("overlap by only 1e-09 mm: below 2e-09 mm"), std::string::npos)
       << warnings[0].text;
-  EXPECT_NE(warnings[0].text.find("accuracy of " + text_of(1e-3 / told_rounding)),
+  EXPECT_NE(warnings[0].text.find("accuracy of " + text_of(1e-3 / warned_rounding)),
             std::string::npos)
       << warnings[0].text;
 }
