@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: stresses below the surface, wear and fatigue.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +11,29 @@ namespace wrc {
 
 /// Distance, in sizes of an element, from which elements of that size will do for a section: depth,
 /// and distance of a row of elements from the section.
-/// origin: measured (SubsurfaceStress.CoarserElementsSufficeAtDepth): stresses are off by 1e-3 of the
-/// greatest pressure at most.
+/// origin: measured (SubsurfaceStress.CoarserElementsSufficeAtDepth): stresses are off by 1e-3 of
+/// the greatest pressure at most.
 inline constexpr double depth_of_element = 3.0;
 
 /// Distance of the depths at which a section is computed, over the depth: cubics give the rest.
 /// origin: measured (SubsurfaceStress.CoarserElementsSufficeAtDepth): as depth_of_element.
 inline constexpr double depth_spacing = 0.25;
 
-/// Rows of elements from which those far from a section are worth larger elements.
-/// origin: measured (100 x 60 places under 64 x 32 elements): a sixth of the time; 20 rows lose.
+/// Number of rows of elements above which larger elements pay far from a section.
+/// origin: measured (100 x 60 points under 64 x 32 elements): a sixth of the time; with 20 rows it
+/// takes longer.
 inline constexpr std::size_t rows_worth_splitting = 24;
 
-/// Places that are computed together.
+/// Number of points computed together.
 /// origin: derived: single-precision values in a vector register of 64 bytes.
 inline constexpr std::size_t vector_places = 16;
 
-/// Elements across the contact that stay at least.
-/// origin: reasoned: as many as moments up to the third need in a row.
+/// Smallest number of elements across the contact.
+/// origin: reasoned: needed for moments up to the third in a row.
 inline constexpr std::size_t coarsest_elements = 4;
 
-/// Likewise for the search of the greatest stress, which is computed anew where it is found.
-/// origin: derived: half of depth_of_element; it chooses between places only.
+/// The same for the search of the greatest stress, which is computed again at the point found.
+/// origin: derived: half of depth_of_element; it only chooses between points.
 inline constexpr double depth_of_search_element = 0.5 * depth_of_element;
 
 /// Least depth, in element sizes.
@@ -42,13 +44,14 @@ inline constexpr double least_depth = 1e-6;
 /// origin: measured (SubsurfaceStress.AgreesWithContact): with 4 tops on the surface are missed.
 inline constexpr std::size_t search_elements = 5;
 
-/// Places of the search along a side of the contact, at most.
+/// Largest number of points of the search along a side of the contact.
 /// origin: bound: the field of a contact this slender varies slowly along it; the sums over all
-/// elements at all places would take 3 s for 10 x 8400 elements (as
+/// elements at all points would take 3 s for 10 x 8400 elements (as
 /// SubsurfaceStress.FindsTheStressBelowAVerySlenderContact at both orientations).
 inline constexpr std::size_t most_search_places = 256;
 
-/// Share of the greatest pressure that these elements must show; else it stands on a strip.
+/// Fraction of the greatest pressure that these elements must show; otherwise it is on a narrow
+/// strip.
 /// origin: measured (SubsurfaceStress.FindsTheStressBelowANarrowStrip); of a Hertzian pressure
 /// they show 0.95.
 inline constexpr double share_shown = 0.9;
@@ -64,21 +67,21 @@ inline constexpr double deepest_search = 1.1;
 /// origin: reasoned: values between are those of the elements.
 inline constexpr double shallowest_search = 0.5;
 
-/// Share of the greatest value from which a depth's top is climbed as well.
+/// Fraction of the greatest value above which the maximum at a depth is refined as well.
 /// origin: measured (SubsurfaceStress.AgreesWithContact): with friction the field has tops of
 /// nearly the same height near the surface and below, and coarse elements leave some percent.
 inline constexpr double worth_climbing = 0.9;
 
 /// Parabolas are laid through the greatest value in each direction as long as a round gains this
-/// share, ...
+/// fraction, ...
 /// origin: measured (compare_stress): one or two rounds as a rule; along ridges two leave 3e-3.
 inline constexpr double least_gain = 3e-4;
-/// ... in so many rounds at most.
-/// origin: bound: three times as many as are usual.
+/// ... in this number of rounds at most.
+/// origin: bound: three times the usual number.
 inline constexpr int search_rounds = 6;
 
-/// Places on each side among which the top on the surface is looked for anew, on elements half as
-/// large each time.
+/// Points on each side among which the maximum on the surface is searched again, on elements half
+/// as large each time.
 /// origin: reasoned: across three quarters of a larger element to each side; along, what a vector
 /// register holds.
 inline constexpr std::size_t surface_reach_along = 7;
@@ -91,8 +94,9 @@ inline constexpr std::size_t surface_reach_across = 1;
 /// are bounded.
 inline constexpr double near_surface_error = 0.15;
 
-/// Share of the power that slip times traction must show on the grid to say where energy goes.
-/// origin: bound: less is what the iteration left, not slip.
+/// Fraction of the power that slip times traction must show on the grid to locate the dissipated
+/// energy.
+/// origin: bound: less is a remainder of the iteration, not slip.
 inline constexpr double least_dissipated_share = 1e-3;
 
 /// Density of steel, g/mm^3.

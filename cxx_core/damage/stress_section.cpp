@@ -15,7 +15,7 @@
 namespace wrc {
 namespace {
 
-/// Weights of the cubic through values at four places.
+/// Weights of the cubic through values at four points.
 std::array<double, 4> cubic(const std::array<double, 4>& places, double place) {
   std::array<double, 4> weights{1.0, 1.0, 1.0, 1.0};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -26,7 +26,7 @@ std::array<double, 4> cubic(const std::array<double, 4>& places, double place) {
   return weights;
 }
 
-/// Adds the cubic through four places of a row, which are 1 apart.
+/// Adds the cubic through four points of a row, which are 1 apart.
 void add_interpolated(const std::vector<Stress>& row, double place, Stress& stress) {
   const double whole = std::clamp(std::floor(place), 1.0, static_cast<double>(row.size()) - 3.0);
   const std::array weights = cubic({-1.0, 0.0, 1.0, 2.0}, place - whole);
@@ -37,8 +37,8 @@ void add_interpolated(const std::vector<Stress>& row, double place, Stress& stre
   }
 }
 
-/// Which of some rising depths are a share of themselves apart, with the first and the last; all
-/// where these are too few for cubics between them.
+/// Selects from rising depths those that differ by at least a given ratio, with the first and the
+/// last; all where these are too few for cubics between them.
 std::vector<std::size_t> depths_to_compute(std::span<const double> depths) {
   std::vector<std::size_t> computed;
   for (std::size_t i = 0; i < depths.size(); ++i) {

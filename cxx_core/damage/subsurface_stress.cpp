@@ -11,8 +11,8 @@
 namespace wrc {
 namespace {
 
-/// Values of a line at every second place, such that its moments up to the third stay: what an
-/// element gives to the larger ones on its side, next and next but one.
+/// Values of a line at every second point, such that its moments up to the third stay: each element
+/// is distributed to the larger ones on its side, next and next but one.
 void halve(const double* fine, std::size_t count, std::size_t stride, double* coarse,
            std::size_t coarse_stride) {
   constexpr std::array weights{22.0 / 128.0, -3.0 / 128.0};
@@ -38,19 +38,19 @@ std::size_t halved(std::size_t count) {
   return (count + 1) / 2 + 4;
 }
 
-/// What a row of elements gives to a row of places.
+/// Stresses at a row of points due to a row of elements.
 template <class Real> struct RowSums {
-  const Real* loads; ///< p, q_x, q_y, so many each
+  const Real* loads; ///< p, q_x, q_y, this number of each
   std::size_t load_count;
   std::size_t kinds;   ///< of loads: 1 or 3
   const Real* kernels; ///< of stress_kernels, pitch apart
   Real* sums;          ///< of six components, pitch apart
   std::size_t pitch;
   std::size_t places; ///< whole vectors of them, unless there is one or the stride is not 1
-  std::size_t stride; ///< between places, in elements
+  std::size_t stride; ///< between points, in elements
 };
 
-/// For so many places, whose sums stay in registers: sums[t] += loads[c] kernel[t + c].
+/// For `block` points, whose sums stay in registers: sums[t] += loads[c] kernel[t + c].
 template <std::size_t block, class Real>
 WRC_VECTOR_BODY void add_block(const RowSums<Real>& row, std::size_t component, std::size_t place) {
   std::array<Real, block> sums{};
@@ -193,7 +193,7 @@ SubsurfaceStress::Level SubsurfaceStress::coarsened(const Level& fine) {
   grid.lateral_step = 2.0 * fine.grid.lateral_step;
   grid.longitudinal_step = 2.0 * fine.grid.longitudinal_step;
   grid.lateral_first = fine.grid.lateral_first - 1.75 * grid.lateral_step;
-  // Rows are kept backwards: their first value is the last place.
+  // Rows are kept backwards: their first value is the last point.
   const double last = fine.grid.longitudinal(columns - 1) + 1.75 * grid.longitudinal_step;
   grid.longitudinal_first =
       last - static_cast<double>(grid.longitudinal_count - 1) * grid.longitudinal_step;

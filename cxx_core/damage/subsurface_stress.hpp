@@ -1,11 +1,11 @@
 /// Stresses below a grid of elements with constant pressure and tractions.
 ///
-/// At places as far apart as the elements, at one depth, they are convolutions of the loads with
+/// At points as far apart as the elements, at one depth, they are convolutions of the loads with
 /// the closed forms of damage/element_stress.hpp: one corner sum for each offset, and for each row
-/// of places and elements sums over the loads that hold anything. At a depth of some elements the
-/// field depends only on their moments, so that larger elements with the same moments
-/// up to the third serve there: a section costs what its shallow depths cost. Sections and searches
-/// are in single precision.
+/// of points and elements sums over the non-zero loads. At a depth of some elements the field
+/// depends only on their moments, so that larger elements with the same moments up to the third
+/// serve there: a section costs what its shallow depths cost. Sections and searches are in single
+/// precision.
 ///
 /// Frame: x longitudinal, y lateral as the grid's, z into the body. Pressures press, tractions act
 /// on the body; tension is positive. Units mm, MPa. Thread rule: pure functions.
@@ -36,13 +36,13 @@ struct SurfaceLoads {
 struct StressSection {
   std::vector<double> places; ///< x or y
   std::vector<double> depths;
-  std::vector<Stress> stresses; ///< places run fastest
+  std::vector<Stress> stresses; ///< points run fastest
 };
 
 struct GreatestStress {
   double von_mises = 0.0;
-  double shear = 0.0;   ///< greatest shear at that place
-  double tension = 0.0; ///< first principal stress at that place
+  double shear = 0.0;   ///< greatest shear at that point
+  double tension = 0.0; ///< first principal stress at that point
   double x = 0.0, y = 0.0, depth = 0.0;
   double error_estimate = 0.0; ///< relative: what elements leave near the surface, under tractions
 };
@@ -54,10 +54,10 @@ public:
 
   /// The sum over all elements.
   [[nodiscard]] Stress at(double x, double y, double depth) const;
-  /// At places x (rising, equally spaced) and depths at one y.
+  /// At points x (rising, equally spaced) and depths at one y.
   [[nodiscard]] StressSection along(std::span<const double> x, double y,
                                     std::span<const double> depths) const;
-  /// At places y at one x.
+  /// At points y at one x.
   [[nodiscard]] StressSection across(std::span<const double> y, double x,
                                      std::span<const double> depths) const;
   /// The greatest von Mises stress in the body, by search on coarse elements and parabolas.
@@ -79,7 +79,7 @@ private:
   static std::vector<Level> seen_from(const Level& level, double y);
   [[nodiscard]] SubsurfaceStress transposed() const;
   [[nodiscard]] const Level& level_for(double depth, double sizes) const;
-  /// Places a whole number of the level's elements apart.
+  /// Points a whole number of the level's elements apart.
   struct Places {
     double x_first;
     std::size_t x_count;
@@ -105,7 +105,7 @@ private:
   [[nodiscard]] std::vector<GreatestStress> search() const;
   /// Whether there is pressure on a strip so narrow that it does not show it.
   [[nodiscard]] bool has_narrow_top() const;
-  /// Below the greatest pressure, which may stand on a strip that coarse elements do not show.
+  /// Below the greatest pressure, which may be on a strip that coarse elements do not show.
   [[nodiscard]] GreatestStress below_pressure(double deepest) const;
   /// To the top nearby: by parabolas, or below the centres of smaller and smaller elements.
   void climb_below(GreatestStress& found) const;
