@@ -28,7 +28,7 @@ namespace wrc {
 
 struct PeakInSection {
   double pressure = 0.0; ///< largest, MPa
-  double error = 0.0;    ///< estimated error of what the strips do not resolve, MPa
+  double error = 0.0;    ///< estimated error of the part that strips do not resolve, MPa
 };
 
 /// Finds Patch::ridge of all patches: the largest angle of a kink of a profile under the pressures

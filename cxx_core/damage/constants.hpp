@@ -9,7 +9,7 @@
 
 namespace wrc {
 
-/// Distance, in sizes of an element, from which elements of that size will do for a section: depth,
+/// Distance, in sizes of an element, from which elements of that size suffice for a section: depth,
 /// and distance of a row of elements from the section.
 /// origin: measured (SubsurfaceStress.CoarserElementsSufficeAtDepth): stresses are off by 1e-3 of
 /// the greatest pressure at most.

@@ -64,7 +64,7 @@ constexpr double notable_pressure = 100.0;
 /// Pressure amplitude over amplitude of waves two points long, in mean squares, MPa.
 /// origin: published: pi E* / wavelength (Johnson, Contact Mechanics, 13.2), E* of steel 115 GPa.
 constexpr double flattening = std::numbers::pi * 115e3 * std::numbers::sqrt2 / 2.0;
-/// Of points farther apart, mm, scatter and shape cannot be told apart.
+/// Of points farther apart, mm, scatter and shape cannot be distinguished.
 /// origin: derived: an arc of 13 mm, the sharpest of a rail's head, leaves their chords by 0.01 mm.
 constexpr double scatter_spacing = 1.0;
 /// The median of |e| in standard deviations of the points.
@@ -72,10 +72,9 @@ constexpr double scatter_spacing = 1.0;
 /// 0.6745 of that.
 constexpr double scatter_of_median = 1.41;
 
-/// A curve that leaves the chord of two neighbours by more than this, mm and as a share of the
-/// chord, swings.
-/// origin: derived: an arc over a chord leaves it by 0.2 of its length where it turns by 87
-/// degrees.
+/// A curve that leaves the chord of two neighbours by more than this, mm and as a fraction of the
+/// chord, swings. origin: derived: an arc over a chord leaves it by 0.2 of its length where it
+/// turns by 87 degrees.
 constexpr double largest_swing = 0.5;
 constexpr double swing_share = 0.2;
 

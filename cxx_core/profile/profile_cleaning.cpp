@@ -37,11 +37,12 @@ constexpr double least_wiggle = 100.0 * degree;
 /// Less off than this, mm, an outlier is scatter of the instrument, whose removal is no guess.
 /// origin: measured: a wheel of the collection has one of 0.4 mm at its flange tip.
 constexpr double least_spike = 1.0;
-/// So many points in a row may be off.
-/// origin: reasoned: more are a step or a second line, which cannot be told from the first.
+/// Largest number of points in a row that may be off.
+/// origin: reasoned: more are a step or a second line, which cannot be distinguished from the
+/// first.
 constexpr std::size_t longest_outlier = 3;
-/// So many outliers are removed at most, and one besides every so many points; a profile with more
-/// is no line with some faults.
+/// Largest number of outliers that are removed, and points per further outlier; a profile with more
+/// is not a line with a few faults.
 /// origin: reasoned.
 constexpr std::size_t most_outliers = 20;
 constexpr std::size_t points_per_outlier = 20;

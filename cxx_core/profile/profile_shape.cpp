@@ -20,7 +20,7 @@ constexpr double least_flange_width = 12.0;
 /// How much wider than its counterpart the wider part of a shape has to be to be plain.
 /// origin: reasoned: heads and flanges are five times as wide as faces; scatter is a few per cent.
 constexpr double plainly_wider = 1.5;
-/// Depth in which a rail is wide at its top, mm, and as a share of shallow measurements.
+/// Depth in which a rail is wide at its top, mm, and as a fraction of shallow measurements.
 /// origin: derived: a circular arc is 3.1 times as wide in the upper third of its height as in the
 /// lower one.
 constexpr double top_depth = 5.0;

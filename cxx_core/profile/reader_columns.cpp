@@ -116,7 +116,7 @@ bool is_heading(std::string_view line) {
   return words.count < 2 || !number_of(words.word[0]) || !number_of(words.word[1]);
 }
 
-/// Names may stand in one line and units in the next.
+/// Names may be in one line and units in the next.
 void take_heading(Table& table, std::string_view text, std::size_t line) {
   const Heading heading = heading_of(text, line);
   if (!heading.is_of_columns())

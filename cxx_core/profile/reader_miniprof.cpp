@@ -19,7 +19,8 @@
 namespace wrc::reading {
 namespace {
 
-/// So many rows of numbers in a header are points (not a tuning constant: rows of a format).
+/// From this number on, rows of numbers in a header are points (not a tuning constant: rows of a
+/// format).
 constexpr std::size_t rows_of_points = 5;
 
 bool is_comment(std::string_view line) {

@@ -16,7 +16,7 @@
 namespace wrc::reading {
 namespace {
 
-/// Of what is read (not a tuning constant).
+/// A limit of the format (not a tuning constant).
 constexpr std::size_t max_nesting = 8;
 
 std::string_view without_comment(std::string_view line) {

@@ -96,11 +96,11 @@ ReadResult complete(RawProfile& raw, std::string_view name, const std::string& o
   result.measured = std::move(settled.points);
   result.dropped = std::move(settled.dropped);
   result.corrections = std::move(log.corrections());
-  profile.confidence =
-      log.guesses() == 0 ? "as the " + of
-      : log.guesses() == 1
-          ? "as the " + of + ", but for one guess (corrected)"
-          : "as the " + of + ", but for " + std::to_string(log.guesses()) + " guesses (corrected)";
+  profile.confidence = log.guesses() == 0 ? "as the " + of
+                       : log.guesses() == 1
+                           ? "as the " + of + ", except for one guess (corrected)"
+                           : "as the " + of + ", except for " + std::to_string(log.guesses()) +
+                                 " guesses (corrected)";
   profile.warnings = std::move(log.warnings());
   return result;
 }

@@ -16,8 +16,8 @@ using Pieces = std::vector<Curve::Piece>;
 /// max_node_distance is the tighter bound.
 constexpr double max_piece_angle = 0.05;
 /// Accuracy of pieces, mm, and of their curvature, relative to the largest.
-/// origin: reasoned: an interpolated polynomial cannot be told from the standard's, and gaps are
-/// exact to 1e-11 mm.
+/// origin: reasoned: an interpolated polynomial cannot be distinguished from the standard's, and
+/// gaps are exact to 1e-11 mm.
 constexpr double position_tolerance = 1e-11;
 constexpr double curvature_tolerance = 1e-8;
 /// Rounding of a curvature, 1/mm, which a straight piece shows too.
@@ -97,7 +97,7 @@ Pieces pieces_of(const ArcSegment& arc, const Segment& segment) {
   return pieces;
 }
 
-/// A polynomial height(lateral) with what its curve needs.
+/// A polynomial height(lateral) with the data of its curve.
 class Graph {
 public:
   explicit Graph(const PolynomialSegment& polynomial) : polynomial_(polynomial) {}
@@ -137,7 +137,7 @@ public:
   }
 
   /// The point at an arc distance of less than a node distance from `from`: Newton's method, which
-  /// starts within some 1e-2 mm and squares that in each step.
+  /// starts within about 1e-2 mm and squares that in each step.
   [[nodiscard]] Curve::End at_distance(double from, double distance_along) const {
     double lateral = from + distance_along * at(from).tangent_lateral;
     for (int step = 0; step < 4; ++step)

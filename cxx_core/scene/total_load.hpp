@@ -33,7 +33,7 @@ public:
   [[nodiscard]] double load() const { return load_; }
   [[nodiscard]] double total() const { return total_; }
   /// Takes the total under this load; false if another load is needed. Throws
-  /// Error(invalid_argument), which names the key, if none will do.
+  /// Error(invalid_argument), which names the key, if no load gives the total.
   bool is_met_by(double total, double accuracy, const char* key);
 
 private:

@@ -283,7 +283,7 @@ TEST(Patches, AnUnknownIndexIsReportedWithItsName) {
   EXPECT_EQ(count, 5);
 }
 
-TEST(Patches, WithoutContactThereAreNone) {
+TEST(Patches, AreEmptyWithoutContact) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   solve(s, {{"pose.vertical", 500.0}});

@@ -16,7 +16,7 @@ namespace {
 /// Sums over a few hundred elements.
 constexpr double rounding = 1e-10;
 
-TEST(Results, ThereAreNoneBeforeSolving) {
+TEST(Results, AreAbsentBeforeSolving) {
   const ScenePointer scene = make_scene();
   double value = 7.0;
   const char* text = "kept";
@@ -34,7 +34,7 @@ TEST(Results, ThereAreNoneBeforeSolving) {
   EXPECT_EQ(wrc_scene_text_name(scene.get(), 0), nullptr);
 }
 
-TEST(Results, EveryNameHasAValueAndIsThereOnce) {
+TEST(Results, EveryNameHasAValueAndOccursOnce) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   solve(s);

@@ -458,7 +458,7 @@ TEST(RollingResults, DoNotDependOnEarlierCalls) {
   }
 }
 
-TEST(RollingResults, WithoutFrictionThereIsNone) {
+TEST(RollingResults, AreZeroWithoutFriction) {
   RollingContact contact = make_circle(16);
   contact.set("friction", 0.0);
   ASSERT_TRUE(contact.solve());

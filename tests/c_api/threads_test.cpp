@@ -105,7 +105,7 @@ TEST(Batch, RefusesInvalidArguments) {
   EXPECT_EQ(statuses[1], WRC_OK);
 }
 
-TEST(Threads, WithSolversOfTheirOwnAreBitForBitASerialRun) {
+TEST(Threads, WithSeparateSolversEqualASerialRunBitForBit) {
   constexpr int threads = 4;
   constexpr int steps = 12;
   // Warm solutions depend on what came before: the serial run has the same order.
@@ -333,7 +333,7 @@ TEST(Threads, SolveWhileTheHostUsesFftw) {
   }
 }
 
-TEST(Threads, RollingContactsOfTheirOwnGiveTheSameBits) {
+TEST(Threads, WithSeparateRollingContactsGiveTheSameBits) {
   const auto solve = [](int side) {
     wrcontact::RollingContact contact;
     contact.set_grid(side, side, 0.2, 0.2);

@@ -59,7 +59,7 @@ TEST_F(WrcProfileWarnings, ConfidenceIsThatOfTheFileIfNothingWasGuessed) {
   EXPECT_NE(run("r.txt --kind rail").out.find("confidence           as the file\n"),
             std::string::npos);
   const std::string guessed = run("r.txt").out;
-  EXPECT_NE(guessed.find("as the file, but for one guess (corrected)\n"), std::string::npos)
+  EXPECT_NE(guessed.find("as the file, except for one guess (corrected)\n"), std::string::npos)
       << guessed;
 }
 

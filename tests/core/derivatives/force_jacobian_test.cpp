@@ -215,7 +215,7 @@ TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
   }
 }
 
-TEST(JacobiansWithoutDerivatives, AreThoseOfNormalForcesOrNone) {
+TEST(JacobiansWithoutDerivatives, AreThoseOfNormalForcesOrAbsent) {
   Scene scene = scene_of({"", 1.0, 0.0});
   SceneResult with_creep = solve_scene(scene);
   EXPECT_EQ(with_creep.left->jacobian(), nullptr); // not requested
@@ -230,7 +230,7 @@ TEST(JacobiansWithoutDerivatives, AreThoseOfNormalForcesOrNone) {
 }
 
 /// With creepages given, the positions change normal forces, planes and what scales with them.
-TEST(JacobiansOfGivenCreepages, LeaveThemAsTheyAre) {
+TEST(JacobiansOfGivenCreepages, HoldTheCreepagesFixed) {
   Scene scene = scene_of({"", 1.0, 0.0});
   scene.motion.reset();
   scene.left.creepages = scene.right.creepages = Creepages{5e-4, -1e-3, 1e-4};

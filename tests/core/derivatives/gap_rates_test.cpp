@@ -146,7 +146,7 @@ TEST(GapRatesOfElements, OnlySelectedElementsAreComputed) {
   }
 }
 
-TEST(GapRatesOfElements, NothingWhereThereIsNoWheel) {
+TEST(GapRatesOfElements, AreZeroWhereThereIsNoWheel) {
   const WheelSurface wheel(cylindrical_wheel(), {1360.0, 70.0, wheel_radius});
   const RailSurface rail(circular_rail(300.0), {1435.0, 14.0, 0.0});
   const PosedPair posed{wheel, rail, {}, wheel_radius};

@@ -142,7 +142,7 @@ TEST(SideSensitivitiesByName, AreComputedOnRequest) {
   EXPECT_TRUE(number_value(result, "left.sensitivities.pressure_force.y.roll"));
 }
 
-TEST(SideSensitivitiesByName, ThereAreNoneWithoutContact) {
+TEST(SideSensitivitiesByName, AreAbsentWithoutContact) {
   Scene scene;
   scene.vertical = 500.0;
   SceneResult result = solve_scene(scene);

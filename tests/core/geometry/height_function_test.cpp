@@ -76,7 +76,7 @@ TEST(HeightFunction, KinkKeepsItsTwoSlopes) {
   EXPECT_NEAR(heights.at(-31.0).height, std::sqrt(3.0), 1e-12);
 }
 
-TEST(HeightFunction, StepStaysAsItIs) {
+TEST(HeightFunction, AStepIsKept) {
   // S1002: the rounding of its coefficients leaves a step between two zones, as the curve has it.
   const Profile& profile = standard_profile("S1002");
   const CurveGraph graph(profile.curve, 0.5 * profile.curve.length());

@@ -131,7 +131,7 @@ Curve steps_of(const std::vector<double>& lengths, const std::vector<double>& ri
   return Curve{pieces};
 }
 
-TEST(Curve, WithoutStepsIsTheSameWhereThereAreNone) {
+TEST(Curve, WithoutStepsIsUnchangedIfItHasNone) {
   const Curve curve{std::vector{arc_piece(10.0, 0.0, 0.05), arc_piece(10.0, 0.05, 0.1)}};
   const Curve closed = curve.without_steps();
   for (const double arc : {0.0, 0.2, 0.5, 0.7, 1.0}) {

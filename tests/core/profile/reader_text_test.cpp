@@ -20,7 +20,7 @@ std::string utf16(const std::string& text, bool little, bool mark) {
   return bytes;
 }
 
-TEST(ReaderText, PlainTextIsLeftAsItIs) {
+TEST(ReaderText, PlainTextIsUnchanged) {
   EXPECT_FALSE(decoded("1.0 2.0\n3.0 4.0\n"));
   EXPECT_FALSE(decoded("# H\xC3\xB6he\n1 2\n")) << "UTF-8";
 }

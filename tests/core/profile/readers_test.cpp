@@ -40,7 +40,7 @@ void expect_refused(const std::string& text, const char* part) {
   EXPECT_TRUE(contains(refusal_of(text, ProfileFormat::columns), part)) << part;
 }
 
-TEST(Readers, PointsInTheFrameAreKeptAsTheyAre) {
+TEST(Readers, PointsInTheFrameAreUnchanged) {
   const ReadResult read = read_rows(rows_of(wheel_points()), wheel_options());
   EXPECT_TRUE(read.corrections.empty()) << read.corrections.front();
   EXPECT_EQ(read.profile.name, "sample");

@@ -96,7 +96,7 @@ TEST_F(RowScalesOfCrown, AreOneBesideWheelAndRail) {
   EXPECT_NE(scales[wide.lateral_count / 2], 1.0);
 }
 
-TEST_F(RowScalesOfCrown, ThereAreNoneWithTheVerticalConvention) {
+TEST_F(RowScalesOfCrown, AreAbsentWithTheVerticalConvention) {
   const ContactFrame frame = vertical_frame({0.0, axis, 0.0}, Rotation({0.0, 0.0, angle}));
   EXPECT_TRUE(row_scales(pair, frame, grid, RailNormals(rail, frame, grid)).empty());
 }
@@ -124,7 +124,7 @@ TEST(RowScales, MultiplyingAndDividingAreInverse) {
   }
 }
 
-TEST(RowScales, FieldsStayAsTheyAreWithoutScalesAndEmptyOnesEmpty) {
+TEST(RowScales, FieldsAreUnchangedWithoutScalesAndEmptyFieldsStayEmpty) {
   const std::vector<double> scales(grid.lateral_count, 0.9);
   const std::vector<double> field(grid.element_count(), 2.5);
   EXPECT_EQ(times_scales(grid, {}, field), field);

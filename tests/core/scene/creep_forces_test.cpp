@@ -50,7 +50,7 @@ TEST(CreepForces, OnlyWhereCreepagesAreGiven) {
   EXPECT_EQ(without.left->pmax, solve_scene(scene).left->pmax);
 }
 
-TEST(CreepForces, ZeroCreepagesAndZeroFrictionGiveNone) {
+TEST(CreepForces, AreZeroForZeroCreepagesOrFriction) {
   for (const bool frictionless : {false, true}) {
     Scene scene = scene_at(3.0, frictionless ? moderate : Creepages{});
     scene.left.friction.coefficient = frictionless ? 0.0 : 0.3;

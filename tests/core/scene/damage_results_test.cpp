@@ -190,7 +190,7 @@ TEST(DamageResults, TheGreatestStressUnderTractionsMeetsTheAccuracy) {
   }
 }
 
-TEST(DamageResults, StressesOfUnlikeBodiesAreThoseOfTheirOwnPressures) {
+TEST(DamageResults, StressesOfUnlikeBodiesUsePressuresChangedByTractions) {
   // Sliding all over, tractions are mu p: like bodies of the same combined modulus differ by what
   // tractions change of the pressures alone, 3.5 % in the mean.
   Scene scene = braked("stress");

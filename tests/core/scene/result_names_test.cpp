@@ -57,7 +57,7 @@ TEST(ResultNames, EachHasAValue) {
 }
 
 /// A solution that had not converged listed a Jacobian that it did not have.
-TEST(ResultNames, LeaveOutRatesThatAreNoNumbers) {
+TEST(ResultNames, LeaveOutRatesThatAreNotFinite) {
   SceneResult result = rolling_wheel();
   SceneWheel& wheel = result.left.value();
   wheel = SceneWheel(WheelResult(wheel)); // without the sensitivities of its creep forces

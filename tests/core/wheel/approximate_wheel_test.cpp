@@ -209,7 +209,7 @@ TEST(ApproximateWheel, SmoothSingleContactsAgreeWithTheHalfSpace) {
 }
 
 /// Published for such contacts: pmax missed by 30 to 47 %.
-TEST(ApproximateWheel, TwoLobesAreMissedAndValiditySaysSo) {
+TEST(ApproximateWheel, TwoLobesAreMissedAndTheValidityIsLow) {
   const Scene scene = scene_at(5.0);
   const SceneResult exact = solve_with("half-space", scene);
   const SceneResult quick = solve_with("kik-piotrowski", scene);
