@@ -4,8 +4,8 @@ function wrc_plot (result, file)
 %   wrc_plot (result)
 %   wrc_plot (result, 'picture.png')     draws into a file, without a window
 %
-%   Above the cross section of each wheel and its rail, below the pressures on the track's plane, in
-%   driving direction: y grows to the left, x upwards.
+%   Top: the cross section of each wheel and its rail. Bottom: the pressures on the track's plane,
+%   seen in driving direction: y grows to the left, x upwards.
 %
 %   See also wrc_solve.
   sides = {'left', 'right'};

@@ -4,13 +4,13 @@ function profile = wrc_profile (name, points)
 %   p = wrc_profile (name)
 %   p = wrc_profile (name, points)
 %
-%   name    of a standard profile ('S1002', '60E1'), or a file
-%   points  how many of the curve, equally spaced along its arc; 1000 by default
+%   name    a standard profile ('S1002', '60E1'), or a file
+%   points  number of points on the curve, equally spaced along its arc; 1000 by default
 %
 %   p.kind ('wheel' or 'rail'), p.name, p.title, p.source, p.confidence; columns p.arc, p.lateral
 %   and p.height (mm; lateral > 0 to the field side, height of a wheel > 0 towards larger radius),
-%   p.angle (rad), p.curvature (1/mm); p.corrections and p.warnings: what was corrected in a file,
-%   and what no wheel or rail has. Errors: as of wrc_solve.
+%   p.angle (rad), p.curvature (1/mm); p.corrections and p.warnings: corrections made to a file,
+%   and what is doubtful about it. Errors: see wrc_solve.
 %
 %   Example:
 %     p = wrc_profile ('S1002');

@@ -13,7 +13,7 @@ function result = wrc_rolling (pressure, steps, varargin)
 %
 %   r.traction_x, r.traction_y (MPa, on the wheel), r.slip_x, r.slip_y, r.creep_force.longitudinal,
 %   r.creep_force.lateral (N), r.spin_moment (N mm), r.slip_area, r.adhesion_area, r.friction_power, ...
-%   Errors: as of wrc_solve.
+%   Errors: see wrc_solve.
 %
 %   See also wrc_normal, wrc_solve.
   result = wrc_mex ('rolling', pressure, steps, varargin{:});

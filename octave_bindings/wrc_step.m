@@ -1,10 +1,10 @@
 function varargout = wrc_step (varargin)
 % WRC_STEP  One evaluation of a wheelset in a vehicle simulation.
 %
-%   w = wrc_step ('open', key, value, ...)        a wheelset; arguments as of wrc_solve
+%   w = wrc_step ('open', key, value, ...)        a wheelset; arguments as for wrc_solve
 %   force = wrc_step (w, position, velocity)
 %   [force, state, by_position, by_velocity] = wrc_step (w, position, velocity, rails)
-%   r = wrc_step ('results', w)                   all results of the last step, as of wrc_solve
+%   r = wrc_step ('results', w)                   all results of the last step, as from wrc_solve
 %   wrc_step ('close', w)
 %
 %   position     x, y, z, roll, pitch angle, yaw of the wheelset's centre, z above the rail tops

@@ -31,7 +31,7 @@ inline constexpr double min_depth_ratio = 0.1;
 inline constexpr double vertical_convention_limit = 0.15;
 
 /// Fraction of the accuracy that the iteration may take in a pressure.
-/// origin: reasoned: with share_of_law and max_rounding it adds up to the accuracy.
+/// origin: reasoned: with share_of_law and max_rounding it stays within the accuracy.
 inline constexpr double iteration_share = 0.2;
 
 /// The same in forces, which must also be smooth to a thousandth of the accuracy: with the load
@@ -48,7 +48,7 @@ inline constexpr double smooth_position_share = 2e-3;
 
 /// Fraction of the accuracy that rounding may take in a pressure; forces are sums, in which it
 /// averages out.
-/// origin: reasoned: with share_of_law and iteration_share it adds up to the accuracy.
+/// origin: reasoned: with share_of_law and iteration_share it stays within the accuracy.
 inline constexpr double max_rounding = 0.1;
 
 /// Fraction of the accuracy above which position rounding raises a warning.

@@ -1,4 +1,4 @@
-"""wrcontact: where and how hard wheels press on rails.
+"""wrcontact: contact points, pressures and forces of wheels on rails.
 
 >>> import wrcontact
 >>> result = wrcontact.solve(lateral=3, rail="60E1")

@@ -12,7 +12,7 @@ from .errors import InvalidArgument, error_of
 
 
 def encoded(text: str | os.PathLike[str]) -> bytes:
-    """A text for the library, which ends at the first zero byte; so none may be in it."""
+    """A text for the library. It must not contain a zero byte, where the library would end it."""
     code = os.fspath(text).encode("utf-8", "surrogateescape")
     if b"\0" in code:
         raise InvalidArgument(f"{text!r} has a zero byte; allowed are texts without")
@@ -37,7 +37,7 @@ class Handle:
                 raise error_of(status, string(self._error(self._handle)))
 
     def _copied(self, function: Any, *arguments: Any) -> Array:
-        """What a function copies as wrc_scene_field does: first its length, then the values."""
+        """Values that a function copies as wrc_scene_field does: first their number, then the values."""
         count = ffi.new("int64_t *")
         self._check(function(self._handle, *arguments, ffi.NULL, 0, count))
         values = np.empty(count[0])
@@ -46,7 +46,7 @@ class Handle:
         return values
 
     def _lines(self, function: Any) -> list[str]:
-        """What a function gives line by line, until NULL."""
+        """Lines that a function returns one by one, until NULL."""
         lines: list[str] = []
         while line := function(self._handle, len(lines)):
             lines.append(string(line))

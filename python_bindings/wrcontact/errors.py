@@ -11,7 +11,7 @@ from ._library import lib, string
 
 
 class ContactWarning(UserWarning):
-    """Of profiles and solutions that are given all the same (docs/warnings.md)."""
+    """A doubtful profile or solution; the result is returned nevertheless (docs/warnings.md)."""
 
 
 class Error(Exception):
@@ -67,19 +67,19 @@ class InternalError(Error, RuntimeError):
 
 
 class NotConverged(Error):
-    """The iteration missed its tolerance. What it has reached can be read: `result`."""
+    """The iteration missed its tolerance. The result reached is `result`."""
 
     status = lib.WRC_NOT_CONVERGED
 
 
 class TooSmall(Error, ValueError):
-    """An array too small for what is to be copied; not raised by this package's own arrays."""
+    """An array too small for the values to be copied; arrays of this package are never."""
 
     status = lib.WRC_TOO_SMALL
 
 
 class NoResult(Error):
-    """What is read has not been solved or loaded yet, or was solved again since."""
+    """A result that has not been solved or loaded yet, or was solved again since."""
 
     status = lib.WRC_NO_RESULT
 

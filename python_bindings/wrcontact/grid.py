@@ -29,7 +29,7 @@ class _Part:
 
 
 class GridContact(Handle):
-    """What the two have in common: settings by key, results by name.
+    """Common to both kinds of contact: settings by key, results by name.
 
     Results are attributes or `contact["residuals.least_gap"]`; fields are arrays of the grid's shape.
     They are those of the last solve.

@@ -23,7 +23,7 @@ _ON_BOUND = 1.0 - 1e-6  # share of friction times pressure from which an element
 
 
 def _figure(rows: int, columns: int, size: tuple[float, float]) -> tuple[Any, Any]:
-    """A figure that no window and no global state of matplotlib knows."""
+    """A figure without a window, independent of the global state of matplotlib."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(size[0] * columns, size[1] * rows), layout="constrained")
@@ -138,7 +138,7 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
 
 
 def _developed(patches: list[Group]) -> dict[str, float]:
-    """Where the references of the patches are drawn: their distances one after the other."""
+    """Positions at which the references of patches are drawn, by their distances from each other."""
     ordered = sorted(patches, key=lambda patch: float(patch.y))
     places, place = {}, 0.0
     for before, patch in zip([*ordered[:1], *ordered], ordered):

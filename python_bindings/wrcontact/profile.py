@@ -47,7 +47,7 @@ def _read_options(options: dict[str, Any]) -> Any:
     struct.struct_size = ffi.sizeof("wrc_read_options")
     for name, value in options.items():
         if name not in members:
-            raise TypeError(f"{name}: no such option; there are {', '.join(sorted(members))}")
+            raise TypeError(f"{name}: no such option; allowed are {', '.join(sorted(members))}")
         if name == "kind":
             value, struct.kind_given = _number_of(value, _KINDS, name), 1
         elif name == "origin":
@@ -122,12 +122,12 @@ class Profile(Handle):
 
     @property
     def corrections(self) -> list[str]:
-        """What was corrected while reading, one line each."""
+        """Corrections made while reading, one line each."""
         return self._lines(lib.wrc_profile_correction)
 
     @property
     def warnings(self) -> list[str]:
-        """What no wheel or rail has, one line each."""
+        """What is doubtful about the profile, one line each."""
         return self._lines(lib.wrc_profile_warning)
 
     @property

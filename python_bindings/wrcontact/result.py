@@ -97,7 +97,7 @@ class Group:
 
 
 class Result(Group):
-    """What a scene has been solved to; `result["left.pmax"]` or `result.left.pmax`.
+    """The solution of a scene: `result["left.pmax"]` or `result.left.pmax`.
 
     Names, units and signs: docs/results.md. A result is read from its scene, which it keeps alive;
     once the scene is solved again, it is refused (NoResult): copy what is to be kept.
@@ -119,7 +119,7 @@ class Result(Group):
 
     def _live(self) -> Any:
         if self._number != self.scene._solutions:
-            raise NoResult("the scene was solved again since; this result is gone")
+            raise NoResult("the scene has been solved again, so this earlier result cannot be read")
         return self.scene._handle
 
     def _number_or_none(self, name: str) -> float | None:
@@ -261,7 +261,7 @@ class Result(Group):
 
 
 def unit_of(scene: Scene, name: str) -> str:
-    """Of the result of that name."""
+    """Unit of the result of that name."""
     unit = ffi.new("const char **")
     scene._check(lib.wrc_scene_number_unit(scene._handle, encoded(name), unit))
     return string(unit[0])

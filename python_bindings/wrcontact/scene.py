@@ -1,4 +1,4 @@
-"""Scenes: what is asked, by keys."""
+"""Scenes: inputs, by keys."""
 from __future__ import annotations
 
 import inspect
@@ -187,7 +187,7 @@ class Scene(Handle):
 
     @property
     def result(self) -> Result:
-        """Of the last solution. NoResult."""
+        """The result of the last solution. NoResult."""
         if not self._solutions:
             raise NoResult("the scene has not been solved yet")
         return Result(self)

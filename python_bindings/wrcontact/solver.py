@@ -1,4 +1,4 @@
-"""What is kept from one scene to the next, and many scenes in one call."""
+"""Solvers, which keep data from one scene to the next, and many scenes in one call."""
 from __future__ import annotations
 
 from collections.abc import Sequence
