@@ -173,31 +173,31 @@ void print_patch_forces(const Scene& scene, std::ostream& out) {
 
 void print_creep_forces(const Scene& scene, std::ostream& out) {
   const PatchPrinter table(scene, out, creep_result);
-  table.print("Creep", {{"creepage", "1e-3", "creepage.longitudinal", 10, 3, 1e3},
-                        {"lateral", "1e-3", "creepage.lateral", 9, 3, 1e3},
+  table.print("Creep", {{"creepage", "x, 1e-3", "creepage.longitudinal", 10, 3, 1e3},
+                        {"", "y, 1e-3", "creepage.lateral", 9, 3, 1e3},
                         {"spin", "1e-3/mm", "creepage.spin", 9, 3, 1e3},
                         {"force", "x, N", "creep_force.longitudinal", 11, 1},
                         {"", "y, N", "creep_force.lateral", 11, 1},
                         {"moment", "N mm", "spin_moment", 11, 0},
-                        {"in slip", "mm2", "slip_area", 9, 2},
+                        {"slip", "mm2", "slip_area", 9, 2},
                         {"adhesion", "mm2", "adhesion_area", 10, 2},
-                        {"traction", "MPa", "traction_max", 10, 1},
+                        {"traction", "max, MPa", "traction_max", 10, 1},
                         {"-F.w", "N", "wear_number", 9, 3}});
 }
 
 void print_patch_places(const Scene& scene, std::ostream& out) {
   const PatchPrinter table(scene, out);
-  table.print("Places", {{"reference", "y, mm", "y", 11, 3},
-                         {"", "z, mm", "z", 9, 3},
-                         {"", "s_wheel", "s_wheel", 9, 3},
-                         {"centroid", "y, mm", "centroid.y", 11, 3},
-                         {"", "z, mm", "centroid.z", 9, 3},
-                         {"", "s_wheel", "centroid.s_wheel", 9, 3},
-                         {"elements", "across", "grid.lateral", 10, 0},
-                         {"", "along", "grid.longitudinal", 7, 0},
-                         {"of size", "y, mm", "element_size.lateral", 9, 4},
-                         {"", "x, mm", "element_size.longitudinal", 8, 4},
-                         {"filled", "%", "fill", 8, 1, 1e2}});
+  table.print("Positions", {{"reference", "y, mm", "y", 11, 3},
+                            {"", "z, mm", "z", 9, 3},
+                            {"", "s_wheel", "s_wheel", 9, 3},
+                            {"centroid", "y, mm", "centroid.y", 11, 3},
+                            {"", "z, mm", "centroid.z", 9, 3},
+                            {"", "s_wheel", "centroid.s_wheel", 9, 3},
+                            {"elements", "across", "grid.lateral", 10, 0},
+                            {"", "along", "grid.longitudinal", 7, 0},
+                            {"size", "y, mm", "element_size.lateral", 9, 4},
+                            {"", "x, mm", "element_size.longitudinal", 8, 4},
+                            {"fill", "%", "fill", 8, 1, 1e2}});
 }
 
 void print_near_contacts(const Scene& scene, std::ostream& out) {
@@ -248,17 +248,17 @@ void add_solution(const Scene& scene, SideTable& table) {
   table.line("normal force", "N", "normal_force", 1);
   if (has_creep_forces(scene)) {
     table.line("vertical force, total", "N", "vertical_force", 1);
-    table.line("vertical, of pressures", "N", "pressure_force.z", 1);
+    table.line("vertical, by pressures", "N", "pressure_force.z", 1);
     table.line("lateral force, total", "N", "lateral_force", 1);
-    table.line("lateral, of pressures", "N", "pressure_force.y", 1);
+    table.line("lateral, by pressures", "N", "pressure_force.y", 1);
   } else {
     table.line("vertical force", "N", "vertical_force", 1);
     table.line("lateral force on wheel", "N", "lateral_force", 1);
   }
   table.line("centroid of forces, track y", "mm", "centroid.y", 4);
   table.line("vertical approach", "um", "depth", 3, 1e3);
-  table.head("How it was solved");
-  table.line("solutions of all patches", "", "solutions", 0);
+  table.head("Solution");
+  table.line("solutions", "", "solutions", 0);
   table.line("iterations", "", "iterations", 0);
   table.line("convolutions", "", "convolutions", 0);
   table.scientific("estimated relative error", "error_estimate");

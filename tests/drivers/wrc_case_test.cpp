@@ -133,7 +133,7 @@ TEST_F(WrcCase, JsonListsEveryPatch) {
   EXPECT_TRUE(side.at("pressure_moment").at("x").is_number_float());
 }
 
-/// Forces are totals, and those of the pressures stand beside them where they differ.
+/// Forces are totals; those by pressures are printed as well where they differ.
 TEST_F(WrcCase, TotalForcesAndForcesOfPressuresArePrinted) {
   const std::string moving = "--set solve.accuracy=1e-2 pose.lateral=3 pose.yaw=0.001 ";
   const json side = run_json(moving + "motion.speed=20000").at("left");
@@ -141,11 +141,11 @@ TEST_F(WrcCase, TotalForcesAndForcesOfPressuresArePrinted) {
   EXPECT_GT(side.at("lateral_force").get<double>(), 5e3);
   EXPECT_LT(side.at("pressure_force").at("y").get<double>(), -5e3);
   const Outcome outcome = run(moving + "motion.speed=20000");
-  expect_parts(outcome.out, {"lateral force, total", "lateral, of pressures",
-                             "vertical force, total", "vertical, of pressures", "N, total"});
+  expect_parts(outcome.out, {"lateral force, total", "lateral, by pressures",
+                             "vertical force, total", "vertical, by pressures", "N, total"});
   const Outcome still = run(moving);
   EXPECT_EQ(still.out.find("total  "), std::string::npos) << still.out;
-  EXPECT_EQ(still.out.find("of pressures"), std::string::npos);
+  EXPECT_EQ(still.out.find("by pressures"), std::string::npos);
   const Outcome csv = run(moving + "motion.speed=20000 --csv");
   expect_parts(csv.out, {"pressure_force.y", "pressure_moment.x", "grid.lateral"});
 }
