@@ -39,9 +39,9 @@ wrc_status wrc_scene_tabulate(wrc_scene* scene, const char* keys, const double* 
           };
     });
     if (status != WRC_OK) {
-      const auto found = std::find_if(errors.begin(), errors.end(),
-                                     [](const std::string& error) { return !error.empty(); });
-      object.error = found == errors.end() ? "" : *found;
+      const auto reason = std::find_if(errors.begin(), errors.end(),
+                                       [](const std::string& error) { return !error.empty(); });
+      object.error = reason == errors.end() ? "" : *reason;
       return status;
     }
     if (to_file) {

@@ -124,8 +124,8 @@ PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t i
                                                {inside[0], inside[1], inside[2]}, derivatives);
   PatchCreep converted;
   converted.forces = {to_caller(creep.longitudinal_force, convention, pure),
-                 to_caller(creep.lateral_force, convention, turning_force),
-                 to_caller(creep.spin_moment, convention, turning_moment)};
+                      to_caller(creep.lateral_force, convention, turning_force),
+                      to_caller(creep.spin_moment, convention, turning_moment)};
   for (std::size_t i = 0; creep.derivatives && i < converted.by_creepage.size(); ++i) {
     converted.by_creepage[i] =
         to_caller(creep.derivatives->by_creepage[i], convention,
