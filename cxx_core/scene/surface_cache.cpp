@@ -1,5 +1,6 @@
 #include "scene/surface_cache.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.hpp"
@@ -16,7 +17,12 @@ namespace {
     text += ' ';
     text += known;
   }
-  throw Error(ErrorCode::unknown_name, text + " (" + error.what() + ")");
+  const bool is_wheel = kind == ProfileKind::wheel;
+  const auto others = standard_profile_names(is_wheel ? ProfileKind::rail : ProfileKind::wheel);
+  const bool is_other = std::find(others.begin(), others.end(), name) != others.end();
+  const std::string reason =
+      is_other ? name + " is a built-in " + (is_wheel ? "rail" : "wheel") : error.what();
+  throw Error(ErrorCode::unknown_name, text + " (" + reason + ")");
 }
 
 /// What the file is read with besides the choice: of a wheel, where the scene has its taping line.

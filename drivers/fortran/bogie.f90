@@ -40,7 +40,8 @@ contains
         stop
       end if
       call get_command_argument(i + 1, value)
-      if (value == '') call stop_with(trim(option)//': a value must follow; bogie --help lists the options')
+      if (value == '' .and. option(:2) == '--') call stop_with(trim(option)//': a value must follow; '// &
+        'bogie --help lists the options')
       bad = 0
       select case (option)
       case ('--speed')

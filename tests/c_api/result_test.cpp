@@ -186,6 +186,9 @@ TEST_F(Solving, AnUnknownProfileIsReportedWithTheBuiltInOnes) {
   expect_error(scene.get(), wrc_scene_solve(scene.get()), WRC_UNKNOWN_NAME, "track.rail = \"60E7\"",
                "60E1");
   expect_failure_keeps_results(scene.get(), WRC_UNKNOWN_NAME);
+  set(scene.get(), {{"track.rail", "S1002"}});
+  expect_error(scene.get(), wrc_scene_solve(scene.get()), WRC_UNKNOWN_NAME,
+               "track.rail = \"S1002\"", "S1002 is a built-in wheel");
 }
 
 TEST_F(Solving, AMalformedProfileFileIsReportedWithItsLine) {

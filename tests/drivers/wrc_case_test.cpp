@@ -368,6 +368,16 @@ TEST_F(WrcCase, RefusesBadArguments) {
   run("--plot").expect_refusal({"--plot"});
 }
 
+TEST_F(WrcCase, RefusesMistakesBeforeItSolves) {
+  run("--set pose.lateral 5").expect_refusal({"--set pose.lateral", "key=value"});
+  for (const char* options : {"--plot a.pdf", "--stress a.vtk"}) {
+    run(options).expect_refusal({options});
+  }
+  run("--stress a.vtk").expect_refusal({"solve.results=stress"});
+  write("range.toml", "[pose]\nlateral = {from = 0, to = 5, step = 1}\n");
+  run("range.toml").expect_refusal({"pose.lateral", "one value", "wrc_sweep"});
+}
+
 TEST_F(WrcCase, RefusesBadSceneFiles) {
   run("missing.toml").expect_refusal({"missing.toml"});
   write("bad.toml", "[pose]\nlateral = 1.0\nyaw = = 2\n");

@@ -35,6 +35,11 @@ TEST_F(WrcWear, TheProfileLosesTheWornArea) {
   EXPECT_FALSE(read("worn.prw").empty());
 }
 
+TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
+  run("--distance 1 --wheel S1003").expect_refusal({"--wheel S1003", "built-in wheel"});
+  run("--distance 1 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
+}
+
 TEST_F(WrcWear, RefusesAnUnknownKey) {
   const Outcome outcome = run("--distance 1 --set wear.lore=usfd");
   EXPECT_EQ(outcome.exit_code, 1);

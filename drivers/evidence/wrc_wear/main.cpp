@@ -174,6 +174,9 @@ int main(int argc, char** argv) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   return run_program(app, argc, argv, [&] {
+    if (!plot.empty()) {
+      require_picture_name(plot);
+    }
     const auto wheels = wrcontact::standard_profile_names(WRC_WHEEL);
     if (std::find(wheels.begin(), wheels.end(), wheel) == wheels.end()) {
       throw Failure("--wheel " + wheel +
