@@ -153,7 +153,7 @@ TEST_F(WrcCase, TotalForcesAndForcesOfPressuresArePrinted) {
 TEST_F(WrcCase, TheTableListsEveryPatch) {
   const Outcome outcome = run(small + two_patches);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  expect_parts(outcome.out, {"\nPatches ", "\nPlaces ", "  left    0 ", "  left    1 ",
+  expect_parts(outcome.out, {"\nPatches ", "\nPositions ", "  left    0 ", "  left    1 ",
                              "  right   0 ", "approach", "centroid", "convolutions", "solutions"});
   // Columns that say nothing are left out.
   EXPECT_EQ(outcome.out.find("regions"), std::string::npos);

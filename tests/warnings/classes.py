@@ -123,7 +123,7 @@ CASES = {
     "accuracy": Case("not reached: estimated error", {"pose.lateral": -82.2, **LEFT, **QUICK}),
     "element_limit": Case("solve.element_limit = 1000 permits no more", {
         "solve.element_limit": 1000, "solve.accuracy": 3e-4, **LEFT}),
-    "ridge": Case("rad under the pressures", {
+    "ridge": Case("rad inside the contact", {
         "track.rail": "49E1", "wheelset.radius": 2175, "track.cant": 0.138, "pose.lateral": -7.9,
         "load.vertical": 368e3, "solve.accuracy": 0.01, **LEFT}),
     "grid_edge": Case("contact reaches the edge of the grid", {"solve.grid": [4, 4], **LEFT}),
