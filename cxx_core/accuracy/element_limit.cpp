@@ -7,7 +7,7 @@ namespace wrc {
 std::string text_of_limit(double wanted, double limit) {
   return "the accuracy needs " + short_text_of(wanted) +
          " elements, solve.element_limit = " + std::to_string(static_cast<long long>(limit)) +
-         " permits no more: solved on as many, with the accuracy that they give";
+         " permits no more: solved less accurately with this number";
 }
 
 } // namespace wrc

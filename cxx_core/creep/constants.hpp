@@ -1,12 +1,13 @@
 /// Constants of behaviour of this room: creep forces of the patches of a wheel.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 namespace wrc {
 
-/// An element of unlike bodies counts as so many towards solve.element_limit.
+/// An element of unlike bodies counts as this number towards solve.element_limit.
 /// origin: bound: measured (bounded_scenes posed, seed 5, scene 887): the alternations between
 /// pressures and tractions take 3.8 s on 98,000 elements, like bodies at most 1.2 s.
 inline constexpr double cost_of_unlike_bodies = 4.0;
@@ -22,7 +23,7 @@ inline constexpr double cost_of_free_pitch = 3.0;
 /// 1e-1 to 1e-3, and is 2.8 to 3.1 times the error in the median from 1e-2 on.
 inline constexpr double creep_error_of_one_column = 0.85;
 
-/// Of the accuracy, what elements may leave of it by that law.
+/// Fraction of the accuracy that the error of elements by that law may take.
 /// origin: measured (wrc_tradeoff --creep 1500): 99.1 % of 3023 patches or more meet accuracies
 /// from 1e-1 to 1e-3; with 0.66, for 5 % less time, 98.8 % at 1e-3.
 inline constexpr double share_of_creep_columns = 0.6;
@@ -31,8 +32,8 @@ inline constexpr double share_of_creep_columns = 0.6;
 /// origin: measured (60 ellipses): errors reach 7 % of mu N there.
 inline constexpr double min_creep_columns = 8.0;
 
-/// The most elements along a contact; across twice as many.
-/// origin: bound: of memory, some 200 MB; the error by the law is 1e-5 of mu N.
+/// The largest number of elements along a contact; twice this number across.
+/// origin: bound: of memory, about 200 MB; the error by the law is 1e-5 of mu N.
 inline constexpr double max_creep_columns = 400.0;
 
 /// Elements across for each along, over an elliptic contact as long as wide.
@@ -41,13 +42,12 @@ inline constexpr double max_creep_columns = 400.0;
 inline constexpr double creep_rows_by_columns = 1.17;
 
 /// The fewest elements across an elliptic contact.
-/// origin: derived: half as many as min_creep_columns asks for where contact is as long as wide.
+/// origin: derived: half of min_creep_columns for a contact of equal length and width.
 inline constexpr double min_creep_rows = 0.5 * min_creep_columns * creep_rows_by_columns;
 
-/// Share of the accuracy, of friction's largest moment about the axle, to which a free pitch rate
-/// balances the torque.
-/// Forces of unlike bodies change by steps as their alternations end: their torque is balanced to
-/// creep_iteration_share, the size of these steps.
+/// Fraction of the accuracy, relative to friction's largest moment about the axle, to which a free
+/// pitch rate balances the torque. Forces of unlike bodies change by steps as their alternations
+/// end: their torque is balanced to creep_iteration_share, the size of these steps.
 /// origin: reasoned: a fortieth of creep_iteration_share, by which forces of like bodies may err.
 inline constexpr double free_pitch_tolerance = 0.01;
 
@@ -56,7 +56,7 @@ inline constexpr double free_pitch_tolerance = 0.01;
 /// of slips over them, are numbers for all moduli and loads.
 inline constexpr double least_friction = 1e-30;
 
-/// Most evaluations of the torque once two pitch rates bracket the one sought.
+/// Largest number of evaluations of the torque after two pitch rates bracket the solution.
 /// origin: bound: ten settle what is smooth, halving by these leaves 4e-9 of the bracket.
 /// Between unlike bodies the alternation's own tolerance may exceed that of the torque: 90 once
 /// took 28 s.
@@ -79,7 +79,7 @@ inline constexpr double creep_pressure_step = 1e-4;
 inline constexpr double standstill_speed = 1.0;
 
 /// Tolerance of the tangential iteration, in accuracies, ...
-/// origin: measured (400 steps of 0.1 um at 18 places of three pairs of profiles, 1e-3): forces
+/// origin: measured (400 steps of 0.1 um at 18 positions of three pairs of profiles, 1e-3): forces
 /// leave their line by 2.1 % of the accuracy in the median and 22 % at most; with 0.2, for 14 %
 /// more time, by 1.7 and 19 %: elements that enter the contact show.
 inline constexpr double creep_iteration_share = 0.4;

@@ -27,7 +27,7 @@ struct PatchResult;
 struct WheelRates;
 struct WheelResult;
 
-/// Fills in the creep forces of all patches, in place of earlier ones. `rates`: of the normal
+/// Computes the creep forces of all patches, replacing earlier ones. `rates`: of the normal
 /// contact, for the derivatives by positions.
 void solve_creep_forces(WheelResult& wheel, const CreepRequest& request, RollingSolver& solver,
                         const WheelRates* rates = nullptr);

@@ -38,7 +38,8 @@ struct PatchMove {
   double apart = 0.0; ///< mm or rad
 };
 
-/// By lateral position, height, roll and yaw; pressures change by `share` of their largest.
+/// By lateral position, height, roll and yaw; pressures change by the fraction `share` of their
+/// largest.
 ByMotion<PatchMove> moves_of(const PatchResult& patch, const PatchRates& rates, double share);
 
 /// A grid of the patch's plane after its elements have moved.

@@ -20,7 +20,7 @@
 
 namespace wrc {
 
-/// Linear between the places, of which there is one at least.
+/// Linear between the positions, of which there is one at least.
 template <class Real> Real friction_at(const std::vector<FrictionAtPlace>& places, const Real& s) {
   const auto after = std::find_if(places.begin(), places.end(),
                                   [&s](const FrictionAtPlace& place) { return s < Real(place.s); });

@@ -9,7 +9,7 @@
 namespace wrc {
 namespace {
 
-/// Of a plane with its pressures.
+/// Geometry of slip of a plane with its pressures.
 SlipGeometry geometry_of(const PosedPair& pair, const ContactFrame& frame, double approach,
                          const Grid& grid, std::span<const double> pressure,
                          const SlipChoice& choice) {

@@ -5,7 +5,7 @@
 namespace wrc {
 namespace {
 
-/// Of a patch without parts; about the origin of its frame.
+/// Force and moment of a patch without parts, about the origin of its frame.
 ContactForce creep_wrench_on(const PatchResult& patch, const RollingFrame& side) {
   const CreepResult& creep = *patch.creep;
   const CreepForces forces =

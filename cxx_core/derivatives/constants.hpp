@@ -1,7 +1,8 @@
 /// Constants of behaviour of this room: derivatives by the wheelset's motion.
 ///
-/// Each with its origin: published (with author) or derived, bound, measured (with what measures
-/// it) or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its
+/// origin: published (with author) or derived, bound, measured (with the program that measures it)
+/// or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 namespace wrc {
@@ -11,13 +12,13 @@ namespace wrc {
 /// origin: derived: some fifty roundings of double precision.
 inline constexpr double min_stiffness_tolerance = 1e-14;
 
-/// What an answer adds to those kept is not worth keeping below this share of its energy: it
-/// would consist of rounding.
+/// The part of an answer that is new is not kept below this fraction of its energy: it would
+/// consist of rounding.
 /// origin: derived: the square of 1e-10, what cancellation leaves of a sum of thousands.
 inline constexpr double min_new_energy = 1e-20;
 
-/// Of the linear solutions of sensitivities.
-/// origin: measured: what the rates neglect is more (wheel_sensitivities.hpp).
+/// Tolerance of the linear solutions of sensitivities.
+/// origin: measured: the rates neglect more (wheel_sensitivities.hpp).
 inline constexpr double sensitivity_tolerance = 1e-4;
 
 } // namespace wrc

@@ -27,7 +27,8 @@ struct WheelResult;
 /// needs.
 bool jacobian_is_known(const WheelResult& wheel);
 
-/// Of a wheel that has them, with the rates of its normal forces. Creepages that are given stay.
+/// Jacobian of a wheel that has creep forces, with the rates of its normal forces. Prescribed
+/// creepages stay fixed.
 ForceJacobian jacobian_of(const WheelResult& wheel, const WheelRates& rates);
 
 } // namespace wrc

@@ -30,7 +30,7 @@ template <class Visit> void for_each_loaded(const LoadedPatch& patch, Visit visi
   }
 }
 
-/// By what a field changes from element to element, per mm.
+/// Change of a field from element to element, per mm.
 double slope_at(std::span<const double> field, std::size_t element, std::size_t place,
                 std::size_t count, std::size_t stride, double step) {
   const std::size_t behind = place > 0 ? element - stride : element;
@@ -39,8 +39,8 @@ double slope_at(std::span<const double> field, std::size_t element, std::size_t 
   return steps > 0 ? (field[ahead] - field[behind]) / (step * static_cast<double>(steps)) : 0.0;
 }
 
-/// What the motion of its elements adds to the rates of a patch's gaps: their undeformed distance
-/// changes with their place, what pressures displace at them with their size.
+/// Adds the motion of elements to the rates of a patch's gaps: their undeformed distance changes
+/// with their position, the displacement at them with their size.
 void add_motion_of_elements(const LoadedPatch& patch, const ByMotion<ElementMotion>& motions,
                             const ContactStiffness::Displacements& displacements,
                             Fields& gap_rates) {

@@ -85,10 +85,11 @@ struct SensitivityRequest {
 WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const LoadedPatch> patches,
                                        const SensitivityRequest& request, ContactStiffness& solver);
 
-/// Of all patches of a wheel together, whose force is `force`: dQ_i/dq_j = dQ_j/dq_i, Q the forces
-/// along the coordinates q, since they are derivatives of an energy. Elements of a finite size
-/// break that by the error of sums. Both of a pair become the more accurate one, such that
-/// what is left when the height follows a load stays as it is. Left-hand side.
+/// Makes the rates of all patches of a wheel together, whose force is `force`, symmetric: dQ_i/dq_j
+/// = dQ_j/dq_i, Q the forces along the coordinates q, since they are derivatives of an energy.
+/// Elements of a finite size break that by the error of sums. Both of a pair become the more
+/// accurate one, such that what is left when the height follows a load stays as it is. Left-hand
+/// side.
 void make_symmetric(ForceRates& rates, const WheelForce& force, const Pose& pose);
 
 /// None where the vertical force does not depend on the height (no contact).

@@ -83,7 +83,7 @@ inline constexpr int depth_iterations = 400;
 /// origin: bound: about twice the height of a flange.
 inline constexpr double max_depth = 50.0;
 
-/// Room around a patch's penetration, as a share of it: the scan knows its ends by parabolas
+/// Room around a patch's penetration, as a fraction of it: the scan finds its ends by parabolas
 /// between nodes only.
 /// origin: reasoned: the ends are off by less than a per cent of it; the rest keeps contact off
 /// the edge.

@@ -14,7 +14,7 @@ struct FrictionAtPlace {
 };
 
 struct FrictionLaw {
-  double coefficient = 0.3;              ///< at rest, without places
+  double coefficient = 0.3;              ///< at rest, if no positions are given
   std::vector<FrictionAtPlace> places{}; ///< in the order of s
   double limit_ratio = 1.0;              ///< A
   double decay = 0.0;                    ///< B, s/mm

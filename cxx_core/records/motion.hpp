@@ -40,13 +40,13 @@ struct WheelsetMotion {
   }
 };
 
-/// Velocity at the place of the creepages, and turning, of the wheel's material against the rail's
+/// Velocity at the point of the creepages, and turning, of the wheel's material against the rail's
 /// over the speed of slip, each along a patch's longitudinal, lateral and normal axes; turning in
 /// 1/mm.
 constexpr std::size_t twist_count = 6; // not a tuning constant
 using Twist = std::array<double, twist_count>;
 
-/// Force and moment about the place of the velocities, as Twist: their product with it is power.
+/// Force and moment about the point of the velocities, as Twist: their product with it is power.
 using Wrench = std::array<double, twist_count>;
 
 /// What forces depend on: positions of the wheelset and its velocities, mm, s, rad.
@@ -64,8 +64,8 @@ enum class StateVariable : std::size_t {
 };
 constexpr std::size_t position_count = motion_count; // the first four
 constexpr std::size_t state_count = 10;              // not a tuning constant
-/// Of all contact forces of a wheel (derivatives/force_jacobian.hpp): rows Fx, Fy, Fz, Mx, My, Mz;
-/// columns as StateVariable.
+/// Derivatives of all contact forces of a wheel (derivatives/force_jacobian.hpp): rows Fx, Fy, Fz,
+/// Mx, My, Mz; columns as StateVariable.
 using ForceJacobian = std::array<std::array<double, state_count>, 6>;
 
 } // namespace wrc

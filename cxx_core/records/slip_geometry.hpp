@@ -33,8 +33,8 @@ using CreepagesByTwist = std::array<std::array<double, twist_count>, 3>;
 struct SlipGeometry {
   std::vector<LoadedRow> rows;
   double approach = 0.0;
-  /// What creepages follow from velocities by; transposed, what force and moment at the place of
-  /// the velocities follow from creep forces by: tractions act along the surface.
+  /// Matrix from velocities to creepages; transposed, from creep forces to force and moment at the
+  /// point of the velocities: tractions act along the surface.
   CreepagesByTwist creepages_by_twist{};
 };
 

@@ -28,7 +28,7 @@
 
 namespace wrc {
 
-/// A place where wheel and rail meet.
+/// A point where wheel and rail meet.
 struct ContactPoint {
   double x = 0.0, y = 0.0, z = 0.0; ///< track frame
   double angle = 0.0;               ///< of the rail's tangent about x, > 0: rises to the left
@@ -50,20 +50,20 @@ struct PatchResult : Patch {
   Vector3 moment;            ///< of the pressures, about the contact reference
   double angle = 0.0;        ///< about x, of the tangent across the force; > 0: rises to the left
   double plane_angle = 0.0;  ///< likewise, of the plane
-  ContactPoint reference;    ///< weighted mean place of penetration, through which the plane goes
+  ContactPoint reference;    ///< weighted mean point of penetration, through which the plane goes
   ContactPoint centroid;     ///< centre of pressure, on the rail's surface
   double semi_axis_longitudinal = 0.0;
   double semi_axis_lateral = 0.0;
   double radius_longitudinal = 0.0; ///< of curvature, of the Hertzian bodies with these semi-axes
   double radius_lateral = 0.0;
-  double fill = 0.0; ///< share of the elements under pressure
+  double fill = 0.0; ///< fraction of the elements under pressure
   int lobes = 1;     ///< local maxima of penetration joined on its grid, or in its plane
   std::optional<CreepResult> creep;    ///< if creep forces were requested
   std::optional<SlipGeometry> slip;    ///< with them, if slip is that of each element
   std::optional<ContactDamage> damage; ///< if any of it was requested
-  /// Of several patches that share a plane, each as it was solved; else empty. Everything else is
-  /// then that of the parts together (wheel/combined_contact.hpp), on a grid for fields only, which
-  /// are computed on request.
+  /// The parts, if several patches have one plane, each as it was solved; else empty. Everything
+  /// else is then that of the parts together (wheel/combined_contact.hpp), on a grid for fields
+  /// only, which are computed on request.
   std::vector<PatchResult> parts;
 };
 

@@ -39,7 +39,7 @@ private:
   std::vector<PatchElements> elements_;
 };
 
-/// Iterations after which a solution on so many elements ends, at least 1.
+/// Number of iterations after which a solution on this number of elements ends, at least 1.
 int affordable_iterations(double elements, double limit);
 
 /// The patches and their planes, without grids. `depth` > 0: vertical, from the first touch.

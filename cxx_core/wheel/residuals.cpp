@@ -12,7 +12,7 @@ namespace wrc {
 namespace {
 
 /// Adds to displacements what the other patches cause, as far as there is pressure or the own one
-/// leaves overlap: nodes are best on as small a rectangle as will do.
+/// leaves overlap: nodes are best on the smallest sufficient rectangle.
 void add_displacement_by_others(const WheelResult& side,
                                 std::span<const PatchResult* const> patches,
                                 std::vector<std::vector<double>>& displacements) {
