@@ -27,7 +27,7 @@ struct WheelResult;
 /// needs.
 bool jacobian_is_known(const WheelResult& wheel);
 
-/// Jacobian of a wheel that has creep forces, with the rates of its normal forces. Prescribed
+/// Jacobian of a wheel whose Jacobian is known, with the rates of its normal forces. Prescribed
 /// creepages stay fixed.
 ForceJacobian jacobian_of(const WheelResult& wheel, const WheelRates& rates);
 
