@@ -23,6 +23,18 @@ constexpr const char* examples =
     "  wrc_case --set creepage.left=[0.001,0.0005,0.0002] --plot tractions.png\n"
     "  wrc_case --set solve.results=stress --plot stress.png --stress stress.vtk\n";
 
+/// Sets the keys of the file, if there is one, and of the assignments.
+void set_keys(driver::Scene& scene, const std::string& scene_file,
+              const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    (void)driver::split_assignment(assignment); // before a mistake here is taken as a file
+  }
+  if (!scene_file.empty()) {
+    driver::apply_scene_file(scene, scene_file);
+  }
+  driver::apply_assignments(scene, assignments);
+}
+
 /// Mistakes that show before the scene is solved.
 void check(const driver::Scene& scene, const std::string& plot, const std::string& stress) {
   if (!plot.empty()) {
@@ -92,14 +104,8 @@ int main(int argc, char** argv) {
     if (json && csv) {
       throw driver::Failure("--json --csv: allowed is one of them");
     }
-    for (const std::string& assignment : assignments) {
-      (void)driver::split_assignment(assignment);
-    }
     driver::Scene scene;
-    if (!scene_file.empty()) {
-      driver::apply_scene_file(scene, scene_file);
-    }
-    driver::apply_assignments(scene, assignments);
+    set_keys(scene, scene_file, assignments);
     driver::refuse_overwriting({save, field, creep_field, vtk, stress, plot},
                                inputs_of(scene, scene_file));
     check(scene, plot, stress);

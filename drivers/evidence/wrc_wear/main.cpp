@@ -146,6 +146,18 @@ void draw(const WornProfile& profile, const std::string& path, const std::string
   gnuplot.draw(path, 900, 900);
 }
 
+/// Mistakes that show before the mission begins.
+void check(const std::string& wheel, const std::string& plot) {
+  if (!plot.empty()) {
+    require_picture_name(plot);
+  }
+  const auto wheels = wrcontact::standard_profile_names(WRC_WHEEL);
+  if (std::find(wheels.begin(), wheels.end(), wheel) == wheels.end()) {
+    throw Failure("--wheel " + wheel +
+                  ": allowed is a built-in wheel; wrc_profile --list lists them");
+  }
+}
+
 } // namespace
 } // namespace driver
 
@@ -174,14 +186,7 @@ int main(int argc, char** argv) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   return run_program(app, argc, argv, [&] {
-    if (!plot.empty()) {
-      require_picture_name(plot);
-    }
-    const auto wheels = wrcontact::standard_profile_names(WRC_WHEEL);
-    if (std::find(wheels.begin(), wheels.end(), wheel) == wheels.end()) {
-      throw Failure("--wheel " + wheel +
-                    ": allowed is a built-in wheel; wrc_profile --list lists them");
-    }
+    check(wheel, plot);
     WornProfile profile(wheel, 0.25);
     (void)scene_on(profile, assignments); // refuses wrong assignments before the table begins
     double done = 0.0;                    // km
