@@ -150,7 +150,7 @@ CASES = {
         "solve.creep": "linear", **LEFT, **QUICK}),
     "torque_exceeded": Case("more than friction can transmit", {
         "motion.speed": 2e4, "motion.pitch": "free", "motion.torque": 3e7, **QUICK}),
-    "torque_ambiguous": Case("with more slip, too", {
+    "torque_ambiguous": Case("also balances the torque", {
         "motion.speed": 2e4, "motion.pitch": "free", "motion.torque": 12e6,
         "friction.limit_ratio": 0.3, "friction.decay": 0.001, **QUICK}),
 }
