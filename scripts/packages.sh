@@ -15,5 +15,5 @@ check_packages=(
   octave octave-dev fonts-freefont-otf
 )
 packaging_packages=(
-  debhelper dh-python chrpath lintian git octave-dev
+  debhelper dh-python chrpath lintian git octave octave-dev patchelf
 )
