@@ -54,7 +54,7 @@ lintian --allow-root --fail-on error --profile debian --tag-display-limit 0 "$fo
 for package in "$folder"/*.deb; do
   dpkg-deb -x "$package" "$folder/unpacked"
 done
-cmake -DWAY=pkg-config -DLANGUAGE=c "-DPREFIX=$PWD/$folder/unpacked/usr" -DC_COMPILER=cc \
+cmake -DWAY=pkg-config -DUNPACKED=ON -DLANGUAGE=c "-DPREFIX=$PWD/$folder/unpacked/usr" -DC_COMPILER=cc \
   "-DLIBDIR=$multiarch" "-DSOURCES=$PWD/tests/consumers/project" "-DFOLDER=$PWD/$folder/consumer" \
   "-DCASE=$tree/bin/wrc_case" -P tests/consumers/run_consumer.cmake
 ls -sh "$folder"/*.deb
