@@ -51,7 +51,7 @@ done
 sed -i 's/^License: MIT$/License: MIT; with FFTW inside, which is GPL-2.0-or-later, the wheel as a whole is GPL/' "$info/METADATA"
 examples=$tree/wrcontact-$version.data/data/share/wrcontact/examples
 mkdir -p "$examples/python"
-cp python_bindings/examples/*.py "$examples/python"
+cp python_bindings/examples/*.{py,ipynb} "$examples/python"
 cp tests/reference/profiles/Car7216_0001r.txt "$examples/measured_wheel.txt"
 (cd "$house" && "$python" -m wheel pack --dest-dir . "unpacked/wrcontact-$version" >/dev/null)
 wheel=$(ls "$house"/wrcontact-*.whl)

@@ -17,7 +17,7 @@ from matplotlib.image import imread, imsave
 HERE = Path(__file__).resolve().parent
 LATERAL = 5.0          # mm
 FIRST, STEP = -6.0, 0.5  # of drivers/studies/demonstration.toml
-PAGE_WIDTH = 1000
+PAGE_WIDTH = 850
 
 
 def run(*command):
@@ -42,8 +42,7 @@ def main():
         run("chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
             f"--window-size={PAGE_WIDTH},{lobes.shape[0]}", "--virtual-time-budget=3000",
             f"--screenshot={folder / 'page.png'}", f"file://{folder / 'page.html'}")
-        page = imread(folder / "page.png")[:, :, :3].copy()
-        page[845:] = 1.0  # where the next chart begins
+        page = imread(folder / "page.png")[:, :, :3]
     line = numpy.full((lobes.shape[0], 2, 3), 0.7)
     imsave(target, numpy.concatenate([lobes, line, page], axis=1).clip(0, 1))
     print(target)
