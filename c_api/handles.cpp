@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <exception>
-#include <pthread.h>
 
+#include "base/fork.hpp"
 #include "scene/scene_keys.hpp"
 
 namespace wrc {
@@ -40,8 +40,8 @@ void after_fork_in_child() noexcept {
   unlock_after_fork();
 }
 
-[[maybe_unused]] const int registered =
-    pthread_atfork(before_fork, after_fork_in_parent, after_fork_in_child);
+[[maybe_unused]] const bool registered =
+    call_around_forks(before_fork, after_fork_in_parent, after_fork_in_child);
 
 } // namespace
 

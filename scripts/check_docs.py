@@ -4,6 +4,7 @@
 Usage: scripts/check_docs.py [--update]
 
  * links lead somewhere, paths in code spans exist, docs/index.md knows every page;
+ * a text in <!-- quoted: docs/page.md "text" --> is on that page: figures beside it are taken from there;
  * the tables between <!-- f77 --> or <!-- module --> and <!-- end --> in docs/fortran-calls.md hold every
    subroutine and procedure with its arguments (--update rewrites them; what they do is kept);
  * docs/build.md holds every build option with its default, and every preset;
@@ -54,6 +55,14 @@ def check_links():
                 continue  # a placeholder
             if not any((PROJECT / (path + ending)).exists() for ending in ("", ".hpp", ".cpp")):
                 fail(page, f"{path} does not exist")
+
+
+def check_quotations():
+    """<!-- quoted: docs/page.md "text" -->: the text, from which figures nearby are taken, is on that page."""
+    for page in PAGES:
+        for source, text in re.findall(r"<!-- quoted: (\S+) \"(.*)\" -->", text_of(page)):
+            if text not in text_of(source):
+                fail(page, f"figures are from {source}, which no longer says: {text}")
 
 
 def check_index():
@@ -316,6 +325,7 @@ def main():
         return 2
     check_tables(update=bool(sys.argv[1:]))
     check_links()
+    check_quotations()
     check_index()
     check_rooms()
     check_places("docs/architecture.md")

@@ -51,8 +51,8 @@ case "${1:-}" in
     for room in $(wc -l cxx_core/*/*.cpp c_api/*.cpp | sed -n 's|^ *\([0-9]*\) \(.*\)/[^/]*$|\1 \2|p' |
       awk '{ lines[$2] += $1 } END { for (room in lines) print lines[room], room }' |
       sort -rn | cut -d' ' -f2); do
-      # Loops that are specialised stand before their use.
-      echo "--unit ${room//\//_}" "$(printf '%s\n' "$room"/*.cpp |
+      # Loops that are specialised stand before their use. What replaces POSIX would define it again.
+      echo "--unit ${room//\//_}" "$(printf '%s\n' "$room"/*.cpp | grep -v '_windows.cpp$' |
         awk '{ print !/_loops.cpp$/, $0 }' | sort | cut -d' ' -f2 | paste -sd ' ')"
     done | xargs -P "$(nproc)" -L 1 scripts/check_static.sh
     ;;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the Debian packages of packaging/debian in build/packages from the release build, without
-# building anything again, and looks at them with lintian: an error fails.
+# Makes the Debian packages of packaging/debian in build/packages from the release build, which it configures with
+# Octave and brings up to date, and looks at them with lintian: an error fails.
 # Usage: scripts/debian_packages.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,11 +11,15 @@ folder=build/packages
 version=$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 tree=$PWD/build/release
 multiarch=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)
-grep -q '^WRCONTACT_BUILD_OCTAVE:BOOL=ON' "$tree/CMakeCache.txt" || {
-  echo "scripts/debian_packages.sh: build/release must have been built with -DWRCONTACT_BUILD_OCTAVE=ON" >&2
+rm -rf "$folder"
+mkdir -p "$folder"
+{
+  cmake --preset release -DWRCONTACT_BUILD_OCTAVE=ON
+  cmake --build --preset release
+} >"$folder/build.log" 2>&1 || {
+  tail -n 40 "$folder/build.log"
   exit 1
 }
-rm -rf "$folder"
 source=$folder/wrcontact-$version
 mkdir -p "$source"
 git archive HEAD | tar -x -C "$source"
@@ -31,7 +35,7 @@ if [ ! -d python_bindings ]; then # the package would be empty
   sed -i '/^Package: python3-wrcontact$/,$d' "$source/debian/control"
 fi
 
-# The tree is told where Debian has its libraries, and then again what it was told before.
+# The tree is configured for the folders of Debian, and then again as it was.
 libraries=$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$tree/CMakeCache.txt")
 prefix=$(sed -n 's/^CMAKE_INSTALL_PREFIX:[A-Z]*=//p' "$tree/CMakeCache.txt")
 trap 'cmake -S . -B "$tree" "-DCMAKE_INSTALL_LIBDIR=$libraries" "-DCMAKE_INSTALL_PREFIX=$prefix" \
@@ -50,7 +54,7 @@ lintian --allow-root --fail-on error --profile debian --tag-display-limit 0 "$fo
 for package in "$folder"/*.deb; do
   dpkg-deb -x "$package" "$folder/unpacked"
 done
-cmake -DWAY=pkg-config -DLANGUAGE=c "-DPREFIX=$PWD/$folder/unpacked/usr" -DC_COMPILER=cc \
+cmake -DWAY=pkg-config -DUNPACKED=ON -DLANGUAGE=c "-DPREFIX=$PWD/$folder/unpacked/usr" -DC_COMPILER=cc \
   "-DLIBDIR=$multiarch" "-DSOURCES=$PWD/tests/consumers/project" "-DFOLDER=$PWD/$folder/consumer" \
   "-DCASE=$tree/bin/wrc_case" -P tests/consumers/run_consumer.cmake
 ls -sh "$folder"/*.deb

@@ -12,8 +12,9 @@ build_packages=(
 check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
   shellcheck codespell doxygen python3 mypy
-  octave octave-dev fonts-freefont-otf
+  octave octave-dev fonts-freefont-otf flang-19
 )
+windows_packages=(g++-mingw-w64-x86-64-posix gfortran-mingw-w64-x86-64-posix)
 packaging_packages=(
-  debhelper dh-python chrpath lintian git octave-dev
+  debhelper dh-python chrpath lintian git octave octave-dev patchelf
 )

@@ -1,37 +1,61 @@
 #!/usr/bin/env bash
-# Makes what a release consists of in build/archive, from the last commit: the archive of the sources,
-# its SHA-256 sum, and the recipes for Spack and conda that refer to it. The version is that of
-# CMakeLists.txt. Usage: scripts/release.sh [URL]
-# URL: where the archive will be; without it the recipes take the one made here. With a version that
-# CHANGELOG.md does not have, or files that are not committed, nothing is made for a URL.
+# Makes what a release consists of, in build/release-VERSION, from the last commit:
+#   wrcontact-VERSION.tar.gz        the sources
+#   *.deb                           Debian packages (scripts/debian_packages.sh)
+#   wrcontact-VERSION-*.whl         a Python wheel (scripts/python_wheel.sh)
+#   spack/package.py, conda/meta.yaml   recipes that refer to the sources
+#   NOTES.md                        what CHANGELOG.md says about this version
+#   SHA256SUMS                      sums of all files
+# and then makes the tag vVERSION, to be pushed by hand.
+# Usage: scripts/release.sh VERSION [--dry-run] [--url URL]
+# URL: where the archive of the sources will be; without it the recipes take the one made here. A dry run makes no tag,
+# and does not mind files that are not committed or a version that CHANGELOG.md does not have yet.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-version=$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
-folder=build/archive
-archive=$folder/wrcontact-$version.tar.gz
-url=${1:-file://$PWD/$archive}
-if [ $# -gt 0 ]; then
-  grep -q "^## \[$version\]" CHANGELOG.md || {
-    echo "scripts/release.sh: CHANGELOG.md has no heading [$version]" >&2
-    exit 1
-  }
-  [ -z "$(git status --porcelain)" ] || {
-    echo "scripts/release.sh: there are files that are not committed" >&2
-    exit 1
-  }
+usage() {
+  echo "scripts/release.sh: $1; usage: scripts/release.sh VERSION [--dry-run] [--url URL]" >&2
+  exit 2
+}
+version='' dry=no url=''
+while [ $# -gt 0 ]; do
+  case $1 in
+    --dry-run) dry=yes ;;
+    --url) url=${2:?a URL} && shift ;;
+    -*) usage "unknown option $1" ;;
+    *) version=$1 ;;
+  esac
+  shift
+done
+[ -n "$version" ] || usage "a version is required"
+built=$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+[ "$version" = "$built" ] || usage "the sources are version $built (scripts/set_version.sh $version changes that)"
+heading="\[$version\]"
+if ! grep -q "^## $heading" CHANGELOG.md; then
+  [ "$dry" = yes ] || usage "CHANGELOG.md has no heading [$version]"
+  heading="\[Unreleased\]"
 fi
+if [ "$dry" = no ]; then
+  [ -z "$(git status --porcelain)" ] || usage "there are files that are not committed"
+  ! git rev-parse -q --verify "refs/tags/v$version" >/dev/null || usage "the tag v$version is there already"
+fi
+
+folder=$PWD/build/release-$version
+archive=$folder/wrcontact-$version.tar.gz
 rm -rf "$folder"
 mkdir -p "$folder/spack" "$folder/conda"
 git archive --prefix="wrcontact-$version/" HEAD | gzip -n9 >"$archive"
 sum=$(sha256sum "$archive" | cut -d' ' -f1)
-echo "$sum  ${archive##*/}" >"$archive.sha256"
 for recipe in spack/package.py conda/meta.yaml; do
-  sed -e "s|@VERSION@|$version|" -e "s|@SHA256@|$sum|" -e "s|@URL@|$url|" \
+  sed -e "s|@VERSION@|$version|" -e "s|@SHA256@|$sum|" -e "s|@URL@|${url:-file://$archive}|" \
     "packaging/$recipe" >"$folder/$recipe"
 done
-# They parse: as Python, and as YAML once what conda replaces is taken out.
-python3 - "$folder" "$version" <<'END'
+awk -v heading="^## $heading" '/^## / { inside = 0 } inside { print } $0 ~ heading { inside = 1 }' CHANGELOG.md |
+  sed '/./,$!d' >"$folder/NOTES.md"
+[ -s "$folder/NOTES.md" ] || usage "CHANGELOG.md says nothing about $version"
+
+# Recipes parse: as Python, and as YAML once what conda replaces is taken out.
+/usr/bin/python3 - "$folder" "$version" <<'PYTHON'
 import ast
 import re
 import sys
@@ -48,5 +72,19 @@ try:
 except ImportError:
     print("conda/meta.yaml is not looked at: python3-yaml is missing")
 assert tomllib.loads(Path("fpm.toml").read_text())["version"] == version, "fpm.toml: version"
-END
-ls -l "$archive"
+PYTHON
+
+echo "== Debian packages"
+scripts/debian_packages.sh
+cp build/packages/*.deb "$folder"
+echo "== Python wheel"
+scripts/python_wheel.sh
+cp build/wheelhouse/*.whl "$folder"
+
+sums=$(cd "$folder" && find . -type f -printf '%P\n' | sort | xargs sha256sum)
+echo "$sums" >"$folder/SHA256SUMS"
+if [ "$dry" = no ]; then
+  git tag -a "v$version" -m "wrcontact $version" -m "$(cat "$folder/NOTES.md")"
+  echo "== tag v$version is made; git push origin v$version publishes it"
+fi
+ls -sh "$folder"

@@ -2,7 +2,7 @@
 # Installs what is missing on a Debian machine, builds and tests. Usage: scripts/test.sh [--all]
 # Without argument the release build and its tests; with --all what CI runs: layers, text,
 # constants, sizes, static analysis, address sanitizer (by clang), thread sanitizer, release with
-# Octave, the reference by Doxygen, Debian packages, the outputs that pages show, instruction sets.
+# Octave, the reference by Doxygen, a cross build for Windows, a release in a dry run, the outputs that pages show, instruction sets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh
@@ -75,9 +75,10 @@ if [ "$all" = yes ]; then
     python/wrcontact index; do
     [ -f "build/release/reference/$page.html" ]
   done
-  echo "== Debian packages"
-  scripts/debian_packages.sh
-  scripts/release.sh
+  echo "== Windows: compiled by cross compilers"
+  scripts/check_windows.sh
+  echo "== release: packages, wheel"
+  scripts/release.sh "$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" --dry-run
   echo "== outputs shown in the docs"
   scripts/check_outputs.py
   echo "== instruction sets"

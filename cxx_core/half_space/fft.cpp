@@ -52,7 +52,10 @@ private:
   PlannerLock host_;
 };
 
-constinit Planner the_planner;
+#if !defined(_WIN32) // where a mutex has no constant initial value
+constinit
+#endif
+    Planner the_planner;
 
 Planner& planner() {
   return the_planner;

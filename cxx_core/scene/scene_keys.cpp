@@ -1,9 +1,11 @@
 #include "scene/scene_keys.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -84,11 +86,54 @@ const Key& find_key(std::string_view name) {
                          "allowed is " + std::string(key.description.allowed));
 }
 
-/// Permitted ranges are stated in mm, y left, z up; so is the value, if it was given otherwise.
+/// The number that a text is, or none.
+std::optional<double> number_of(std::string_view text) {
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return fault == std::errc() && end == text.data() + text.size() ? std::optional(value)
+                                                                  : std::nullopt;
+}
+
+/// What a key allows, with its range in the caller's units and frame: "-100 to 100 mm" is "-0.1 to
+/// 0.1 m". None if the text does not give the key's range in this way.
+std::optional<std::string> allowed_for(const Key& key, const Convention& convention) {
+  constexpr std::string_view between = " to ";
+  const std::string_view text = key.description.allowed;
+  const std::size_t middle = text.find(between);
+  if (middle == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::size_t first = text.rfind(' ', middle - 1) + 1; // also where there is no blank
+  const std::size_t second = middle + between.size();
+  const std::size_t unit = std::min(text.find(' ', second), text.size());
+  if (number_of(text.substr(first, middle - first)) != key.min ||
+      number_of(text.substr(second, unit - second)) != key.max) {
+    return std::nullopt;
+  }
+  const auto [low, high] = std::minmax({to_caller(key.min, convention, key.dimension),
+                                        to_caller(key.max, convention, key.dimension)});
+  std::string rest(text.substr(unit));
+  if (convention.units == Units::si) {
+    for (const auto& [ours, theirs] : {std::pair("mm", "m"), std::pair("MPa", "Pa")}) {
+      for (std::size_t at = rest.find(ours); at != std::string::npos;
+           at = rest.find(ours, at + 1)) {
+        rest.replace(at, std::string_view(ours).size(), theirs);
+      }
+    }
+  }
+  return std::string(text.substr(0, first)) + text_of(low) + std::string(between) + text_of(high) +
+         rest;
+}
+
+/// Permitted ranges are declared in mm, y left, z up, and stated as the value was given.
 [[noreturn]] void refuse_number(const Key& key, const Convention& convention, double given,
                                 double inside) {
   if (convention == Convention{} || key.dimension.quantity == Quantity::number) {
     refuse(key, text_of(given));
+  }
+  if (const std::optional<std::string> allowed = allowed_for(key, convention)) {
+    throw_invalid_argument(std::string(key.description.name), text_of(given),
+                           "allowed is " + *allowed);
   }
   refuse(key, text_of(given) + " (in mm, N, MPa, y left, z up: " + text_of(inside) + ')');
 }

@@ -31,7 +31,10 @@ endif()
 set(rpath -Wl,-rpath,${libraries})
 if(WAY STREQUAL pkg-config)
   ask_pkg_config(flags --cflags --libs)
-  list(APPEND compile ${flags} ${rpath})
+  list(APPEND compile ${flags})
+  if(UNPACKED) # packages for the folders of the system
+    list(APPEND compile ${rpath})
+  endif()
 elseif(WAY STREQUAL compiler)
   list(TRANSFORM module_library PREPEND -l)
   list(APPEND compile -I${MODULES} -I${PREFIX}/include -L${libraries} ${module_library} -lwrcontact

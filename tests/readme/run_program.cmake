@@ -1,7 +1,7 @@
 # Takes the program in LANGUAGE from DOCUMENT, compiles it by the command that stands below it, with
 # the staged installation PREFIX for $W, in an empty FOLDER, runs it, and compares all digits of what
 # it prints with what WRC_CASE prints for the same scene. OPTIONS are added to the command.
-# With REFUSED the program must fail instead, and print that.
+# With REFUSED the program must fail instead, and print that. COMPILER replaces gfortran.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${PROJECT}/${DOCUMENT} text)
 if(MARK)
@@ -13,6 +13,9 @@ if(NOT found)
 endif()
 set(program "${CMAKE_MATCH_1}")
 string(REPLACE "$W" "${PREFIX}" command "${CMAKE_MATCH_2}")
+if(COMPILER)
+  string(REGEX REPLACE "gfortran( -std=legacy)?" "${COMPILER}" command "${command}")
+endif()
 if(NOT command MATCHES "(program\\.[a-z0-9]+)")
   message(FATAL_ERROR "no program in the command: ${command}")
 endif()

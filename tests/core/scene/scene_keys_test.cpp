@@ -54,6 +54,40 @@ TEST(SceneKeys, EveryKeyRefusesForbiddenValuesAndNamesAllowedOnes) {
   }
 }
 
+TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
+  struct Refused {
+    const char* key;
+    double value;
+    const char* text;
+  };
+  constexpr std::array<Refused, 7> refused{{
+      {"pose.lateral", 3.0, "pose.lateral = 3: allowed is -0.1 to 0.1 m"},
+      {"track.gauge", 1435.0, "track.gauge = 1435: allowed is 0.6 to 1.7 m"},
+      {"motion.speed", 2e4, "motion.speed = 20000: allowed is -1000 to 1000 m/s, or \"none\""},
+      {"material.youngs_modulus", 1e300, "allowed is 1e+06 to 1e+15 Pa"},
+      {"creepage.spin", 1e300, "allowed is -10000 to 10000 1/m, or \"none\""},
+      {"pose.yaw", 3.0, "pose.yaw = 3: allowed is -0.2 to 0.2 rad"},
+      // not a range alone: the value in mm beside the range in mm
+      {"track.rail_smoothing", 3.0,
+       "= 3 (in mm, N, MPa, y left, z up: 3000): allowed is 0 (none) to 100 mm"},
+  }};
+  Scene scene;
+  scene.convention.units = Units::si;
+  for (const TrackFrame frame : {TrackFrame::left_up, TrackFrame::right_down}) {
+    scene.convention.frame = frame;
+    for (const Refused& one : refused) {
+      const std::string text =
+          error_text([&] { set_number(scene, one.key, one.value); }, ErrorCode::invalid_argument);
+      EXPECT_NE(text.find(one.text), std::string::npos) << text;
+    }
+    const std::string text =
+        error_text([&] { set_number(scene, "pose.vertical", 460.0); }, ErrorCode::invalid_argument);
+    EXPECT_EQ(text, frame == TrackFrame::left_up
+                        ? "pose.vertical = 460: allowed is \"solve\" or 0 to 6 m"
+                        : "pose.vertical = 460: allowed is \"solve\" or -6 to 0 m");
+  }
+}
+
 TEST(SceneKeys, AnUnknownKeyIsReportedWithTheNearestKeys) {
   const std::array<std::pair<std::string, const char*>, 7> words{{
       {"pose.latral", "pose.lateral"},

@@ -1,3 +1,5 @@
+// The only file that needs POSIX, except tests and programs. system_windows.cpp replaces it on
+// Windows.
 #include "base/file.hpp"
 
 #include <array>
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/fork.hpp"
 
 namespace wrc {
 
@@ -165,6 +168,10 @@ void write_file(const std::filesystem::path& path, const std::string& content) {
     unlink(aside.c_str());
     refuse(path, fault, reason);
   }
+}
+
+bool call_around_forks(void (*before)(), void (*in_parent)(), void (*in_child)()) {
+  return pthread_atfork(before, in_parent, in_child) == 0;
 }
 
 } // namespace wrc

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Runs the commands of docs/gallery.md in an empty folder and compares what they draw with docs/images.
+
+Usage: docs/images/draw_gallery.py [--update] [BIN]
+
+BIN holds the programs, build/release/bin if it is missing. Without --update a picture fails that differs in more than
+one pixel of a hundred, or in size; with it, it is replaced. A command follows <!-- picture -->, its picture the
+command; <!-- picture: PROGRAM --> leaves the picture out where there is no such program. Needs gnuplot and
+python3-matplotlib.
+"""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+from matplotlib.image import imread
+
+PROJECT = Path(__file__).resolve().parents[2]
+ENTRY = re.compile(r"<!-- picture(?:: (\w+))? -->\n```\n(.*?)\n```\n!\[[^\]]*\]\(images/([\w.]+)\)", re.S)
+# A pixel differs if a colour does by more than this: contours and letters are smoothed by rounding of results.
+COLOUR = 0.1
+PIXELS = 0.01
+
+
+def difference(one, other):
+    """What tells two pictures apart, or nothing."""
+    one, other = imread(one)[:, :, :3], imread(other)[:, :, :3]
+    if one.shape != other.shape:
+        return f"is {one.shape[1]} x {one.shape[0]} pixels instead of {other.shape[1]} x {other.shape[0]}"
+    share = (numpy.abs(one - other).max(axis=2) > COLOUR).mean()
+    return f"differs in {100 * share:.2g} % of its pixels" if share > PIXELS else ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--update", action="store_true", help="replace pictures that differ")
+    parser.add_argument("bin", nargs="?", default=PROJECT / "build/release/bin", type=Path)
+    options = parser.parse_args()
+    page = (PROJECT / "docs/gallery.md").read_text(encoding="utf-8")
+    entries = ENTRY.findall(page)
+    if not entries or len(entries) != page.count("](images/"):
+        print(f"docs/gallery.md: {page.count('](images/')} pictures, {len(entries)} of them below their command")
+        return 1
+    failures = 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "build/release").mkdir(parents=True)
+        for link, target in (("build/release/bin", options.bin.resolve()), ("drivers", PROJECT / "drivers"),
+                             ("docs", PROJECT / "docs")):
+            (folder / link).symlink_to(target)
+        interpreter = Path(sys.executable).parent  # scripts start with the Python that has matplotlib
+        path = f"{options.bin.resolve()}:{interpreter}:{os.environ['PATH']}"
+        for needed, command, picture in entries:
+            if needed and not shutil.which(needed):
+                print(f"{picture}: left out, there is no {needed}")
+                continue
+            done = subprocess.run(["bash", "-ec", command], cwd=folder, capture_output=True, text=True, check=False,
+                                  env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8",
+                                       "MPLCONFIGDIR": str(folder)})
+            drawn = next((p for p in folder.rglob(picture) if "docs" not in p.relative_to(folder).parts), None)
+            target = PROJECT / "docs/images" / picture
+            if done.returncode or not drawn:
+                found = f"not drawn: {done.stderr.strip()[-500:]}"
+            else:
+                found = difference(drawn, target) if target.exists() else "is not in docs/images"
+                if found and options.update:
+                    shutil.copyfile(drawn, target)
+                    print(f"{picture}: {found}; replaced")
+                    found = ""
+            if found:
+                failures += 1
+                print(f"{picture}: {found}")
+    print(f"{len(entries) - failures} of {len(entries)} pictures of docs/gallery.md are as committed")
+    return 1 if failures else 0
+
+
+sys.exit(main())

@@ -1,0 +1,11 @@
+# Toolchain of Debian's cross compilers for Windows (scripts/check_windows.sh).
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+foreach(language C=gcc CXX=g++ Fortran=gfortran)
+  string(REGEX MATCH "^(.*)=(.*)$" language ${language})
+  set(CMAKE_${CMAKE_MATCH_1}_COMPILER x86_64-w64-mingw32-${CMAKE_MATCH_2}-posix)
+endforeach()
+set(CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
