@@ -191,7 +191,7 @@ TEST(Ids, ARefusedNumberChangesNothing) {
     EXPECT_EQ(wrc_scene_get_number(s, "load.right", &value), WRC_OK);
     EXPECT_EQ(value, 7e4);
   }
-  // As by name: the value that was given, and what it is inside.
+  // As by name: value and range in the units of the caller.
   set(s, {{"convention.units", "SI"}});
   expect_error(s, set_by_id(s, {ids[0]}, {3.0}), WRC_INVALID_ARGUMENT, "pose.lateral = 3", "3000",
                "-100 to 100 mm");
