@@ -45,7 +45,8 @@ void draw_pressure_below(Level& level, double height) {
   }
   if (deepest == 0.0) {
     for (std::size_t i = 0; i < level.pressure.size(); ++i) {
-      level.pressure[i] = level.distance[i] <= height * level.shares[i] ? 1.0 : 0.0;
+      // Rounded like the height: the lowest element must not be left out.
+      level.pressure[i] = level.distance[i] / level.shares[i] <= height ? 1.0 : 0.0;
     }
   }
 }
