@@ -306,11 +306,11 @@ public:
     return *std::get<Kept<Real>>(kept_).try_emplace({rigor, length}, std::move(made)).first->second;
   }
 
-  /// Those with `estimate` of all lines that grids up to 512 elements across need.
+  /// Those with `estimate` of all lines that grids up to 1024 elements across need.
   void prepare() {
     // origin: bound: changes no result; longer lines take 2 ms more each octave and belong to grids
     // of many MB, beside which a plan's 16 kB are little.
-    constexpr std::size_t longest = 1024;
+    constexpr std::size_t longest = 2048;
     for (std::size_t length = 0; length < longest;) {
       length = fast_line_length(length + 1);
       get<float>(length, PlannerRigor::estimate);

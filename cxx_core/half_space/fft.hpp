@@ -7,7 +7,7 @@
 /// FFTW Really Computes"). Plans are made with the requested rigor. With `estimate` they are the
 /// same in every order of planning, unless the host measures by itself; with `measure` FFTW times
 /// several algorithms, once a length, and the last bits of results may differ from one process to
-/// the next. All estimates up to 1024 values are made before anything is measured or wisdom loaded,
+/// the next. All estimates up to 2048 values are made before anything is measured or wisdom loaded,
 /// so neither changes them.
 /// Memory: FFTW ends the program if it gets none while it plans. So as much memory as it takes is
 /// requested before any planning and given back: if there is none, that is Error(out_of_memory). A
@@ -136,7 +136,7 @@ private:
 /// The transform of lines of a length, kept as long as the process. Throws Error(out_of_memory).
 template <typename Real> const LineFft<Real>& line_fft(std::size_t length, PlannerRigor rigor);
 
-/// Plans the lines of all grids up to 512 elements across, once a process (8 ms). Throws
+/// Plans the lines of all grids up to 1024 elements across, once a process (10 ms). Throws
 /// Error(out_of_memory).
 void prepare_transforms();
 

@@ -224,7 +224,7 @@ TEST(PlannerLock, IsNotTakenForEstimatesAfterAMeasurement) {
   line_fft<float>(48, PlannerRigor::measure);
   LockRecord record;
   const HostLock lock(record);
-  for (std::size_t length = 0; length < 1024;) {
+  for (std::size_t length = 0; length < 2048;) {
     length = fast_line_length(length + 1);
     line_fft<float>(length, PlannerRigor::estimate);
     line_fft<double>(length, PlannerRigor::estimate);
