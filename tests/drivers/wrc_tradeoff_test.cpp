@@ -88,9 +88,9 @@ TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
   const Outcome outcome = run("--creep 2 --repeats 1 --threads 2 --json t.json "
                               "--pictures .");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  expect_parts(outcome.out, {"2 scenes, 0 of them without a solution", "\nlinear ",
-                             "\nshen-hedrick-elkins ", "\npolach ", "\nfastsim ",
-                             "\nfastsim-strips ", "\nfull ", "misses of the full theory"});
+  expect_parts(outcome.out,
+               {"2 scenes, 0 of them without a solution", "\nlinear ", "\nshen-hedrick-elkins ",
+                "\npolach ", "\nfastsim ", "\nfull ", "misses of the full theory"});
   EXPECT_NE(outcome.error.find("2 of 2 scenes, 0 s left"), std::string::npos) << outcome.error;
   EXPECT_TRUE(is_png("tradeoff_creep.png"));
   const json whole = json::parse(read("t.json"));

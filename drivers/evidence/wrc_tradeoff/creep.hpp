@@ -28,18 +28,11 @@ struct CreepWay {
   const char* model; ///< of solve.creep
   double accuracy = creep_model_accuracy;
 };
-/// From the cheapest to the most accurate. Strips have a grid that follows from the accuracy.
-inline constexpr std::array creep_ways{CreepWay{"linear"},
-                                       CreepWay{"shen-hedrick-elkins"},
-                                       CreepWay{"polach"},
-                                       CreepWay{"fastsim"},
-                                       CreepWay{"fastsim-strips", 1e-2},
-                                       CreepWay{"fastsim-strips"},
-                                       CreepWay{"full", 1e-1},
-                                       CreepWay{"full", 3e-2},
-                                       CreepWay{"full", 1e-2},
-                                       CreepWay{"full", 3e-3},
-                                       CreepWay{"full", 1e-3}};
+/// From the cheapest to the most accurate.
+inline constexpr std::array creep_ways{
+    CreepWay{"linear"},     CreepWay{"shen-hedrick-elkins"}, CreepWay{"polach"},
+    CreepWay{"fastsim"},    CreepWay{"full", 1e-1},          CreepWay{"full", 3e-2},
+    CreepWay{"full", 1e-2}, CreepWay{"full", 3e-3},          CreepWay{"full", 1e-3}};
 
 /// Of a scene of the family's group `spread`, with friction of 0.1 to 0.5, and what its creepages
 /// are found from.
