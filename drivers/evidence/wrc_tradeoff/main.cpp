@@ -20,6 +20,7 @@ struct Options {
   std::size_t scenes = 520;
   std::size_t random = 0;    ///< instead of the family
   std::size_t creep = 0;     ///< models of creep forces, instead of all others
+  bool motion = false;       ///< creep forces of a wheelset in motion
   std::size_t practical = 0; ///< scenes of which pmax is judged, instead of all others
   std::string accuracy_of = "both";
   bool position = false;
@@ -88,7 +89,8 @@ void report(const All& all, const Options& options, Summary print_summary, Json 
 }
 
 void compare_creep_models(const Options& options) {
-  const auto cases = tradeoff::make_creep_cases(options.creep);
+  const auto cases = options.motion ? tradeoff::make_motion_cases(options.creep)
+                                    : tradeoff::make_creep_cases(options.creep);
   report(measure_scenes(
              cases.size(), options,
              [&](std::size_t i) { return tradeoff::measure_creep(cases[i], options.repeats); }),
@@ -138,6 +140,10 @@ int main(int argc, char** argv) {
                     ->excludes(random)
                     ->excludes(accuracy_of)
                     ->excludes(position);
+  app.add_flag("--motion", options.motion,
+               "with --creep: steps of a wheelset that hunts over irregular track, flange contacts "
+               "included, instead of creepages")
+      ->needs(creep);
   app.add_option(
          "--practical", options.practical,
          "instead of everything else: pmax at 1e-2 on so many scenes of wheels as vehicles use "
@@ -165,6 +171,7 @@ int main(int argc, char** argv) {
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n"
+             "  wrc_tradeoff --threads 2 --creep 200 --motion\n"
              "  wrc_tradeoff --threads 2 --practical 1500\n");
   return driver::run_program(app, argc, argv, [&options] {
     if (options.creep > 0) {
