@@ -1,6 +1,7 @@
 #include "creep/creep_on_patch.hpp"
 
 namespace wrc {
+
 CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep) {
   CreepProblem problem(task, creep);
   if (task.request.derivatives) {

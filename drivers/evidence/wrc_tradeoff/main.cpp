@@ -141,8 +141,7 @@ int main(int argc, char** argv) {
                     ->excludes(accuracy_of)
                     ->excludes(position);
   app.add_flag("--motion", options.motion,
-               "with --creep: steps of a wheelset that hunts over irregular track, flange contacts "
-               "included, instead of creepages")
+               "with --creep: steps of a wheelset that hunts over irregular track, not creepages")
       ->needs(creep);
   app.add_option(
          "--practical", options.practical,
@@ -171,7 +170,6 @@ int main(int argc, char** argv) {
              "  wrc_tradeoff --threads 2 --random 6000 --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --position --accuracy-of forces\n"
              "  wrc_tradeoff --threads 2 --creep 500 --pictures docs/images\n"
-             "  wrc_tradeoff --threads 2 --creep 200 --motion\n"
              "  wrc_tradeoff --threads 2 --practical 1500\n");
   return driver::run_program(app, argc, argv, [&options] {
     if (options.creep > 0) {
