@@ -6,11 +6,11 @@
 namespace wrc {
 
 bool on_own_pressures(const CreepRequest& request) {
-  return request.model == CreepModel::full || request.model == CreepModel::fastsim_strips;
+  return request.model == CreepModel::full;
 }
 
 bool unlike_bodies(const CreepRequest& request) {
-  return request.model == CreepModel::full && request.material.difference_parameter != 0.0;
+  return on_own_pressures(request) && request.material.difference_parameter != 0.0;
 }
 
 namespace {

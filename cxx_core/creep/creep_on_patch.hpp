@@ -1,5 +1,4 @@
-/// Creep forces of a patch on its own pressures: by the full theory or FASTSIM by strips, with the
-/// slip of its elements.
+/// Creep forces of a patch on its own pressures by the full theory, with the slip of its elements.
 ///
 /// Left-hand frame of the side. Units mm, N, MPa, rad. Thread rule: as the solver's.
 #pragma once

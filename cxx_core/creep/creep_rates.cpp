@@ -75,62 +75,6 @@ Grid moved_grid(Grid grid, const ElementMotion& motion) {
   return grid;
 }
 
-std::array<double, 4> difference_by_strips(const RollingProblem& problem,
-                                           const Flexibilities& flexibilities,
-                                           const ProblemRate& rate) {
-  const double largest = *std::max_element(problem.pressure.begin(), problem.pressure.end());
-  const double growth = rate.longitudinal_step / problem.grid.longitudinal_step;
-  double fastest = std::abs(growth);
-  for (const double of_element : rate.pressure) {
-    fastest = std::max(fastest, std::abs(of_element) / largest);
-  }
-  double slip = 0.0;
-  double slip_rate = 0.0;
-  for (std::size_t i = 0; i < rate.slip_x.size(); ++i) {
-    slip = std::max(slip, std::hypot(problem.slip_x[i], problem.slip_y[i]));
-    slip_rate = std::max(slip_rate, std::hypot(rate.slip_x[i], rate.slip_y[i]));
-  }
-  fastest = slip > 0.0 ? std::max(fastest, slip_rate / slip) : fastest;
-  const double change = fastest > 0.0 ? creep_difference_step / fastest : 1.0;
-  const auto after = [&](double step) {
-    RollingProblem moved = problem;
-    std::vector<double> pressure(problem.pressure.begin(), problem.pressure.end());
-    for (std::size_t i = 0; i < pressure.size(); ++i) {
-      pressure[i] = pressure[i] > 0.0 ? std::max(pressure[i] + step * rate.pressure[i], 0.0) : 0.0;
-    }
-    moved.pressure = pressure;
-    const auto field = [step](std::span<const double> now, const std::vector<double>& by) {
-      std::vector<double> later(now.begin(), now.end());
-      for (std::size_t i = 0; i < by.size(); ++i) {
-        later[i] += step * by[i];
-      }
-      return later;
-    };
-    const std::vector<double> slip_x = field(problem.slip_x, rate.slip_x);
-    const std::vector<double> slip_y = field(problem.slip_y, rate.slip_y);
-    const std::vector<double> weight_x = field(problem.weight_x, rate.weight_x);
-    const std::vector<double> weight_y = field(problem.weight_y, rate.weight_y);
-    moved.slip_x = slip_x;
-    moved.slip_y = slip_y;
-    moved.weight_x = weight_x;
-    moved.weight_y = weight_y;
-    moved.grid.longitudinal_first += step * rate.longitudinal_first;
-    moved.grid.longitudinal_step += step * rate.longitudinal_step;
-    moved.grid.lateral_first += step * rate.lateral_first;
-    moved.grid.lateral_step += step * rate.lateral_step;
-    const double length = 1.0 + step * growth;
-    return solve_with_fastsim(moved,
-                              {length * flexibilities.longitudinal, length * flexibilities.lateral,
-                               length * flexibilities.spin, length * flexibilities.spin_lead});
-  };
-  const RollingSolution ahead = after(change);
-  const RollingSolution behind = after(-change);
-  return {(ahead.longitudinal_force - behind.longitudinal_force) / (2.0 * change),
-          (ahead.lateral_force - behind.lateral_force) / (2.0 * change),
-          (ahead.spin_moment - behind.spin_moment) / (2.0 * change),
-          (ahead.weighted_force - behind.weighted_force) / (2.0 * change)};
-}
-
 void complete(CreepDerivatives& derivatives, const CreepForces& forces, const Creepages& at,
               double friction, double normal_force) {
   const std::array<double, 3> values{forces.longitudinal, forces.lateral, forces.spin_moment};

@@ -17,7 +17,6 @@
 #include "creep/rigid_slip.hpp"
 #include "records/rates.hpp"
 #include "rolling/creep_laws.hpp"
-#include "rolling/fastsim.hpp"
 #include "rolling/rolling_problem.hpp"
 
 namespace wrc {
@@ -54,12 +53,6 @@ struct ProblemFields {
 /// From a problem to a grid and fields on it a step later.
 ProblemRate rate_between(const RollingProblem& now, const Grid& grid, const ProblemFields& later,
                          double step);
-
-/// Rates of the forces, the moment and the weighted force of FASTSIM by strips, by a difference;
-/// its flexibilities are assumed to grow with the contact's length.
-std::array<double, 4> difference_by_strips(const RollingProblem& problem,
-                                           const Flexibilities& flexibilities,
-                                           const ProblemRate& rate);
 
 /// Rows Fx, Fy, Mz and a column for each position.
 using ForcesByPosition = std::array<double, 3 * position_count>;

@@ -15,9 +15,9 @@
 namespace wrc {
 
 /// How creep forces are computed: the ladder of docs/creep-models.md. Closed formulas and FASTSIM
-/// stand on the Hertzian ellipse with the patch's second moments of pressure; FASTSIM by strips and
-/// the full theory on its own pressures.
-enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, fastsim_strips, full };
+/// stand on the Hertzian ellipse with the patch's second moments of pressure; the full theory on
+/// its own pressures.
+enum class CreepModel { none, linear, shen_hedrick_elkins, polach, fastsim, full };
 
 /// What a wheel's creep forces follow from.
 struct CreepRequest {

@@ -1,7 +1,6 @@
 #include "half_space/fft.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -163,6 +162,7 @@ void set_planner_lock(const PlannerLock& host_lock) {
 }
 
 void load_wisdom(const std::string& path) {
+  prepare_transforms(); // before wisdom can change what is estimated
   constexpr std::size_t max_wisdom_size = std::size_t{1} << 24;
   const std::string text = read_file(path, max_wisdom_size);
   if (text.empty()) {
@@ -288,92 +288,61 @@ void LineFft<Real>::backward(Complex* from, Complex* to, std::size_t count) cons
 template class LineFft<float>;
 template class LineFft<double>;
 
-/// The transforms of the process. Those with `estimate` of all short lengths are one table, made at
-/// once and read without a lock; others are added one by one. Never destroyed: a thread may still
-/// use them while the process ends.
+/// The transforms of the process, kept as long as it: a thread may still use them while it ends.
 class KeptTransforms {
 public:
-  /// Longest length of prepared plans: grids up to 512 elements across, twice as long.
-  /// origin: bound: changes no result: 10 ms of planning; longer lines take 2 ms more per octave
-  /// and belong to grids of many MB, beside which the 16 kB of a plan are small.
-  static constexpr std::size_t longest_prepared = 1024;
-
   template <typename Real> const LineFft<Real>& get(std::size_t length, PlannerRigor rigor) {
-    if (rigor == PlannerRigor::estimate && length <= longest_prepared) {
-      const auto& ready = std::get<ByLength<Real>>(prepared());
-      if (const auto found = ready.find(length); found != ready.end()) {
-        return *found->second;
-      }
+    if (const LineFft<Real>* kept = find<Real>(length, rigor)) {
+      return *kept;
     }
-    const auto key = std::pair{rigor, length};
-    auto& added = std::get<Added<Real>>(added_);
-    {
-      const std::lock_guard<std::mutex> guard(added_lock_);
-      if (const auto found = added.find(key); found != added.end()) {
-        return *found->second;
-      }
+    if (rigor == PlannerRigor::measure) {
+      prepare(); // what FFTW measures would change later estimates
     }
-    // Before the lock, which plans take when they are destroyed: by a failure, or since another
-    // thread was first.
-    std::unique_ptr<LineFft<Real>> made(new LineFft<Real>);
+    std::unique_ptr<LineFft<Real>> made(new LineFft<Real>); // its plans take the lock if they fail
     // Nobody waits for the planner, which may take the host's lock, while holding the other lock.
     const PlanningGuard planning(planner());
+    if (const LineFft<Real>* kept = find<Real>(length, rigor)) {
+      return *kept; // another thread was first
+    }
     made->plan(length, rigor);
-    const std::lock_guard<std::mutex> guard(added_lock_);
-    return *added.try_emplace(key, std::move(made)).first->second;
+    const std::lock_guard<std::mutex> guard(lock_);
+    return *std::get<Kept<Real>>(kept_).try_emplace({rigor, length}, std::move(made)).first->second;
   }
 
-  template <typename Real>
-  using ByLength = std::map<std::size_t, std::unique_ptr<const LineFft<Real>>>;
-  using Prepared = std::tuple<ByLength<float>, ByLength<double>>;
-
-  const Prepared& prepared() {
-    if (const Prepared* ready = prepared_.load(std::memory_order_acquire)) {
-      return *ready;
+  /// Those with `estimate` of all lines that grids up to 1024 elements across need.
+  void prepare() {
+    // origin: bound: changes no result; longer lines take 2 ms more each octave and belong to grids
+    // of many MB, beside which a plan's 16 kB are little.
+    constexpr std::size_t longest = 2048;
+    for (std::size_t length = 0; length < longest;) {
+      length = fast_line_length(length + 1);
+      get<float>(length, PlannerRigor::estimate);
+      get<double>(length, PlannerRigor::estimate);
     }
-    auto table = std::make_unique<Prepared>(); // before the lock, which its plans take in the end
-    const PlanningGuard planning(planner());
-    if (prepared_.load(std::memory_order_relaxed) == nullptr) {
-      std::size_t count = 0;
-      std::size_t values = 0;
-      for (std::size_t length = 0; length < longest_prepared; ++count) {
-        length = fast_line_length(length + 1);
-        values += length;
-        std::get<ByLength<float>>(*table)[length] = nullptr;
-        std::get<ByLength<double>>(*table)[length] = nullptr;
-      }
-      require_memory(memory_of_tables + 8 * count * memory_of_plan + values * memory_per_value);
-      fill(std::get<ByLength<float>>(*table));
-      fill(std::get<ByLength<double>>(*table));
-      prepared_.store(table.release(), std::memory_order_release);
-    }
-    return *prepared_.load(std::memory_order_relaxed);
   }
 
   void lock() {
     planner().lock_own();
-    added_lock_.lock();
+    lock_.lock();
   }
   void unlock() {
-    added_lock_.unlock();
+    lock_.unlock();
     planner().unlock_own();
   }
 
 private:
-  template <typename Real> static void fill(ByLength<Real>& table) {
-    for (auto& [length, transform] : table) {
-      auto* const made = new LineFft<Real>;
-      transform.reset(made);
-      made->plan(length, PlannerRigor::estimate);
-    }
+  template <typename Real>
+  using Kept = std::map<std::pair<PlannerRigor, std::size_t>, std::unique_ptr<const LineFft<Real>>>;
+
+  template <typename Real> const LineFft<Real>* find(std::size_t length, PlannerRigor rigor) {
+    const std::lock_guard<std::mutex> guard(lock_);
+    const auto& kept = std::get<Kept<Real>>(kept_);
+    const auto found = kept.find({rigor, length});
+    return found == kept.end() ? nullptr : found->second.get();
   }
 
-  template <typename Real>
-  using Added =
-      std::map<std::pair<PlannerRigor, std::size_t>, std::unique_ptr<const LineFft<Real>>>;
-  std::atomic<const Prepared*> prepared_{nullptr};
-  std::mutex added_lock_;
-  std::tuple<Added<float>, Added<double>> added_;
+  std::mutex lock_; ///< guards kept_
+  std::tuple<Kept<float>, Kept<double>> kept_;
 };
 
 namespace {
@@ -392,7 +361,7 @@ template const LineFft<float>& line_fft<float>(std::size_t, PlannerRigor);
 template const LineFft<double>& line_fft<double>(std::size_t, PlannerRigor);
 
 void prepare_transforms() {
-  kept_transforms().prepared();
+  kept_transforms().prepare();
 }
 
 void lock_for_fork() {

@@ -5,16 +5,16 @@
 ///   F[k] = sum_m f[m] exp(-2 pi i k m / length);
 /// backward is its conjugate sum, so that backward(forward(f)) = length f (FFTW 3 manual, "What
 /// FFTW Really Computes"). Plans are made with the requested rigor. With `estimate` they are the
-/// same on every call, unless the process has loaded wisdom; with `measure` FFTW times several
-/// algorithms, once a length, and the last bits of results may differ from one process to the next.
-/// Memory: FFTW ends the program if it gets none while it plans. So all transforms of lines that
-/// grids up to 512 elements need are planned at once, before the first of them is used, and kept as
-/// long as the process (prepare_transforms); no solution plans then. Others (longer lines,
-/// `measure`, measure_transform) are planned when first needed. Before any planning as much memory
-/// as it takes is asked for and given back: if there is none, that is Error(out_of_memory). Thread
-/// rule: planning takes a lock shared by the whole process, since only FFTW's execute is
-/// thread-safe; a host that plans by itself can have its own lock taken before it. One LineFft
-/// serves any number of threads at once, each with lines of its own.
+/// same in every order of planning, unless the host measures by itself; with `measure` FFTW times
+/// several algorithms, once a length, and the last bits of results may differ from one process to
+/// the next. All estimates up to 2048 values are made before anything is measured or wisdom loaded,
+/// so neither changes them.
+/// Memory: FFTW ends the program if it gets none while it plans. So as much memory as it takes is
+/// requested before any planning and given back: if there is none, that is Error(out_of_memory). A
+/// line is planned when first needed and kept as long as the process; who must not plan later calls
+/// prepare_transforms first. Thread rule: planning takes a lock shared by the whole process, since
+/// only FFTW's execute is thread-safe; a host that plans by itself can have its own lock taken
+/// before it. One LineFft serves any number of threads at once, each with lines of its own.
 /// Fork rule: lock_for_fork before, unlock_after_fork in both processes after it.
 #pragma once
 
@@ -136,7 +136,8 @@ private:
 /// The transform of lines of a length, kept as long as the process. Throws Error(out_of_memory).
 template <typename Real> const LineFft<Real>& line_fft(std::size_t length, PlannerRigor rigor);
 
-/// Plans what solutions need, once a process (10 ms). Throws Error(out_of_memory).
+/// Plans the lines of all grids up to 1024 elements across, once a process (10 ms). Throws
+/// Error(out_of_memory).
 void prepare_transforms();
 
 /// While a process forks, no other thread plans.

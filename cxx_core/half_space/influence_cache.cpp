@@ -51,7 +51,7 @@ std::shared_ptr<const InfluenceTable> InfluenceCache::table(const InfluenceKerne
   const auto found = tables_.find(kernel);
   const InfluenceTable* kept = found == tables_.end() ? nullptr : found->second.item.get();
   if (kept != nullptr && kept->rows >= rows && kept->columns >= columns) {
-    found->second.used = true;
+    found->second.unused = 0;
     return found->second.item;
   }
   auto table = std::make_shared<InfluenceTable>();
@@ -101,15 +101,15 @@ std::shared_ptr<const KernelSpectrum<Real>> InfluenceCache::spectrum_of(const Sp
     auto spectrum = std::make_shared<const KernelSpectrum<Real>>(compute_spectrum<Real>(key));
     found = spectra.emplace(key, Kept<KernelSpectrum<Real>>{std::move(spectrum)}).first;
   }
-  found->second.used = true;
+  found->second.unused = 0;
   return found->second.item;
 }
 
 void InfluenceCache::drop_unused() {
   const auto drop = [](auto& kept) {
-    std::erase_if(kept, [](const auto& entry) { return !entry.second.used; });
+    std::erase_if(kept, [](const auto& entry) { return entry.second.unused > 1; });
     for (auto& entry : kept) {
-      entry.second.used = false;
+      ++entry.second.unused;
     }
   };
   drop(tables_);

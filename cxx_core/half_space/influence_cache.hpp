@@ -6,9 +6,10 @@
 /// coefficients at every offset and even in both directions, so its spectrum is real. Divided by
 /// the number of elements, since the transforms are not normalised. Nothing kept here changes a
 /// result: a kept value has the same bits as a new one. Contacts of wheels have aspect ratios of
-/// their own in every solution, so tables and spectra stay from one solution to the next only, for
-/// those who solve on the same grid again. Thread rule: LinePlans serve any number of threads at
-/// once, an InfluenceCache one at a time. What was handed out stays valid when it is dropped here.
+/// their own in every solution, so tables and spectra stay for two solutions only (a coarse and a
+/// final one), for those who solve on the same grids again. Thread rule: LinePlans serve any number
+/// of threads at once, an InfluenceCache one at a time. What was handed out stays valid when it is
+/// dropped here.
 #pragma once
 
 #include <cstddef>
@@ -90,7 +91,8 @@ public:
     return spectrum_of<Real>({kernel, rows, columns, Content::inverse});
   }
 
-  /// Drops what has not been used since the last call. To be called between solutions.
+  /// Drops what has not been used since the call before the last one. To be called after each
+  /// solution.
   void drop_unused();
 
 private:
@@ -98,7 +100,7 @@ private:
   using SpectrumKey = std::tuple<InfluenceKernel, std::size_t, std::size_t, Content>;
   template <typename Item> struct Kept {
     std::shared_ptr<const Item> item;
-    bool used = true;
+    int unused = 0; ///< solutions since its last use
   };
   template <typename Real> using Spectra = std::map<SpectrumKey, Kept<KernelSpectrum<Real>>>;
 

@@ -84,6 +84,14 @@ void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
   }
 }
 
+void coarsen_pressure(const LevelSize& fine, std::span<const double> pressure,
+                      std::vector<double>& coarse) {
+  coarsen_distance(fine, pressure, coarse);
+  for (double& value : coarse) {
+    value = std::max(0.0, 2.0 * value); // not in the coarser grid's unit of length
+  }
+}
+
 void interpolate(const Grid& coarse, std::span<const double> values, const Grid& fine,
                  std::vector<double>& refined) {
   std::vector<Neighbours> columns(fine.longitudinal_count);

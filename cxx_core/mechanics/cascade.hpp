@@ -26,6 +26,10 @@ LevelSize coarser_size(const LevelSize& size);
 void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
                       std::vector<double>& coarse);
 
+/// Means over 2 x 2 elements; none is negative.
+void coarsen_pressure(const LevelSize& fine, std::span<const double> pressure,
+                      std::vector<double>& coarse);
+
 /// Values on another grid in the same plane, bilinear between element centres.
 void interpolate(const Grid& coarse, std::span<const double> values, const Grid& fine,
                  std::vector<double>& refined);

@@ -81,7 +81,8 @@ struct NormalSolver::State {
       : precision(precision_asked), cache(std::move(plans)), single_iteration(cache),
         double_iteration(cache) {}
 
-  void refine(std::size_t index, bool started);
+  void refine(std::size_t index);
+  void choose_boxes(std::size_t index);
   IterationOutcome solve_level(std::size_t index, const IterationRequest& limits,
                                NormalSolution& solution);
   /// `permitted_error`: of pressures left out, relative to the largest one.
@@ -96,23 +97,25 @@ struct NormalSolver::State {
   std::vector<IterationBox> boxes;
 };
 
-/// The pressures and boxes that grid `index` starts with.
-void NormalSolver::State::refine(std::size_t index, bool started) {
-  if (!started && index + 1 == scaled.level_count) {
-    scaled.draw_pressure(index);
-    return;
-  }
-  bool any_pressure = false;
+/// Pressures from the next coarser grid.
+void NormalSolver::State::refine(std::size_t index) {
   for (std::size_t k = 0; k < scaled.count; ++k) {
     PatchCascade& cascade = scaled.cascades[k];
-    if (index + 1 < cascade.level_count && !started) {
+    if (index + 1 < cascade.level_count) {
       const Level& coarser = cascade.levels[index + 1];
       Level& level = cascade.levels[index];
       refine_pressure(coarser.grid, coarser.pressure, level.grid, level.pressure);
     }
-    const Level& level = cascade.at(index);
-    any_pressure = any_pressure || std::any_of(level.pressure.begin(), level.pressure.end(),
-                                               [](double p) { return p > 0.0; });
+  }
+}
+
+/// Around the pressures that grid `index` starts with.
+void NormalSolver::State::choose_boxes(std::size_t index) {
+  bool any_pressure = false;
+  for (std::size_t k = 0; k < scaled.count; ++k) {
+    const std::vector<double>& pressure = scaled.cascades[k].at(index).pressure;
+    any_pressure = any_pressure ||
+                   std::any_of(pressure.begin(), pressure.end(), [](double p) { return p > 0.0; });
   }
   if (!any_pressure) {
     scaled.draw_pressure(index); // the coarser grid has lost the contact
@@ -196,14 +199,23 @@ NormalSolution NormalSolver::State::solve(const NormalProblem& problem) {
   }
 
   scaled.set(problem, cache);
-  const bool started = scaled.take_start(problem);
+  const std::optional<std::size_t> started = scaled.take_start(problem);
+  const std::size_t first = started.value_or(scaled.level_count - 1);
+  if (!started) {
+    scaled.draw_pressure(first);
+  }
   IterationRequest limits;
   limits.rounding_share = problem.rounding_share;
   const double permitted_error = std::max(0.5, problem.rounding_share) * problem.tolerance;
   limits.maximum_iterations = problem.maximum_iterations;
   IterationOutcome outcome;
-  for (std::size_t i = started ? 1 : scaled.level_count; i-- > 0;) {
-    refine(i, started);
+  for (std::size_t i = first + 1; i-- > 0;) {
+    if (i < first) {
+      refine(i);
+    }
+    if (i < first || started) {
+      choose_boxes(i);
+    }
     limits.tolerance = stop_share * problem.tolerance;
     if (i > 0) {
       limits.tolerance = std::max(coarse_level_tolerance, limits.tolerance);

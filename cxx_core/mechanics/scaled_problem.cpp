@@ -45,7 +45,8 @@ void draw_pressure_below(Level& level, double height) {
   }
   if (deepest == 0.0) {
     for (std::size_t i = 0; i < level.pressure.size(); ++i) {
-      level.pressure[i] = level.distance[i] <= height * level.shares[i] ? 1.0 : 0.0;
+      // Rounded like the height: the lowest element must not be left out.
+      level.pressure[i] = level.distance[i] / level.shares[i] <= height ? 1.0 : 0.0;
     }
   }
 }
@@ -203,19 +204,39 @@ void ScaledProblem::draw_pressure(std::size_t index) {
   approach = load ? height : approach;
 }
 
-bool ScaledProblem::take_start(const NormalProblem& problem) {
+/// Of the grids `index` of all patches.
+std::size_t ScaledProblem::longest_side(std::size_t index) const {
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const LevelSize& size = cascades[k].levels[std::min(index, cascades[k].level_count - 1)].size;
+    longest = std::max({longest, size.rows, size.columns});
+  }
+  return longest;
+}
+
+std::optional<std::size_t> ScaledProblem::take_start(const NormalProblem& problem) {
   const bool given =
       std::all_of(problem.patches.begin(), problem.patches.end(), [](const PatchGap& patch) {
         return patch.start.size() == patch.undeformed_distance.size();
       });
-  for (std::size_t k = 0; k < count && given; ++k) {
-    const std::span<const double> start = problem.patches[k].start;
-    std::vector<double>& pressure = cascades[k].finest().pressure;
-    pressure.resize(start.size());
-    std::transform(start.begin(), start.end(), pressure.begin(),
-                   [this](double p) { return p / pressure_scale; });
+  if (!given) {
+    return std::nullopt;
   }
-  return given;
+  std::size_t index = 0;
+  while (index + 1 < level_count && longest_side(index) > max_started_side) {
+    ++index;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::span<const double> start = problem.patches[k].start;
+    std::vector<Level>& levels = cascades[k].levels;
+    levels[0].pressure.resize(start.size());
+    std::transform(start.begin(), start.end(), levels[0].pressure.begin(),
+                   [this](double p) { return p / pressure_scale; });
+    for (std::size_t i = 1; i <= std::min(index, cascades[k].level_count - 1); ++i) {
+      coarsen_pressure(levels[i - 1].size, levels[i - 1].pressure, levels[i].pressure);
+    }
+  }
+  return index;
 }
 
 } // namespace wrc

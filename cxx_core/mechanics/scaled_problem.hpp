@@ -51,8 +51,9 @@ struct ScaledProblem {
   static double first_touch(const NormalProblem& problem);
   /// `problem` must make contact.
   void set(const NormalProblem& problem, InfluenceCache& cache);
-  /// Takes pressures to start from onto the finest grids; false if not all patches have some.
-  bool take_start(const NormalProblem& problem);
+  /// Takes pressures to start from onto the finest grids that are short enough (max_started_side)
+  /// and returns the index of these; none if not all patches have some.
+  std::optional<std::size_t> take_start(const NormalProblem& problem);
   /// First pressures on grid `index` of all patches. With the approach given there are none: the
   /// first residual shows where contact is.
   void draw_pressure(std::size_t index);
@@ -70,6 +71,7 @@ struct ScaledProblem {
 private:
   void set_scales(const NormalProblem& problem);
   void set_levels(const NormalProblem& problem, double farthest);
+  [[nodiscard]] std::size_t longest_side(std::size_t index) const;
 };
 
 /// The box around all that overlaps at an approach: contact cannot lie outside. False if nothing

@@ -2,44 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <utility>
 
-#include "base/vector_clones.hpp"
+#include "half_space/fft.hpp"
 #include "half_space/influence_coefficients.hpp"
 #include "mechanics/constants.hpp"
 
 namespace wrc {
 namespace {
-
-/// Sums over a table that is symmetric about `middle`; four values at a time, so that sums are
-/// loaded and stored once for them.
-WRC_VECTOR_CLONES void convolve(const double* middle, const double* values, std::size_t count,
-                                double* sums) {
-  std::fill_n(sums, count, 0.0);
-  std::size_t j = 0;
-  for (; j + 4 <= count; j += 4) {
-    const double a = values[j];
-    const double b = values[j + 1];
-    const double c = values[j + 2];
-    const double d = values[j + 3];
-    if (a != 0.0 || b != 0.0 || c != 0.0 || d != 0.0) {
-      const double* of_d = middle - (j + 3);
-#pragma omp simd
-      for (std::size_t i = 0; i < count; ++i) {
-        sums[i] += (a * of_d[i + 3] + b * of_d[i + 2]) + (c * of_d[i + 1] + d * of_d[i]);
-      }
-    }
-  }
-  for (; j < count; ++j) {
-    const double* of_value = middle - j;
-#pragma omp simd
-    for (std::size_t i = 0; i < count; ++i) {
-      sums[i] += values[j] * of_value[i];
-    }
-  }
-}
 
 /// A product with a symmetric matrix whose elements depend on the difference of indices only.
 class Convolution {
@@ -47,18 +21,36 @@ public:
   /// `coefficient(i)`: i rows away.
   template <typename Coefficient>
   Convolution(std::size_t count, const Coefficient& coefficient)
-      : count_(count), table_(2 * count + 1) {
+      : count_(count), length_(fast_line_length(2 * count)),
+        transform_(line_fft<double>(length_, PlannerRigor::estimate)), line_(length_),
+        spectral_line_(length_), spectrum_(length_) {
+    std::fill_n(line_.data(), length_, 0.0);
     for (std::size_t i = 0; i < count; ++i) {
-      table_[count + i] = table_[count - i] = coefficient(i);
+      line_.data()[i] = coefficient(i);
+      line_.data()[(length_ - i) % length_] = line_.data()[i];
+    }
+    transform_.forward(line_.data(), spectral_line_.data());
+    for (std::size_t i = 0; i < length_; ++i) {
+      spectrum_[i] = spectral_line_.data()[i].real() / static_cast<double>(length_);
     }
   }
-  void apply(const std::vector<double>& values, std::vector<double>& sums) const {
-    convolve(table_.data() + count_, values.data(), count_, sums.data());
+  void apply(const std::vector<double>& values, std::vector<double>& sums) {
+    std::fill(std::copy(values.begin(), values.end(), line_.data()), line_.data() + length_, 0.0);
+    transform_.forward(line_.data(), spectral_line_.data());
+    std::transform(spectrum_.begin(), spectrum_.end(), spectral_line_.data(), spectral_line_.data(),
+                   std::multiplies<>());
+    transform_.backward(spectral_line_.data(), line_.data());
+    std::transform(line_.data(), line_.data() + count_, sums.begin(),
+                   [](const std::complex<double>& sum) { return sum.real(); });
   }
 
 private:
   std::size_t count_;
-  std::vector<double> table_;
+  std::size_t length_;
+  const LineFft<double>& transform_;
+  AlignedArray<std::complex<double>> line_;
+  AlignedArray<std::complex<double>> spectral_line_;
+  std::vector<double> spectrum_;
 };
 
 Convolution influence(double step, double length, double combined_modulus, std::size_t count) {

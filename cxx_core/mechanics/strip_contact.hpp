@@ -5,8 +5,7 @@
 /// I from influence_coefficients.hpp (Love 1929) for elements of length x step. Next to a strip
 /// that is plane strain, u = -2/(pi E*) integral p ln|y - y'| dy' (Johnson, Contact Mechanics,
 /// 1985, eq. 2.24a); the length sets the constant. Solved by conjugate gradients on the contact
-/// (Polonsky & Keer, Wear 231 (1999) 206-219, with the approach prescribed), sums in full: some
-/// hundred strips cost less than transforms of them would.
+/// (Polonsky & Keer, Wear 231 (1999) 206-219, with the approach prescribed), sums by transforms.
 /// Units mm, N, MPa. Thread rule: a pure function. Not known here: where the strips lie.
 #pragma once
 

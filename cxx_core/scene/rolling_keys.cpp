@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/error.hpp"
 #include "scene/key_makers.hpp"
 #include "scene/scene_key_table.hpp"
 
@@ -219,6 +220,32 @@ Key motion_key(std::string_view name, std::string_view allowed, std::string_view
   return key;
 }
 
+Key creep_key() {
+  Key key = word_key<std::optional<CreepModel>>(
+      {"solve.creep", "\"auto\"",
+       "\"auto\", \"none\", \"linear\", \"shen-hedrick-elkins\", \"polach\", \"fastsim\" or "
+       "\"full\"",
+       "model of creep forces if creepages or a motion are given; auto: full, which is Kalker's "
+       "full theory to solve.accuracy on the patch's pressures; the others work on an ellipse"},
+      {{"auto", std::nullopt},
+       {"none", CreepModel::none},
+       {"linear", CreepModel::linear},
+       {"shen-hedrick-elkins", CreepModel::shen_hedrick_elkins},
+       {"polach", CreepModel::polach},
+       {"fastsim", CreepModel::fastsim},
+       {"full", CreepModel::full}},
+      &Scene::creep);
+  key.set_text = [set = key.set_text](Scene& scene, std::string_view value) {
+    if (value == "fastsim-strips") {
+      throw_invalid_argument("solve.creep", "fastsim-strips",
+                             "is no longer there: \"full\" at solve.accuracy = 0.1 has smaller "
+                             "errors and takes less time");
+    }
+    return set(scene, value);
+  };
+  return key;
+}
+
 /// A rate, or rolling with the speed, or free.
 Key pitch_key() {
   Key key;
@@ -292,22 +319,7 @@ std::vector<Key> make_rolling_keys() {
       motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
                  "curvature of the track, positive in left-hand curves", 1e-3, turning_curvature,
                  &Motion::curvature),
-      word_key<std::optional<CreepModel>>(
-          {"solve.creep", "\"auto\"",
-           "\"auto\", \"none\", \"linear\", \"shen-hedrick-elkins\", \"polach\", \"fastsim\", "
-           "\"fastsim-strips\" or \"full\"",
-           "model of creep forces if creepages or a motion are given; auto: full, which is "
-           "Kalker's full theory to solve.accuracy; fastsim-strips works on the patch's pressures, "
-           "the others on an ellipse"},
-          {{"auto", std::nullopt},
-           {"none", CreepModel::none},
-           {"linear", CreepModel::linear},
-           {"shen-hedrick-elkins", CreepModel::shen_hedrick_elkins},
-           {"polach", CreepModel::polach},
-           {"fastsim", CreepModel::fastsim},
-           {"fastsim-strips", CreepModel::fastsim_strips},
-           {"full", CreepModel::full}},
-          &Scene::creep),
+      creep_key(),
       word_key<SlipVariation>({"solve.slip", "\"by-element\"",
                                "\"by-element\", \"plane-axes\" or \"planar\"",
                                "rigid slip from a motion: by-element along the tangent of each "

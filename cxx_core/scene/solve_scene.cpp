@@ -31,9 +31,8 @@ WheelRequest request_of(const Scene& scene, double load) {
   } else {
     request.vertical_load = load;
   }
-  const CreepModel creep = scene.creep.value_or(CreepModel::full);
   request.creep_forces = (scene.has_creepages() || scene.motion) &&
-                         (creep == CreepModel::full || creep == CreepModel::fastsim_strips);
+                         scene.creep.value_or(CreepModel::full) == CreepModel::full;
   request.stresses = scene.damage.stress;
   request.elements = scene.elements.value_or(
       scene.solver == SolverChoice::paper ? Elements::constant : Elements::smooth);

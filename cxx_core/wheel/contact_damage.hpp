@@ -2,8 +2,8 @@
 ///
 /// Wear comes from the pressures and tractions of the creep grid, stresses from the pressures of
 /// the patch and tractions in proportion. Stresses are those of one body: the rail, on which
-/// tractions act the other way round, or the wheel. Wear needs tractions by element (models full
-/// and fastsim-strips), fatigue creep forces of any kind.
+/// tractions act the other way round, or the wheel. Wear needs tractions by element (model full),
+/// fatigue creep forces of any kind.
 ///
 /// Depths are positive into the body. Units mm, N, MPa. Thread rule: pure functions of the results.
 ///

@@ -229,7 +229,9 @@ int main(int argc, char** argv) {
                  "steps of vehicle-step (default 200: one wave) and of service (default 2000)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
-  app.add_flag("--creep", options.plan.creep, "with --case service: add rows with creep forces");
+  app.add_flag("--creep", options.plan.creep,
+               "with --case service: add rows with creep forces, of small creepages and of the "
+               "motion of the run");
   app.add_flag("--json", options.json, "print one JSON object instead of the tables");
   app.add_flag(
       "--first-solve", options.first_solve,

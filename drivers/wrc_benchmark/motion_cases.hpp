@@ -35,7 +35,7 @@ struct ServiceRow {
   std::string accuracy_of; ///< solve.accuracy_of: "forces" or "pressures"
   std::string prescribed;  ///< "load" or "position"
   double accuracy = 0.0;   ///< requested
-  bool creep = false;      ///< with creep forces
+  std::string creep;       ///< forces of it: "none", of "creepages" or of the run's "motion"
   int steps = 0;           ///< counted: without the first one, which is cold
   /// One wheel's largest errors at these steps, relative.
   struct Errors {

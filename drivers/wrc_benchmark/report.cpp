@@ -207,12 +207,12 @@ void print_service(const std::vector<ServiceRow>& rows) {
              "worst"});
   for (const ServiceRow& row : rows) {
     table.add({"service", row.wheel + " on " + row.rail, power(row.accuracy, 0), row.accuracy_of,
-               row.prescribed + (row.creep ? ", creep" : ""), power(row.errors.depth, 1),
-               power(row.errors.normal_force, 1), power(row.errors.lateral_force, 1),
-               power(row.errors.pmax, 1), fixed(row.solutions_mean, 2), fixed(row.solutions_max, 0),
-               time_text(row.times.mean), time_text(row.fft_pair_ms),
-               fixed(row.pairs(&Times::mean), 2), fixed(row.pairs(&Times::median), 2),
-               fixed(row.pairs(&Times::percentile_99), 2),
+               row.prescribed + (row.creep == "none" ? "" : ", " + row.creep),
+               power(row.errors.depth, 1), power(row.errors.normal_force, 1),
+               power(row.errors.lateral_force, 1), power(row.errors.pmax, 1),
+               fixed(row.solutions_mean, 2), fixed(row.solutions_max, 0), time_text(row.times.mean),
+               time_text(row.fft_pair_ms), fixed(row.pairs(&Times::mean), 2),
+               fixed(row.pairs(&Times::median), 2), fixed(row.pairs(&Times::percentile_99), 2),
                fixed(row.pairs(&Times::percentile_999), 2), fixed(row.pairs(&Times::worst), 2)});
   }
   if (table.row_count() > 1) {
@@ -223,11 +223,11 @@ void print_service(const std::vector<ServiceRow>& rows) {
            "step is cold and not counted.\n  requested: error of the results named by \"of\". "
            "prescribed: "
            "loads, with roll solved; or the roll and the height of each wheel that the\n  same "
-           "loads give. depth, normal, lateral, pmax: largest error of both wheels at about 40 "
-           "steps, "
-           "against accuracy 1e-5, relative;\n  of the lateral force over the vertical one. "
-           "solut., most: joint solutions of a wheel per step, mean and largest number. mean ms:\n "
-           " "
+           "loads give; creepages, motion: with creep forces of these. depth, normal, lateral, "
+           "pmax: largest error of both wheels at about 40 steps, "
+           "against accuracy 1e-5 (creep forces: 1e-4), relative;\n  of the lateral force over the "
+           "vertical one. solut., most: joint solutions of a wheel per step, mean and largest "
+           "number. mean ms:\n  "
            "processor time per step, keys set and both wheels solved. pair: one transform of "
            "twice 256x128 and back, sampled\n  between the steps of the row. mean to worst: times "
            "per step, in pairs.\n\n";

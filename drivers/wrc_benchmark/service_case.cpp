@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <numbers>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "support/numbers.hpp"
 #include "support/random_scenes.hpp"
 #include "support/scene.hpp"
+#include "support/service_run.hpp"
 #include "wrc_benchmark/yardstick.hpp"
 
 namespace benchmark {
@@ -23,33 +26,12 @@ constexpr std::array pairings{Pairing{"S1002", "60E1"}, Pairing{"LMA", "CHN60"},
 
 enum class Prescribed { load, position };
 
-/// What changes from step to step; of two values the left wheel's is first.
+/// A step of the run, and where it ends up.
 struct Step {
-  double lateral = 0.0;
-  double yaw = 0.0;
-  std::array<double, 2> load{};
+  driver::ServiceStep run;
   double roll = 0.0;
   std::array<double, 2> height{}; ///< of the wheelset's centre, at which the wheel bears its load
 };
-
-/// Hunting, with irregularities and changing loads of other wavelengths on top, so that no step
-/// resembles the one before. Steps of 40 mm: 1 ms at 40 m/s.
-Step step_at(int index) {
-  constexpr double distance = 40.0;
-  constexpr double wavelength = 8000.0;
-  constexpr double amplitude = 6.5;
-  constexpr double mean_load = 80000.0;
-  constexpr double turn = 2.0 * std::numbers::pi;
-  const double x = distance * index;
-  Step step;
-  step.lateral = amplitude * std::sin(turn * x / wavelength) + 0.3 * std::sin(turn * x / 1370.0) +
-                 0.05 * std::sin(turn * x / 310.0);
-  step.yaw = turn / wavelength * amplitude * std::cos(turn * x / wavelength);
-  const double left =
-      mean_load * (1.0 + 0.2 * std::sin(turn * x / 900.0) + 0.05 * std::sin(turn * x / 210.0));
-  step.load = {left, 2.0 * mean_load - left};
-  return step;
-}
 
 /// Results of one wheel.
 struct WheelResult {
@@ -67,8 +49,9 @@ struct WheelResult {
 class Wheelset {
 public:
   Wheelset(const Pairing& pair, Prescribed prescribed, double accuracy,
-           const std::string& accuracy_of, bool creep = false)
-      : prescribed_(prescribed), creep_(creep), scenes_(prescribed == Prescribed::load ? 1 : 2) {
+           const std::string& accuracy_of, std::string creep = "none")
+      : prescribed_(prescribed), creep_(std::move(creep)),
+        scenes_(prescribed == Prescribed::load ? 1 : 2) {
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
       driver::Scene& scene = scenes_[i];
       driver::make_pair(pair.wheel, pair.rail).apply(scene);
@@ -109,21 +92,19 @@ public:
 private:
   void set(const Step& step, std::size_t index) {
     driver::Scene& scene = scenes_[index];
-    scene.set("pose.lateral", step.lateral);
-    scene.set("pose.yaw", step.yaw);
-    if (prescribed_ == Prescribed::load) {
-      scene.set("load.left", step.load[0]);
-      scene.set("load.right", step.load[1]);
-    } else {
+    driver::set_pose(step.run, scene);
+    if (prescribed_ == Prescribed::position) {
       scene.set("pose.roll", step.roll);
       scene.set("pose.vertical", step.height.at(index));
     }
-    if (creep_) {
+    if (creep_ == "motion") {
+      driver::set_motion(step.run, scene);
+    } else if (creep_ == "creepages") {
       // A wheelset that runs straight: conicity 0.1 and a contact angle of 0.05 rad.
       constexpr double radius = 460.0;
-      const double longitudinal = 0.1 * step.lateral / radius;
-      scene.set("creepage.left", std::vector{-longitudinal, -step.yaw, 0.05 / radius});
-      scene.set("creepage.right", std::vector{longitudinal, -step.yaw, -0.05 / radius});
+      const double longitudinal = 0.1 * step.run.lateral / radius;
+      scene.set("creepage.left", std::vector{-longitudinal, -step.run.yaw, 0.05 / radius});
+      scene.set("creepage.right", std::vector{longitudinal, -step.run.yaw, -0.05 / radius});
     }
   }
 
@@ -138,7 +119,7 @@ private:
   }
 
   Prescribed prescribed_;
-  bool creep_;
+  std::string creep_; ///< as ServiceRow's
   std::vector<driver::Scene> scenes_;
   driver::Solver solver_;
 };
@@ -148,7 +129,8 @@ struct Run {
   Pairing pair;
   std::vector<Step> steps; ///< the first one is the cold start
   std::size_t judging_stride = 1;
-  std::array<std::vector<std::array<WheelResult, 2>>, 2> truth; ///< by Prescribed
+  using Truth = std::vector<std::array<WheelResult, 2>>;
+  std::map<std::pair<Prescribed, std::string>, Truth> truth; ///< the string as ServiceRow::creep
 
   [[nodiscard]] bool is_judged(std::size_t index) const {
     return index > 0 && (index - 1) % judging_stride == 0;
@@ -162,7 +144,7 @@ std::vector<Step> make_steps(const Pairing& pair, int count) {
   Wheelset wheelset(pair, Prescribed::load, accuracy, "pressures");
   std::vector<Step> steps;
   for (int i = 0; i <= count; ++i) {
-    Step step = step_at(i);
+    Step step{driver::service_step(i), 0.0, {}};
     wheelset.solve(step);
     step.roll = wheelset.roll();
     step.height = {wheelset.height(0), wheelset.height(1)};
@@ -171,17 +153,27 @@ std::vector<Step> make_steps(const Pairing& pair, int count) {
   return steps;
 }
 
-Run make_run(const Pairing& pair, int count) {
+std::vector<std::string> creep_of_rows(const Plan& plan) {
+  return plan.creep ? std::vector<std::string>{"none", "creepages", "motion"}
+                    : std::vector<std::string>{"none"};
+}
+
+Run make_run(const Pairing& pair, int count, const std::vector<std::string>& creep_of) {
   constexpr std::size_t judged = 40;
   constexpr double finest = 1e-5;
+  constexpr double finest_creep = 1e-4; // a finer one takes a tenth of a second and more
   Run run{pair, make_steps(pair, count), 1, {}};
   run.judging_stride = std::max<std::size_t>(1, static_cast<std::size_t>(count) / judged);
   for (const Prescribed prescribed : {Prescribed::load, Prescribed::position}) {
-    Wheelset wheelset(pair, prescribed, finest, "pressures");
-    for (std::size_t i = 0; i < run.steps.size(); ++i) {
-      if (run.is_judged(i)) {
-        wheelset.solve(run.steps[i]);
-        run.truth.at(static_cast<std::size_t>(prescribed)).push_back(wheelset.results());
+    for (const std::string& creep : creep_of) {
+      Wheelset wheelset(pair, prescribed, creep == "none" ? finest : finest_creep, "pressures",
+                        creep);
+      Run::Truth& truth = run.truth[{prescribed, creep}];
+      for (std::size_t i = 0; i < run.steps.size(); ++i) {
+        if (run.is_judged(i)) {
+          wheelset.solve(run.steps[i]);
+          truth.push_back(wheelset.results());
+        }
       }
     }
   }
@@ -209,13 +201,13 @@ void judge(const std::array<WheelResult, 2>& results, const std::array<WheelResu
 }
 
 ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
-                       const std::string& accuracy_of, bool creep) {
+                       const std::string& accuracy_of, const std::string& creep) {
   Wheelset wheelset(run.pair, prescribed, accuracy, accuracy_of, creep);
   wheelset.solve(run.steps.front()); // reads profiles, makes plans
   ServiceRow row;
   std::vector<double> times;
   std::vector<double> solutions;
-  auto truth = run.truth.at(static_cast<std::size_t>(prescribed)).begin();
+  auto truth = run.truth.at({prescribed, creep}).begin();
   Yardstick yardstick{GridSize()};
   const std::size_t sampling_stride = std::max<std::size_t>(1, run.steps.size() / 20);
   for (std::size_t i = 1; i < run.steps.size(); ++i) {
@@ -231,7 +223,7 @@ ServiceRow measure_row(const Run& run, Prescribed prescribed, double accuracy,
       judge(results, *truth++, prescribed, row.errors);
     }
   }
-  for (const auto& results : run.truth.at(static_cast<std::size_t>(prescribed))) {
+  for (const auto& results : run.truth.at({prescribed, creep})) {
     for (const WheelResult& result : results) {
       row.reference_estimate = std::max(row.reference_estimate, result.error_estimate);
     }
@@ -258,15 +250,16 @@ std::vector<ServiceRow> measure_service(const Plan& plan) {
   for (const Pairing& pair : pairings) {
     const std::string name = std::string(pair.wheel) + " on " + pair.rail;
     std::cerr << "wrc_benchmark: service, " << name << ", positions and true results ...\n";
-    const Run run = make_run(pair, plan.steps.value_or(2000));
+    const Run run = make_run(pair, plan.steps.value_or(2000), creep_of_rows(plan));
     for (const double accuracy : plan.accuracies()) {
       for (const char* accuracy_of : {"forces", "pressures"}) {
         for (const Prescribed prescribed : {Prescribed::load, Prescribed::position}) {
-          for (const bool creep : plan.creep ? std::vector{false, true} : std::vector{false}) {
+          for (const std::string& creep : creep_of_rows(plan)) {
             rows.push_back(measure_row(run, prescribed, accuracy, accuracy_of, creep));
             std::cerr << "wrc_benchmark: service, " << name << ", " << accuracy << " of "
-                      << accuracy_of << ", " << rows.back().prescribed << (creep ? ", creep" : "")
-                      << ": " << driver::fixed(rows.back().times.mean, 3) << " ms per step\n";
+                      << accuracy_of << ", " << rows.back().prescribed
+                      << ", creep forces: " << creep << ": "
+                      << driver::fixed(rows.back().times.mean, 3) << " ms per step\n";
           }
         }
       }

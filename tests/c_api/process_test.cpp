@@ -36,6 +36,20 @@ TEST(PlannerLock, OfTheHostIsHeldDuringPlanning) {
   EXPECT_EQ(counts.locked, locked);
 }
 
+TEST(PlannerLock, IsNotTakenByANewSceneNorBySolutionsOfASolver) {
+  CountingLock counts;
+  ASSERT_EQ(wrc_set_planner_lock(CountingLock::lock, CountingLock::unlock, &counts), WRC_OK);
+  const ScenePointer scene = make_small_scene();
+  EXPECT_EQ(counts.locked, 0) << "a scene plans when it is solved";
+  const SolverPointer solver = make_solver();
+  counts.locked = 0;
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  set(scene.get(), {{"solve.grid", std::vector{300.0, 90.0}}});
+  EXPECT_EQ(wrc_solver_solve(solver.get(), scene.get()), WRC_OK);
+  EXPECT_EQ(counts.locked, 0) << "a solver has planned all lines";
+  ASSERT_EQ(wrc_set_planner_lock(nullptr, nullptr, nullptr), WRC_OK);
+}
+
 class Wisdom : public WithFolder {};
 
 TEST_F(Wisdom, IsSavedAndLoaded) {

@@ -62,7 +62,7 @@ static void* run(void* unused) {
   read_and_write_profiles();
   solve("motion.pitch", "free");
   solve("solve.solver", "paper");
-  solve("solve.creep", "fastsim-strips");
+  solve("solve.creep", "fastsim");
   solve("solve.planner", "measure");
   return unused;
 }

@@ -66,7 +66,7 @@ TEST(TotalLoad, HoldsInFullSlidingAndByWheel) {
 }
 
 TEST(TotalLoad, HoldsWithEveryModelAndWithDerivatives) {
-  for (const char* creep : {"full", "fastsim-strips", "fastsim", "polach", "linear", "none"}) {
+  for (const char* creep : {"full", "fastsim", "polach", "linear", "none"}) {
     for (const char* model : {"half-space", "hertz"}) {
       for (const char* derivatives : {"no", "yes"}) {
         const ScenePointer scene = moving_scene(3.0, 2e-3);

@@ -265,7 +265,7 @@ TEST(Patches, AreInTheOrderOfTheirPlaces) {
 
 /// Creepages of all patches, as keys.
 TEST(CreepOfACaller, EqualsCreepOfGivenCreepages) {
-  for (const char* model : {"full", "polach", "fastsim-strips"}) {
+  for (const char* model : {"full", "polach", "fastsim"}) {
     SCOPED_TRACE(model);
     Scene given = vehicle_scene(model);
     given.set("pose.lateral", 5.0); // two lobes in one plane

@@ -109,17 +109,21 @@ TEST_F(WrcBenchmark, VehicleStepPrintsTheSpreadOfItsSteps) {
   }
 }
 
-/// Rows are accuracies of forces and of pressures, loads and positions, for each pair of profiles.
+/// Rows are accuracies of forces and of pressures, loads and positions, for each pair of profiles,
+/// without and with creep forces.
 TEST_F(WrcBenchmark, ServicePrintsTheSpreadOfItsSteps) {
-  const json result = run_json("--case service --steps 4 --accuracy 1e-2");
+  const json result = run_json("--case service --steps 4 --accuracy 1e-2 --creep");
   const json& rows = result.at("rows");
-  ASSERT_EQ(rows.size(), 12U);
+  ASSERT_EQ(rows.size(), 36U);
   const char* const wheels[] = {"S1002", "LMA", "S1002"};
   const char* const rails[] = {"60E1", "CHN60", "56E1"};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const json& row = rows.at(i);
+  const char* const creep[] = {"none", "creepages", "motion"};
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    const json& row = rows.at(index);
+    const std::size_t i = index / 3;
     const bool loads = i % 2 == 0;
     EXPECT_EQ(row.at("case"), "service");
+    EXPECT_EQ(row.at("creep"), creep[index % 3]);
     EXPECT_EQ(row.at("wheel"), wheels[i / 4]);
     EXPECT_EQ(row.at("rail"), rails[i / 4]);
     EXPECT_EQ(row.at("accuracy"), 1e-2);

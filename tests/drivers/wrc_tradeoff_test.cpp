@@ -82,14 +82,26 @@ TEST_F(WrcTradeoff, PrescribesPositions) {
   }
 }
 
+TEST_F(WrcTradeoff, JudgesCreepForcesOfAWheelsetInMotion) {
+  const Outcome outcome = run("--creep 1 --motion --repeats 1 --json m.json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  expect_parts(outcome.out, {"1 scenes, 0 of them without a solution"});
+  const json whole = json::parse(read("m.json"));
+  const json& last = whole.at("creep").back();
+  EXPECT_EQ(last.at("creep"), "full");
+  EXPECT_GE(last.at("patches"), 2);
+  EXPECT_NE(read("m.json").find("motion.yaw"), std::string::npos);
+  EXPECT_EQ(read("m.json").find("creepage.spin"), std::string::npos);
+}
+
 TEST_F(WrcTradeoff, ComparesModelsOfCreepForces) {
   NEEDS_GNUPLOT();
   const Outcome outcome = run("--creep 2 --repeats 1 --threads 2 --json t.json "
                               "--pictures .");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  expect_parts(outcome.out, {"2 scenes, 0 without a solution", "\nlinear ",
-                             "\nshen-hedrick-elkins ", "\npolach ", "\nfastsim ",
-                             "\nfastsim-strips ", "\nfull ", "missed by the full theory"});
+  expect_parts(outcome.out,
+               {"2 scenes, 0 without a solution", "\nlinear ", "\nshen-hedrick-elkins ",
+                "\npolach ", "\nfastsim ", "\nfull ", "missed by the full theory"});
   EXPECT_NE(outcome.error.find("2 of 2 scenes, 0 s left"), std::string::npos) << outcome.error;
   EXPECT_TRUE(is_png("tradeoff_creep.png"));
   const json whole = json::parse(read("t.json"));

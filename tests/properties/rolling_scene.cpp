@@ -74,8 +74,7 @@ void draw_rolling(Draw& draw, DrawnScene& scene) {
     scene.set("friction.limit_ratio", draw.between(0.1, 1.0));
     scene.set("friction.decay", draw.by_ratio(1e-4, 1.0));
   }
-  constexpr std::array models{"linear", "shen-hedrick-elkins", "polach", "fastsim",
-                              "fastsim-strips"};
+  constexpr std::array models{"linear", "shen-hedrick-elkins", "polach", "fastsim"};
   if (draw.chance(0.3)) {
     scene.set("solve.creep", std::string(models.at(static_cast<std::size_t>(
                                  draw.between(0.0, static_cast<double>(models.size()))))));

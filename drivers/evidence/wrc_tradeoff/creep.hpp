@@ -28,27 +28,22 @@ struct CreepWay {
   const char* model; ///< of solve.creep
   double accuracy = creep_model_accuracy;
 };
-/// From the cheapest to the most accurate. Strips have a grid that follows from the accuracy.
-inline constexpr std::array creep_ways{CreepWay{"linear"},
-                                       CreepWay{"shen-hedrick-elkins"},
-                                       CreepWay{"polach"},
-                                       CreepWay{"fastsim"},
-                                       CreepWay{"fastsim-strips", 1e-2},
-                                       CreepWay{"fastsim-strips"},
-                                       CreepWay{"full", 1e-1},
-                                       CreepWay{"full", 3e-2},
-                                       CreepWay{"full", 1e-2},
-                                       CreepWay{"full", 3e-3},
-                                       CreepWay{"full", 1e-3}};
+/// From the cheapest to the most accurate.
+inline constexpr std::array creep_ways{
+    CreepWay{"linear"},     CreepWay{"shen-hedrick-elkins"}, CreepWay{"polach"},
+    CreepWay{"fastsim"},    CreepWay{"full", 1e-1},          CreepWay{"full", 3e-2},
+    CreepWay{"full", 1e-2}, CreepWay{"full", 3e-3},          CreepWay{"full", 1e-3}};
 
 /// A scene of the family's group `spread`, with friction of 0.1 to 0.5, and the source of its
-/// creepages.
+/// creepages; or a step of a wheelset in motion.
 struct CreepCase {
   Case scene;
   std::array<double, 3> direction{}; ///< of the linear forces of the three creepages, of length 1
-  double size = 0.0;                 ///< of these forces, in mu N: 0.1 to 10
+  double size = 0.0;                 ///< of these forces, in mu N: 0.1 to 10; 0: in motion
 };
 std::vector<CreepCase> make_creep_cases(std::size_t count);
+/// Steps spread over the run of support/service_run.hpp, three pairs of profiles in turn.
+std::vector<CreepCase> make_motion_cases(std::size_t count);
 
 /// Errors of a patch.
 struct CreepError {
@@ -69,7 +64,7 @@ struct CreepRun {
 };
 
 struct CreepMeasured {
-  driver::Settings settings;  ///< with creepages: the same of both wheels
+  driver::Settings settings;  ///< with creepages, the same of both wheels, or a motion
   std::string failure;        ///< why there is none; else empty
   std::vector<CreepRun> runs; ///< of creep_ways
 };

@@ -42,7 +42,9 @@ class CreepMeasurer {
 public:
   CreepMeasurer(const CreepCase& one, int repeats) : repeats_(repeats) {
     result_.settings = one.scene.settings;
-    find_creepages(one);
+    if (one.size > 0.0) {
+      find_creepages(one);
+    }
   }
 
   CreepMeasured measure() {

@@ -10,7 +10,7 @@ namespace tradeoff {
 namespace {
 
 /// Models that an accuracy makes better: joined by a line, marks are labelled by the accuracy.
-constexpr std::array joined_models{"full", "fastsim-strips"};
+constexpr std::array joined_models{"full"};
 
 /// Their number if there is none.
 std::size_t series_of(const CreepRow& row) {
@@ -20,11 +20,10 @@ std::size_t series_of(const CreepRow& row) {
 
 /// Where the label of a mark is: beside other marks at about the same position.
 const char* label_place(const CreepRow& row) {
-  return row.model == "full"             ? "right offset -0.8,-0.6"
-         : row.model == "fastsim-strips" ? "left offset 1,0.7"
-         : row.model == "fastsim"        ? "left offset 1,-0.3"
-         : row.model == "polach"         ? "right offset -1,-0.3"
-                                         : "right offset -1,0.2";
+  return row.model == "full"      ? "right offset -0.8,-0.6"
+         : row.model == "fastsim" ? "left offset 1,-0.3"
+         : row.model == "polach"  ? "right offset -1,-0.3"
+                                  : "right offset -1,0.2";
 }
 
 /// rms errors over time, with a line up to what 99 % are below.

@@ -1,3 +1,4 @@
+#include "support/service_run.hpp"
 #include "wrc_tradeoff/creep.hpp"
 #include "wrc_tradeoff/measure.hpp"
 
@@ -114,6 +115,28 @@ std::vector<CreepCase> make_creep_cases(std::size_t count) {
     const double rest = std::sqrt(1.0 - spin * spin);
     made.direction = {rest * std::cos(angle), rest * std::sin(angle), spin};
     made.size = draw.between_by_ratio(0.1, 10.0);
+    cases.push_back(std::move(made));
+  }
+  return cases;
+}
+
+std::vector<CreepCase> make_motion_cases(std::size_t count) {
+  struct Pair {
+    const char* wheel;
+    const char* rail;
+  };
+  constexpr std::array pairs{Pair{"S1002", "60E1"}, Pair{"LMA", "CHN60"}, Pair{"S1002", "56E1"}};
+  constexpr double steps = 2000.0;
+  std::vector<CreepCase> cases;
+  for (std::size_t i = 0; i < count; ++i) {
+    CreepCase made;
+    const Pair& pair = pairs.at(i % pairs.size());
+    made.scene.settings = driver::make_pair(pair.wheel, pair.rail);
+    const driver::ServiceStep step = driver::service_step(
+        static_cast<int>((static_cast<double>(i) + 0.5) * steps / static_cast<double>(count)));
+    driver::set_pose(step, made.scene.settings);
+    driver::set_motion(step, made.scene.settings);
+    made.scene.settings.set("friction.coefficient", 0.3);
     cases.push_back(std::move(made));
   }
   return cases;

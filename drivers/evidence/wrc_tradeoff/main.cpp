@@ -20,6 +20,7 @@ struct Options {
   std::size_t scenes = 520;
   std::size_t random = 0;    ///< instead of the family
   std::size_t creep = 0;     ///< models of creep forces, instead of all others
+  bool motion = false;       ///< creep forces of a wheelset in motion
   std::size_t practical = 0; ///< scenes whose pmax is checked, instead of all others
   std::string accuracy_of = "both";
   bool position = false;
@@ -88,7 +89,8 @@ void report(const All& all, const Options& options, Summary print_summary, Json 
 }
 
 void compare_creep_models(const Options& options) {
-  const auto cases = tradeoff::make_creep_cases(options.creep);
+  const auto cases = options.motion ? tradeoff::make_motion_cases(options.creep)
+                                    : tradeoff::make_creep_cases(options.creep);
   report(measure_scenes(
              cases.size(), options,
              [&](std::size_t i) { return tradeoff::measure_creep(cases[i], options.repeats); }),
@@ -135,6 +137,9 @@ int main(int argc, char** argv) {
                     ->excludes(random)
                     ->excludes(accuracy_of)
                     ->excludes(position);
+  app.add_flag("--motion", options.motion,
+               "with --creep: steps of a wheelset that hunts over irregular track, not creepages")
+      ->needs(creep);
   app.add_option(
          "--practical", options.practical,
          "instead of everything else: check pmax at accuracy 1e-2, its error estimates and its "

@@ -42,13 +42,12 @@ double wanted_by(const PatchResult& patch, const CreepRequest& request) {
 
 TEST(CreepElements, ModelsThatNeedPressures) {
   EXPECT_TRUE(on_own_pressures(request_of(CreepModel::full)));
-  EXPECT_TRUE(on_own_pressures(request_of(CreepModel::fastsim_strips)));
   EXPECT_FALSE(on_own_pressures(request_of(CreepModel::fastsim)));
   CreepRequest unlike = request_of(CreepModel::full);
   EXPECT_FALSE(unlike_bodies(unlike));
   unlike.material.difference_parameter = 0.1;
   EXPECT_TRUE(unlike_bodies(unlike));
-  unlike.model = CreepModel::fastsim_strips;
+  unlike.model = CreepModel::fastsim;
   EXPECT_FALSE(unlike_bodies(unlike));
 }
 

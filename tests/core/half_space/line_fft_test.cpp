@@ -220,6 +220,18 @@ TEST(PlannerLock, OneOfTwoFunctionsIsAnError) {
   EXPECT_EQ(record.locked + record.unlocked, 0) << "what was refused is not used";
 }
 
+TEST(PlannerLock, IsNotTakenForEstimatesAfterAMeasurement) {
+  line_fft<float>(48, PlannerRigor::measure);
+  LockRecord record;
+  const HostLock lock(record);
+  for (std::size_t length = 0; length < 2048;) {
+    length = fast_line_length(length + 1);
+    line_fft<float>(length, PlannerRigor::estimate);
+    line_fft<double>(length, PlannerRigor::estimate);
+  }
+  EXPECT_EQ(record.locked, 0) << "made before it, so that it cannot change them";
+}
+
 /// A folder of its own, gone after the test.
 class TemporaryFolder {
 public:
@@ -255,6 +267,7 @@ TEST(Wisdom, IsSavedAndLoaded) {
   const TemporaryFolder folder;
   const LineFft<float> single(16, PlannerRigor::measure);
   const LineFft<double> wide(16, PlannerRigor::measure);
+  prepare_transforms();
   LockRecord record;
   {
     const HostLock lock(record);

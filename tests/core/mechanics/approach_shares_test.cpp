@@ -38,6 +38,24 @@ NormalProblem problem_of(const PatchGap& gap) {
   return problem;
 }
 
+TEST(ApproachShares, FewElementsBearALoadHoweverTheirHeightsAreRounded) {
+  // The first pressures lie on the lowest element alone, whose distance over its share times the
+  // share may round to less than the distance.
+  const Grid grid{2, 1, 0.7, 2.1, 0.0, 0.0};
+  constexpr int count = 1000;
+  for (int i = 0; i < count; ++i) {
+    const double share = 0.2 + 0.8 * i / count;
+    const std::vector<double> distance{0.048, 0.066};
+    const std::vector<double> shares{share, 0.99 * share};
+    const PatchGap gap{grid, distance, share, {}, shares};
+    NormalProblem problem = problem_of(gap);
+    problem.load = 0.1;
+    const NormalSolution found = NormalSolver().solve(problem);
+    ASSERT_NEAR(found.patches[0].normal_force * share, 0.1, 1e-10) << "share " << share;
+    ASSERT_GT(found.approach, distance[0] / share);
+  }
+}
+
 TEST(ApproachShares, BothSolversMeetTheConditionsOfEachElement) {
   const Turning turning;
   const PatchGap gap = turning.gap();

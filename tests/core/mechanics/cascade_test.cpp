@@ -56,6 +56,21 @@ TEST(Cascade, GridsAreHalvedWhileItHelps) {
   }
 }
 
+TEST(Cascade, PressuresKeepTheirMeansAndAreNeverNegative) {
+  const LevelSize size{5, 6};
+  std::vector<double> pressure(size.count(), 0.0);
+  pressure[0] = 4.0;
+  pressure[7] = 2.0;
+  pressure[3 * 6 + 4] = 8.0; // a row after the last one would continue to -8
+  std::vector<double> coarse;
+  coarsen_pressure(size, pressure, coarse);
+  ASSERT_EQ(coarse.size(), 9U);
+  EXPECT_DOUBLE_EQ(coarse[0], 1.5);
+  EXPECT_DOUBLE_EQ(coarse[1], 0.0);
+  EXPECT_DOUBLE_EQ(coarse[5], 2.0);
+  EXPECT_DOUBLE_EQ(coarse[8], 0.0);
+}
+
 TEST(Cascade, LinearDistancesStayLinear) {
   const Field plane = [](double x, double y) { return 3.0 - 0.25 * x + 0.125 * y; };
   for (const LevelSize& fine : sizes) {

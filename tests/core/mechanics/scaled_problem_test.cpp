@@ -110,12 +110,36 @@ TEST_F(ScaledProblemTest, StartsFromPressuresOfAllPatchesOrOfNone) {
                                            std::vector<double>(480, 250.0)};
   patches_[0].start = start[0];
   scaled_.set(problem_, cache_);
-  EXPECT_FALSE(scaled_.take_start(problem_));
+  EXPECT_FALSE(scaled_.take_start(problem_).has_value());
   patches_[1].start = start[1];
   scaled_.set(problem_, cache_);
-  ASSERT_TRUE(scaled_.take_start(problem_));
+  EXPECT_EQ(scaled_.take_start(problem_), 0U);
   EXPECT_NEAR(scaled_.cascades[0].finest().pressure[7] * scaled_.pressure_scale, 500.0, 1e-9);
   EXPECT_NEAR(scaled_.cascades[1].finest().pressure[7] * scaled_.pressure_scale, 250.0, 1e-9);
+}
+
+TEST_F(ScaledProblemTest, StartsOnAGridShortEnough) {
+  grids_[0] = {250, 50, 0.05, 0.25, -6.225, -6.125}; // 125 x 25, then 63 x 13
+  distances_[0].assign(grids_[0].element_count(), 0.02);
+  distances_[0][0] = 0.01;
+  std::array<std::vector<double>, 2> start{std::vector<double>(12500, 0.0),
+                                           std::vector<double>(480, 250.0)};
+  for (std::size_t i = 0; i < start[0].size(); ++i) {
+    start[0][i] = static_cast<double>(i % 50);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    patches_[k] = {grids_[k], distances_[k], cosines_[k], start[k]};
+  }
+  problem_.load = 60000.0;
+  scaled_.set(problem_, cache_);
+  EXPECT_EQ(scaled_.take_start(problem_), 2U);
+  const Level& level = scaled_.cascades[0].at(2);
+  ASSERT_EQ(level.size.rows, 63U);
+  ASSERT_EQ(level.size.columns, 13U);
+  // Means of four columns.
+  EXPECT_NEAR(level.pressure[3 * 13 + 5] * scaled_.pressure_scale, 21.5, 1e-9);
+  // A short grid has no coarser ones.
+  EXPECT_NEAR(scaled_.cascades[1].at(2).pressure[7] * scaled_.pressure_scale, 250.0, 1e-9);
 }
 
 TEST(PenetrationBox, ContainsAllOverlapAndAMargin) {

@@ -183,9 +183,8 @@ TEST(BoundedCost, ElementsCountThreeTimesWithAFreePitchRate) {
 /// Forces are homogeneous in friction and creepages: where all slides they go with friction, whose
 /// smallest numbers gave infinite derivatives.
 TEST(BoundedCost, DerivativesAtTheSmallestFrictionAreThoseOfSliding) {
-  for (const CreepModel model :
-       {CreepModel::linear, CreepModel::shen_hedrick_elkins, CreepModel::polach,
-        CreepModel::fastsim, CreepModel::fastsim_strips, CreepModel::full}) {
+  for (const CreepModel model : {CreepModel::linear, CreepModel::shen_hedrick_elkins,
+                                 CreepModel::polach, CreepModel::fastsim, CreepModel::full}) {
     Scene scene = rolling_scene();
     scene.accuracy = 1e-2;
     scene.creep = model;

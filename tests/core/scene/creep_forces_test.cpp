@@ -103,9 +103,8 @@ TEST(CreepForces, CheaperModelsAgreeWhereLittleSlips) {
   const SceneResult full = solve_scene(scene);
   const double size =
       std::hypot(creep_of(full.left).longitudinal_force, creep_of(full.left).lateral_force);
-  for (const CreepModel model :
-       {CreepModel::linear, CreepModel::shen_hedrick_elkins, CreepModel::polach,
-        CreepModel::fastsim, CreepModel::fastsim_strips}) {
+  for (const CreepModel model : {CreepModel::linear, CreepModel::shen_hedrick_elkins,
+                                 CreepModel::polach, CreepModel::fastsim}) {
     scene.creep = model;
     const SceneResult result = solve_scene(scene);
     const CreepResult& creep = creep_of(result.left);
@@ -120,8 +119,8 @@ TEST(CreepForces, CheaperModelsAgreeWhereLittleSlips) {
 
 TEST(CreepForces, CheaperModelsSaturate) {
   Scene scene = scene_at(3.0, {0.3, 0.4, 0.0}, 1e-2);
-  for (const CreepModel model : {CreepModel::shen_hedrick_elkins, CreepModel::polach,
-                                 CreepModel::fastsim, CreepModel::fastsim_strips}) {
+  for (const CreepModel model :
+       {CreepModel::shen_hedrick_elkins, CreepModel::polach, CreepModel::fastsim}) {
     scene.creep = model;
     const SceneResult result = solve_scene(scene);
     const double whole = 0.3 * result.left->patches[0].normal_force;

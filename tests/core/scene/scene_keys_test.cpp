@@ -109,6 +109,15 @@ TEST(SceneKeys, AnUnknownKeyIsReportedWithTheNearestKeys) {
   }
 }
 
+TEST(SceneKeys, AModelNoLongerThereNamesABetterOne) {
+  Scene scene;
+  const std::string text = error_text([&] { set_text(scene, "solve.creep", "fastsim-strips"); },
+                                      ErrorCode::invalid_argument);
+  EXPECT_NE(text.find("no longer there: \"full\" at solve.accuracy = 0.1"), std::string::npos)
+      << text;
+  EXPECT_FALSE(scene.creep);
+}
+
 TEST(SceneKeys, CantAsRatioOrAngle) {
   Scene scene;
   set_text(scene, "track.cant", "1:20");
