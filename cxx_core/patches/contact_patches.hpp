@@ -27,6 +27,12 @@
 /// Two in one plane are one contact, on grids of their own until they are joined. The greater
 /// fraction counts, by width or by distance.
 ///
+/// Why not w = 1 for all patches of a wheel: CONTACT leaves patches beyond 2 d_j uncoupled. In its
+/// case extreme-160, two patches 10.5 mm apart, the small one would carry 39 % less, with 7 % more
+/// approach; with graded weights both agree to 0.5 %. Two patches of S1002 on 56E1 17 mm apart
+/// would lie 9.5 % deeper, with 3.4 % less lateral force. Forces would follow the scene as smoothly
+/// as with graded weights, for 1 % more instructions at most.
+///
 /// Patches further on are as close as the weakest link between: such an (ultrametric) matrix has no
 /// negative eigenvalue. The angle of a plane is the mean over all levels between 0 and 1 of the
 /// plane of the patches that turn at least that far towards each other, which for two is
