@@ -85,7 +85,7 @@ TEST_F(WrcTradeoff, PrescribesPositions) {
 TEST_F(WrcTradeoff, JudgesCreepForcesOfAWheelsetInMotion) {
   const Outcome outcome = run("--creep 1 --motion --repeats 1 --json m.json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  expect_parts(outcome.out, {"1 scenes, 0 of them without a solution"});
+  expect_parts(outcome.out, {"1 scenes, 0 without a solution"});
   const json whole = json::parse(read("m.json"));
   const json& last = whole.at("creep").back();
   EXPECT_EQ(last.at("creep"), "full");
