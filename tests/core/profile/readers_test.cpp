@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "profile/plausibility.hpp"
 #include "profile/read_options.hpp"
 #include "samples.hpp"
 #include "support/errors.hpp"
