@@ -49,7 +49,16 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   if (known.scale != 0.0) {
     options.scale = known.scale;
   }
-  options.smoothing_wavelength = known.smoothing_wavelength;
+  if (known.smoothing_wavelength == WRC_SMOOTHING_NONE) {
+    options.smoothing_wavelength = 0.0;
+  } else if (known.smoothing_wavelength == WRC_SMOOTHING_AUTO) {
+    options.smoothing_wavelength = wrc::automatic_smoothing;
+  } else if (known.smoothing_wavelength < 0.0) {
+    wrc::throw_invalid_argument("smoothing_wavelength", known.smoothing_wavelength,
+                                "allowed are 0, a wavelength in mm and WRC_SMOOTHING_...");
+  } else if (known.smoothing_wavelength != 0.0) {
+    options.smoothing_wavelength = known.smoothing_wavelength;
+  }
   if (known.origin < 0 || known.origin > WRC_ORIGIN_FLANGE_BACK) {
     wrc::throw_invalid_argument("origin", known.origin,
                                 "allowed are 0, WRC_ORIGIN_TAPE and WRC_ORIGIN_FLANGE_BACK");

@@ -57,6 +57,8 @@ module wrcontact
   !> Where a wheel's file has lateral 0, and which points of a profile are requested.
   integer, parameter, public :: wrc_origin_tape = 1
   integer, parameter, public :: wrc_origin_flange_back = 2
+  real(real64), parameter, public :: wrc_smoothing_none = -1.0_real64
+  real(real64), parameter, public :: wrc_smoothing_auto = -2.0_real64
   integer, parameter, public :: wrc_points_read = 0
   integer, parameter, public :: wrc_points_dropped = 1
 

@@ -106,7 +106,8 @@
 !        the same, and how they are read: IKIND -1 as the file says;
 !        MIRY, MIRZ 0 mirrored if needed, 1 mirrored, -1 not; ISTRCT 1
 !        refuses instead of guessing; SCALE mm per unit, 0 guessed;
-!        SMOOTH wavelength in mm that is halved, 0 no smoothing
+!        SMOOTH wavelength in mm that is halved, 0 no smoothing,
+!        negative: as the noise of the points needs
 !
 !   WRCGRD(HANDLE, NLAT, NLON, DLAT, DLON, IERR)   grid of a contact
 !   WRCGAP(NORMAL, DIST, N, IERR)          undeformed distance at the
@@ -130,6 +131,8 @@ module wrcontact_f77_c
   integer, parameter :: contact_mark = normal_mark + rolling_mark
   ! Not a handle: marks a program whose reals WRCOPN has refused.
   integer(c_int64_t), parameter :: refused_reals = 28
+  ! WRC_SMOOTHING_NONE and WRC_SMOOTHING_AUTO of wrcontact.h.
+  real(c_double), parameter :: smoothing_none = -1, smoothing_auto = -2
 
   include 'wrcontact_c.inc'
 
@@ -235,6 +238,8 @@ contains
     integer, intent(in) :: width
     type(wrc_read_options) :: reading
     reading = wrc_read_options(0, 0, 0, 0, 0, 0, 0, scale, smooth, 0, 0, 0, 0)
+    if (smooth .eq. 0) reading%smoothing_wavelength = smoothing_none
+    if (smooth .lt. 0) reading%smoothing_wavelength = smoothing_auto
     reading%struct_size = c_sizeof(reading)
     reading%kind = int(taken(ikind, width), c_int32_t)
     if (reading%kind .ne. -1) reading%kind_given = 1

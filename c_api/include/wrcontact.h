@@ -383,7 +383,8 @@ typedef struct wrc_read_options {
   int32_t strict;         /**< not 0: refuse instead of guessing */
   int32_t reserved;
   double scale;                /**< mm per unit of the file; 0: guess from the size */
-  double smoothing_wavelength; /**< mm at which a wave is halved; 0: no smoothing */
+  double smoothing_wavelength; /**< mm at which a wave is halved; 0: as the noise of the points
+                                    needs; WRC_SMOOTHING_... */
   /* Since 0.3: */
   int32_t origin;       /**< lateral 0 of a wheel's file: WRC_ORIGIN_...; 0: from the file */
   int32_t slice;        /**< number of a slice in a slices file (.slcs, .slcw), from 1 */
@@ -391,8 +392,10 @@ typedef struct wrc_read_options {
   double lateral_shift; /**< instead of origin: mm added to lateral; 0: none */
 } wrc_read_options;
 
-#define WRC_ORIGIN_TAPE 1        /**< taping line; heights are left as they are */
-#define WRC_ORIGIN_FLANGE_BACK 2 /**< flange back: moved to the taping line, height 0 there */
+#define WRC_SMOOTHING_NONE (-1.0) /**< the points as they are */
+#define WRC_SMOOTHING_AUTO (-2.0) /**< as 0, but strict does not refuse noise */
+#define WRC_ORIGIN_TAPE 1         /**< taping line; heights are left as they are */
+#define WRC_ORIGIN_FLANGE_BACK 2  /**< flange back: moved to the taping line, height 0 there */
 
 /** A built-in profile, by name. WRC_UNKNOWN_NAME. Since 0.1. */
 WRC_API wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name);

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -113,7 +114,8 @@ public:
   }
   /// `kind` is WRC_WHEEL or WRC_RAIL.
   void set_points(const std::string& name, std::int32_t kind, const std::vector<double>& lateral,
-                  const std::vector<double>& height, double smoothing_wavelength = 0.0) {
+                  const std::vector<double>& height,
+                  std::optional<double> smoothing_wavelength = std::nullopt) {
     if (lateral.size() != height.size()) {
       throw Error(WRC_INVALID_ARGUMENT, "lateral and height differ in length");
     }
@@ -121,7 +123,10 @@ public:
     options.struct_size = sizeof options;
     options.kind = kind;
     options.kind_given = 1;
-    options.smoothing_wavelength = smoothing_wavelength;
+    if (smoothing_wavelength) { // 0: none
+      options.smoothing_wavelength =
+          *smoothing_wavelength == 0.0 ? WRC_SMOOTHING_NONE : *smoothing_wavelength;
+    }
     check(wrc_profile_set_points(handle(), name.c_str(), lateral.data(), height.data(),
                                  static_cast<std::int64_t>(lateral.size()), &options));
   }

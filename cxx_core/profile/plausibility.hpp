@@ -21,8 +21,18 @@ inline constexpr double tape_height_tolerance = 1.0;
 /// its flange back.
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log);
 
-/// Warns of scatter that makes pressures; strict mode reads it, since measurements have it.
-void tell_scatter(std::span<const Position> points, Log& log);
+/// How far points are off a smooth line.
+struct Scatter {
+  double deviation = 0.0;    ///< mm, rms
+  double pressure = 0.0;     ///< that flattens it, MPa
+  bool is_of_digits = false; ///< no more than the rounding of the points' last digit
+
+  /// Whether it changes the pressures of a contact noticeably.
+  [[nodiscard]] bool matters() const;
+};
+Scatter scatter_of(std::span<const Position> points);
+/// The same where the deviation is known from elsewhere.
+Scatter scatter_of(std::span<const Position> points, double deviation);
 
 /// Warns of places where the curve through the points leaves them.
 void check_curve(const Profile& profile, Log& log);

@@ -6,6 +6,7 @@
 /// Units mm. Thread rule: immutable, safe to share.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ struct Profile {
   /// What the curve was drawn through; none of a built-in profile.
   std::vector<Position> points{};
   Warnings warnings{}; ///< what no wheel or rail has, found when it was read
+  /// Of noisy points: curves that are equally likely, by whose differences results are uncertain.
+  std::shared_ptr<const std::vector<Curve>> likely{};
 };
 
 /// Names of the built-in profiles, in the order in which they are listed for users.

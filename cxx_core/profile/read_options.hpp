@@ -15,13 +15,18 @@ enum class ProfileFormat { columns, simpack, miniprof, slices };
 /// Where a wheel's file has lateral 0.
 enum class WheelOrigin { by_file, tape, flange_back };
 
+/// In place of a wavelength (a name, not a tuning constant).
+inline constexpr double automatic_smoothing = -1.0;
+
 struct ReadOptions {
   std::optional<ProfileKind> kind; ///< wins over what the file says
   /// Mirroring in addition to that of the format; if set, replaces the check of the shape.
   std::optional<bool> mirror_lateral;
   std::optional<bool> mirror_height;
-  std::optional<double> scale;       ///< mm per unit of the file; if not set, units may be guessed
-  double smoothing_wavelength = 0.0; ///< mm, waves of this length are halved; 0 = no smoothing
+  std::optional<double> scale; ///< mm per unit of the file; if not set, units may be guessed
+  /// mm, waves of this length are halved; 0: no smoothing; automatic_smoothing: as the noise of the
+  /// points requires. If not set: the same, which strict mode then refuses where there is noise.
+  std::optional<double> smoothing_wavelength;
   /// mm; points closer to the one before are dropped, since the rounding of their digits would
   /// dominate the curvature.
   double least_point_distance = 0.01;

@@ -9,9 +9,9 @@
 ///
 /// Every change of the data is one line of `corrections`; what no wheel or rail has is one of the
 /// profile's warnings (plausibility.hpp). Guesses and warnings are errors in strict mode, except
-/// the scatter of points. Input is not trusted: sizes are bounded, every error names file and line.
-/// Does not know: kinks (points are joined by one smooth spline).
-/// Units mm. Thread rule: no state.
+/// scatter that the options smooth or leave. Input is not trusted: sizes are bounded, every error
+/// names file and line. Does not know: kinks (points are joined by one smooth spline). Units mm.
+/// Thread rule: no state.
 #pragma once
 
 #include <filesystem>

@@ -20,13 +20,14 @@ struct Prefix {
   NumberGroup group;
 };
 
-constexpr std::array scene_prefixes{Prefix{"time_ms.", NumberGroup::time},
-                                    Prefix{"wheelset.", NumberGroup::wheelset},
-                                    Prefix{"", NumberGroup::scene}};
+constexpr std::array scene_prefixes{
+    Prefix{"time_ms.", NumberGroup::time}, Prefix{"wheelset.", NumberGroup::wheelset},
+    Prefix{"spread.", NumberGroup::scene_spread}, Prefix{"", NumberGroup::scene}};
 constexpr std::array side_prefixes{Prefix{"total.", NumberGroup::total},
                                    Prefix{"rigid_contact.", NumberGroup::rigid_contact},
                                    Prefix{"centroid.", NumberGroup::centroid},
                                    Prefix{"residuals.", NumberGroup::residuals},
+                                   Prefix{"spread.", NumberGroup::spread},
                                    Prefix{"sensitivities.at_load.", NumberGroup::at_load},
                                    Prefix{"sensitivities.", NumberGroup::sensitivities},
                                    Prefix{"jacobian.", NumberGroup::jacobian},

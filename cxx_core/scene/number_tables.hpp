@@ -225,6 +225,16 @@ inline constexpr std::array residual_numbers{
     OfResiduals{"complementarity", pure, member<&Residuals::complementarity>},
 };
 
+/// With noisy profiles only.
+inline constexpr std::array spread_numbers{
+    Number<WheelSpread>{"pmax", stress, member<&WheelSpread::pmax>},
+    Number<WheelSpread>{"area", surface, member<&WheelSpread::area>},
+};
+inline constexpr std::array scene_spread_numbers{
+    Number<SceneSpread>{"rolling_radius_difference", length,
+                        member<&SceneSpread::rolling_radius_difference>},
+};
+
 inline constexpr std::array sensitivity_numbers{
     Number<WheelRates>{"pressure_force.y.lateral", stiffness,
                        [](const WheelRates& r) { return r.force.lateral.force.y; }},
@@ -294,6 +304,10 @@ constexpr decltype(auto) with_table(NumberGroup group, Function&& function) {
     return function(centroid_numbers);
   case NumberGroup::residuals:
     return function(residual_numbers);
+  case NumberGroup::spread:
+    return function(spread_numbers);
+  case NumberGroup::scene_spread:
+    return function(scene_spread_numbers);
   case NumberGroup::sensitivities:
     return function(sensitivity_numbers);
   case NumberGroup::at_load:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "scene/noise_spread.hpp"
 #include "scene/number_ids.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/solve_scene.hpp"
@@ -57,6 +58,23 @@ double patch_value(const WheelResult& side, const Reading& reading) {
   default:
     return reading.value(patch_numbers, patch);
   }
+}
+
+/// The result of the wheel that the number is of.
+std::optional<SceneWheel>& side_of(SceneResult& result, const NumberId& id) {
+  return id.right ? result.right : result.left;
+}
+
+double spread_value(SceneResult& result, const Reading& reading) {
+  const SceneSpread* const spread = spread_of(result);
+  if (reading.id.group == NumberGroup::scene_spread) {
+    return reading.value(scene_spread_numbers, spread);
+  }
+  const bool solved = side_of(result, reading.id).has_value();
+  const WheelSpread* const wheel = spread == nullptr || !solved ? nullptr
+                                   : reading.id.right           ? &spread->right
+                                                                : &spread->left;
+  return reading.value(spread_numbers, wheel);
 }
 
 double side_value(SceneWheel& side, const Reading& reading) {
@@ -176,11 +194,19 @@ void add_side_texts(std::vector<std::pair<std::string, std::string>>& texts,
 std::vector<std::string> number_names(SceneResult& result) {
   std::vector<std::string> names;
   add_names(names, "", scene_numbers, &result);
-  if (result.left) {
-    add_side_names(names, "left.", *result.left);
+  const SceneSpread* const spread = spread_of(result);
+  if (spread != nullptr) {
+    add_names(names, "spread.", scene_spread_numbers, spread);
   }
-  if (result.right) {
-    add_side_names(names, "right.", *result.right);
+  for (const bool right : {false, true}) {
+    std::optional<SceneWheel>& side = right ? result.right : result.left;
+    const std::string prefix = right ? "right." : "left.";
+    if (side) {
+      add_side_names(names, prefix, *side);
+    }
+    if (side && spread != nullptr) {
+      add_names(names, prefix + "spread.", spread_numbers, right ? &spread->right : &spread->left);
+    }
   }
   if (wheelset_force(result)) {
     add_names(names, "wheelset.", total_numbers);
@@ -200,10 +226,13 @@ double number_value(SceneResult& result, const NumberId& id, const Convention& c
     const auto force = wheelset_force(result);
     return reading.value(total_numbers, address_of(force));
   }
+  case NumberGroup::spread:
+  case NumberGroup::scene_spread:
+    return spread_value(result, reading);
   default:
     break;
   }
-  std::optional<SceneWheel>& side = id.right ? result.right : result.left;
+  std::optional<SceneWheel>& side = side_of(result, id);
   return side ? side_value(*side, reading) : none;
 }
 

@@ -39,7 +39,8 @@ struct ProfileChoice {
   std::string name; ///< of a built-in profile, or a file
   /// Used instead of one of that name if given, which is then its name.
   std::shared_ptr<const Profile> given{};
-  double smoothing = 0.0; ///< wavelength in mm for a profile read from a file; 0: none
+  /// Wavelength in mm for a profile read from a file, 0: none; automatic if not set.
+  std::optional<double> smoothing{};
   WheelOrigin origin = WheelOrigin::by_file; ///< of a wheel's file; a scene's is that of all
   double shift = 0.0;                        ///< of its lateral, mm, instead of the origin; 0: none
   bool operator==(const ProfileChoice&) const = default;

@@ -61,6 +61,7 @@ std::string write_beside(const Profile& profile, const std::string& side,
   path.replace_extension(side + (wheel ? ".wheel.txt" : ".rail.txt"));
   write_points(profile, path);
   ReadOptions options;
+  options.smoothing_wavelength = 0.0;
   options.kind = profile.kind;
   if (read_profile(path, options).profile.points != profile.points) {
     throw_invalid_argument(wheel ? "wheelset.wheel" : "track.rail", '"' + profile.name + '"',
@@ -103,7 +104,7 @@ void write_scene(const Scene& scene, const fs::path& path) {
   Scene lasting = scene;
   const auto lasting_choice = [&path](const ProfileChoice& choice, ProfileKind kind,
                                       const std::string& side) -> ProfileChoice {
-    return choice.given ? ProfileChoice{write_beside(*choice.given, side, path)}
+    return choice.given ? ProfileChoice{write_beside(*choice.given, side, path), nullptr, 0.0}
                         : ProfileChoice{lasting_name(choice.name, kind), nullptr, choice.smoothing};
   };
   const auto make_lasting = [&](ProfileChoice& left, ProfileChoice& right, ProfileKind kind) {

@@ -49,11 +49,38 @@ Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice Scen
   return key;
 }
 
-/// Where the sides have their smoothing.
-auto smoothing_of(SceneSide Scene::*side, ProfileChoice SceneSide::*choice) {
-  return [ side, choice ](auto& scene) -> auto& {
-    return ((scene.*side).*choice).smoothing;
+constexpr Range smoothing_range{0.0, 100.0};
+constexpr std::string_view smoothing_allowed = "\"auto\", or 0 (none) to 100 mm";
+
+/// The smoothing of a profile on one or both sides.
+Key smoothing_key(std::string_view name, std::string_view meaning, ProfileChoice SceneSide::*choice,
+                  const Sides& sides) {
+  Key key;
+  key.description = {name, "\"auto\"", smoothing_allowed, meaning};
+  key.dimension = length;
+  key.min = smoothing_range.min;
+  key.max = smoothing_range.max;
+  key.get = [choice, sides](const Scene& scene) {
+    const std::optional<double>& smoothing = ((scene.*sides.front()).*choice).smoothing;
+    if (smoothing != ((scene.*sides.back()).*choice).smoothing) {
+      return KeyValue();
+    }
+    return smoothing ? KeyValue(*smoothing) : KeyValue(std::string("auto"));
   };
+  key.set_number = [choice, sides](Scene& scene, double value) {
+    for (SceneSide Scene::*side : sides) {
+      ((scene.*side).*choice).smoothing = value;
+    }
+  };
+  key.set_text = [choice, sides](Scene& scene, std::string_view value) {
+    for (SceneSide Scene::*side : sides) {
+      if (value == "auto") {
+        ((scene.*side).*choice).smoothing.reset();
+      }
+    }
+    return value == "auto";
+  };
+  return key;
 }
 
 /// What is said of a key with a rail's displacement, or its velocity.
@@ -118,9 +145,6 @@ std::vector<Key> convention_keys() {
   return keys;
 }
 
-constexpr Range smoothing_range{0.0, 100.0};
-constexpr std::string_view smoothing_allowed = "0 (none) to 100 mm";
-
 std::vector<Key> track_keys() {
   std::vector<Key> keys;
   keys.push_back(number_key(
@@ -142,17 +166,16 @@ std::vector<Key> track_keys() {
     keys.push_back(profile_key({name, "\"60E1\"", allowed, meaning}, ProfileKind::rail,
                                &SceneSide::rail, sides));
   };
-  const auto smoothing = [&](std::string_view name, std::string_view meaning, auto... sides) {
-    keys.push_back(number_key({name, "0.0", smoothing_allowed, meaning}, smoothing_range, length,
-                              smoothing_of(sides, &SceneSide::rail)...));
+  const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(smoothing_key(name, meaning, &SceneSide::rail, sides));
   };
   const auto moves = [&](auto... arguments) { keys.push_back(rail_key(arguments...)); };
   rail("track.rail", "profile of both rails", {&Scene::left, &Scene::right});
   smoothing("track.rail_smoothing", "smoothing wavelength of rail profiles read from a file",
-            &Scene::left, &Scene::right);
+            {&Scene::left, &Scene::right});
   rail("track.left.rail", "profile of the left rail", {&Scene::left});
   smoothing("track.left.rail_smoothing", "its smoothing wavelength, if read from a file",
-            &Scene::left);
+            {&Scene::left});
   moves("track.left.displacement", displacements,
         "displacement of the left rail from its nominal position, for track irregularities or "
         "flexible track; roll about the origin of its profile",
@@ -162,7 +185,7 @@ std::vector<Key> track_keys() {
         &Scene::left, &SceneSide::velocity);
   rail("track.right.rail", "profile of the right rail", {&Scene::right});
   smoothing("track.right.rail_smoothing", "its smoothing wavelength, if read from a file",
-            &Scene::right);
+            {&Scene::right});
   moves("track.right.displacement", displacements, "displacement of the right rail", &Scene::right,
         &SceneSide::displacement);
   moves("track.right.velocity", velocities, "velocity of the right rail", &Scene::right,
@@ -177,9 +200,8 @@ std::vector<Key> wheelset_keys() {
     keys.push_back(profile_key({name, "\"S1002\"", allowed, meaning}, ProfileKind::wheel,
                                &SceneSide::wheel, sides));
   };
-  const auto smoothing = [&](std::string_view name, std::string_view meaning, auto... sides) {
-    keys.push_back(number_key({name, "0.0", smoothing_allowed, meaning}, smoothing_range, length,
-                              smoothing_of(sides, &SceneSide::wheel)...));
+  const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
+    keys.push_back(smoothing_key(name, meaning, &SceneSide::wheel, sides));
   };
   const auto radius = [&](std::string_view name, std::string_view meaning, auto... sides) {
     keys.push_back(number_key({name, "460.0", "50 to 5000 mm", meaning}, {50.0, 5000.0}, length,
@@ -187,7 +209,7 @@ std::vector<Key> wheelset_keys() {
   };
   wheel("wheelset.wheel", "profile of both wheels", {&Scene::left, &Scene::right});
   smoothing("wheelset.wheel_smoothing", "smoothing wavelength of wheel profiles read from a file",
-            &Scene::left, &Scene::right);
+            {&Scene::left, &Scene::right});
   keys.push_back(number_key(
       {"wheelset.back_to_back", "1360.0", "500 to 1650 mm",
        "distance between the inner faces of the wheels"},
@@ -212,11 +234,11 @@ std::vector<Key> wheelset_keys() {
          &Scene::right);
   wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});
   smoothing("wheelset.left.wheel_smoothing", "its smoothing wavelength, if read from a file",
-            &Scene::left);
+            {&Scene::left});
   radius("wheelset.left.radius", "nominal radius of the left wheel", &Scene::left);
   wheel("wheelset.right.wheel", "profile of the right wheel", {&Scene::right});
   smoothing("wheelset.right.wheel_smoothing", "its smoothing wavelength, if read from a file",
-            &Scene::right);
+            {&Scene::right});
   radius("wheelset.right.radius", "nominal radius of the right wheel", &Scene::right);
   return keys;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/noisy_scene.hpp"
 #include "scene/profile_warnings.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_wheel.hpp"
@@ -42,6 +43,7 @@ struct SceneResult {
   StageMilliseconds time;
   std::vector<std::string> corrections; ///< made to profiles read from files
   ProfileWarnings profile_warnings;     ///< of the profiles it was solved with
+  std::optional<NoisyScene> noise;      ///< with noisy profiles, see spread_of
 };
 
 } // namespace wrc

@@ -218,6 +218,17 @@ void complete_creep_forces(const Scene& scene, const WheelLoads& loads, RollingS
   result.time.rolling += wheels.empty() ? 0.0 : watch.milliseconds();
 }
 
+/// With noisy profiles: what their spread needs, should it be requested.
+void keep_noise(const Scene& scene, const SceneSurfaces& surfaces, SceneResult& result) {
+  const bool left = result.left.has_value();
+  const bool right = result.right.has_value();
+  if ((left && (surfaces.left.likely_wheels || surfaces.left.likely_rails)) ||
+      (right && (surfaces.right.likely_wheels || surfaces.right.likely_rails))) {
+    result.noise.emplace(NoisyScene{scene, surfaces.left.likely_wheels, surfaces.left.likely_rails,
+                                    surfaces.right.likely_wheels, surfaces.right.likely_rails});
+  }
+}
+
 /// What all contact forces of the wheels carry.
 WheelNumbers totals_of(const SceneResult& result) {
   WheelNumbers totals{};
@@ -352,6 +363,7 @@ SceneResult SceneSolver::State::solve(const Scene& scene) {
   result.model = model.name;
   result.solver = scene.solver;
   solve_contact(scene, surfaces, model, equilibrium, result);
+  keep_noise(scene, surfaces, result);
   result.time.total = total.milliseconds();
   return result;
 }

@@ -54,8 +54,9 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
                      const std::string& key, std::vector<std::string>& corrections) {
   const ProfileChoice& choice = source.profile;
   const auto refuse_smoothing = [&](const std::string& reason) {
-    if (choice.smoothing > 0.0) {
-      throw_invalid_argument(key + "_smoothing", choice.smoothing, "allowed is 0 with " + reason);
+    if (choice.smoothing.value_or(0.0) > 0.0) {
+      throw_invalid_argument(key + "_smoothing", *choice.smoothing,
+                             "allowed is \"auto\" or 0 with " + reason);
     }
   };
   if (choice.given) {
@@ -69,7 +70,7 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   }
   ReadOptions options;
   options.kind = kind;
-  options.smoothing_wavelength = choice.smoothing;
+  options.smoothing_wavelength = choice.smoothing.value_or(automatic_smoothing);
   options.origin = choice.origin;
   if (choice.shift != 0.0) {
     options.lateral_shift = choice.shift;
@@ -83,13 +84,14 @@ template <class Surface, class Dimensions>
 std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept,
                                        const SurfaceSource<Dimensions>& source, ProfileKind kind,
                                        const std::string& key, SideChoice side, bool is_solved,
-                                       SceneSurfaces& all) {
+                                       NoisyScene::LikelyCurves& likely, SceneSurfaces& all) {
   auto entry = kept.get(source, [&] {
     const Stopwatch stopwatch;
-    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr};
+    typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, nullptr};
     Profile profile = load_profile(source, kind, key, made.corrections);
     all.profile_milliseconds += stopwatch.milliseconds();
     made.surface = std::make_shared<Surface>(profile, source.dimensions);
+    made.likely = profile.likely;
     if (!profile.warnings.empty()) {
       made.warnings = std::make_shared<const Warnings>(std::move(profile.warnings));
     }
@@ -104,6 +106,7 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
   if (entry.warnings && is_solved) {
     all.warnings.add({kind, side, source.profile.name, entry.warnings});
   }
+  likely = entry.likely;
   return entry.surface;
 }
 
@@ -124,9 +127,10 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     wheel.shift = scene.profile_shift;
     found.wheel = get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
                           ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which,
-                          is_solved, surfaces);
+                          is_solved, found.likely_wheels, surfaces);
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
-                         key(&SceneSide::rail, "track.", "rail"), which, is_solved, surfaces);
+                         key(&SceneSide::rail, "track.", "rail"), which, is_solved,
+                         found.likely_rails, surfaces);
     if (displacement != RailDisplacement{}) {
       found.rail = std::make_shared<const RailSurface>(found.rail->displaced(displacement));
     }

@@ -13,14 +13,19 @@
 #include <vector>
 
 #include "geometry/wheelset_equilibrium.hpp"
+#include "scene/noisy_scene.hpp"
 #include "scene/profile_warnings.hpp"
 #include "scene/scene.hpp"
 
 namespace wrc {
 
 struct SideSurfaces {
+  using LikelyCurves = NoisyScene::LikelyCurves;
+
   std::shared_ptr<const WheelSurface> wheel;
   std::shared_ptr<const RailSurface> rail; ///< where it is displaced to, left-hand frame
+  LikelyCurves likely_wheels;
+  LikelyCurves likely_rails;
 
   [[nodiscard]] WheelAndRail pair() const { return {*wheel, *rail}; }
 };
@@ -50,6 +55,7 @@ public:
     std::shared_ptr<const Surface> surface;
     std::vector<std::string> corrections;
     std::shared_ptr<const Warnings> warnings; ///< none: NULL
+    NoisyScene::LikelyCurves likely;
   };
 
   template <class Make> Entry get(const SurfaceSource<Dimensions>& source, Make&& make) {

@@ -21,7 +21,7 @@ struct Arguments {
   std::string mirror_lateral;
   std::string mirror_height;
   double scale = 0.0;
-  double smoothing = 0.0;
+  std::string smoothing;
   bool strict = false;
   std::string origin;
   double shift = 0.0;
@@ -57,6 +57,17 @@ Profile load_file(const std::string& argument, const std::string& path,
   return profile;
 }
 
+double smoothing_from(const std::string& word) {
+  double length = 0.0;
+  if (word.empty()) {
+    return 0.0; // not stated
+  }
+  if (word == "auto") {
+    return WRC_SMOOTHING_AUTO;
+  }
+  return CLI::detail::lexical_cast(word, length) && length > 0.0 ? length : WRC_SMOOTHING_NONE;
+}
+
 wrc_read_options options_from(const CLI::App& app, const Arguments& arguments) {
   const auto choice = [](const std::string& word) {
     return word.empty() ? 0 : word == "yes" ? 1 : -1;
@@ -69,7 +80,7 @@ wrc_read_options options_from(const CLI::App& app, const Arguments& arguments) {
   options.mirror_height = choice(arguments.mirror_height);
   options.strict = arguments.strict ? 1 : 0;
   options.scale = arguments.scale;
-  options.smoothing_wavelength = arguments.smoothing;
+  options.smoothing_wavelength = smoothing_from(arguments.smoothing);
   options.origin = arguments.origin.empty()     ? 0
                    : arguments.origin == "tape" ? WRC_ORIGIN_TAPE
                                                 : WRC_ORIGIN_FLANGE_BACK;
@@ -130,6 +141,17 @@ CLI::Validator positive_number() {
           ""};
 }
 
+CLI::Validator smoothing_word() {
+  return {[](const std::string& text) {
+            double value = 0.0;
+            const bool allowed = text == "auto" || (CLI::detail::lexical_cast(text, value) &&
+                                                    value >= 0.0 && std::isfinite(value));
+            return allowed ? std::string()
+                           : text + " given, allowed is auto or a number of mm, not negative";
+          },
+          ""};
+}
+
 void add_reading_options(CLI::App& app, Arguments& arguments) {
   const CLI::Validator positive = positive_number();
   const CLI::IsMember yes_or_no({"yes", "no"});
@@ -148,10 +170,13 @@ void add_reading_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--scale", arguments.scale, "mm per unit of the file; default: from the size")
       ->type_name("MM")
       ->check(positive);
-  app.add_option("--smooth", arguments.smoothing,
-                 "smooth: waves of this length are halved, shorter ones vanish")
-      ->type_name("MM")
-      ->check(positive);
+  app.add_option(
+         "--smooth", arguments.smoothing,
+         "smooth: waves of this length in mm are halved, shorter ones vanish; 0: none; auto: as "
+         "the noise of the points needs, which is the default and refused with --strict if "
+         "there is noise")
+      ->type_name("MM|auto")
+      ->check(smoothing_word());
   app.add_option("--origin", arguments.origin,
                  "position of lateral 0 of a wheel: tape or flange-back; default: from the file")
       ->type_name("PLACE")

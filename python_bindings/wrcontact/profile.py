@@ -14,6 +14,7 @@ from .errors import InvalidArgument
 
 _KINDS = {"wheel": lib.WRC_WHEEL, "rail": lib.WRC_RAIL}
 _ORIGINS = {"auto": 0, "tape": lib.WRC_ORIGIN_TAPE, "flange-back": lib.WRC_ORIGIN_FLANGE_BACK}
+_SMOOTHINGS = {"none": -1, "auto": -2}  # WRC_SMOOTHING_NONE, WRC_SMOOTHING_AUTO
 
 
 class ProfilePoint(NamedTuple):
@@ -52,6 +53,8 @@ def _read_options(options: dict[str, Any]) -> Any:
             value, struct.kind_given = _number_of(value, _KINDS, name), 1
         elif name == "origin":
             value = _number_of(value, _ORIGINS, name)
+        elif name == "smoothing_wavelength" and (isinstance(value, str) or value == 0):
+            value = _number_of(value or "none", _SMOOTHINGS, name)
         setattr(struct, name, value)
     return struct
 
@@ -66,8 +69,8 @@ class Profile(Handle):
 
     Files are columns, Simpack .prr/.prw, MiniProf .ban/.whl and slices .slcs/.slcw. Options, as in
     wrc_read_options of wrcontact.h: kind ("wheel", "rail"), mirror_lateral and mirror_height (-1, 0,
-    1), strict, scale (mm per unit of the file), smoothing_wavelength (mm), origin ("auto", "tape",
-    "flange-back"), slice, tape_offset (mm), lateral_shift (mm). Lateral is positive to the field
+    1), strict, scale (mm per unit of the file), smoothing_wavelength (mm, 0: none; "auto": as the
+    noise of the points needs), origin ("auto", "tape", "flange-back"), slice, tape_offset (mm), lateral_shift (mm). Lateral is positive to the field
     side; heights of a wheel towards larger radius, of a rail upwards. UnknownName, FileUnreadable,
     FileMalformed.
     """

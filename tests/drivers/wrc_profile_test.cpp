@@ -174,7 +174,7 @@ TEST_F(WrcProfile, RefusesBadArguments) {
   run("a.txt --kind tram").expect_refusal({"--kind", "tram", "wheel", "rail"});
   run("a.txt --mirror-height maybe").expect_refusal({"--mirror-height", "maybe", "yes"});
   run("a.txt --scale 0").expect_refusal({"--scale", "0", "positive"});
-  run("a.txt --smooth nan").expect_refusal({"--smooth", "nan", "positive"});
+  run("a.txt --smooth nan").expect_refusal({"--smooth", "nan", "auto", "not negative"});
   run("S1002 --spacing x").expect_refusal({"--spacing", "x", "positive"});
   run("S1002 --points --spacing 1e-9").expect_refusal({"--spacing 1e-09", "or more"});
   run("S1002 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});

@@ -126,7 +126,7 @@ c Pressures are those of a scene, to its accuracy of 1e-3.
      &  ierr)
       call expect(ierr .eq. 4, 'but not that either')
       ierr = -1
-      call wrcflx(rail, 'f77_test_rail.txt', 1, 1, 1, 0, 1.0d3, -1.0d0,
+      call wrcflx(rail, 'f77_test_rail.txt', 1, 1, 1, 0, 1.0d3, 1.0d3,
      &  ierr)
       call expect(ierr .eq. 1, 'no such wavelength')
       call wrcdel(rail, ierr)

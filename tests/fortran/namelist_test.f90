@@ -45,7 +45,7 @@ contains
     call expect(near(scene%get_number('track.gauge'), 1432.5_real64, rounding), 'd exponent')
     call expect(near(scene%get_number('track.cant'), 0.05_real64, 1.0e-3_real64), 'a cant 1:20')
     call expect(scene%get_text('track.rail') == '54E3', 'a text in double quotes')
-    call expect(same(scene%get_number('track.rail_smoothing'), 0.0_real64), 'no value, no change')
+    call expect(scene%get_text('track.rail_smoothing') == 'auto', 'no value, no change')
     call expect(near(scene%get_number('pose.lateral'), -2.5_real64, rounding), 'a negative number')
     call expect(near(scene%get_number('pose.yaw'), 1.0e-3_real64, rounding), 'an exponent')
     call expect(near(scene%get_number('pose.roll'), 2.5e-4_real64, rounding), 'a number for a word')

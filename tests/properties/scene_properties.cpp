@@ -47,7 +47,7 @@ std::string other_side(const std::string& name) {
 
 /// Whether a number changes its sign in the mirror; moments are axial vectors.
 bool turns(const std::string& name) {
-  if (name.ends_with("wheel_angle") || name.ends_with("moment.y")) {
+  if (name.ends_with("wheel_angle") || name.ends_with("moment.y") || name.starts_with("spread.")) {
     return false;
   }
   for (const char* end : {"roll", ".y", "lateral_force", "angle", "moment.x", "moment.z",

@@ -46,3 +46,25 @@ def test_what_is_wrong_is_told(tmp_path):
         wrcontact.Profile.from_points("rail", [0, 1], [0])
     with pytest.raises(wrcontact.InvalidArgument):
         wrcontact.Scene(rail=wrcontact.Profile("S1002"))
+
+
+def test_noise_is_smoothed_unless_told_otherwise():
+    wheel = wrcontact.Profile("S1002")
+    curve = wheel.at(np.arange(0.0, wheel.length, 0.25))
+    noise = np.random.default_rng(1).normal(0.0, 0.02, curve.lateral.size)
+    points = (curve.lateral, curve.height + noise)
+    results = {}
+    for word in ("auto", 5.0, 0):
+        profile = wrcontact.Profile.from_points("wheel", *points, smoothing_wavelength=word)
+        assert any("MPa to flatten" in text for text in profile.warnings)
+        with pytest.warns(wrcontact.ContactWarning, match="MPa to flatten"):
+            results[word] = wrcontact.solve(wheel=profile, accuracy=1e-2)
+    default = wrcontact.Profile.from_points("wheel", *points)
+    assert np.array_equal(default.at(default.nodes), wrcontact.Profile.from_points(
+        "wheel", *points, smoothing_wavelength="auto").at(default.nodes))
+    left = results["auto"].left
+    assert abs(left.pmax - 898.0) < left.spread.pmax < 300.0
+    assert results[5.0].left.spread.pmax > 0.0
+    assert results[0].left.pmax > 5000.0
+    with pytest.raises(wrcontact.InvalidArgument, match="none, auto"):
+        wrcontact.Profile.from_points("wheel", *points, smoothing_wavelength="much")

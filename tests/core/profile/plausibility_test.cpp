@@ -98,16 +98,30 @@ TEST(Plausibility, ScatterShowsAndShapeDoesNot) {
     const double y = 0.25 * i - 35.0;
     arc.push_back({y, std::sqrt(300.0 * 300.0 - y * y) - 300.0});
   }
-  Log smooth("file", true);
-  tell_scatter(arc, smooth);
-  EXPECT_TRUE(smooth.warnings().empty());
+  EXPECT_FALSE(scatter_of(arc).matters());
   for (std::size_t i = 0; i < arc.size(); ++i) {
     arc[i][1] += 0.05 * std::sin(12.9898 * static_cast<double>(i * i));
   }
-  Log rough("file", true);
-  tell_scatter(arc, rough);
-  ASSERT_EQ(rough.warnings().size(), 1U);
-  EXPECT_EQ(rough.warnings().front().kind, WarningClass::profile_noise);
+  EXPECT_TRUE(scatter_of(arc).matters());
+  // By the median, which of waves is not that of normal noise.
+  EXPECT_NEAR(scatter_of(arc).deviation, 0.05 / std::numbers::sqrt2, 0.015);
+}
+
+/// Rounding alone has a deviation of 0.29 digits; points that are off by several digits have more.
+TEST(Plausibility, ScatterOfDigitsIsRecognised) {
+  const auto rounded = [](double noise) {
+    std::vector<Position> points;
+    for (int i = 0; i <= 280; ++i) {
+      const double y = 0.25 * i - 35.0;
+      const double z = std::sqrt(300.0 * 300.0 - y * y) - 300.0 +
+                       noise * std::sin(12.9898 * static_cast<double>(i * i));
+      points.push_back({y + 7.0, std::round(1e3 * z) / 1e3 - 0.3});
+    }
+    return scatter_of(points);
+  };
+  EXPECT_TRUE(rounded(0.0).is_of_digits);
+  EXPECT_NEAR(rounded(0.0).deviation, 0.29e-3, 0.06e-3);
+  EXPECT_FALSE(rounded(0.003).is_of_digits);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "profile/plausibility.hpp"
 #include "profile/read_options.hpp"
 #include "samples.hpp"
 #include "support/errors.hpp"
@@ -160,26 +161,79 @@ TEST(Readers, RefusesTooFewPointsAndWrongLengths) {
                  "at most 1e+05 mm");
 }
 
-TEST(Readers, ScatterIsReportedWithThePressureThatFlattensIt) {
-  const auto told_with_digits = [](int digits) {
-    std::string rows;
-    const Curve curve = standard_profile("S1002").curve;
-    for (double arc = 0.0; arc < curve.length(); arc += 0.25) {
-      const CurvePoint at = curve.at(arc);
-      std::ostringstream row;
-      row << std::fixed << std::setprecision(digits) << at.lateral << ' ' << at.height << '\n';
-      rows += row.str();
-    }
+/// Rows of S1002 every 0.25 mm with so many digits.
+std::string wheel_rows_with(int digits) {
+  std::string rows;
+  const Curve curve = standard_profile("S1002").curve;
+  for (double arc = 0.0; arc < curve.length(); arc += 0.25) {
+    const CurvePoint at = curve.at(arc);
+    std::ostringstream row;
+    row << std::fixed << std::setprecision(digits) << at.lateral << ' ' << at.height << '\n';
+    rows += row.str();
+  }
+  return rows;
+}
+
+bool warns_of_noise(const ReadResult& read, const std::string& text) {
+  return std::ranges::any_of(read.profile.warnings, [&text](const Warning& warning) {
+    return warning.kind == WarningClass::profile_noise && contains(warning.text, text);
+  });
+}
+
+/// pmax in the default scene is 2605, 1062 and 903 MPa instead of 898 with 2, 3 and 4 digits.
+TEST(Readers, ScatterThatMattersIsSmoothed) {
+  for (const int digits : {2, 3, 4}) {
+    const std::string rows = wheel_rows_with(digits);
     const ReadResult read = read_rows(rows, wheel_options());
-    EXPECT_TRUE(read.corrections.empty());
-    return std::ranges::any_of(read.profile.warnings, [](const Warning& warning) {
-      return warning.kind == WarningClass::profile_noise &&
-             contains(warning.text, "MPa to flatten: smoothing is advised");
-    });
-  };
-  EXPECT_TRUE(told_with_digits(2));
-  EXPECT_TRUE(told_with_digits(3)); // pmax 1062 MPa instead of 898 in the default scene
-  EXPECT_FALSE(told_with_digits(4));
+    ReadOptions none = wheel_options();
+    none.smoothing_wavelength = 0.0;
+    const ReadResult raw = read_rows(rows, none);
+    const bool noisy = digits < 4;
+    EXPECT_EQ(warns_of_noise(read, "MPa to flatten: smoothed automatically"), noisy) << digits;
+    EXPECT_EQ(warns_of_noise(raw, "not smoothed, pressures are those of the scatter"), noisy);
+    EXPECT_EQ(says(read, "smoothed automatically: waves of "), noisy) << digits;
+    EXPECT_EQ(read.profile.likely != nullptr, noisy) << digits;
+    EXPECT_EQ(read.profile.points == raw.profile.points, !noisy) << digits;
+    EXPECT_EQ(raw.profile.points, raw.measured) << digits; // to the bit
+    EXPECT_EQ(raw.profile.likely, nullptr) << digits;
+    EXPECT_EQ(read.measured, raw.measured) << digits;
+  }
+}
+
+/// A wave 3 mm long, 0.02 mm high, by 12 points each: as rough as noise, but shape.
+TEST(Readers, WavesThatPointsAgreeUponStay) {
+  std::string rows;
+  for (double y = -30.0; y <= 60.0; y += 0.25) {
+    rows += std::to_string(y) + ' ' + std::to_string(0.02 * std::cos(2.0 * y)) + '\n';
+  }
+  ReadOptions options = wheel_options();
+  const ReadResult read = read_rows(rows, options);
+  EXPECT_TRUE(reading::scatter_of(read.measured).matters());
+  EXPECT_FALSE(warns_of_noise(read, ""));
+  EXPECT_EQ(read.profile.points, read.measured);
+}
+
+TEST(Readers, StrictModeWantsTheSmoothingOfNoiseStated) {
+  const std::string rows = wheel_rows_with(2);
+  ReadOptions options = wheel_options();
+  options.strict = true;
+  EXPECT_TRUE(contains(refusal_of(rows, ProfileFormat::columns, options), "state the smoothing"));
+  for (const double stated : {automatic_smoothing, 0.0, 5.0}) {
+    options.smoothing_wavelength = stated;
+    EXPECT_EQ(refusal_of(rows, ProfileFormat::columns, options), "accepted") << stated;
+  }
+}
+
+/// A wavelength that leaves noise is reported, with those that would not.
+TEST(Readers, TooShortASmoothingIsReported) {
+  const std::string rows = wheel_rows_with(2);
+  ReadOptions options = wheel_options();
+  options.smoothing_wavelength = 2.0;
+  EXPECT_TRUE(warns_of_noise(read_rows(rows, options), "to be halved, smoothing halves 2 mm"));
+  options.smoothing_wavelength = 15.0;
+  const ReadResult long_waves = read_rows(rows, options);
+  EXPECT_FALSE(warns_of_noise(long_waves, ""));
+  EXPECT_NE(long_waves.profile.likely, nullptr);
 }
 
 TEST(Readers, RefusesPointsThatTurnBack) {
@@ -245,7 +299,7 @@ TEST(Readers, RefusesOptionsOutOfRange) {
     options.least_point_distance = bad;
     EXPECT_EQ(code_of(options), ErrorCode::invalid_argument);
   }
-  for (const double bad : {-1.0, std::nan(""), 501.0}) {
+  for (const double bad : {-0.5, std::nan(""), 501.0}) {
     ReadOptions options;
     options.smoothing_wavelength = bad;
     EXPECT_EQ(code_of(options), ErrorCode::invalid_argument);

@@ -96,7 +96,6 @@ void add_other_lines(std::vector<Variant>& all, ProfileKind kind) {
   Variant& noise = add("noise", noisy(points, 0.05));
   noise.warnings = {"the points scatter by 0.0"};
   noise.tolerance = 0.1;
-  noise.is_plain = true;
   std::vector<Position> there_and_back = points;
   const std::vector<Position> back = reversed(noisy(points, 0.01));
   there_and_back.insert(there_and_back.end(), back.begin() + 1, back.end());

@@ -1,0 +1,39 @@
+/// A scene with noisy profiles, and what their noise leaves uncertain (noise_spread.hpp).
+///
+/// Units mm, MPa. Thread rule: plain values.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "profile/curve.hpp"
+#include "scene/scene.hpp"
+
+namespace wrc {
+
+/// Of a wheel; none if it is not solved, or with none of the likely curves.
+struct WheelSpread {
+  std::optional<double> pmax{};
+  std::optional<double> area{};
+};
+
+struct SceneSpread {
+  std::optional<double> rolling_radius_difference{};
+  WheelSpread left;
+  WheelSpread right;
+};
+
+/// A scene with the equally likely curves of its profiles, and its spread once it was requested.
+struct NoisyScene {
+  using LikelyCurves = std::shared_ptr<const std::vector<Curve>>; ///< none: NULL
+
+  Scene scene;
+  LikelyCurves left_wheel;
+  LikelyCurves left_rail;
+  LikelyCurves right_wheel;
+  LikelyCurves right_rail;
+  std::optional<SceneSpread> spread{};
+};
+
+} // namespace wrc

@@ -1,0 +1,203 @@
+/// Largest pressures of wheels whose points have noise, against those of the points without it.
+///
+///   measure_noise [SAMPLES [FOLDER]]     default 5, and no measured wheels
+///
+/// FOLDER holds measured wheels in columns (tests/reference/profiles of the sources). Prints, for
+/// S1002 at y = 0, pmax with the smoothing wavelengths that a user might choose and with the
+/// automatic smoothing; for each wheel, noise and distance of points how often pmax is within 5 %
+/// of the truth and within the spread; and what the automatic smoothing changes of points that have
+/// no noise added.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "profile/noisy_points.hpp"
+#include "profile/readers.hpp"
+#include "profile/standard_profiles.hpp"
+#include "scene/solve_scene.hpp"
+
+namespace {
+
+using namespace wrc;
+using namespace wrc::test;
+
+struct Wheel {
+  std::string name;
+  Profile profile;
+};
+
+struct Pressure {
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  double spread = std::numeric_limits<double>::quiet_NaN();
+};
+
+Pressure pressure_of(const Profile& wheel, double lateral, double accuracy = 1e-2) {
+  Scene scene;
+  scene.left.wheel.name = scene.right.wheel.name = wheel.name;
+  scene.left.wheel.given = scene.right.wheel.given = std::make_shared<const Profile>(wheel);
+  scene.side = SideChoice::left;
+  scene.lateral = lateral;
+  scene.accuracy = accuracy;
+  SceneResult result = solve_scene(scene);
+  Pressure pressure;
+  pressure.largest = number_value(result, "left.pmax").value_or(pressure.largest);
+  pressure.spread = number_value(result, "left.spread.pmax").value_or(pressure.spread);
+  return pressure;
+}
+
+ReadOptions options_with(double smoothing, WheelOrigin origin) {
+  ReadOptions options;
+  options.kind = ProfileKind::wheel;
+  options.origin = origin;
+  options.smoothing_wavelength = smoothing;
+  return options;
+}
+
+Profile noisy(const Wheel& wheel, const Noise& noise, double smoothing) {
+  return profile_through(noisy_points(wheel.profile.curve, noise), "noisy",
+                         options_with(smoothing, WheelOrigin::tape))
+      .profile;
+}
+
+void print_wavelengths(const Wheel& wheel, int samples) {
+  constexpr double lengths[] = {0.0, 3.0, 5.0, 8.0, 15.0, automatic_smoothing};
+  std::printf("pmax of %s at y = 0, MPa, least and greatest of %d samples; truth %.0f\n",
+              wheel.name.c_str(), samples, pressure_of(wheel.profile, 0.0).largest);
+  std::printf("| noise, distance, mm | unsmoothed | 3 mm | 5 mm | 8 mm | 15 mm | automatic |\n"
+              "|---|---|---|---|---|---|---|\n");
+  for (const Noise& noise :
+       {Noise{0.005, 0.25}, Noise{0.02, 0.1}, Noise{0.02, 0.25}, Noise{0.02, 1.0}}) {
+    std::printf("| %g, %g |", noise.deviation, noise.spacing);
+    for (const double length : lengths) {
+      double least = HUGE_VAL;
+      double greatest = 0.0;
+      for (int i = 0; i < samples; ++i) {
+        Noise sample = noise;
+        sample.seed = static_cast<std::uint64_t>(i) + 1;
+        const double pmax = pressure_of(noisy(wheel, sample, length), 0.0).largest;
+        least = std::min(least, pmax);
+        greatest = std::max(greatest, pmax);
+      }
+      std::printf(" %.0f..%.0f |", least, greatest);
+      std::fflush(stdout);
+    }
+    std::printf("\n");
+  }
+}
+
+struct Counts {
+  int near = 0;   ///< within 5 % of the truth
+  int inside = 0; ///< or within the spread
+  int all = 0;
+  std::vector<double> widths;
+  std::vector<double> errors;
+
+  void add(const Counts& other) {
+    near += other.near;
+    inside += other.inside;
+    all += other.all;
+    widths.insert(widths.end(), other.widths.begin(), other.widths.end());
+    errors.insert(errors.end(), other.errors.begin(), other.errors.end());
+  }
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+Counts counts_of(const Wheel& wheel, const Noise& noise, int samples) {
+  constexpr double laterals[] = {0.0, -4.0, 3.0};
+  constexpr double near = 0.05;
+  Counts counts;
+  for (int i = 0; i < samples; ++i) {
+    Noise sample = noise;
+    sample.seed = static_cast<std::uint64_t>(i) + 1;
+    const Profile smoothed = noisy(wheel, sample, automatic_smoothing);
+    for (const double lateral : laterals) {
+      const double truth = pressure_of(wheel.profile, lateral).largest;
+      const Pressure found = pressure_of(smoothed, lateral);
+      const double error = std::abs(found.largest - truth);
+      counts.near += error < near * truth ? 1 : 0;
+      counts.inside += error < near * truth || error < found.spread ? 1 : 0;
+      ++counts.all;
+      counts.widths.push_back(found.spread / found.largest);
+      counts.errors.push_back(error / truth);
+    }
+  }
+  return counts;
+}
+
+void print_coverage(const std::vector<Wheel>& wheels, int samples) {
+  std::printf(
+      "\n| noise, distance, correlation, mm | wheel | within 5 %% | or within the spread | of "
+      "| median error | median spread |\n|---|---|---|---|---|---|---|\n");
+  Counts independent;
+  Counts correlated;
+  for (const Noise& noise : {Noise{0.005, 0.25}, Noise{0.02, 0.1}, Noise{0.02, 0.25},
+                             Noise{0.02, 1.0}, Noise{0.01, 0.2, 0.5}})
+    for (const Wheel& wheel : wheels) {
+      const Counts counts = counts_of(wheel, noise, samples);
+      (noise.correlation > 0.0 ? correlated : independent).add(counts);
+      std::printf("| %g, %g, %g | %s | %d | %d | %d | %.0f %% | %.0f %% |\n", noise.deviation,
+                  noise.spacing, noise.correlation, wheel.name.c_str(), counts.near, counts.inside,
+                  counts.all, 100.0 * median(counts.errors), 100.0 * median(counts.widths));
+      std::fflush(stdout);
+    }
+  for (const Counts* counts : {&independent, &correlated})
+    std::printf("%s noise: %d within 5 %%, %d within the spread, of %d\n",
+                counts == &independent ? "independent" : "correlated", counts->near, counts->inside,
+                counts->all);
+}
+
+/// What the automatic smoothing changes of points as they are.
+void print_changes(const std::vector<std::string>& files) {
+  std::printf(
+      "\n| file | pmax unsmoothed | automatic | change | spread |\n|---|---|---|---|---|\n");
+  for (const std::string& file : files) {
+    const auto pressure = [&file](double smoothing) {
+      const ReadOptions options = options_with(smoothing, WheelOrigin::by_file);
+      return pressure_of(read_profile(file, options).profile, 0.0, 1e-3);
+    };
+    const double raw = pressure(0.0).largest;
+    const Pressure found = pressure(automatic_smoothing);
+    std::printf("| %s | %.1f | %.1f | %.2f %% | %.1f |\n",
+                file.substr(file.find_last_of('/') + 1).c_str(), raw, found.largest,
+                100.0 * (found.largest / raw - 1.0), found.spread);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int samples = argc > 1 ? std::atoi(argv[1]) : 5;
+    std::vector<Wheel> wheels{{"S1002", standard_profile("S1002")},
+                              {"LMA", standard_profile("LMA")}};
+    print_wavelengths(wheels.front(), samples);
+    std::vector<std::string> files;
+    if (argc > 2) {
+      const std::string folder = std::string(argv[2]) + '/';
+      for (const char* name : {"Car7216_0001r", "left-wheel-v1-pre-dry"})
+        wheels.push_back(
+            {name, read_profile(folder + name + ".txt", options_with(0.0, WheelOrigin::by_file))
+                       .profile});
+      for (const char* name :
+           {"Car7216_0001r", "Car7358_0001r", "left-wheel-v1-pre-dry", "worn_high_mileage",
+            "S1002-Manchester", "whl_left_iter288", "avg_wheel"})
+        files.push_back(folder + name + ".txt");
+    }
+    print_coverage(wheels, samples);
+    print_changes(files);
+    return 0;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "measure_noise: %s\n", error.what());
+    return 1;
+  }
+}
