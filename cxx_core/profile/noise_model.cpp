@@ -12,8 +12,7 @@ namespace wrc {
 namespace {
 
 /// Lengths of correlated noise that are tried, mm.
-/// origin: reasoned: optical scanners average over 0.1 to 1 mm; what is longer is a wave that a
-/// wheel can have.
+/// origin: reasoned: optical scanners average over 0.1 to 1 mm; wheels have longer waves.
 constexpr std::array correlations{0.3, 0.6, 1.2, 2.4};
 /// Points farther apart, mm, have independent noise.
 /// origin: bound: keeps the band narrow; at the longest correlation a half is left there.
@@ -21,16 +20,13 @@ constexpr double uncorrelated_distance = 1.5;
 /// Noise is correlated if minus twice the logarithm of the likelihood falls by more than this.
 /// origin: reasoned: by chance it falls by 8 in one of 200 cases (chi squared of one freedom).
 constexpr double notable_gain = 8.0;
-
-/// What the intensities tend to where the data say nothing, mm^-3 and mm^-1, with the weight of so
-/// many values.
+/// Intensities where the data say nothing, mm^-3 and mm^-1; they count as this number of values.
 /// origin: measured (drivers/evidence/core/measure_noise.cpp): the treads of five wheels have 4e-7
 /// to 2e-4 and 1e-8 to 3e-4 at waves of 7 to 20 mm; 0.2 is less than one halved wave contributes.
 constexpr double usual_drift = 3e-6;
 constexpr double usual_waviness = 1e-5;
 constexpr double prior_count = 0.2;
-/// Half of the neighbourhood of the drift in halved waves, with bounds in mm; that of the waviness
-/// is twice as long.
+/// Half the neighbourhood of the drift in halved waves, bounds in mm; twice that for waviness.
 /// origin: measured (drivers/evidence/core/measure_noise.cpp): 0.75 to 1.2 waves make no difference
 /// among 300 samples; half as much leaves 91 instead of 96 of 100 truths within the spread.
 constexpr double neighbourhood = 1.0;
@@ -52,8 +48,7 @@ constexpr double influence_limit = 3.0 * 1.4826;
 /// origin: reasoned: intensities enter wavelengths by their sixth root.
 constexpr double settled_variance = 0.02;
 constexpr double settled_intensity = 0.2;
-/// Intensities to begin with, once with all scatter as noise and once with a share of it, and the
-/// least variance, mm^2.
+/// First intensities, with all scatter as noise and with a part of it; least variance, mm^2.
 /// origin: bound: changes no result that settles; 1e-10 mm is less than any rounding.
 constexpr double first_intensity = 1e-5;
 constexpr double rough_drift = 1.0;
@@ -178,8 +173,7 @@ template <std::size_t count> struct Combination {
   }
 };
 
-/// A component of the prior: independent values at equal distances, whose variance is
-/// intensity * unit.
+/// A component of the prior: independent values, equally spaced, of variance intensity * unit.
 struct Component {
   std::vector<double> intensity;
   double unit = 1.0;
@@ -338,8 +332,8 @@ private:
       component.known[j] = std::clamp(1.0 - sum.variance(covariance) / variance, 0.0, 1.0);
     }
   }
-  /// New intensities, halfway (in logarithms) to the ratio of the averages of squares and of what
-  /// is known over a neighbourhood; returns the largest change of their logarithms.
+  /// New intensities, halfway (in logarithms) to the ratio of two averages over a neighbourhood: of
+  /// squares and of `known`. Returns the largest change of their logarithms.
   [[nodiscard]] double average(Component& component, std::span<const double> half_lengths) const {
     const std::size_t count = component.intensity.size();
     std::vector<double> next(count);
@@ -440,7 +434,7 @@ Begin begin_smooth(const SplineBasis& basis, const OffsetData& data) {
           std::vector<double>(basis.intervals + 1, first_intensity)};
 }
 
-/// Little of what differs from point to point is noise.
+/// Takes little of the differences from point to point as noise.
 Begin begin_rough(const SplineBasis& basis, const OffsetData& data) {
   double square = 0.0;
   for (std::size_t i = 1; i < data.offset.size(); ++i)

@@ -30,8 +30,8 @@ constexpr double longest_step = 0.5;
 /// Intervals on each side of a guess that are searched.
 /// origin: reasoned: a curve over a gap of 10 mm may be 3 mm longer than its chord.
 constexpr int search_steps = 16;
-/// So many points at an end are none of the line if they are so far from the rest, mm and in median
-/// distances.
+/// Up to this number of points at an end do not belong to the line if they are this far from the
+/// rest, mm and in median distances.
 /// origin: measured: an averaged rail of the collection begins with a point 3.6 mm off its side.
 constexpr std::size_t most_lone = 4;
 constexpr double lone_distance = 2.0;

@@ -80,7 +80,7 @@ TEST(NoiseModel, OutliersLoseTheirWeight) {
   for (const std::size_t i : {60U, 80U, 100U, 120U, 140U})
     data.offset[i] += 0.02;
   const NoiseFit fit = fit_of(data);
-  EXPECT_LT(fit.deviation, 0.0016); // 0.0024 with weights of 1
+  EXPECT_LT(fit.deviation, 0.0016);             // 0.0024 with weights of 1
   EXPECT_LT(rms_error(fit, 15.0, 25.0), 0.005); // a quarter of the outlier among them
   const std::vector<double> weights = weights_of(std::vector<double>{0.1, -0.1, 0.1, 100.0, -0.1});
   EXPECT_EQ(weights[0], 1.0);

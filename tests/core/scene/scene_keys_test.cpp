@@ -69,7 +69,7 @@ TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
       {"pose.yaw", 3.0, "pose.yaw = 3: allowed is -0.2 to 0.2 rad"},
       // not a range alone: the value in mm beside the range in mm
       {"track.rail_smoothing", 3.0,
-       "= 3 (in mm, N, MPa, y left, z up: 3000): allowed is 0 (none) to 100 mm"},
+       "= 3 (in mm, N, MPa, y left, z up: 3000): allowed is \"auto\", or 0 (none) to 100 mm"},
   }};
   Scene scene;
   scene.convention.units = Units::si;
