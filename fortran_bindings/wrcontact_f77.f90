@@ -238,7 +238,7 @@ contains
     integer, intent(in) :: width
     type(wrc_read_options) :: reading
     reading = wrc_read_options(0, 0, 0, 0, 0, 0, 0, scale, smooth, 0, 0, 0, 0)
-    if (smooth .eq. 0) reading%smoothing_wavelength = smoothing_none
+    if (abs(smooth) .le. 0) reading%smoothing_wavelength = smoothing_none
     if (smooth .lt. 0) reading%smoothing_wavelength = smoothing_auto
     reading%struct_size = c_sizeof(reading)
     reading%kind = int(taken(ikind, width), c_int32_t)

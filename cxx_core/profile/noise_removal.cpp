@@ -1,7 +1,9 @@
 #include "profile/noise_removal.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -163,16 +165,26 @@ std::optional<std::vector<Position>> line_of(const Curve& reference, const Splin
   return line;
 }
 
-/// Normal numbers by Box and Muller, the same everywhere.
+/// Normal numbers by Box and Muller. They follow from the points: the same for equal profiles, and
+/// independent for different ones.
 class NormalNumbers {
 public:
+  explicit NormalNumbers(std::span<const Position> points) {
+    std::uint64_t hash = 14695981039346656037U; // of Fowler, Noll and Vo (FNV-1a)
+    for (const Position& point : points)
+      for (const double value : point)
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211U;
+    engine_.seed(hash);
+  }
   double operator()() {
-    return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * std::numbers::pi * uniform());
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    const double angle = 2.0 * std::numbers::pi * uniform();
+    return radius * std::cos(angle);
   }
 
 private:
   double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
-  std::mt19937_64 engine_{1};
+  std::mt19937_64 engine_;
 };
 
 } // namespace
@@ -196,7 +208,7 @@ NoiseRemoval remove_noise(std::span<const Position> points) {
   const NoiseFit fit = fit_again(from_second.basis, from_second.data, from_second.curvature, rough);
   NoiseRemoval result;
   result.points = line(second, fit);
-  NormalNumbers normal;
+  NormalNumbers normal(points);
   for (std::size_t i = 0; i < likely_lines; ++i)
     if (auto drawn = line_of(second, fit.basis, fit.draw(std::ref(normal))))
       result.likely.push_back(std::move(*drawn));

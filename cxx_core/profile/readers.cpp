@@ -88,7 +88,7 @@ std::string scatter_text(const reading::Scatter& scatter) {
          reading::fixed_text(scatter.pressure, 0) + " MPa to flatten";
 }
 
-/// Those of the lines that a curve can join; none: NULL.
+/// The lines as curves; NULL if a curve cannot join all of them.
 std::shared_ptr<const std::vector<Curve>>
 curves_through(const std::vector<std::vector<Position>>& lines) {
   std::vector<Curve> curves;
@@ -124,9 +124,12 @@ void smooth_by_noise(Profile& profile, const NoiseRemoval& clean, bool stated, L
 
 /// What the noise leaves uncertain, with or without a smoothing of the caller's own.
 void tell_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, double wavelength,
-                Log& log) {
+                bool stated, Log& log) {
   std::string text = scatter_text(scatter);
-  if (clean == nullptr)
+  if (clean == nullptr && wavelength > 0.0)
+    text += ": the waves that it needs to be halved are unknown, smoothing halves " +
+            text_of(wavelength) + " mm";
+  else if (clean == nullptr)
     text += ": not smoothed, pressures are those of the scatter";
   else if (wavelength == automatic_smoothing)
     text += ": smoothed automatically, " + waves_text(*clean) +
@@ -136,7 +139,10 @@ void tell_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, doub
             text_of(wavelength) + " mm; spread.pmax is what remains uncertain";
   else
     return;
-  log.advise(WarningClass::profile_noise, text);
+  if (clean == nullptr && !stated)
+    log.warn(WarningClass::profile_noise, text); // strict reading refuses it
+  else
+    log.advise(WarningClass::profile_noise, text);
 }
 
 /// Smooths if requested or needed, then joins the points. A fault there is one of the file's
@@ -162,7 +168,8 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
       smooth_by_noise(profile, *clean, options.smoothing_wavelength.has_value(), log);
     }
     if (scatter.matters())
-      tell_noise(scatter, clean ? &*clean : nullptr, wavelength, log);
+      tell_noise(scatter, clean ? &*clean : nullptr, wavelength,
+                 options.smoothing_wavelength.has_value(), log);
     profile.curve = curve_through(profile.points);
   } catch (const Error& error) {
     log.refuse(error.what());

@@ -56,7 +56,7 @@ TEST(RecentSurfaces, KeepsRecentlyUsedSurfaces) {
     source.dimensions.radius = radius;
     recent.get(source, [&] {
       ++made;
-      return RecentSurfaces<WheelSurface, WheelsetDimensions>::Entry{source, {}, {}, {}};
+      return RecentSurfaces<WheelSurface, WheelsetDimensions>::Entry{source, {}, {}, {}, {}};
     });
   };
   for (int i = 0; i < 8; ++i) {
