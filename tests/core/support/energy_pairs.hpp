@@ -130,7 +130,8 @@ inline EnergyErrors energy_errors(const Scene& scene) {
   WheelResult& wheel = *here.left;
   const CoordinateForces forces = forces_of(wheel, scene.yaw);
   const double amount = std::hypot(forces[0], forces[1]);
-  const ForceRates& reported = sensitivities_of(wheel)->force;
+  const auto rates = sensitivities_of(wheel);
+  const ForceRates& reported = rates->force;
   const std::array<const WheelForce*, 3> by{&reported.lateral, &reported.vertical, &reported.roll};
   std::array<CoordinateForces, 3> sensitivities{};
   for (std::size_t j = 0; j < 3; ++j) {
