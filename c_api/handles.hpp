@@ -225,7 +225,7 @@ template <class Handle> wrc_status create(Handle** handle) noexcept {
   *handle = nullptr;
   const DefaultFloatingPoint floating_point;
   try {
-    if constexpr (std::is_same_v<Handle, wrc_solver>) { // none of its solutions plans then
+    if constexpr (std::is_same_v<Handle, wrc_solver>) { // its solutions plan long lines only
       prepare_transforms();
     }
     // A handle is a number by design. NOLINTNEXTLINE(performance-no-int-to-ptr)

@@ -27,7 +27,8 @@ library=$package/libwrcontact.so.${version%%.*}
 # The libraries it needs, except those of the system that every Python needs itself.
 mkdir -p "$package/libraries" "$info/licenses"
 cp LICENSE "$info/licenses/wrcontact"
-cp /usr/share/common-licenses/{GPL-2,GPL-3,LGPL-2.1} "$info/licenses"
+cp packaging/debian/copyright "$info/licenses/copyright"
+cp /usr/share/common-licenses/{Apache-2.0,GPL-2,GPL-3,LGPL-2.1} "$info/licenses"
 declare -A renamed=()
 while read -r name _ path _; do
   [[ $path = /* && ! $name =~ ^(libc|libm|libgcc_s|libstdc\+\+|libpthread|libdl)\.so ]] || continue

@@ -30,10 +30,10 @@ done
 [ -n "$version" ] || usage "a version is required"
 built=$(sed -n 's/^project(wrcontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 [ "$version" = "$built" ] || usage "the sources are version $built (scripts/set_version.sh $version changes that)"
-heading="\[$version\]"
-if ! grep -q "^## $heading" CHANGELOG.md; then
+heading="[$version]"
+if ! grep -qF "## $heading" CHANGELOG.md; then
   [ "$dry" = yes ] || usage "CHANGELOG.md has no heading [$version]"
-  heading="\[Unreleased\]"
+  heading="[Unreleased]"
 fi
 if [ "$dry" = no ]; then
   [ -z "$(git status --porcelain)" ] || usage "there are files that are not committed"
@@ -46,11 +46,13 @@ rm -rf "$folder"
 mkdir -p "$folder/spack" "$folder/conda"
 git archive --prefix="wrcontact-$version/" HEAD | gzip -n9 >"$archive"
 sum=$(sha256sum "$archive" | cut -d' ' -f1)
+# shellcheck disable=SC2001 # an ampersand in a replacement of bash means the match, too
+address=$(sed 's/[&|\\]/\\&/g' <<<"${url:-file://$archive}")
 for recipe in spack/package.py conda/meta.yaml; do
-  sed -e "s|@VERSION@|$version|" -e "s|@SHA256@|$sum|" -e "s|@URL@|${url:-file://$archive}|" \
+  sed -e "s|@VERSION@|$version|" -e "s|@SHA256@|$sum|" -e "s|@URL@|$address|" \
     "packaging/$recipe" >"$folder/$recipe"
 done
-awk -v heading="^## $heading" '/^## / { inside = 0 } inside { print } $0 ~ heading { inside = 1 }' CHANGELOG.md |
+awk -v heading="## $heading" '/^## / { inside = 0 } inside { print } index($0, heading) == 1 { inside = 1 }' CHANGELOG.md |
   sed '/./,$!d' >"$folder/NOTES.md"
 [ -s "$folder/NOTES.md" ] || usage "CHANGELOG.md says nothing about $version"
 
@@ -84,7 +86,7 @@ cp build/wheelhouse/*.whl "$folder"
 sums=$(cd "$folder" && find . -type f -printf '%P\n' | sort | xargs sha256sum)
 echo "$sums" >"$folder/SHA256SUMS"
 if [ "$dry" = no ]; then
-  git tag -a "v$version" -m "wrcontact $version" -m "$(cat "$folder/NOTES.md")"
+  git tag -a --cleanup=whitespace "v$version" -m "wrcontact $version" -m "$(cat "$folder/NOTES.md")"
   echo "== tag v$version is made; git push origin v$version publishes it"
 fi
 ls -sh "$folder"

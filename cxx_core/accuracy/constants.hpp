@@ -1,9 +1,8 @@
 /// Constants of behaviour of this room: elements for a requested accuracy, and the error of a
 /// solution.
 ///
-/// Each with its
-/// origin: published (with author) or derived, bound, measured (with the program that measures it)
-/// or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with the program that
+/// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -166,10 +165,9 @@ inline constexpr double pressure_error_by_turn = 0.1;
 
 /// Elements of a wheel's grids of normal contact together, and of its grids of creep forces, that
 /// solve.element_limit permits by default.
-/// origin: bound: measured (random_scenes, posed_scenes): 1e-3 takes
-/// 5,900 in the median, 26,000 in 99 % and 46,000 at most on 519 random wheelsets with creep
-/// forces, 3e-4 takes 16,000 and 86,000 (worn and rough profiles among them). 100,000 take up
-/// to 1.2 s and 150 MB.
+/// origin: bound: measured (random_scenes, posed_scenes): 1e-3 takes 5,900 in the median, 26,000 in
+/// 99 % and 46,000 at most on 519 random wheelsets with creep forces, 3e-4 takes 16,000 and 86,000
+/// (worn and rough profiles among them). 100,000 take up to 1.2 s and 150 MB.
 inline constexpr double default_element_limit = 100000.0;
 
 } // namespace wrc

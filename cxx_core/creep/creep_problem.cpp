@@ -19,16 +19,12 @@ struct PatchFields {
   ProblemFields fields;
 };
 
-/// Pressures on a grid, scaled to this force together: at the centres of elements, or their means
-/// if the covered fractions are requested.
+/// Mean pressures of elements, scaled to this force together, and the fractions of them that
+/// contact covers.
 std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
-                                 double normal_force, std::vector<double>* covered) {
+                                 double normal_force, std::vector<double>& covered) {
   std::vector<double> result;
-  if (covered != nullptr) {
-    pressure.fill_means(grid, result, *covered);
-  } else {
-    pressure.fill(grid, result);
-  }
+  pressure.fill_means(grid, result, covered);
   const double force = std::accumulate(result.begin(), result.end(), 0.0) * grid.element_area();
   for (double& p : result) {
     p *= force > 0.0 ? normal_force / force : 0.0;
@@ -56,8 +52,8 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
     const Grid around = moved_grid(patch.grid, moved.elements);
     const SmoothPressure smooth(around, moved.pressure);
     PatchFields ahead{moved_around_contact(grid, smooth), {}};
-    ahead.fields.pressure = pressures_on(ahead.grid, smooth, moved.normal_force,
-                                         now.covered.empty() ? nullptr : &ahead.fields.covered);
+    ahead.fields.pressure =
+        pressures_on(ahead.grid, smooth, moved.normal_force, ahead.fields.covered);
     if (task.motion.twist) {
       const MovedContact contact(task.wheel, patch, *task.rates, position, step);
       const SlipGeometry geometry = contact.geometry(around, moved.pressure, task.request.slip);
@@ -149,9 +145,7 @@ CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(ta
   grid_ = creep.grid = chosen.grid;
   creep.elements_wanted = chosen.wanted;
   PatchFields now{grid_, {}};
-  const bool by_means = request.model == CreepModel::full;
-  now.fields.pressure =
-      pressures_on(grid_, pressure, patch.normal_force, by_means ? &now.fields.covered : nullptr);
+  now.fields.pressure = pressures_on(grid_, pressure, patch.normal_force, now.fields.covered);
   if (motion.twist) {
     rows_ = rows_on(wheel, patch, grid_, request.slip);
     now.fields.slip = slip_ = slip_beyond(*patch.slip, rows_, grid_, *motion.twist);
@@ -194,9 +188,7 @@ CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) con
     take_derivatives(solution, creep.derivatives.emplace());
   }
   take_facts(solution, creep);
-  if (request.model == CreepModel::full) {
-    creep.error_estimate = error_of_elements_ + creep_error_by_residual * solution.residual;
-  }
+  creep.error_estimate = error_of_elements_ + creep_error_by_residual * solution.residual;
   if (task_.motion.twist) {
     take_in_slip(task_, rows_, slip_, solution, creep);
   }

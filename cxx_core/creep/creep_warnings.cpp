@@ -3,6 +3,7 @@
 
 #include "accuracy/element_limit.hpp"
 #include "base/error.hpp"
+#include "creep/creep_elements.hpp"
 #include "creep/creep_forces.hpp"
 #include "records/wheel_result.hpp"
 
@@ -13,7 +14,7 @@ void warn_of_unlike_bodies(WheelResult& wheel, const CreepRequest& request) {
   if (request.material.difference_parameter == 0.0 || wheel.patches.empty()) {
     return;
   }
-  if (request.model != CreepModel::full) {
+  if (!on_own_pressures(request)) {
     wheel.warnings.push_back(
         {WarningClass::unlike_materials,
          "creep forces of unlike materials: this model leaves out that pressures and tractions "

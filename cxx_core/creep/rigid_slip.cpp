@@ -107,9 +107,8 @@ std::vector<SlipRow> slip_rows(const PosedPair& pair, const ContactFrame& frame,
     const auto values = pressure.subspan(row * grid.longitudinal_count, grid.longitudinal_count);
     return std::any_of(values.begin(), values.end(), [](double p) { return p > 0.0; });
   };
-  const double nearest = std::round(-grid.lateral_first / grid.lateral_step);
-  const auto middle = static_cast<std::size_t>(
-      std::clamp(nearest, 0.0, static_cast<double>(grid.lateral_count - 1)));
+  const std::size_t middle =
+      nearest_to_zero(grid.lateral_first, grid.lateral_step, grid.lateral_count);
   const auto sample = [&](std::size_t row, SlipRow& before) {
     if (is_loaded(row)) {
       before = sampler.sample(grid.lateral(row), before);

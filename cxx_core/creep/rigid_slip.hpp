@@ -83,8 +83,7 @@ SlipField slip_beyond(const SlipGeometry& geometry, const std::vector<SlipRow>& 
 /// A velocity of 1 along the normal.
 inline constexpr Twist along_the_normal{0.0, 0.0, 1.0, 0.0, 0.0, 0.0}; // not a tuning constant
 
-/// Force and moment from those at the plane's
-/// origin: their power is that of the creepages.
+/// Force and moment from those at the plane's origin; their power is that of the creepages.
 Wrench wrench_of(const CreepagesByTwist& by, const std::array<double, 3>& forces);
 /// What tractions on rows have beyond that, from the sums of their forces and moment: its power is
 /// that of the slip beyond creepages.

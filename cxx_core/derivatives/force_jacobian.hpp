@@ -27,8 +27,8 @@ struct WheelResult;
 /// needs.
 bool jacobian_is_known(const WheelResult& wheel);
 
-/// Jacobian of a wheel whose Jacobian is known, with the rates of its normal forces. Prescribed
-/// creepages stay fixed.
+/// The Jacobian of a wheel for which jacobian_is_known() holds, with the rates of its normal
+/// forces. Prescribed creepages stay fixed.
 ForceJacobian jacobian_of(const WheelResult& wheel, const WheelRates& rates);
 
 } // namespace wrc

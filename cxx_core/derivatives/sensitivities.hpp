@@ -20,7 +20,7 @@
 ///
 /// Units mm, N, MPa, rad: forces by N/mm and N/rad, moments by N and N mm/rad. Track frame,
 /// left-hand side. The right side is the left one of the mirrored pose (y, yaw, roll with the other
-/// sign, geometry/frames.hpp), see `mirrored`.
+/// sign, geometry/frames.hpp), see RollingFrame::mirrored.
 /// With both sides in the track frame the wheelset's matrix is their sum.
 /// Thread rule: pure functions, except that a solver keeps memory: it serves one thread at a time.
 /// Not known here: friction, inertia, changes of the set of elements.

@@ -11,10 +11,10 @@
 /// so neither changes them.
 /// Memory: FFTW ends the program if it gets none while it plans. So as much memory as it takes is
 /// requested before any planning and given back: if there is none, that is Error(out_of_memory). A
-/// line is planned when first needed and kept as long as the process; who must not plan later calls
-/// prepare_transforms first. Thread rule: planning takes a lock shared by the whole process, since
-/// only FFTW's execute is thread-safe; a host that plans by itself can have its own lock taken
-/// before it. One LineFft serves any number of threads at once, each with lines of its own.
+/// line is planned when first needed and kept as long as the process; code that must not plan later
+/// calls prepare_transforms first. Thread rule: planning takes a lock shared by the whole process,
+/// since only FFTW's execute is thread-safe; a host that plans by itself can have its own lock
+/// taken before it. One LineFft serves any number of threads at once, each with lines of its own.
 /// Fork rule: lock_for_fork before, unlock_after_fork in both processes after it.
 #pragma once
 

@@ -6,7 +6,9 @@
 /// that is plane strain, u = -2/(pi E*) integral p ln|y - y'| dy' (Johnson, Contact Mechanics,
 /// 1985, eq. 2.24a); the length sets the constant. Solved by conjugate gradients on the contact
 /// (Polonsky & Keer, Wear 231 (1999) 206-219, with the approach prescribed), sums by transforms.
-/// Units mm, N, MPa. Thread rule: a pure function. Not known here: where the strips lie.
+/// Units mm, N, MPa. Thread rule: a pure function, which plans transforms as
+/// half_space/fft.hpp says, and throws its Error(out_of_memory). Not known here: where the strips
+/// lie.
 #pragma once
 
 #include <span>

@@ -189,8 +189,8 @@ private:
 
 } // namespace
 
-NoiseRemoval remove_noise(std::span<const Position> points) {
-  points = without_lone_ends(points);
+NoiseRemoval remove_noise(std::span<const Position> all) {
+  const std::span<const Position> points = without_lone_ends(all);
   const std::vector<Position> smoothed = smooth_points(points, reference_wavelength);
   const Curve first = curve_through(thinned(smoothed, reference_spacing));
   const Offsets from_first = offsets_from(first, points, smoothed);
@@ -207,6 +207,7 @@ NoiseRemoval remove_noise(std::span<const Position> points) {
   from_second.data.weight = weights_of(from_second.data.offset);
   const NoiseFit fit = fit_again(from_second.basis, from_second.data, from_second.curvature, rough);
   NoiseRemoval result;
+  result.lone_ends = all.size() - points.size();
   result.points = line(second, fit);
   NormalNumbers normal(points);
   for (std::size_t i = 0; i < likely_lines; ++i)

@@ -2,11 +2,12 @@
 ///
 /// noise_model.hpp is fitted to the points' distances from a reference along its normals: first
 /// from smoothed points, then from the first result. The likely lines are drawn from what the data
-/// leave open: results that differ from line to line are uncertain by so much. They are the same
-/// each time. Units mm. Does not know: kinks, which are rounded over a short wave; outliers. Thread
-/// rule: no state.
+/// leave open: the scatter of a result from line to line is its uncertainty. Equal points give
+/// equal lines, different points independent ones. Units mm. Does not know: kinks, which are
+/// rounded over a short wave; outliers. Thread rule: no state.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace wrc {
 struct NoiseRemoval {
   std::vector<Position> points;              ///< at equal arcs
   std::vector<std::vector<Position>> likely; ///< lines that are equally likely
+  std::size_t lone_ends = 0;                 ///< points at the ends that were left out
   double deviation = 0.0;                    ///< of the noise, mm
   double correlation = 0.0;                  ///< its length, mm; 0: independent from point to point
   /// Waves that are halved, mm: a tenth of the profile halves shorter, a tenth longer ones.

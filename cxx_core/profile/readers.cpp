@@ -115,6 +115,9 @@ std::optional<NoiseRemoval> noise_removed_from(std::span<const Position> points)
 /// Replaces the points by the line that their noise leaves.
 void smooth_by_noise(Profile& profile, const NoiseRemoval& clean, bool stated, Log& log) {
   profile.points = clean.points;
+  if (clean.lone_ends > 0)
+    log.note("points left out at the ends, far from the others: " +
+             std::to_string(clean.lone_ends));
   const std::string text = "smoothed automatically: " + waves_text(clean) + " are halved";
   if (stated || clean.long_wave < wave_of_wheels)
     log.note(text);
@@ -123,8 +126,8 @@ void smooth_by_noise(Profile& profile, const NoiseRemoval& clean, bool stated, L
 }
 
 /// What the noise leaves uncertain, with or without a smoothing of the caller's own.
-void tell_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, double wavelength,
-                bool stated, Log& log) {
+void report_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, double wavelength,
+                  Log& log) {
   std::string text = scatter_text(scatter);
   if (clean == nullptr && wavelength > 0.0)
     text += ": the waves that it needs to be halved are unknown, smoothing halves " +
@@ -139,10 +142,7 @@ void tell_noise(const reading::Scatter& scatter, const NoiseRemoval* clean, doub
             text_of(wavelength) + " mm; spread.pmax is what remains uncertain";
   else
     return;
-  if (clean == nullptr && !stated)
-    log.warn(WarningClass::profile_noise, text); // strict reading refuses it
-  else
-    log.advise(WarningClass::profile_noise, text);
+  log.advise(WarningClass::profile_noise, text);
 }
 
 /// Smooths if requested or needed, then joins the points. A fault there is one of the file's
@@ -168,8 +168,7 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
       smooth_by_noise(profile, *clean, options.smoothing_wavelength.has_value(), log);
     }
     if (scatter.matters())
-      tell_noise(scatter, clean ? &*clean : nullptr, wavelength,
-                 options.smoothing_wavelength.has_value(), log);
+      report_noise(scatter, clean ? &*clean : nullptr, wavelength, log);
     profile.curve = curve_through(profile.points);
   } catch (const Error& error) {
     log.refuse(error.what());

@@ -1,8 +1,7 @@
 /// Constants of behaviour of this room: tangential contact.
 ///
-/// Each with its
-/// origin: published (with author) or derived, bound, measured (with the program that measures it)
-/// or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with the program that
+/// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>

@@ -100,7 +100,10 @@ SceneSpread spread_from(const NoisyScene& noisy, const Numbers& centre) {
           ++counts[i];
         }
       }
-    } catch (const Error&) { // a line that does not touch the rail, say
+    } catch (const Error& error) { // a line that does not touch the rail, say
+      if (error.code() == ErrorCode::out_of_memory) {
+        throw;
+      }
     }
   }
   const auto spread = [&](std::size_t i) {

@@ -12,7 +12,8 @@
 
 namespace wrc {
 
-/// Of a wheel; none if it is not solved, or with none of the likely curves.
+/// Spreads of a wheel's results; none if it is not solved, or if too few likely curves give a
+/// solution.
 struct WheelSpread {
   std::optional<double> pmax{};
   std::optional<double> area{};

@@ -163,8 +163,8 @@ void add_side_names(std::vector<std::string>& names, const std::string& prefix, 
   if (side.solved) {
     add_names(names, prefix + "residuals.", residual_numbers);
   }
-  // Results of solutions that have not converged may be not-a-number; others are not computed for a
-  // name.
+  // Results of solutions that have not converged may be not-a-number. Others are not computed for a
+  // name, but spreads are: they may be missing.
   const bool converged = side.stop_reason == StopReason::tolerance_met;
   if (side.solved && !side.patches.empty() && !side.validity &&
       ((converged && side.depth > 0.0) || side.sensitivities() != nullptr)) {

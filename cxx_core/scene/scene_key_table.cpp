@@ -73,12 +73,13 @@ Key smoothing_key(std::string_view name, std::string_view meaning, ProfileChoice
     }
   };
   key.set_text = [choice, sides](Scene& scene, std::string_view value) {
-    for (SceneSide Scene::*side : sides) {
-      if (value == "auto") {
-        ((scene.*side).*choice).smoothing.reset();
-      }
+    if (value != "auto") {
+      return false;
     }
-    return value == "auto";
+    for (SceneSide Scene::*side : sides) {
+      ((scene.*side).*choice).smoothing.reset();
+    }
+    return true;
   };
   return key;
 }

@@ -5,7 +5,7 @@
 /// one vertical approach: sum of cos(angle) N(depth) = F. The depth is the root of that for the
 /// patches found at a depth, and patches are found again until it stays. Lowering the wheel moves
 /// no strip, so the slide of a sinking wheel along the tangent is in it. The result is that of a
-/// half-space solution (wheel/wheel_solution.hpp) with figures from the model in closed form;
+/// half-space solution (records/wheel_solution.hpp) with figures from the model in closed form;
 /// pressures are sampled at the element centres of a modest grid, or of the one given. Nothing is
 /// kept between calls. Units mm, N, MPa, rad; left-hand frame of the side. Thread rule: a pure
 /// function. Not known here: that patches displace each other; how far off the model is (validity

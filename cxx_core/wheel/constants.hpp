@@ -1,8 +1,7 @@
 /// Constants of behaviour of this room: one wheel, from the first depth to its result.
 ///
-/// Each with its
-/// origin: published (with author) or derived, bound, measured (with the program that measures it)
-/// or reasoned. `scripts/list_constants.sh` prints them all.
+/// Each with its origin: published (with author) or derived, bound, measured (with the program that
+/// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
 #pragma once
 
 #include <cstddef>
@@ -52,8 +51,8 @@ inline constexpr double smooth_position_share = 2e-3;
 inline constexpr double max_rounding = 0.1;
 
 /// Fraction of the accuracy above which position rounding raises a warning.
-/// origin: derived: the rest of share_of_law and iteration_share. With the whole accuracy pmax of a
-/// flange under 1e-5 N is 1.15e-3 off without a warning (wrc_extremes).
+/// origin: derived: what share_of_law and iteration_share leave of it. With the whole accuracy pmax
+/// of a flange under 1e-5 N is 1.15e-3 off without a warning (wrc_extremes).
 inline constexpr double warned_rounding = 1.0 - share_of_law - iteration_share;
 
 /// A point is on the tip of the flange if the wheel falls by this much more steeply between it and
@@ -161,7 +160,7 @@ inline constexpr std::size_t max_elements_ratio = 16;
 /// origin: measured (compare_stress): errors up to 2.5 times as large, on crests.
 inline constexpr double stress_error_by_crest = 2.5;
 
-/// Points along and depths of a section of stresses, ... About the number in CONTACT's own
+/// Points along a section of stresses, and its depths below. About the number in CONTACT's own
 /// examples: the size of a picture, not a tuning constant.
 inline constexpr std::size_t section_places = 100;
 inline constexpr std::size_t section_depths = 60;

@@ -7,7 +7,7 @@
 ///     an area and a grid of its own, are solved together (mechanics/normal_contact.hpp) on few
 ///     elements: this coarse solution finds the depth;
 ///  3. planes, grids and undeformed distance at the depth found, and the final solution on the
-///  elements that the accuracy needs (accuracy/resolution.hpp);
+///     elements that the accuracy needs (accuracy/resolution.hpp);
 ///  4. with accuracy of pressures, the largest one from a finer section
 ///     (accuracy/peak_section.hpp).
 /// Nothing is kept from one solution to the next, so the result depends on the scene alone. Grids

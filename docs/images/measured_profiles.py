@@ -56,7 +56,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pictures if len(sys.argv) > 2 else Path(scratch)
         for name, text, options in (
-                ("measured_wheel.csv", measured_wheel(program), ["--kind", "wheel", "--smooth", "5"]),
+                ("measured_wheel.csv", measured_wheel(program), ["--kind", "wheel"]),
                 ("whole_rail.txt", whole_rail(program), ["--kind", "rail"])):
             (folder / name).write_text(text, newline="")
             picture = pictures / (Path(name).stem + ".png")

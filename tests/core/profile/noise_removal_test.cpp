@@ -119,6 +119,7 @@ TEST(NoiseRemoval, APointFarFromItsEndIsLeftOut) {
   const NoiseRemoval clean = remove_noise(points);
   EXPECT_NEAR(clean.deviation, 0.005, 0.001);
   EXPECT_NEAR(clean.points.front()[0], -70.0, 0.1);
+  EXPECT_EQ(clean.lone_ends, 1U);
 }
 
 } // namespace

@@ -224,6 +224,22 @@ TEST(Readers, StrictModeWantsTheSmoothingOfNoiseStated) {
   }
 }
 
+TEST(Readers, PointsLeftOutAtTheEndsAreReported) {
+  const ReadResult read = read_rows("-73.6 9.45\n" + wheel_rows_with(2), wheel_options());
+  EXPECT_TRUE(std::ranges::any_of(read.corrections, [](const std::string& text) {
+    return contains(text, "left out at the ends, far from the others: 1");
+  }));
+}
+
+/// Eight points with a gap in the middle scatter, but are too few for the noise to be found.
+TEST(Readers, NoiseThatCannotBeFoundIsReported) {
+  const std::string rows = "-8 0\n-6.5 0.3\n-5 0\n-3.5 0.3\n8 0\n9.5 0.3\n11 0\n12.5 0.3\n";
+  ReadOptions options = wheel_options();
+  EXPECT_TRUE(warns_of_noise(read_rows(rows, options), "not smoothed"));
+  options.smoothing_wavelength = 5.0;
+  EXPECT_TRUE(warns_of_noise(read_rows(rows, options), "smoothing halves 5 mm"));
+}
+
 /// A wavelength that leaves noise is reported, with those that would not.
 TEST(Readers, TooShortASmoothingIsReported) {
   const std::string rows = wheel_rows_with(2);

@@ -62,7 +62,7 @@ TEST(NoiseSpread, FollowsTheNoise) {
   EXPECT_TRUE(std::isnan(number(none, "left.spread.pmax")));
 }
 
-/// The spread of a wavelength that is too short tells so.
+/// A wavelength that is too short leaves a spread that holds the truth.
 TEST(NoiseSpread, CountsASmoothingThatIsTooShort) {
   SceneResult result = solve_scene(scene_with(noisy_wheel({0.02, 0.25, 0.0, 1}, 3.0)));
   EXPECT_GT(number(result, "left.pmax"), 1.3 * true_pmax);
@@ -89,6 +89,28 @@ TEST(NoiseSpread, RollingRadiiHaveOne) {
   EXPECT_LT(spread, 0.5);
   EXPECT_NEAR(number(result, "rolling_radius_difference"),
               number(truth, "rolling_radius_difference"), spread);
+}
+
+/// At y = 0 the same wheel on both sides leaves nothing uncertain; two wheels that were measured
+/// apart do, by the root of two times what one leaves.
+TEST(NoiseSpread, WheelsOfDifferentFilesVaryIndependently) {
+  const Profile first = noisy_wheel({0.02, 0.25, 0.0, 1}, automatic_smoothing);
+  const Profile second = noisy_wheel({0.02, 0.25, 0.0, 2}, automatic_smoothing);
+  Scene scene = scene_with(first);
+  SceneResult same = solve_scene(scene);
+  EXPECT_LT(number(same, "spread.rolling_radius_difference"), 1e-9);
+  scene.right.wheel.given = std::make_shared<const Profile>(second);
+  SceneResult apart = solve_scene(scene);
+  EXPECT_GT(number(apart, "spread.rolling_radius_difference"), 0.05);
+}
+
+TEST(NoiseSpread, OfTooFewLinesThereIsNone) {
+  Profile wheel = noisy_wheel({0.02, 0.25, 0.0, 1}, automatic_smoothing);
+  for (const std::size_t count : {6U, 7U}) {
+    wheel.likely = std::make_shared<const std::vector<Curve>>(count, wheel.curve);
+    SceneResult result = solve_scene(scene_with(wheel));
+    EXPECT_EQ(std::isnan(number(result, "left.spread.pmax")), count < 7U);
+  }
 }
 
 /// Ten likely curves that are all the profile itself leave nothing uncertain.
