@@ -4,54 +4,101 @@
 
 #include "batch.hpp"
 #include "scene/patch_summary.hpp"
+#include "scene/static_equilibrium.hpp"
 #include "scene/vehicle_step.hpp"
 
 namespace {
 
-/// The arrays of a step, for one wheelset after the other; some may be null.
+/// Sizes that the arguments of a step have had or may have.
+bool is_struct_size(uint64_t size) {
+  constexpr uint64_t least = sizeof(wrc_step_arguments); // of the version that introduced them
+  constexpr uint64_t most = 4096;                        // more is no size of a struct
+  return size >= least && size <= most && size % 8 == 0;
+}
+
+/// The arguments that caller and library know; of none, none.
+wrc_step_arguments known_part(const wrc_step_arguments* given) {
+  wrc_step_arguments known{};
+  if (given != nullptr) {
+    if (!is_struct_size(given->struct_size)) {
+      wrc::throw_invalid_argument("struct_size", static_cast<double>(given->struct_size),
+                                  "sizeof(wrc_step_arguments)");
+    }
+    std::memcpy(&known, given, sizeof known);
+  }
+  return known;
+}
+
+wrc_step_arguments classic_arguments(const double* rails, double* by_position, double* by_velocity,
+                                     int32_t* states) {
+  wrc_step_arguments arguments{};
+  arguments.struct_size = sizeof arguments;
+  arguments.rails = rails;
+  arguments.by_position = by_position;
+  arguments.by_velocity = by_velocity;
+  arguments.states = states;
+  return arguments;
+}
+
+/// The arrays of a step, for one wheelset after the other.
 struct StepArrays {
   const double* positions;
   const double* velocities;
-  const double* rails;
   double* forces;
-  double* by_positions;
-  double* by_velocities;
-  int32_t* states;
+  wrc_step_arguments optional;
 
   [[nodiscard]] bool are_complete() const {
     return positions != nullptr && velocities != nullptr && forces != nullptr;
   }
   [[nodiscard]] wrc::VehicleState state(std::size_t wheelset) const {
-    const auto six = [wheelset](const double* values) {
-      wrc::SixNumbers numbers;
-      std::copy_n(values + 6 * wheelset, 6, numbers.begin());
-      return numbers;
+    const auto numbers = [wheelset]<std::size_t count>(const double* values,
+                                                       std::array<double, count> to) {
+      std::copy_n(values + count * wheelset, count, to.begin());
+      return to;
     };
-    wrc::VehicleState state{six(positions), six(velocities), {}, false};
-    if (rails != nullptr) {
-      state.rails = six(rails);
+    const wrc::SixNumbers six{};
+    wrc::VehicleState state;
+    state.position = numbers(positions, six);
+    if (velocities != nullptr) {
+      state.velocity = numbers(velocities, six);
     }
-    state.derivatives = by_positions != nullptr || by_velocities != nullptr;
+    if (optional.rails != nullptr) {
+      state.rails = numbers(optional.rails, six);
+    }
+    if (optional.rail_velocities != nullptr) {
+      state.rail_velocities = numbers(optional.rail_velocities, six);
+    }
+    if (optional.curvature != nullptr) {
+      state.curvature = optional.curvature[wheelset];
+    }
+    if (optional.friction != nullptr) {
+      state.friction = numbers(optional.friction, std::array<double, 2>{});
+    }
+    state.derivatives = optional.by_position != nullptr || optional.by_velocity != nullptr ||
+                        optional.by_rail != nullptr || optional.by_rail_velocity != nullptr;
     return state;
   }
   void put(std::size_t wheelset, const std::array<wrc::WheelForces, 2>& wheels) const {
-    double* force = forces + 12 * wheelset;
-    double* by_position = by_positions == nullptr ? nullptr : by_positions + 72 * wheelset;
-    double* by_velocity = by_velocities == nullptr ? nullptr : by_velocities + 72 * wheelset;
-    const auto append = [](double*& to, const wrc::SixNumbers& numbers) {
-      if (to != nullptr) {
-        to = std::copy(numbers.begin(), numbers.end(), to);
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+      const std::size_t wheel = 2 * wheelset + i;
+      const wrc::WheelForces& found = wheels[i];
+      std::copy(found.force.begin(), found.force.end(), forces + 6 * wheel);
+      put_columns(optional.by_position, wheel, found.by_position);
+      put_columns(optional.by_velocity, wheel, found.by_velocity);
+      put_columns(optional.by_rail, wheel, found.by_rail);
+      put_columns(optional.by_rail_velocity, wheel, found.by_rail_velocity);
+      if (optional.states != nullptr) {
+        optional.states[wheel] = found.state;
       }
-    };
-    for (std::size_t i = 0; states != nullptr && i < wheels.size(); ++i) {
-      states[2 * wheelset + i] = wheels[i].state;
     }
-    for (const wrc::WheelForces& wheel : wheels) {
-      append(force, wheel.force);
-      for (std::size_t i = 0; i < 6; ++i) {
-        append(by_position, wheel.by_position[i]);
-        append(by_velocity, wheel.by_velocity[i]);
-      }
+  }
+
+private:
+  template <std::size_t count>
+  static void put_columns(double* to, std::size_t wheel,
+                          const std::array<wrc::SixNumbers, count>& columns) {
+    for (std::size_t i = 0; to != nullptr && i < count; ++i) {
+      std::copy(columns[i].begin(), columns[i].end(), to + 6 * (count * wheel + i));
     }
   }
 };
@@ -73,28 +120,47 @@ wrc_status step(wrc::SolverObject& solver, wrc::SceneObject& scene, const StepAr
 
 extern "C" {
 
-wrc_status wrc_solver_step(wrc_solver* solver, wrc_scene* scene, const double* position,
-                           const double* velocity, const double* rails, double* force,
-                           double* by_position, double* by_velocity, int32_t* states) {
+wrc_status wrc_solver_step_with(wrc_solver* solver, wrc_scene* scene, const double* position,
+                                const double* velocity, const wrc_step_arguments* arguments,
+                                double* force) {
   return wrc::guard(solver, [&](wrc::SolverObject& object) {
     return wrc::with_scene(object, scene, [&](wrc::SceneObject& posed) {
       wrc::require_pointer(position, "position");
       wrc::require_pointer(velocity, "velocity");
       wrc::require_pointer(force, "force");
-      return step(object, posed,
-                  {position, velocity, rails, force, by_position, by_velocity, states}, 0);
+      return step(object, posed, {position, velocity, force, known_part(arguments)}, 0);
     });
   });
+}
+
+wrc_status wrc_solver_step(wrc_solver* solver, wrc_scene* scene, const double* position,
+                           const double* velocity, const double* rails, double* force,
+                           double* by_position, double* by_velocity, int32_t* states) {
+  const wrc_step_arguments arguments = classic_arguments(rails, by_position, by_velocity, states);
+  return wrc_solver_step_with(solver, scene, position, velocity, &arguments, force);
 }
 
 wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* scenes, int64_t count,
                           int32_t threads, const double* positions, const double* velocities,
                           const double* rails, double* forces, double* by_positions,
                           double* by_velocities, int32_t* states, wrc_status* statuses) {
-  const StepArrays arrays{positions,    velocities,    rails, forces,
-                          by_positions, by_velocities, states};
+  const wrc_step_arguments arguments =
+      classic_arguments(rails, by_positions, by_velocities, states);
+  return wrc_step_batch_with(solvers, scenes, count, threads, positions, velocities, &arguments,
+                             forces, statuses);
+}
+
+wrc_status wrc_step_batch_with(wrc_solver* const* solvers, wrc_scene* const* scenes, int64_t count,
+                               int32_t threads, const double* positions, const double* velocities,
+                               const wrc_step_arguments* arguments, double* forces,
+                               wrc_status* statuses) {
   if (!wrc::is_permitted_batch(count, threads) ||
-      (count > 0 && (solvers == nullptr || scenes == nullptr || !arrays.are_complete()))) {
+      (count > 0 && (solvers == nullptr || scenes == nullptr)) ||
+      (arguments != nullptr && !is_struct_size(arguments->struct_size))) {
+    return WRC_INVALID_ARGUMENT;
+  }
+  const StepArrays arrays{positions, velocities, forces, known_part(arguments)};
+  if (count > 0 && !arrays.are_complete()) {
     return WRC_INVALID_ARGUMENT;
   }
   try {
@@ -115,6 +181,42 @@ wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* scenes, 
   } catch (...) {
     return WRC_OUT_OF_MEMORY;
   }
+}
+
+wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t kind,
+                                  const double* loads, const double* velocity,
+                                  const wrc_step_arguments* arguments, double* position,
+                                  double* force) {
+  return wrc::guard(solver, [&](wrc::SolverObject& object) {
+    return wrc::with_scene(object, scene, [&](wrc::SceneObject& posed) {
+      wrc::require_pointer(loads, "loads");
+      wrc::require_pointer(position, "position");
+      wrc::require_pointer(force, "force");
+      if (kind != WRC_LOADS_OF_WHEELS && kind != WRC_LOAD_OF_AXLE) {
+        wrc::throw_invalid_argument("kind", kind, "WRC_LOADS_OF_WHEELS or WRC_LOAD_OF_AXLE");
+      }
+      const StepArrays arrays{position, velocity, force, known_part(arguments)};
+      const wrc::VehicleState state = arrays.state(0);
+      const wrc::StaticLoads carried{kind == WRC_LOAD_OF_AXLE ? wrc::LoadsOf::axle
+                                                              : wrc::LoadsOf::wheels,
+                                     {loads[0], loads[1]}};
+      wrc::StaticEquilibrium found =
+          wrc::find_static_equilibrium(posed.scene, state, carried, object.solver);
+      const auto forces =
+          wrc::wheel_forces(found.result, posed.scene.convention, state.derivatives);
+      wrc_status status = posed.take_result(std::move(found.result));
+      if (status == WRC_OK && !found.converged) {
+        posed.error = "the loads are met within " + wrc::short_text_of(found.unbalanced) +
+                      " of themselves only";
+        status = WRC_NOT_CONVERGED;
+      }
+      arrays.put(0, forces);
+      position[2] = found.vertical;
+      position[3] = found.roll;
+      posed.scene = std::move(found.scene);
+      return status;
+    });
+  });
 }
 
 wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_t patch,

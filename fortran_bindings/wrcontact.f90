@@ -24,7 +24,7 @@
 !> compiler and version.
 module wrcontact
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funptr, &
-    c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
   use, intrinsic :: iso_fortran_env, only: real64
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   implicit none
@@ -54,6 +54,8 @@ module wrcontact
   !> Kinds of profiles.
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1
+  integer, parameter, public :: wrc_loads_of_wheels = 0
+  integer, parameter, public :: wrc_load_of_axle = 1
   !> Where a wheel's file has lateral 0, and which points of a profile are requested.
   integer, parameter, public :: wrc_origin_tape = 1
   integer, parameter, public :: wrc_origin_flange_back = 2
@@ -192,10 +194,14 @@ module wrcontact
     procedure :: create => solver_create
     !> solve(scene): as scene%solve(), faster: it keeps profiles, tables and plans.
     procedure :: solve => solver_solve
-    !> step(scene, q, v, f, stat, errmsg, dfdq, dfdv, rails, patches, patch_count, states): one evaluation
-    !> of a wheelset; positions q(6) and velocities v(6) in, forces f(6, 2) of the left and the right
-    !> wheel out; see wrc_solver_step in wrcontact.h.
+    !> step(scene, q, v, f, stat, errmsg, dfdq, dfdv, rails, patches, patch_count, states,
+    !> rail_velocities, curvature, friction, dfdr, dfdrv): one evaluation of a wheelset; positions q(6)
+    !> and velocities v(6) in, forces f(6, 2) of the left and the right wheel out; see
+    !> wrc_solver_step_with in wrcontact.h.
     procedure :: step => solver_step
+    !> equilibrium(scene, kind, loads, q, f, v, ...): height and roll, q(3) and q(4), at which a
+    !> wheelset carries loads(2); see wrc_solver_equilibrium in wrcontact.h. The others as in step.
+    procedure :: equilibrium => solver_equilibrium
     !> creep(scene, patch, creepages, forces, stat, errmsg, by_creepage): creep forces of a patch at
     !> creepages of the program's own; see wrc_solver_creep in wrcontact.h.
     procedure :: creep => solver_creep

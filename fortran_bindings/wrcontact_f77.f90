@@ -61,6 +61,18 @@
 !        wheelset's centre; IDERIV 1: DFDQ(6,6,2), DFDV(6,6,2), of F(I,K)
 !        by Q(J), V(J), 0: neither; ISTATE(2): 1 lifted + 2 flange tip
 !        + 4 chamfer + 8 beyond yield
+!   WRCVEX(SOLVER, SCENE, Q, V, IOPT, OPT, F, DFDQ, DFDV, DFDR, DFDW,
+!          ISTATE, IERR)
+!        WRCVEH with more arguments: OPT(15): rails(3,2), their rates
+!        (3,2), curvature of the track, friction of the left and the
+!        right wheel; IOPT(1) to IOPT(4) 1: uses them, 0: as in the
+!        scene; IOPT(5) 1: DFDQ, DFDV, and DFDR(6,3,2), DFDW(6,3,2), of
+!        F(I,K) by displacement J of rail K and by its rate
+!   WRCEQL(SOLVER, SCENE, IKIND, LOADS, IVEL, V, IOPT, OPT, Q, F, DFDQ,
+!          DFDV, DFDR, DFDW, ISTATE, IERR)
+!        static equilibrium: Q(3) and Q(4) at which the wheels carry
+!        LOADS(2): IKIND 0: of the left and the right wheel; 1: of the
+!        axle, and moment about x. IVEL 1: V(6), 0: as in the scene
 !   WRCPAT(SCENE, PATCH, LENP, N, IERR)
 !        patches: N of them, PATCH(22,LENP) if LENP is at least N;
 !        otherwise N only. The first 22 members of wrc_patch in
@@ -166,6 +178,48 @@ contains
       address = c_null_ptr
     end if
   end subroutine look
+
+  ! Those of a solver and a scene.
+  subroutine look_both(solver, scene, address, other, width, status)
+    integer(c_int64_t), intent(in) :: solver, scene
+    type(c_ptr), intent(out) :: address, other
+    integer, intent(out) :: width
+    integer(c_int32_t), intent(out) :: status
+    integer :: kind, width2
+    call look(solver, solver_mark, address, kind, width, status)
+    if (status .ne. 0) return
+    call look(scene, scene_mark, other, kind, width2, status)
+    if (width2 .ne. width) status = 1
+  end subroutine look_both
+
+  ! Further arguments of a step: see WRCVEX.
+  function more_arguments(iopt, opt, dfdq, dfdv, dfdr, dfdw, states, width) result(arguments)
+    integer(c_int32_t), intent(in) :: iopt(*)
+    real(c_double), intent(in), target :: opt(15)
+    real(c_double), intent(in), target :: dfdq(*), dfdv(*), dfdr(*), dfdw(*)
+    integer(c_int32_t), intent(in), target :: states(2)
+    integer, intent(in) :: width
+    type(wrc_step_arguments) :: arguments
+    arguments = wrc_step_arguments(0, c_null_ptr, c_null_ptr, c_null_ptr, c_null_ptr, c_null_ptr, &
+      c_null_ptr, c_null_ptr, c_null_ptr, c_null_ptr)
+    arguments%struct_size = c_sizeof(arguments)
+    if (wanted(1)) arguments%rails = c_loc(opt(1))
+    if (wanted(2)) arguments%rail_velocities = c_loc(opt(7))
+    if (wanted(3)) arguments%curvature = c_loc(opt(13))
+    if (wanted(4)) arguments%friction = c_loc(opt(14))
+    if (wanted(5)) then
+      arguments%by_position = c_loc(dfdq)
+      arguments%by_velocity = c_loc(dfdv)
+      arguments%by_rail = c_loc(dfdr)
+      arguments%by_rail_velocity = c_loc(dfdw)
+    end if
+    arguments%states = c_loc(states)
+  contains
+    logical function wanted(i)
+      integer, intent(in) :: i
+      wanted = taken(iopt(1 + (i - 1)*width/4), width) .eq. 1
+    end function wanted
+  end function more_arguments
 
   ! The caller's integer of 4 or 8 bytes.
   integer(c_int64_t) function taken(number, width)

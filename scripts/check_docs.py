@@ -264,7 +264,7 @@ def f77_rows():
             # Integers of either width are all declared as arrays.
             kind = {"integer*4": "INTEGER", "type(contact_patch)": "REAL*8"}.get(
                 declared.group(1), declared.group(1).upper())
-            lists = {"ids": " (*)", "counts": " (*)", "istate": " (2)", "patch": " (22,*)"}
+            lists = {"ids": " (*)", "counts": " (*)", "istate": " (2)", "iopt": " (5)", "patch": " (22,*)"}
             for name, array in re.findall(r"(\w+)(\([^)]*\))?", declared.group(2)):
                 if name in current and name not in literals:
                     shape = lists.get(name, "" if kind == "INTEGER" or not array else " " + array)

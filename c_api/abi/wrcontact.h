@@ -3,24 +3,25 @@
  * wrcontact: where and how hard wheels press on rails.
  *
  * From wheel and rail profiles, track, wheelset position and load this library finds the contact
- * points of both wheels and the patches around them, samples the undeformed distance on an equally
- * spaced grid in the plane of each patch, and solves the non-Hertzian normal contact of elastic
- * half-spaces for all patches of a wheel together.
+ * points of both wheels and the patches around them. It samples the undeformed distance on an
+ * equally spaced grid in the plane of each patch, and solves the non-Hertzian normal contact of
+ * elastic half-spaces for all patches of a wheel together. On request it adds creep forces,
+ * stresses and wear.
  *
- * Units:   mm, N, MPa, rad; a scene may ask for m, N, Pa, rad (key convention.units).
+ * Units:   mm, N, MPa, rad; the key convention.units of a scene selects m, N, Pa, rad.
  * Frame:   track frame, x forward, y to the left, z up, right-handed; origin at the track centre in
  *          the plane of the rail tops. Roll > 0 lifts the left wheel, yaw > 0 is anticlockwise seen
- *          from above. Profile coordinates are positive to the field side. A scene may ask for
- *          y to the right and z down (key convention.frame).
- * Errors:  functions return WRC_OK or another wrc_status. The text of the last failure of a handle
- *          stays on the handle (wrc_scene_error and so on) until its next call. A failed call
- *          leaves the handle unchanged. Nothing throws, prints or ends the program. Memory, threads
- *          and fork(): docs/c.md, with what remains of FFTW ending a program without memory.
- * Handles: a handle is a number disguised as a pointer and looked up at each call: one that has
- *          been destroyed, or is of another kind, is rejected with WRC_INVALID_ARGUMENT.
+ *          from above. Profile coordinates are positive to the field side. The key
+ *          convention.frame of a scene selects y to the right and z down.
+ * Errors:  functions return WRC_OK or another wrc_status. The handle keeps the text of its last
+ *          failure (wrc_scene_error and so on) until its next call. A failed call leaves the handle
+ *          unchanged. No function throws, prints or ends the program; docs/c.md names the one case
+ *          in which FFTW may end it for lack of memory, and the rules for memory and fork().
+ * Handles: a handle is a number disguised as a pointer and looked up at each call. A handle that
+ *          has been destroyed, or is of another kind, is rejected with WRC_INVALID_ARGUMENT.
  * Threads: all functions may be called from any thread. A handle serves one call at a time; a
- *          second one meanwhile returns WRC_BUSY. Different handles are independent. A thread
- *          needs a stack of 64 kB.
+ *          second call at the same time returns WRC_BUSY. Different handles are independent. A
+ *          thread needs a stack of 64 kB.
  * Floats:  the caller's rounding mode, traps and flags have no effect and are preserved.
  * Text:    UTF-8, null-terminated. Returned text belongs to the handle and is valid until the
  *          handle is changed or destroyed.
@@ -80,7 +81,7 @@ WRC_API const char* wrc_scene_error(const wrc_scene* scene);
  * defaults and permitted values. Keys of one subject replace each other: the last call applies
  * (load.vertical, load.left and load.total_left, material.poisson and material.wheel.poisson,
  * solve.accuracy and solve.grid). The keys convention.units and convention.frame set the units and
- * frame of numbers passed to and returned by the calls that follow; what was set before keeps its
+ * frame of numbers passed to and returned by later calls; values set before keep their
  * meaning. The key solve.until stops after one of the three modules. WRC_UNKNOWN_NAME,
  * WRC_INVALID_ARGUMENT. Since 0.1.
  */
@@ -100,7 +101,7 @@ WRC_API wrc_status wrc_scene_get_text(wrc_scene* scene, const char* key, const c
 WRC_API wrc_status wrc_scene_get_numbers(wrc_scene* scene, const char* key, double* values,
                                          int64_t capacity, int64_t* count);
 
-/** Description of a key; the texts belong to the library and stay valid. Since 0.1. */
+/** Description of a key; the texts belong to the library and remain valid. Since 0.1. */
 WRC_API int64_t wrc_scene_key_count(void);
 WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** default_value,
                                  const char** allowed, const char** meaning);
@@ -112,10 +113,10 @@ WRC_API wrc_status wrc_scene_key(int64_t index, const char** name, const char** 
 WRC_API wrc_status wrc_scene_solve(wrc_scene* scene);
 
 /**
- * Writes the scene as a TOML file that wrc_case replays: with the same library on the same machine
- * bit for bit what wrc_scene_solve gives. Numbers are in mm, N, MPa, y left, z up, whatever the
- * scene's convention. Profiles given by wrc_scene_set_profile go into files of their points beside
- * it. WRC_FILE_UNREADABLE if it cannot be written. Since 0.2.
+ * Writes the scene as a TOML file. With the same library on the same machine, wrc_case then gives
+ * the same bits as wrc_scene_solve. Numbers are in mm, N, MPa, y left, z up, whatever the
+ * scene's convention. The points of profiles set by wrc_scene_set_profile are written to files
+ * beside it. WRC_FILE_UNREADABLE if it cannot be written. Since 0.2.
  */
 WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
 
@@ -123,17 +124,17 @@ WRC_API wrc_status wrc_scene_write(wrc_scene* scene, const char* path);
  * A scalar result by name: "roll", "vertical", "left.pmax", "right.patches.0.angle",
  * "left.patches.1.centroid.y", "time_ms.total" and so on (docs/results.md lists and defines them).
  * Names of a wheel refer to all its patches together; patches are numbered from 0, largest normal
- * force first, and wrc_scene_number_name shows how many there are. Patches that share a plane are
- * one, with parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME for the index of a patch that is
- * not there. Since 0.1.
+ * force first; "left.patch_count" is their number. Patches that share a plane count as one with
+ * parts: "left.patches.0.parts.1.pmax". WRC_UNKNOWN_NAME if there is no patch of that index.
+ * Since 0.1.
  */
 WRC_API wrc_status wrc_scene_number(wrc_scene* scene, const char* name, double* value);
 /**
- * Numbers by id, for vehicle simulations: what wrc_scene_set_number and wrc_scene_number do, twenty
- * times as fast. An id stands for a key, or for the name of a result, in every scene, solved or
- * not: "left.patches.3.pmax" has one, however many patches there will be (0 to 1023, with parts 0
- * to 254). Ids belong to one version of the library: a program asks for them whenever it starts.
- * WRC_UNKNOWN_NAME. Since 0.3.
+ * Access by id, for vehicle simulations: the same as wrc_scene_set_number and wrc_scene_number,
+ * twenty times as fast. An id stands for a key, or for the name of a result, in every scene, solved
+ * or not. "left.patches.3.pmax" has an id even if the scene has fewer patches (indices 0 to 1023,
+ * of parts 0 to 254). Ids are valid for one version of the library: look them up whenever the
+ * program starts. WRC_UNKNOWN_NAME. Since 0.3.
  */
 WRC_API wrc_status wrc_scene_key_id(wrc_scene* scene, const char* key, int32_t* id);
 WRC_API wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32_t* id);
@@ -144,15 +145,15 @@ WRC_API wrc_status wrc_scene_number_id(wrc_scene* scene, const char* name, int32
 WRC_API wrc_status wrc_scene_set_numbers_by_id(wrc_scene* scene, const int32_t* ids,
                                                const double* values, int64_t count);
 /**
- * The results of `count` ids (at most 2^20), of whichever call has solved the scene. What it does
- * not have, such as a patch that is not there, is not-a-number. Values are set if all ids are those
+ * The results of `count` ids (at most 2^20), from the call that last solved the scene. Results that
+ * do not exist, such as those of an absent patch, are NaN. Values are set only if all ids are those
  * of results. WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_scene_numbers_by_id(wrc_scene* scene, const int32_t* ids, double* values,
                                            int64_t count);
 /**
- * The unit of a number of that name, in any scene with the same convention.units: "MPa", "N mm/s",
- * or "1" of counts and ratios. The text stays until the next call for a unit. WRC_UNKNOWN_NAME.
+ * The unit of the result of that name in any scene with the same convention.units: "MPa",
+ * "N mm/s", or "1" for counts and ratios. Valid until the next call for a unit. WRC_UNKNOWN_NAME.
  * Since 0.3.
  */
 WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, const char** unit);
@@ -160,20 +161,20 @@ WRC_API wrc_status wrc_scene_number_unit(wrc_scene* scene, const char* name, con
 WRC_API wrc_status wrc_scene_text(wrc_scene* scene, const char* name, const char** value);
 /**
  * All warnings of a solved scene, one line each: of its profiles, then of the left and the right
- * wheel; NULL past the end. Each begins with what it is of: "wheel profile worn.prw: ", "left: ",
- * "right: patch 1: ". The result warning_count (wrc_scene_number) says how many there are, and
- * "warning_classes.0" (wrc_scene_text) of which class of docs/warnings.md the first one is. The
- * texts stay until the scene is solved again; they are put together when they are read. Since 0.3.
+ * wheel; NULL past the end. Each begins with its subject: "wheel profile worn.prw: ", "left: ",
+ * "right: patch 1: ". The result warning_count (wrc_scene_number) is their number, and
+ * "warning_classes.0" (wrc_scene_text) the class of the first one (docs/warnings.md). The
+ * texts are valid until the scene is solved again. Since 0.3.
  */
 WRC_API const char* wrc_scene_warning(const wrc_scene* scene, int64_t index);
 /**
  * A field by name: of a patch of the side "left" or "right", one value per element with the
  * longitudinal index fastest: "left.patches.0.x", ".y", ".z" (element centres),
  * ".undeformed_distance", ".pressure", ".displacement"; "left.pressure" and so on is short for
- * "left.patches.0.pressure" and has no values without contact. Of a patch with parts these are
- * means over the elements of a grid that spans all of them; "left.patches.0.parts.1.pressure" is
- * that of a part as it was solved. Of a side the outlines
- * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z" of the cross section. Copies at most `capacity`
+ * "left.patches.0.pressure" and has no values without contact. For a patch with parts these are
+ * means over the elements of a grid that spans all parts; "left.patches.0.parts.1.pressure" is
+ * the field of a part as it was solved. The outlines of the cross section of a side are
+ * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z". Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
  * returns the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
  * Since 0.1.
@@ -186,32 +187,32 @@ WRC_API const char* wrc_scene_number_name(const wrc_scene* scene, int64_t index)
 WRC_API int64_t wrc_scene_text_count(const wrc_scene* scene);
 WRC_API const char* wrc_scene_text_name(const wrc_scene* scene, int64_t index);
 
-/* ---- Solver: what is kept from one scene to the next --------------------------------------- */
+/* ---- Solver: data kept from one scene to the next ------------------------------------------*/
 
 typedef struct wrc_solver wrc_solver;
 
 /**
- * Keeps profiles, surfaces, influence coefficients, transform plans and memory between solutions:
- * what saves time and changes no bit of a result. For vehicle simulations: one solver per wheelset,
- * solved every time step, in any order of steps. Since 0.1.
+ * Keeps profiles, surfaces, influence coefficients, transform plans and memory between solutions,
+ * which saves time and changes no bit of a result. In vehicle simulations use one solver per
+ * wheelset for all time steps, in any order. Since 0.1.
  */
 WRC_API wrc_status wrc_solver_create(wrc_solver** solver);
 WRC_API void wrc_solver_destroy(wrc_solver* solver);
 WRC_API const char* wrc_solver_error(const wrc_solver* solver);
 
 /**
- * As wrc_scene_solve, bit for bit, whatever was solved before, with what the solver keeps. Results
- * and the error text are on the scene's handle. A scene's handle may be used
- * repeatedly, with its pose changed. Since 0.1; the same bits since 0.3.
+ * Same as wrc_scene_solve, to the last bit, whatever was solved before, but faster. The scene's
+ * handle holds the results and the error text. Use the same scene repeatedly and change its pose.
+ * Since 0.1; the same bits since 0.3.
  */
 WRC_API wrc_status wrc_solver_solve(wrc_solver* solver, wrc_scene* scene);
-/** Drops everything that is kept, so that profile files are read again. Since 0.3. */
+/** Drops everything the solver keeps, so that profile files are read again. Since 0.3. */
 WRC_API wrc_status wrc_solver_clear(wrc_solver* solver);
 
 /**
- * Solves many scenes (at most 2^24), each by itself as wrc_scene_solve does, on up to `threads`
- * threads (1 to 1024); bit for bit the same for any number of them. The handles must all be
- * different. The status of each goes to statuses (may be NULL), its error text to its scene.
+ * Solves many scenes (at most 2^24) independently, as wrc_scene_solve does, on up to `threads`
+ * threads (1 to 1024); the bits are the same for any number of threads. The handles must all be
+ * different. statuses (may be NULL) gets the status of each scene, the scene its error text.
  * Returns WRC_OK if all were solved, otherwise the status of the first that was not. Since 0.1.
  */
 WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int32_t threads,
@@ -221,30 +222,30 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 
 /** Flags of the result left.state (right.state), and of a step. Since 0.3. */
 #define WRC_LIFTED 1        /**< no contact */
-#define WRC_ON_FLANGE_TIP 2 /**< a patch beyond the steepest place of the flange: derailing */
+#define WRC_ON_FLANGE_TIP 2 /**< a patch beyond the steepest point of the flange: derailing */
 #define WRC_ON_CHAMFER 4    /**< a patch beyond the tread, on the field side */
 #define WRC_BEYOND_YIELD 8  /**< largest pressure above material.yield_pressure */
 
 /**
- * One evaluation of a wheelset: positions and velocities in, the forces of its wheels out. As
- * setting the keys pose.lateral, .vertical, .roll, .yaw and motion.speed, .lateral, .vertical,
- * .roll, .pitch, .yaw (and solve.derivatives) and wrc_solver_solve; all other keys of the scene
- * stay, and all its results can be read. Numbers are in the scene's convention.
+ * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys
+ * pose.lateral, .vertical, .roll, .yaw and motion.speed, .lateral, .vertical, .roll, .pitch, .yaw
+ * (and solve.derivatives) and calls wrc_solver_solve. All other keys of the scene keep their
+ * values, and all its results can be read. Numbers are in the scene's convention.
  *
  * position:    x, y, z, roll, pitch angle, yaw of the wheelset's centre, z above the rail tops;
  *              nothing depends on x and the pitch angle.
  * velocity:    their rates; that of the pitch angle is positive when the axle rolls forward.
- * rails:       displacement of the left rail and of the right one, lateral, vertical, roll each
- *              (track.left.displacement): irregularities; they stay in the scene. NULL: as
- *              in the scene.
+ * rails:       irregularities: lateral and vertical displacement and roll of the left rail, then
+ *              of the right one (track.left.displacement); they stay in force for later steps.
+ *              NULL: unchanged.
  * force:       12 numbers: of the left wheel force x, y, z and moment x, y, z about the wheelset's
  *              centre, then of the right wheel. Zeros without contact.
- * by_position, by_velocity: 72 numbers each, or NULL: derivatives of the left wheel's six by the
- *              first position, by the second, ...; then of the right wheel. Each at fixed others.
- *              They cost nothing if both are NULL.
+ * by_position, by_velocity: 72 numbers each, or NULL: derivatives of the left wheel's six numbers
+ *              by the first position, by the second, ...; then of the right wheel. Each holds the
+ *              other variables fixed. They cost nothing if both are NULL.
  * states:      2 numbers, or NULL: flags of the left and the right wheel.
  *
- * On failure the scene and the arrays stay as they were; the error text is on the scene.
+ * On failure the scene and the arrays keep their values; the scene holds the error text.
  * WRC_INVALID_ARGUMENT, WRC_NO_CONTACT for a wheel beside its rail, WRC_NOT_CONVERGED with results.
  * Since 0.3.
  */
@@ -252,11 +253,11 @@ WRC_API wrc_status wrc_solver_step(wrc_solver* solver, wrc_scene* scene, const d
                                    const double* velocity, const double* rails, double* force,
                                    double* by_position, double* by_velocity, int32_t* states);
 /**
- * Steps of `count` wheelsets (at most 2^24), each with a solver and a scene of its own, on up to
- * `threads` threads (1 to 1024): bit for bit the same for any number of them. Arrays hold those of
- * wrc_solver_step for one wheelset after the other; rails, by_positions, by_velocities, states and
- * statuses may be NULL. Returns WRC_OK if all were solved, otherwise the first other status.
- * Since 0.3.
+ * Steps of `count` wheelsets (at most 2^24), each with its own solver and scene, on up to
+ * `threads` threads (1 to 1024); the bits are the same for any number of threads. Arrays hold the
+ * arrays of wrc_solver_step, one wheelset after the other; rails, by_positions, by_velocities,
+ * states and statuses may be NULL. Returns WRC_OK if all were solved, otherwise the first other
+ * status. Since 0.3.
  */
 WRC_API wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* scenes,
                                   int64_t count, int32_t threads, const double* positions,
@@ -265,8 +266,66 @@ WRC_API wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* 
                                   wrc_status* statuses);
 
 /**
- * A contact patch, in the scene's convention. Members are called as results by name, with
- * underscores for points; those of 0.3 keep their old names, too. Since 0.3.
+ * Further arguments of a step, each NULL if it is not used. Set struct_size to
+ * sizeof(wrc_step_arguments) and zero the rest. Inputs stay in force for later steps; NULL: as in
+ * the scene. In a batch each array holds the numbers of all wheelsets, one after the other.
+ * Since 0.3.
+ */
+typedef struct wrc_step_arguments {
+  uint64_t struct_size;
+  const double* rails;           /**< 6 numbers, as in wrc_solver_step */
+  const double* rail_velocities; /**< 6, their rates (track.left.velocity) */
+  const double* curvature;       /**< of the track (motion.curvature), positive to the left */
+  const double* friction;        /**< coefficients of the left and the right wheel */
+  double* by_position;           /**< 72, as in wrc_solver_step */
+  double* by_velocity;           /**< 72 */
+  /** 36: derivatives of the left wheel's six numbers by the left rail's lateral displacement, by
+   * its vertical displacement and by its roll; then of the right wheel by the right rail's. */
+  double* by_rail;
+  double* by_rail_velocity; /**< 36, by their rates */
+  int32_t* states;          /**< 2, as in wrc_solver_step */
+} wrc_step_arguments;
+
+/** wrc_solver_step with further arguments; `arguments` may be NULL. Since 0.3. */
+WRC_API wrc_status wrc_solver_step_with(wrc_solver* solver, wrc_scene* scene,
+                                        const double* position, const double* velocity,
+                                        const wrc_step_arguments* arguments, double* force);
+/** wrc_step_batch with further arguments; `arguments` may be NULL. Since 0.3. */
+WRC_API wrc_status wrc_step_batch_with(wrc_solver* const* solvers, wrc_scene* const* scenes,
+                                       int64_t count, int32_t threads, const double* positions,
+                                       const double* velocities,
+                                       const wrc_step_arguments* arguments, double* forces,
+                                       wrc_status* statuses);
+
+#define WRC_LOADS_OF_WHEELS 0
+#define WRC_LOAD_OF_AXLE 1
+
+/**
+ * Static equilibrium: the height and the roll at which a wheelset carries given loads, with the
+ * forces there.
+ *
+ * kind, loads: WRC_LOADS_OF_WHEELS: the vertical forces of the rails on the left and the right
+ *              wheel, N, each > 0. WRC_LOAD_OF_AXLE: the vertical force with which the vehicle
+ *              presses the axle down, > 0, and the moment about x through the wheelset's centre
+ *              of the vehicle's forces on it. On a canted track "vertical" is across its plane.
+ * velocity:    as in wrc_solver_step; NULL: as in the scene, which by default has no creep forces.
+ * arguments:   as in wrc_solver_step_with; may be NULL.
+ * position:    6 numbers as in wrc_solver_step. y and yaw are used; z and roll are set.
+ * force:       12 numbers as in wrc_solver_step.
+ *
+ * Sets the keys that wrc_solver_step sets; all results can be read. On failure scene and arrays
+ * keep their values; the scene holds the error text. WRC_INVALID_ARGUMENT, WRC_NO_CONTACT,
+ * WRC_NOT_CONVERGED with position, force and results where the loads are met only roughly.
+ * Since 0.3.
+ */
+WRC_API wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t kind,
+                                          const double* loads, const double* velocity,
+                                          const wrc_step_arguments* arguments, double* position,
+                                          double* force);
+
+/**
+ * A contact patch, in the scene's convention. Members have the names of results, with underscores
+ * instead of points; the old names of 0.3 remain. Since 0.3.
  */
 typedef struct wrc_patch {
   double wheel; /**< 0: left, 1: right */
@@ -278,8 +337,8 @@ typedef struct wrc_patch {
   double normal_z;
   double contact_angle; /**< old name of angle */
   double rolling_radius;
-  double s_wheel;      /**< place on the wheel's profile, from the taping line to the field side */
-  double normal_force; /**< of the pressures */
+  double s_wheel; /**< position on the wheel's profile, from the taping line to the field side */
+  double normal_force;             /**< of the pressures */
   double longitudinal_creep_force; /**< old name of creep_force_longitudinal */
   double lateral_creep_force;      /**< old name of creep_force_lateral */
   double spin_moment;
@@ -290,8 +349,8 @@ typedef struct wrc_patch {
   double lateral_semi_axis;      /**< old name of semi_axes_lateral */
   double approach;
   double largest_pressure; /**< old name of pmax */
-  double friction_power;   /**< force times length by time */
-  /* The same by the names of results, and more of these; since 0.3: */
+  double friction_power;   /**< force times length per time */
+  /* Members with the names of results; since 0.3: */
   double pmax;
   double semi_axes_longitudinal; /**< of the Hertzian ellipse with its second moments of pressure */
   double semi_axes_lateral;
@@ -304,17 +363,17 @@ typedef struct wrc_patch {
   double longitudinal_force; /**< of the rail on the wheel, creep forces included, track frame */
   double lateral_force;
   double vertical_force;
-  double pressure_force_x; /**< the part of it that the pressures make */
+  double pressure_force_x; /**< the part of it that comes from the pressures */
   double pressure_force_y;
   double pressure_force_z;
   double coupling_weight; /**< to its closest neighbour */
 } wrc_patch;
 
 /**
- * All patches of a result: those of the left wheel, then of the right one, each wheel's in the
- * order of their places on it from the flange on, which they keep from step to step. Copies at most
- * `capacity` patches and sets *count to their number; struct_size is sizeof(wrc_patch), by which
- * programs compiled with earlier headers get the members that these have. With
+ * All patches of a result: those of the left wheel, then of the right one. The patches of a wheel
+ * are ordered by position, starting at the flange, so that the order is the same from step to step.
+ * Copies at most `capacity` patches and sets *count to their number. struct_size is
+ * sizeof(wrc_patch), so that programs compiled with earlier headers get the members they know. With
  * capacity 0 (patches may be NULL) it only returns the number. WRC_TOO_SMALL if that exceeds a
  * capacity > 0; nothing is copied then. WRC_NO_RESULT. Since 0.3.
  */
@@ -322,9 +381,9 @@ WRC_API wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64
                                      int64_t capacity, int64_t* count);
 
 /**
- * For programs with kinematics of their own: creep forces of a patch of the scene's result at
- * creepages that the program computes. Friction, model (solve.creep) and accuracy are those of the
- * scene; motion.speed is the speed at which friction falls. The scene and its result stay.
+ * Creep forces of a patch at creepages computed by the caller, for programs with their own
+ * kinematics. Friction, model (solve.creep) and accuracy are those of the scene; motion.speed is
+ * the speed used by a falling friction law. The scene and its result do not change.
  *
  * patch:       from 0, in the order of wrc_scene_patches.
  * creepages:   longitudinal, lateral, spin, wheel minus rail over the speed, in the patch's plane
@@ -332,25 +391,25 @@ WRC_API wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64
  * forces:      3 numbers: longitudinal and lateral force on the wheel, spin moment.
  * by_creepage: 9 numbers, or NULL: derivatives of the first by the three creepages, of the second,
  *              of the third, at a fixed coefficient of friction.
- * The error text is on the scene. WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3.
+ * The scene holds the error text. WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_t patch,
                                     const double* creepages, double* forces, double* by_creepage);
 
 /**
- * A table for programs that cannot afford a solution each step: results over all combinations of
- * values of some keys. The scene and its result stay.
+ * A table of results over all combinations of values of some keys, for programs that cannot afford
+ * a solution per step. The scene and its result do not change.
  *
  * keys:    names separated by blanks, each once: "pose.lateral pose.yaw load.vertical".
- * values:  those of the first key, then of the second, ...; counts says how many of each.
+ * values:  those of the first key, then of the second, ...; counts is the number for each key.
  * results: names separated by blanks, "left.total.force.y left.patches.0.angle".
  * threads: 1 to 1024; the same bits for any number.
  * path:    a text file of columns, keys first, under comments with the scene, units and names; NULL
  *          or "": none.
  * table:   the results of the first combination, of the next, ..., the first key fastest; may be
- *          NULL if there is a file. Not-a-number: no contact, or no such patch. At most 2^28
+ *          NULL if there is a file. NaN: no contact, or no such patch. At most 2^28
  *          numbers.
- * On failure the table stays as it was. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT,
+ * On failure the table does not change. WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT,
  * WRC_FILE_UNREADABLE. Since 0.3.
  */
 WRC_API wrc_status wrc_scene_tabulate(wrc_scene* scene, const char* keys, const double* values,
@@ -375,23 +434,26 @@ WRC_API const char* wrc_profile_error(const wrc_profile* profile);
 /** How a file is read. Set struct_size to sizeof(wrc_read_options), zero the rest. Since 0.1. */
 typedef struct wrc_read_options {
   uint64_t struct_size;
-  int32_t kind; /**< WRC_WHEEL or WRC_RAIL if kind_given is not 0; else by the file */
+  int32_t kind; /**< WRC_WHEEL or WRC_RAIL if kind_given is not 0; otherwise from the file */
   int32_t kind_given;
   int32_t mirror_lateral; /**< 0: as the file needs; 1: mirror; -1: do not mirror */
   int32_t mirror_height;  /**< the same */
   int32_t strict;         /**< not 0: refuse instead of guessing */
   int32_t reserved;
   double scale;                /**< mm per unit of the file; 0: guess from the size */
-  double smoothing_wavelength; /**< mm at which a wave is halved; 0: no smoothing */
+  double smoothing_wavelength; /**< mm at which a wave is halved; 0: as the noise of the points
+                                    needs; WRC_SMOOTHING_... */
   /* Since 0.3: */
-  int32_t origin;       /**< where a wheel's file has lateral 0: 0 by the file, WRC_ORIGIN_... */
-  int32_t slice;        /**< of a slices file (.slcs, .slcw): which one, from 1 */
-  double tape_offset;   /**< flange back to taping line, mm; 0: by the file, or 70 */
+  int32_t origin;       /**< lateral 0 of a wheel's file: WRC_ORIGIN_...; 0: from the file */
+  int32_t slice;        /**< number of a slice in a slices file (.slcs, .slcw), from 1 */
+  double tape_offset;   /**< flange back to taping line, mm; 0: from the file, or 70 */
   double lateral_shift; /**< instead of origin: mm added to lateral; 0: none */
 } wrc_read_options;
 
-#define WRC_ORIGIN_TAPE 1        /**< taping line; heights are left as they are */
-#define WRC_ORIGIN_FLANGE_BACK 2 /**< flange back: moved to the taping line, height 0 there */
+#define WRC_SMOOTHING_NONE (-1.0) /**< the points as they are */
+#define WRC_SMOOTHING_AUTO (-2.0) /**< as 0, but strict does not refuse noise */
+#define WRC_ORIGIN_TAPE 1         /**< taping line; heights are left as they are */
+#define WRC_ORIGIN_FLANGE_BACK 2  /**< flange back: moved to the taping line, height 0 there */
 
 /** A built-in profile, by name. WRC_UNKNOWN_NAME. Since 0.1. */
 WRC_API wrc_status wrc_profile_load_standard(wrc_profile* profile, const char* name);
@@ -423,12 +485,12 @@ WRC_API wrc_status wrc_profile_kind(wrc_profile* profile, int32_t* kind);
 WRC_API wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char** value);
 /** Corrections made while reading, one line each; NULL past the end. Since 0.1. */
 WRC_API const char* wrc_profile_correction(const wrc_profile* profile, int64_t index);
-/** What no wheel or rail has, one line each; NULL past the end. Since 0.3. */
+/** Implausible features of the profile, one line each; NULL past the end. Since 0.3. */
 WRC_API const char* wrc_profile_warning(const wrc_profile* profile, int64_t index);
 /**
  * Points of a profile that was read: WRC_POINTS_READ, before smoothing, or WRC_POINTS_DROPPED,
- * those that cleaning removed; none of a built-in profile. mm, frame of wrc_profile_at; both arrays
- * hold `capacity` values (as wrc_scene_field copies). Since 0.3.
+ * those that cleaning removed; a built-in profile has none. mm, frame of wrc_profile_at; both
+ * arrays hold `capacity` values (as wrc_scene_field copies). Since 0.3.
  */
 WRC_API wrc_status wrc_profile_points(wrc_profile* profile, int32_t which, double* lateral,
                                       double* height, int64_t capacity, int64_t* count);
@@ -461,8 +523,8 @@ WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* late
 WRC_API wrc_status wrc_set_planner_lock(void (*lock)(void* context), void (*unlock)(void* context),
                                         void* context);
 /**
- * Wisdom: what the planner "measure" has learnt in this process. The file is read or written by
- * these calls only. WRC_INVALID_ARGUMENT, WRC_FILE_UNREADABLE,
+ * Wisdom: the plans that the planner "measure" has found in this process. Only these calls read or
+ * write the file. WRC_INVALID_ARGUMENT, WRC_FILE_UNREADABLE,
  * WRC_FILE_MALFORMED. Since 0.1.
  */
 WRC_API wrc_status wrc_load_wisdom(const char* path);
@@ -471,7 +533,7 @@ WRC_API wrc_status wrc_save_wisdom(const char* path);
 }
 #endif
 
-/* Normal and rolling contact on grids of the caller's. */
+/* Normal and rolling contact on the caller's own grid. */
 #include "wrcontact_grid.h"
 
 #endif

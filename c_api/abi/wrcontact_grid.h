@@ -1,10 +1,10 @@
 /**
  * @file
- * Contact on a grid of the caller's: pressures of a gap (wrc_normal), tractions of pressures and
+ * Contact on the caller's own grid: pressures from a gap (wrc_normal), tractions from pressures and
  * creepages (wrc_rolling).
  *
- * Part of wrcontact.h, which includes it and says what holds for all functions: units, errors,
- * handles, threads.
+ * Part of wrcontact.h, which includes it and describes units, errors, handles and threads of all
+ * functions.
  */
 #ifndef WRCONTACT_GRID_H
 #define WRCONTACT_GRID_H
@@ -20,8 +20,8 @@ extern "C" {
 /**
  * One problem on an equally spaced grid, and the solver that keeps plans, tables and memory between
  * its calls: pressures p >= 0 and gaps g = h + u - approach >= 0 with p g = 0, where u are the
- * displacements of an elastic half-space. Changing the problem does not touch the results: they
- * are those of the last wrc_normal_solve. Answers do not depend on earlier calls.
+ * displacements of an elastic half-space. Changing the problem does not change the results, which
+ * are those of the last wrc_normal_solve. Results do not depend on earlier calls.
  */
 typedef struct wrc_normal wrc_normal;
 
@@ -41,8 +41,8 @@ WRC_API wrc_status wrc_normal_set_grid(wrc_normal* normal, int64_t lateral_count
                                        double longitudinal_step);
 /**
  * The undeformed distance h at the element centres, mm, finite, positive when apart; `count` values
- * with the longitudinal index fastest, which are copied. wrc_normal_solve needs as many as the
- * grid has elements. WRC_INVALID_ARGUMENT. Since 0.1.
+ * with the longitudinal index fastest, which are copied. wrc_normal_solve needs one value for each
+ * element of the grid. WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_distance(wrc_normal* normal, const double* values, int64_t count);
 /**
@@ -66,8 +66,8 @@ WRC_API wrc_status wrc_normal_set_number(wrc_normal* normal, const char* key, do
  *                inside the contact; or "constant": it is that everywhere on the element (Love
  *                1929), at five to ten times the error. Solver "paper": "constant" by default
  *   "precision"  "mixed": directions of the iteration in single precision; or "double"
- *   "planner"    "estimate": plans of transforms at once; or "measure": faster ones after seconds
- * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
+ *   "planner"    "estimate": plans transforms immediately; or "measure": finds faster ones in
+ * seconds WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.1.
  */
 WRC_API wrc_status wrc_normal_set_text(wrc_normal* normal, const char* key, const char* value);
 
@@ -82,7 +82,7 @@ WRC_API wrc_status wrc_normal_solve(wrc_normal* normal);
  *   "approach"      mm; "normal_force" N; "area" mm^2, counted in elements
  *   "pmax"          MPa, peak of a quadratic surface through the elements around the largest
  *   "pmax_element"  MPa, largest element
- *   "fill"          share of the elements under pressure, 0 to 1
+ *   "fill"          fraction of the elements under pressure, 0 to 1
  *   "iterations"    of all grids the solver went through
  *   "residuals.load_balance", "residuals.least_gap", "residuals.complementarity"
  *                   how well the problem is solved, recomputed in double precision when first
@@ -111,8 +111,8 @@ WRC_API wrc_status wrc_normal_field(wrc_normal* normal, const char* name, double
  * with q the tractions on the wheel, u the displacements of the wheel relative to the rail, xi, eta
  * and phi the creepages, wheel minus rail (Kalker 1990). Frame: of the contact's plane, x forward,
  * y to the left, origin in the middle of the grid. Forces and moments act on the wheel. Changing
- * the problem does not touch the results: they are those of the last wrc_rolling_solve. Answers do
- * not depend on earlier calls, but for tractions set as previous ones.
+ * the problem does not change the results, which are those of the last wrc_rolling_solve. Results
+ * depend on earlier calls only through the previous tractions.
  */
 typedef struct wrc_rolling wrc_rolling;
 
@@ -130,14 +130,14 @@ WRC_API wrc_status wrc_rolling_set_grid(wrc_rolling* rolling, int64_t lateral_co
 /**
  * The pressures at the element centres, 0 to 1e30 MPa, 0 outside the contact; `count` values with
  * the longitudinal index fastest, x and y growing with the indices, which are copied.
- * wrc_rolling_solve needs as many as the grid has elements. WRC_INVALID_ARGUMENT. Since 0.3.
+ * wrc_rolling_solve needs one value for each element of the grid. WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_rolling_set_pressure(wrc_rolling* rolling, const double* values,
                                             int64_t count);
 /**
  * The rigid slip of each element, wheel minus rail over the speed (a shift: mm), -1e30 to 1e30, in
  * addition to that of the creepages; `count` values each on the grid of the pressures, which are
- * copied. Creepages of 0 leave this slip alone. With count 0 there is none, as at first.
+ * copied. With creepages of 0 this is the whole slip. With count 0 there is none, the default.
  * WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_rolling_set_slip(wrc_rolling* rolling, const double* slip_x,
@@ -145,8 +145,8 @@ WRC_API wrc_status wrc_rolling_set_slip(wrc_rolling* rolling, const double* slip
 /**
  * The tractions before a step or a shift ("contact" below), -1e30 to 1e30 MPa on the wheel,
  * `count` values each on the grid of the pressures, which moves with the contact; they are copied.
- * They stay until they are replaced, and steady rolling does not use them. With count 0 there are
- * none, as at first: the bodies were free of tractions. WRC_INVALID_ARGUMENT. Since 0.3.
+ * They stay in force until they are replaced; steady rolling does not use them. With count 0, the
+ * default, the bodies were free of tractions. WRC_INVALID_ARGUMENT. Since 0.3.
  */
 WRC_API wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* traction_x,
                                             const double* traction_y, int64_t count);
@@ -166,8 +166,7 @@ WRC_API wrc_status wrc_rolling_set_previous(wrc_rolling* rolling, const double* 
  *                            rolling by the full model only
  *   "derivatives"            1: "creepage_derivatives" are computed, for about the cost of the
  *                            solution; default 0
- *   "maximum_iterations"     of each of the grids gone through: a whole number, 1 to 1e9,
- *                            default 30
+ *   "maximum_iterations"     on each grid of the cascade: a whole number, 1 to 1e9, default 30
  *
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
  */
@@ -180,8 +179,8 @@ WRC_API wrc_status wrc_rolling_set_number(wrc_rolling* rolling, const char* key,
  *   "contact"     "rolling": steady rolling; "transient": a step of rolling by the length h of one
  *                 element from the previous tractions, s = w + (u(x) - u'(x + h))/h; or "shift":
  *                 one without rolling, s = w + u - u' in mm
- *   "difference"  of rolling: "biased", upstream and of second order; or "first-order", as CONTACT
- *                 (Vollebregt) takes it, for comparison
+ *   "difference"  of rolling: "biased", upstream and of second order; or "first-order", as in
+ * CONTACT (Vollebregt), for comparison
  *
  * WRC_UNKNOWN_NAME, WRC_INVALID_ARGUMENT. Since 0.3.
  */
@@ -205,10 +204,10 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
  *   "spin_moment"                   N mm, about the origin
  *   "slip_area", "adhesion_area"    mm^2, counted in elements
  *   "friction_power"                lost to friction, over the speed, N: -(force and moment times
- *                                   creepages); exact for steady rolling; of a shift: N mm; of
- *                                   unlike bodies with what pressures add to the creepages
- *   "numerical_loss"                the share of it that slip times traction does not show, from
- *                                   elements of finite size; 0 but for steady rolling
+ *                                   creepages); exact for steady rolling; of a shift: N mm; for
+ *                                   unlike bodies including the slip that pressures cause
+ *   "numerical_loss"                the fraction of it missing from the sum of slip times traction
+ *                                   over elements of finite size; 0 except in steady rolling
  *   "iterations", "convolutions"    on all grids
  *   "residual"                      reached; see "tolerance"
  *   "converged"                     1, or 0 with WRC_NOT_CONVERGED
@@ -217,9 +216,9 @@ WRC_API wrc_status wrc_rolling_advance(wrc_rolling* rolling);
 WRC_API wrc_status wrc_rolling_number(wrc_rolling* rolling, const char* name, double* value);
 /**
  * "traction_x", "traction_y" (MPa, on the wheel), "slip_x" or "slip_y" (over the speed; of a shift:
- * mm; 0 outside the contact), "normal_displacement" (mm: what the tractions open the gap of unlike
- * bodies by; added to the undeformed distance of wrc_normal it changes the pressures in turn), one
- * value per element with the longitudinal index fastest; or "creepage_derivatives", 9 values:
+ * mm; 0 outside the contact), "normal_displacement" (mm by which the tractions open the gap of
+ * unlike bodies; add it to the undeformed distance of wrc_normal to obtain the changed pressures),
+ * one value per element with the longitudinal index fastest; or "creepage_derivatives", 9 values:
  * dFx/dxi, dFx/deta, dFx/dphi, then those of Fy and Mz (N, N mm, phi in 1/mm), 0 if not requested.
  * Copied as by wrc_scene_field. WRC_NO_RESULT, WRC_UNKNOWN_NAME, WRC_TOO_SMALL. Since 0.3.
  */

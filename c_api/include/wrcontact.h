@@ -266,6 +266,64 @@ WRC_API wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* 
                                   wrc_status* statuses);
 
 /**
+ * Further arguments of a step, each NULL if it is not used. Set struct_size to
+ * sizeof(wrc_step_arguments) and zero the rest. Inputs stay in force for later steps; NULL: as in
+ * the scene. In a batch each array holds the numbers of all wheelsets, one after the other.
+ * Since 0.3.
+ */
+typedef struct wrc_step_arguments {
+  uint64_t struct_size;
+  const double* rails;           /**< 6 numbers, as in wrc_solver_step */
+  const double* rail_velocities; /**< 6, their rates (track.left.velocity) */
+  const double* curvature;       /**< of the track (motion.curvature), positive to the left */
+  const double* friction;        /**< coefficients of the left and the right wheel */
+  double* by_position;           /**< 72, as in wrc_solver_step */
+  double* by_velocity;           /**< 72 */
+  /** 36: derivatives of the left wheel's six numbers by the left rail's lateral displacement, by
+   * its vertical displacement and by its roll; then of the right wheel by the right rail's. */
+  double* by_rail;
+  double* by_rail_velocity; /**< 36, by their rates */
+  int32_t* states;          /**< 2, as in wrc_solver_step */
+} wrc_step_arguments;
+
+/** wrc_solver_step with further arguments; `arguments` may be NULL. Since 0.3. */
+WRC_API wrc_status wrc_solver_step_with(wrc_solver* solver, wrc_scene* scene,
+                                        const double* position, const double* velocity,
+                                        const wrc_step_arguments* arguments, double* force);
+/** wrc_step_batch with further arguments; `arguments` may be NULL. Since 0.3. */
+WRC_API wrc_status wrc_step_batch_with(wrc_solver* const* solvers, wrc_scene* const* scenes,
+                                       int64_t count, int32_t threads, const double* positions,
+                                       const double* velocities,
+                                       const wrc_step_arguments* arguments, double* forces,
+                                       wrc_status* statuses);
+
+#define WRC_LOADS_OF_WHEELS 0
+#define WRC_LOAD_OF_AXLE 1
+
+/**
+ * Static equilibrium: the height and the roll at which a wheelset carries given loads, with the
+ * forces there.
+ *
+ * kind, loads: WRC_LOADS_OF_WHEELS: the vertical forces of the rails on the left and the right
+ *              wheel, N, each > 0. WRC_LOAD_OF_AXLE: the vertical force with which the vehicle
+ *              presses the axle down, > 0, and the moment about x through the wheelset's centre
+ *              of the vehicle's forces on it. On a canted track "vertical" is across its plane.
+ * velocity:    as in wrc_solver_step; NULL: as in the scene, which by default has no creep forces.
+ * arguments:   as in wrc_solver_step_with; may be NULL.
+ * position:    6 numbers as in wrc_solver_step. y and yaw are used; z and roll are set.
+ * force:       12 numbers as in wrc_solver_step.
+ *
+ * Sets the keys that wrc_solver_step sets; all results can be read. On failure scene and arrays
+ * keep their values; the scene holds the error text. WRC_INVALID_ARGUMENT, WRC_NO_CONTACT,
+ * WRC_NOT_CONVERGED with position, force and results where the loads are met only roughly.
+ * Since 0.3.
+ */
+WRC_API wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t kind,
+                                          const double* loads, const double* velocity,
+                                          const wrc_step_arguments* arguments, double* position,
+                                          double* force);
+
+/**
  * A contact patch, in the scene's convention. Members have the names of results, with underscores
  * instead of points; the old names of 0.3 remain. Since 0.3.
  */

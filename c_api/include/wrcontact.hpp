@@ -363,6 +363,18 @@ struct Step {
   std::array<std::int32_t, 2> states{};
 };
 
+/// Further arguments and results of a step (wrc_step_arguments); inputs that are not set stay as in
+/// the scene. Since 0.3.
+struct StepArguments {
+  std::optional<std::array<double, 6>> rails;
+  std::optional<std::array<double, 6>> rail_velocities;
+  std::optional<double> curvature;
+  std::optional<std::array<double, 2>> friction;
+  bool derivatives = false;
+  std::array<double, 36> by_rail{}; ///< zeros unless derivatives are requested
+  std::array<double, 36> by_rail_velocity{};
+};
+
 /// Data kept from one scene to the next (wrc_solver).
 class Solver
     : public detail::Owner<wrc_solver, wrc_solver_create, wrc_solver_destroy, wrc_solver_error> {
@@ -383,6 +395,24 @@ public:
                         derivatives ? result.by_position.data() : nullptr,
                         derivatives ? result.by_velocity.data() : nullptr, result.states.data()));
   }
+  /// The same with further arguments (wrc_solver_step_with). Since 0.3.
+  bool step(Scene& scene, const std::array<double, 6>& position,
+            const std::array<double, 6>& velocity, Step& result, StepArguments& arguments) {
+    const wrc_step_arguments passed = passed_on(arguments, result);
+    return scene.converged(wrc_solver_step_with(handle(), scene.handle(), position.data(),
+                                                velocity.data(), &passed, result.force.data()));
+  }
+  /// Sets height and roll of the position such that the wheels carry these loads
+  /// (wrc_solver_equilibrium, WRC_LOADS_OF_WHEELS or WRC_LOAD_OF_AXLE); velocity: as in the scene
+  /// if null. False if the loads are met only roughly. Since 0.3.
+  bool equilibrium(Scene& scene, std::int32_t kind, const std::array<double, 2>& loads,
+                   std::array<double, 6>& position, Step& result, StepArguments& arguments,
+                   const std::array<double, 6>* velocity = nullptr) {
+    const wrc_step_arguments passed = passed_on(arguments, result);
+    return scene.converged(wrc_solver_equilibrium(handle(), scene.handle(), kind, loads.data(),
+                                                  velocity != nullptr ? velocity->data() : nullptr,
+                                                  &passed, position.data(), result.force.data()));
+  }
   /// Forces of a patch at the caller's creepages (wrc_solver_creep): longitudinal, lateral,
   /// spin moment; and if requested their 9 derivatives. Since 0.3.
   std::array<double, 3> creep(Scene& scene, std::int64_t patch,
@@ -392,6 +422,25 @@ public:
     scene.check(wrc_solver_creep(handle(), scene.handle(), patch, creepages.data(), forces.data(),
                                  by_creepage != nullptr ? by_creepage->data() : nullptr));
     return forces;
+  }
+
+private:
+  static wrc_step_arguments passed_on(StepArguments& arguments, Step& result) {
+    wrc_step_arguments passed{};
+    passed.struct_size = sizeof passed;
+    passed.rails = arguments.rails ? arguments.rails->data() : nullptr;
+    passed.rail_velocities =
+        arguments.rail_velocities ? arguments.rail_velocities->data() : nullptr;
+    passed.curvature = arguments.curvature ? &*arguments.curvature : nullptr;
+    passed.friction = arguments.friction ? arguments.friction->data() : nullptr;
+    passed.states = result.states.data();
+    if (arguments.derivatives) {
+      passed.by_position = result.by_position.data();
+      passed.by_velocity = result.by_velocity.data();
+      passed.by_rail = arguments.by_rail.data();
+      passed.by_rail_velocity = arguments.by_rail_velocity.data();
+    }
+    return passed;
   }
 };
 

@@ -73,10 +73,6 @@ inline constexpr double least_linear_friction = 1e-2;
 /// origin: reasoned: elements under pressure keep it, all but some at the edge.
 inline constexpr double creep_pressure_step = 1e-4;
 
-/// Speed below which creepages go to 0 with the velocities, mm/s.
-/// origin: reasoned: at walking speed, 1 m/s, it changes creepages by 5e-7 of themselves.
-inline constexpr double standstill_speed = 1.0;
-
 /// Tolerance of the tangential iteration, in accuracies, ...
 /// origin: measured (400 steps of 0.1 um at 18 positions of three pairs of profiles, 1e-3): forces
 /// leave their line by 2.1 % of the accuracy in the median and 22 % at most; with 0.2, for 14 %

@@ -38,7 +38,8 @@ public:
       accuracy = std::max(accuracy, driven.request.accuracy);
     }
     rolling_ = force > 0.0 ? motion.speed * force / radius : 0.0;
-    creepage_ = std::hypot(motion.speed, standstill_speed) / wheels.front().request.nominal_radius;
+    creepage_ =
+        std::hypot(motion.speed, motion.standstill_speed) / wheels.front().request.nominal_radius;
     const bool unlike = std::ranges::any_of(
         wheels, [](const DrivenWheel& driven) { return unlike_bodies(driven.request); });
     tolerance_ = (unlike ? creep_iteration_share : free_pitch_tolerance) * accuracy * bound;
@@ -67,7 +68,10 @@ private:
     }
     const double step = cheap.slope < 0.0 ? -last_.value / cheap.slope
                                           : std::copysign(1e-3 * creepage_, last_.value);
-    return search(step, 4.0, [this](double rate) { return unbalanced(rate, std::nullopt); });
+    // Forces that jump with their elements may balance nowhere: what is left then is the jump.
+    const double narrowest = cheap.slope < 0.0 ? -tolerance_ / cheap.slope : 0.0;
+    return search(step, 4.0, narrowest,
+                  [this](double rate) { return unbalanced(rate, std::nullopt); });
   }
 
   /// With a model instead of the requested one, if any.
@@ -96,9 +100,9 @@ private:
     const bool falls = std::any_of(wheels_.begin(), wheels_.end(), [](const DrivenWheel& driven) {
       return driven.request.friction.falls();
     });
-    const FreePitch found = is_balanced(last_)
-                                ? FreePitch{rolling_}
-                                : search(direction * 1e-3 * creepage_, falls ? 1.0 : 4.0, cheaply);
+    const FreePitch found =
+        is_balanced(last_) ? FreePitch{rolling_}
+                           : search(direction * 1e-3 * creepage_, falls ? 1.0 : 4.0, 0.0, cheaply);
     if (found.saturated) {
       return {rolling_, 0.0};
     }
@@ -110,9 +114,10 @@ private:
             another};
   }
 
-  /// From the point evaluated last on, until the sum changes its sign; then between. Steps grow by
-  /// `growth` at most.
-  template <class Function> FreePitch search(double step, double growth, const Function& function) {
+  /// From the point evaluated last on, until the sum changes its sign; then between, until the
+  /// rates are `narrowest` apart. Steps grow by `growth` at most.
+  template <class Function>
+  FreePitch search(double step, double growth, double narrowest, const Function& function) {
     Point ahead = last_;
     const double slowest = rolling_ - creepage_;
     const double fastest = rolling_ + creepage_;
@@ -133,7 +138,7 @@ private:
     RootBracket bracket(last_, ahead, RootBracket::End::other);
     Point found = ahead;
     int left = pitch_evaluations;
-    bracket.narrow(0.0, [&](double rate) -> std::optional<double> {
+    bracket.narrow(narrowest, [&](double rate) -> std::optional<double> {
       found = function(rate);
       return is_balanced(found) || --left == 0 ? std::nullopt : std::optional(found.value);
     });

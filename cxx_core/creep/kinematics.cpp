@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "creep/constants.hpp"
-
 namespace wrc {
 
 namespace {
@@ -51,8 +49,8 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
   Slip<Real> slip;
   slip.reference_speed =
       0.5 * (state.speed * (1.0 - curvature * patch.reference_y) - cross(rolling, arm).x);
-  slip.slip_speed =
-      sqrt(slip.reference_speed * slip.reference_speed + Real(standstill_speed * standstill_speed));
+  const double slowest = wheelset.motion.standstill_speed;
+  slip.slip_speed = sqrt(slip.reference_speed * slip.reference_speed + Real(slowest * slowest));
   const std::array<const Vector*, 3> axes{&patch.longitudinal, &patch.lateral, &patch.normal};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     slip.twist[i] = dot(velocity, *axes[i]) / slip.slip_speed;

@@ -23,6 +23,8 @@ struct Motion {
   double roll = 0.0;      ///< rad/s
   double yaw = 0.0;       ///< rad/s
   double curvature = 0.0; ///< kappa, 1/mm
+  /// V_0, mm/s, > 0 (creep/kinematics.hpp). At 1 m/s the default changes creepages by 5e-7.
+  double standstill_speed = 1.0;
 };
 
 /// A wheelset that moves: what is the same for all patches of a wheel.

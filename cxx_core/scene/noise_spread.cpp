@@ -25,6 +25,10 @@ constexpr int least_solutions = 7;
 /// it to 22 %.
 constexpr double likely_accuracy = 1e-2;
 
+/// Elements that a line has in any case.
+/// origin: bound: the least that solve.element_limit permits.
+constexpr double least_element_limit = 1e3;
+
 void take_curve(ProfileChoice& choice, ProfileKind kind, const NoisyScene::LikelyCurves& likely,
                 std::size_t line) {
   if (!likely) {
@@ -46,6 +50,8 @@ Scene likely_scene(const NoisyScene& noisy, std::size_t line) {
   take_curve(scene.right.wheel, ProfileKind::wheel, noisy.right_wheel, line);
   take_curve(scene.right.rail, ProfileKind::rail, noisy.right_rail, line);
   scene.accuracy = std::max(scene.accuracy, likely_accuracy);
+  // All lines together take no more elements than one solution may.
+  scene.element_limit = std::max(scene.element_limit / likely_lines, least_element_limit);
   scene.derivatives = false;
   scene.damage = {};
   if (!scene.left.total_load && !scene.right.total_load) {

@@ -164,6 +164,23 @@ inline Vector3 force_on(const WheelResult& wheel) {
   return wheel.total ? wheel.total->force : wheel.force;
 }
 
+/// T gamma of its patches together, with creep forces only.
+inline std::optional<double> wear_number_of(const WheelResult& wheel) {
+  std::optional<double> sum;
+  for (const PatchResult& patch : wheel.patches) {
+    if (patch.creep) {
+      sum = sum.value_or(0.0) + patch.creep->power_per_speed;
+    }
+  }
+  return sum;
+}
+
+/// Y/Q of the wheel on the rail, Y positive towards the field side; none without a vertical force.
+inline std::optional<double> derailment_quotient_of(const WheelResult& wheel) {
+  const Vector3 force = force_on(wheel);
+  return force.z > 0.0 ? std::optional(-wheel.details.mirror * force.y / force.z) : std::nullopt;
+}
+
 inline constexpr std::array side_numbers{
     OfWheel{"vertical", turning_length, member<&WheelResult::vertical>},
     OfWheel{"pmax", stress, member<&WheelResult::pmax>},
@@ -180,6 +197,9 @@ inline constexpr std::array side_numbers{
     OfWheel{"vertical_force", turning_force, [](const WheelResult& r) { return force_on(r).z; }},
     OfWheel{"lateral_force", turning_force, [](const WheelResult& r) { return force_on(r).y; }},
     OfWheel{"longitudinal_force", force, [](const WheelResult& r) { return force_on(r).x; }},
+    OfWheel{"derailment_quotient", pure,
+            [](const WheelResult& r) { return derailment_quotient_of(r); }},
+    OfWheel{"wear_number", force, [](const WheelResult& r) { return wear_number_of(r); }},
     OfWheel{"pressure_force.x", force, member<&WheelResult::force, &Vector3::x>},
     OfWheel{"pressure_force.y", turning_force, member<&WheelResult::force, &Vector3::y>},
     OfWheel{"pressure_force.z", turning_force, member<&WheelResult::force, &Vector3::z>},

@@ -319,6 +319,11 @@ std::vector<Key> make_rolling_keys() {
       motion_key("motion.curvature", "-1e-3 to 1e-3 1/mm, or \"none\"",
                  "curvature of the track, positive in left-hand curves", 1e-3, turning_curvature,
                  &Motion::curvature),
+      number_key({"motion.standstill_speed", "1.0", "1e-3 to 1e5 mm/s",
+                  "V0: creepages are slip velocities over (V^2 + V0^2)^(1/2), so that creep forces "
+                  "go to 0 with the velocities; at standstill friction saturates at a sliding "
+                  "speed of about 0.003 V0"},
+                 {1e-3, 1e5}, length, &Scene::standstill_speed),
       creep_key(),
       word_key<SlipVariation>({"solve.slip", "\"by-element\"",
                                "\"by-element\", \"plane-axes\" or \"planar\"",

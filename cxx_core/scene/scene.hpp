@@ -87,6 +87,7 @@ struct Scene : WheelOptions {
   /// What creepages follow from where none are given; else its speed is that of the power. Without
   /// either there are no creep forces.
   std::optional<Motion> motion;
+  double standstill_speed = Motion{}.standstill_speed; ///< of the motion
   bool pitch_is_free = false; ///< of the motion: such that contact forces hold the torque
   double torque = 0.0;        ///< about the axle, N mm, > 0 drives forwards
   bool derivatives = false;   ///< of creep forces, whether they are kept for a Jacobian

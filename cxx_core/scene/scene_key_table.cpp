@@ -91,8 +91,8 @@ struct RailMoves {
 };
 
 constexpr RailMoves displacements{
-    "[lateral, vertical, roll], each -100 to 100 mm, the roll -0.2 to 0.2 rad",
-    {100.0, 100.0, 0.2}};
+    "[lateral, vertical, roll], each -1e4 to 1e4 mm, the roll -0.2 to 0.2 rad",
+    {1e4, 1e4, 0.2}};
 constexpr RailMoves velocities{
     "[lateral, vertical, roll], each -1e6 to 1e6 mm/s, the roll -1e3 to 1e3 rad/s",
     {1e6, 1e6, 1e3}};
@@ -281,9 +281,9 @@ std::vector<Key> material_keys() {
 
 std::vector<Key> pose_keys() {
   std::vector<Key> keys;
-  keys.push_back(number_key({"pose.lateral", "0.0", "-100 to 100 mm",
+  keys.push_back(number_key({"pose.lateral", "0.0", "-1e4 to 1e4 mm",
                              "displacement of the wheelset's centre to the left"},
-                            {-100.0, 100.0}, turning_length, &Scene::lateral));
+                            {-1e4, 1e4}, turning_length, &Scene::lateral));
   keys.push_back(
       number_key({"pose.yaw", "0.0", "-0.2 to 0.2 rad", "yaw, anticlockwise seen from above"},
                  {-0.2, 0.2}, turning_angle, &Scene::yaw));
@@ -298,10 +298,10 @@ std::vector<Key> pose_keys() {
     return v == "en15302" || solve(s, v);
   };
   keys.push_back(roll);
-  keys.push_back(optional_key({"pose.vertical", "\"solve\"", "\"solve\" or 0 to 6000 mm",
+  keys.push_back(optional_key({"pose.vertical", "\"solve\"", "\"solve\" or -1e4 to 2e4 mm",
                                "height of the wheelset's centre above the rail tops; a number "
                                "prescribes the position, and forces are results"},
-                              {0.0, 6000.0}, turning_length, &Scene::vertical, "solve"));
+                              {-1e4, 2e4}, turning_length, &Scene::vertical, "solve"));
   return keys;
 }
 

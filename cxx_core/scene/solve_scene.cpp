@@ -76,6 +76,7 @@ CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
     request.speed = scene.motion ? std::abs(scene.motion->speed) : 0.0;
   } else {
     request.motion = scene.motion;
+    request.motion->standstill_speed = scene.standstill_speed;
     request.nominal_radius = scene.nominal_radius();
     request.rail_velocity = side.velocity;
   }

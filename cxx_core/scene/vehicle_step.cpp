@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "derivatives/rail_jacobian.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
 #include "scene/patch_summary.hpp"
@@ -23,15 +24,41 @@ constexpr Columns velocity_columns{
     StateVariable::speed,     StateVariable::lateral_velocity, StateVariable::vertical_velocity,
     StateVariable::roll_rate, StateVariable::pitch_rate,       StateVariable::yaw_rate};
 
+/// The wheelset's columns whose dimensions the rail's have.
+constexpr std::array rail_columns{StateVariable::lateral, StateVariable::vertical,
+                                  StateVariable::roll};
+constexpr std::array rail_rate_columns{StateVariable::lateral_velocity,
+                                       StateVariable::vertical_velocity, StateVariable::roll_rate};
+
+double entry_to_caller(double value, std::size_t row, StateVariable column,
+                       const Convention& convention) {
+  return to_caller(
+      value, convention,
+      number_tables::rate_of(number_tables::jacobian_rows[row],
+                             number_tables::jacobian_columns[static_cast<std::size_t>(column)]));
+}
+
+/// `first`: the first of the rail's columns.
+std::array<SixNumbers, 3> derivatives_of(const RailJacobian& jacobian, std::size_t first,
+                                         const std::array<StateVariable, 3>& columns,
+                                         const Convention& convention) {
+  std::array<SixNumbers, 3> by{};
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    for (std::size_t row = 0; row < 6; ++row) {
+      by[column][row] =
+          entry_to_caller(jacobian[row][first + column], row, columns[column], convention);
+    }
+  }
+  return by;
+}
+
 std::array<SixNumbers, 6> derivatives_of(const ForceJacobian& jacobian, const Columns& columns,
                                          const Convention& convention) {
   std::array<SixNumbers, 6> by{};
   for (std::size_t column = 0; column < columns.size(); ++column) {
     for (std::size_t row = 0; columns[column] && row < 6; ++row) {
-      const auto variable = static_cast<std::size_t>(*columns[column]);
-      const Dimension dimension = number_tables::rate_of(number_tables::jacobian_rows[row],
-                                                         number_tables::jacobian_columns[variable]);
-      by[column][row] = to_caller(jacobian[row][variable], convention, dimension);
+      by[column][row] = entry_to_caller(jacobian[row][static_cast<std::size_t>(*columns[column])],
+                                        row, *columns[column], convention);
     }
   }
   return by;
@@ -50,6 +77,9 @@ WheelForces forces_of(SceneWheel& wheel, const Convention& convention, bool deri
   if (const ForceJacobian* jacobian = derivatives ? wheel.jacobian() : nullptr) {
     result.by_position = derivatives_of(*jacobian, position_columns, convention);
     result.by_velocity = derivatives_of(*jacobian, velocity_columns, convention);
+    const RailJacobian by_rail = rail_jacobian_of(wheel, *jacobian);
+    result.by_rail = derivatives_of(by_rail, 0, rail_columns, convention);
+    result.by_rail_velocity = derivatives_of(by_rail, 3, rail_rate_columns, convention);
   }
   return result;
 }
@@ -66,24 +96,35 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
                            "allowed in a step with derivatives are \"auto\" and \"half-space\"");
   }
   Scene posed = scene;
-  const SixNumbers& q = state.position;
-  const SixNumbers& v = state.velocity;
-  for (const auto& [key, value] : {std::pair("pose.lateral", q[1]),
-                                   {"pose.vertical", q[2]},
-                                   {"pose.roll", q[3]},
-                                   {"pose.yaw", q[5]},
-                                   {"motion.speed", v[0]},
-                                   {"motion.lateral", v[1]},
-                                   {"motion.vertical", v[2]},
-                                   {"motion.roll", v[3]},
-                                   {"motion.pitch", v[4]},
-                                   {"motion.yaw", v[5]}}) {
-    set_number(posed, key, value);
+  const auto set_six = [&posed](const SixNumbers& values, const std::array<const char*, 6>& keys) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (keys[i] != nullptr) {
+        set_number(posed, keys[i], values[i]);
+      }
+    }
+  };
+  set_six(state.position,
+          {nullptr, "pose.lateral", "pose.vertical", "pose.roll", nullptr, "pose.yaw"});
+  if (state.velocity) {
+    set_six(*state.velocity, {"motion.speed", "motion.lateral", "motion.vertical", "motion.roll",
+                              "motion.pitch", "motion.yaw"});
   }
-  if (state.rails) {
-    const std::span<const double> rails(*state.rails);
-    set_numbers(posed, "track.left.displacement", rails.first(3));
-    set_numbers(posed, "track.right.displacement", rails.last(3));
+  const auto set_rails = [&posed](const std::optional<SixNumbers>& values, std::string_view left,
+                                  std::string_view right) {
+    if (values) {
+      const std::span<const double> numbers(*values);
+      set_numbers(posed, left, numbers.first(3));
+      set_numbers(posed, right, numbers.last(3));
+    }
+  };
+  set_rails(state.rails, "track.left.displacement", "track.right.displacement");
+  set_rails(state.rail_velocities, "track.left.velocity", "track.right.velocity");
+  if (state.curvature) {
+    set_number(posed, "motion.curvature", *state.curvature);
+  }
+  if (state.friction) {
+    set_number(posed, "friction.left", (*state.friction)[0]);
+    set_number(posed, "friction.right", (*state.friction)[1]);
   }
   posed.derivatives = state.derivatives;
   return posed;

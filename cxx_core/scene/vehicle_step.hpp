@@ -21,11 +21,15 @@ struct VehicleState {
   /// x, y, z, roll, pitch angle, yaw of the wheelset. Nothing depends on x and the pitch angle.
   SixNumbers position{};
   /// Their rates; that of the pitch angle is positive when the axle rolls forward, in any frame.
-  SixNumbers velocity{};
+  /// Not set: as in the scene.
+  std::optional<SixNumbers> velocity;
   /// Displacement of the left rail and of the right one: lateral, vertical, roll each. Not set: as
   /// in the scene.
   std::optional<SixNumbers> rails;
-  bool derivatives = false; ///< whether Jacobians are wanted
+  std::optional<SixNumbers> rail_velocities;     ///< likewise: their rates
+  std::optional<double> curvature;               ///< of the track; likewise
+  std::optional<std::array<double, 2>> friction; ///< of the left and the right wheel; likewise
+  bool derivatives = false;                      ///< whether Jacobians are wanted
 };
 
 /// Forces of one wheel; zeros without contact.
@@ -34,6 +38,9 @@ struct WheelForces {
   /// Derivatives of the six by each position and each velocity: by x, by y, ...
   std::array<SixNumbers, 6> by_position{};
   std::array<SixNumbers, 6> by_velocity{};
+  /// By lateral, vertical and roll displacement of the wheel's own rail, and by their rates.
+  std::array<SixNumbers, 3> by_rail{};
+  std::array<SixNumbers, 3> by_rail_velocity{};
   int state = 0; ///< flags of wheel/wheel_state.hpp
 };
 

@@ -21,20 +21,58 @@ class Step(NamedTuple):
 
     force: [2, 6], of the left and the right wheel: force x, y, z (N) and moment x, y, z (N mm) about
     the wheelset's centre. by_position, by_velocity: [2, 6, 6] or None: [wheel, k, i] is the
-    derivative of component i by coordinate k. states: [2], flags of left.state.
+    derivative of component i by coordinate k. states: [2], flags of left.state. by_rail,
+    by_rail_velocity: [2, 3, 6] or None: by lateral, vertical and roll displacement of the wheel's own
+    rail, and by their rates.
     """
 
     force: Array
     by_position: Array | None
     by_velocity: Array | None
     states: NDArray[np.int32]
+    by_rail: Array | None = None
+    by_rail_velocity: Array | None = None
 
 
-def _six(values: ArrayLike, name: str) -> Array:
+class Equilibrium(NamedTuple):
+    """Where a wheelset carries given loads (wrc_solver_equilibrium): position [6], and the step there."""
+
+    position: Array
+    step: Step
+
+
+def _numbers(values: ArrayLike, name: str, count: int) -> Array:
     numbers = doubles(values)
-    if numbers.size != 6:
-        raise InvalidArgument(f"{name} has {numbers.size} values; it takes 6")
+    if numbers.size != count:
+        raise InvalidArgument(f"{name} has {numbers.size} values; it takes {count}")
     return numbers
+
+
+class _Arguments:
+    """Further arguments of a step (wrc_step_arguments), and the arrays that it fills."""
+
+    def __init__(self, derivatives: bool, rails: ArrayLike | None, rail_velocities: ArrayLike | None,
+                 curvature: float | None, friction: ArrayLike | None) -> None:
+        self.passed = ffi.new("wrc_step_arguments*")
+        self.passed.struct_size = ffi.sizeof("wrc_step_arguments")
+        self._inputs = {}  # kept while C has their addresses
+        for name, values, count in (("rails", rails, 6), ("rail_velocities", rail_velocities, 6),
+                                    ("curvature", curvature, 1), ("friction", friction, 2)):
+            if values is not None:
+                self._inputs[name] = _numbers(values, name, count)
+                setattr(self.passed, name, pointer(self._inputs[name]))
+        self.force, self.states = np.empty((2, 6)), np.empty(2, dtype=np.int32)
+        self.passed.states = pointer(self.states, "int32_t")
+        self._rates: list[Array | None] = [None] * 4
+        if derivatives:
+            self._rates = [np.empty((2, columns, 6)) for columns in (6, 6, 3, 3)]
+            for name, rate in zip(("by_position", "by_velocity", "by_rail", "by_rail_velocity"),
+                                  self._rates, strict=True):
+                setattr(self.passed, name, pointer(rate))
+
+    def step(self) -> Step:
+        by_position, by_velocity, by_rail, by_rail_velocity = self._rates
+        return Step(self.force, by_position, by_velocity, self.states, by_rail, by_rail_velocity)
 
 
 class Solver(Handle):
@@ -56,25 +94,48 @@ class Solver(Handle):
     forget = clear  # its old name
 
     def step(self, scene: Scene, position: ArrayLike, velocity: ArrayLike, *,
-             rails: ArrayLike | None = None, derivatives: bool = False) -> Step:
+             rails: ArrayLike | None = None, derivatives: bool = False,
+             rail_velocities: ArrayLike | None = None, curvature: float | None = None,
+             friction: ArrayLike | None = None) -> Step:
         """One evaluation of a wheelset: forces of both wheels at its position and velocity.
 
         position: x, y, z, roll, pitch angle, yaw of its centre, z above the rail tops; velocity:
-        their rates. rails: lateral, vertical, roll of the left and of the right rail; otherwise as
-        in the scene. In the scene's convention (docs/vehicle.md). Does not warn; scene.result.warnings
-        has what it would. NotConverged, NoContact.
+        their rates. rails, rail_velocities: lateral, vertical, roll of the left and of the right rail,
+        and their rates; curvature of the track; friction of the left and of the right wheel; each
+        stays as in the scene if it is None. In the scene's convention (docs/vehicle.md). Does not
+        warn; scene.result.warnings has what it would. NotConverged, NoContact.
         """
-        q, v = _six(position, "position"), _six(velocity, "velocity")
-        r = ffi.NULL if rails is None else pointer(_six(rails, "rails"))
-        force, states = np.empty((2, 6)), np.empty(2, dtype=np.int32)
-        by_position = np.empty((2, 6, 6)) if derivatives else None
-        by_velocity = np.empty((2, 6, 6)) if derivatives else None
-        scene._solved(lib.wrc_solver_step(
-            self._handle, scene._handle, pointer(q), pointer(v), r, pointer(force),
-            ffi.NULL if by_position is None else pointer(by_position),
-            ffi.NULL if by_velocity is None else pointer(by_velocity), pointer(states, "int32_t")),
-            warns=False)
-        return Step(force, by_position, by_velocity, states)
+        q, v = _numbers(position, "position", 6), _numbers(velocity, "velocity", 6)
+        arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction)
+        scene._solved(lib.wrc_solver_step_with(
+            self._handle, scene._handle, pointer(q), pointer(v), arguments.passed,
+            pointer(arguments.force)), warns=False)
+        return arguments.step()
+
+    def equilibrium(self, scene: Scene, position: ArrayLike, *, wheels: ArrayLike | None = None,
+                    axle: ArrayLike | None = None, velocity: ArrayLike | None = None,
+                    rails: ArrayLike | None = None, derivatives: bool = False,
+                    rail_velocities: ArrayLike | None = None, curvature: float | None = None,
+                    friction: ArrayLike | None = None) -> Equilibrium:
+        """Height and roll at which a wheelset carries given loads (wrc_solver_equilibrium).
+
+        wheels: vertical forces on the left and the right wheel, N; or axle: the vertical force on the
+        axle, N, and the moment about x on it. position: as in step, of which y and yaw are used;
+        velocity: as in the scene if it is None. The others as in step. NotConverged, NoContact.
+        """
+        if wheels is not None and axle is None:
+            kind, loads = lib.WRC_LOADS_OF_WHEELS, _numbers(wheels, "wheels", 2)
+        elif axle is not None and wheels is None:
+            kind, loads = lib.WRC_LOAD_OF_AXLE, _numbers(axle, "axle", 2)
+        else:
+            raise InvalidArgument("give either wheels, the loads of both, or axle, its load and moment")
+        q = _numbers(position, "position", 6).copy()
+        v = None if velocity is None else _numbers(velocity, "velocity", 6)
+        arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction)
+        scene._solved(lib.wrc_solver_equilibrium(
+            self._handle, scene._handle, kind, pointer(loads), ffi.NULL if v is None else pointer(v),
+            arguments.passed, pointer(q), pointer(arguments.force)), warns=False)
+        return Equilibrium(q, arguments.step())
 
     def creep(self, scene: Scene, patch: int, creepages: ArrayLike) -> tuple[Array, Array]:
         """Creep forces of a patch at creepages of the caller's own (wrc_solver_creep).

@@ -193,8 +193,8 @@ TEST(Ids, ARefusedNumberChangesNothing) {
   }
   // As by name: value and range in the units of the caller.
   set(s, {{"convention.units", "SI"}});
-  expect_error(s, set_by_id(s, {ids[0]}, {3.0}), WRC_INVALID_ARGUMENT, "pose.lateral = 3",
-               "-0.1 to 0.1 m");
+  expect_error(s, set_by_id(s, {ids[0]}, {30.0}), WRC_INVALID_ARGUMENT, "pose.lateral = 30",
+               "-10 to 10 m");
   expect_error(s, set_by_id(s, {key_id(s, "solve.threads")}, {1.5}), WRC_INVALID_ARGUMENT,
                "solve.threads = 1.5");
   expect_error(s, set_by_id(s, {key_id(s, "solve.side")}, {1.0}), WRC_INVALID_ARGUMENT,

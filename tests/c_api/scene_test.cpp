@@ -203,7 +203,7 @@ TEST(SceneKeys, AFailedCallDoesNotChangeTheScene) {
   const ScenePointer scene = make_small_scene();
   wrc_scene* s = scene.get();
   const double grid[] = {0.0, 8.0};
-  EXPECT_NE(wrc_scene_set_number(s, "pose.lateral", 1000.0), WRC_OK);
+  EXPECT_NE(wrc_scene_set_number(s, "pose.lateral", 2e4), WRC_OK);
   EXPECT_NE(wrc_scene_set_number(s, "load.vertical", -5.0), WRC_OK);
   EXPECT_NE(wrc_scene_set_text(s, "solve.side", "none"), WRC_OK);
   EXPECT_NE(wrc_scene_set_text(s, "track.rail", ""), WRC_OK);

@@ -83,6 +83,101 @@ TEST(Steps, EqualKeysAndSolve) {
   EXPECT_EQ(step.states, (std::array<std::int32_t, 2>{}));
 }
 
+TEST(StepArguments, EqualKeysAndSolve) {
+  Scene by_keys = vehicle_scene();
+  set_state(by_keys, position, velocity);
+  by_keys.set("track.left.displacement", {0.2, -0.05, 0.0});
+  by_keys.set("track.left.velocity", {3.0, 0.0, 0.0});
+  by_keys.set("motion.curvature", -2e-6);
+  by_keys.set("friction.left", 0.2);
+  by_keys.set("friction.right", 0.4);
+  by_keys.solve();
+  Scene scene = vehicle_scene();
+  Solver solver;
+  Step step;
+  wrcontact::StepArguments arguments;
+  arguments.rails = Six{0.2, -0.05, 0.0, 0.0, 0.0, 0.0};
+  arguments.rail_velocities = Six{3.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  arguments.curvature = -2e-6;
+  arguments.friction = {0.2, 0.4};
+  ASSERT_TRUE(solver.step(scene, position, velocity, step, arguments));
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(step.force[i], total(by_keys, i)) << i;
+  }
+  // They stay, and derivatives of rails oppose those of the wheelset.
+  wrcontact::StepArguments later;
+  later.derivatives = true;
+  Step again;
+  ASSERT_TRUE(solver.step(scene, position, velocity, again, later));
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(again.force[i], step.force[i]) << i;
+    const std::size_t of_wheel = 36 * (i / 6) + i % 6;
+    const std::size_t of_rail = 18 * (i / 6) + i % 6;
+    EXPECT_EQ(later.by_rail[of_rail + 6], -again.by_position[of_wheel + 12]) << i;
+    EXPECT_EQ(later.by_rail_velocity[of_rail], -again.by_velocity[of_wheel + 6]) << i;
+  }
+}
+
+TEST(StepArguments, OfAnotherSizeAreRefused) {
+  Scene scene = vehicle_scene();
+  Solver solver;
+  std::array<double, 12> force{};
+  wrc_step_arguments arguments{};
+  for (const std::uint64_t size :
+       {std::uint64_t{0}, std::uint64_t{sizeof arguments - 8}, std::uint64_t{1} << 40}) {
+    arguments.struct_size = size;
+    EXPECT_EQ(wrc_solver_step_with(solver.handle(), scene.handle(), position.data(),
+                                   velocity.data(), &arguments, force.data()),
+              WRC_INVALID_ARGUMENT);
+    wrc_solver* solvers[] = {solver.handle()};
+    wrc_scene* scenes[] = {scene.handle()};
+    EXPECT_EQ(wrc_step_batch_with(solvers, scenes, 1, 1, position.data(), velocity.data(),
+                                  &arguments, force.data(), nullptr),
+              WRC_INVALID_ARGUMENT);
+  }
+  EXPECT_EQ(wrc_solver_step_with(solver.handle(), scene.handle(), position.data(), velocity.data(),
+                                 nullptr, force.data()),
+            WRC_OK);
+}
+
+TEST(LongWaves, ShiftRailsAndWheelsetTogether) {
+  Scene scene = vehicle_scene();
+  Solver solver;
+  Step here;
+  Step far;
+  wrcontact::StepArguments arguments;
+  ASSERT_TRUE(solver.step(scene, position, velocity, here, arguments));
+  arguments.rails = Six{1500.0, -800.0, 0.0, 1500.0, -800.0, 0.0};
+  Six moved = position;
+  moved[1] += 1500.0;
+  moved[2] -= 800.0;
+  ASSERT_TRUE(solver.step(scene, moved, velocity, far, arguments));
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_NEAR(far.force[i], here.force[i], 1e-6 * std::abs(here.force[i]) + 1.0) << i;
+  }
+}
+
+TEST(Equilibria, PutAWheelsetWhereItsWheelsCarryTheLoads) {
+  Scene scene = vehicle_scene();
+  Solver solver;
+  Step step;
+  wrcontact::StepArguments arguments;
+  Six place{0.0, 3.0, 0.0, 0.0, 0.0, 1e-3};
+  ASSERT_TRUE(solver.equilibrium(scene, WRC_LOADS_OF_WHEELS, {9e4, 5e4}, place, step, arguments,
+                                 &velocity));
+  EXPECT_NEAR(step.force[2], 9e4, 20.0);
+  EXPECT_NEAR(step.force[8], 5e4, 20.0);
+  EXPECT_EQ(scene.number("left.total.force.z"), step.force[2]);
+  Step there;
+  ASSERT_TRUE(solver.step(scene, place, velocity, there));
+  EXPECT_EQ(there.force, step.force) << "the same bits by a step";
+  const Six before = place;
+  EXPECT_THROW(solver.equilibrium(scene, WRC_LOAD_OF_AXLE, {1e5, 1e9}, place, step, arguments),
+               wrcontact::Error);
+  EXPECT_THROW(solver.equilibrium(scene, 2, {1e5, 0.0}, place, step, arguments), wrcontact::Error);
+  EXPECT_EQ(place, before);
+}
+
 TEST(Steps, UseTheConventionOfTheScene) {
   Scene scene = vehicle_scene();
   Solver solver;
@@ -371,8 +466,8 @@ TEST(Tables, AreRefusedBeforeTheFirstSolution) {
     }
     return std::string("accepted");
   };
-  EXPECT_EQ(text_of("pose.lateral", 500.0, "left.pmax"),
-            "pose.lateral = 500: allowed is -100 to 100 mm");
+  EXPECT_EQ(text_of("pose.lateral", 2e4, "left.pmax"),
+            "pose.lateral = 20000: allowed is -1e4 to 1e4 mm");
   EXPECT_NE(text_of("pose.sideways", 0.0, "left.pmax").find("pose.sideways"), std::string::npos);
   EXPECT_EQ(text_of("pose.lateral", 0.0, "left.pmux"), "results: there is no result \"left.pmux\"");
   EXPECT_EQ(text_of("pose.lateral", 0.0, ""), "results: at least one name is needed");

@@ -356,7 +356,7 @@ TEST_F(WrcSweep, RefusesBadStudies) {
     EXPECT_FALSE(exists("o/s.rows")) << text;
   };
   refuse("[pose]\nsideways = [1, 2]\n", {"pose.sideways", "pose.lateral"});
-  refuse("[pose]\nlateral = [1, 1000]\n", {"pose.lateral = 1000", "-100 to 100"});
+  refuse("[pose]\nlateral = [1, 20000]\n", {"pose.lateral = 20000", "-1e4 to 1e4"});
   refuse("[pose]\nlateral = []\n", {"pose.lateral"});
   refuse("[pose]\nlateral = {from = 1, to = 2}\n", {"pose.lateral", "{from, to, step}"});
   refuse("[pose]\nlateral = {from = 1, to = 2, step = -1}\n", {"pose.lateral", "step"});

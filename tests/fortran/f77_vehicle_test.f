@@ -82,8 +82,41 @@ c     The left rail up by as much as the wheel.
      &  istate, ierr)
       call expect(ierr .eq. 1, 'the wrong way round')
       call tables(scene, axes, table)
+      call more(solver, scene)
       call wrcdel(solver, ierr)
       call wrcdel(scene, ierr)
+      end
+
+c     Further arguments of a step, and static equilibrium.
+      subroutine more(solver, scene)
+      implicit none
+      integer*8 scene, solver
+      integer ierr, istate(2), iopt(5)
+      real*8 q(6), v(6), f(6,2), g(6,2), opt(15), value, loads(2)
+      real*8 dfdq(6,6,2), dfdv(6,6,2), dfdr(6,3,2), dfdw(6,3,2)
+      data q /0.0d0, 3.0d0, 459.815d0, 1.8d-4, 0.0d0, 1.0d-3/
+      data v /2.0d4, 15.0d0, 1.0d0, 2.0d-3, 43.5d0, -5.0d-3/
+      data iopt /0, 0, 0, 1, 1/
+      data loads /9.0d4, 5.0d4/
+      save
+      opt(14) = 0.2d0
+      opt(15) = 0.4d0
+      call wrcvex(solver, scene, q, v, iopt, opt, f, dfdq, dfdv, dfdr,
+     &  dfdw, istate, ierr)
+      call expect(ierr .eq. 0, 'a step with more arguments')
+      call wrcget(scene, 'friction.right', value, ierr)
+      call expect(abs(value - 0.4d0) .le. 0.0d0, 'friction stays')
+      call expect(abs(dfdr(3,2,1) + dfdq(3,3,1)) .le. 0.0d0 .and.
+     &  abs(dfdw(2,1,2) + dfdv(2,2,2)) .le. 0.0d0,
+     &  'a rail moves against the wheel')
+      iopt(5) = 0
+      call wrceql(solver, scene, 0, loads, 1, v, iopt, opt, q, f, dfdq,
+     &  dfdv, dfdr, dfdw, istate, ierr)
+      call expect(ierr .eq. 0 .and. abs(f(3,1) - 9.0d4) .lt. 2.0d1
+     &  .and. abs(f(3,2) - 5.0d4) .lt. 2.0d1, 'wheels carry loads')
+      call wrcvex(solver, scene, q, v, iopt, opt, g, dfdq, dfdv, dfdr,
+     &  dfdw, istate, ierr)
+      call expect(abs(f(2,1) - g(2,1)) .le. 0.0d0, 'the same bits')
       end
 
       subroutine tables(scene, axes, table)

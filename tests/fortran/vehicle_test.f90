@@ -11,11 +11,63 @@ program vehicle_test
 
   call steps_give_forces_patches_and_derivatives()
   call steps_of_many_wheelsets()
+  call steps_take_further_arguments()
+  call wheelsets_in_equilibrium()
   call creep_forces_of_own_creepages()
   call tables_over_keys()
   call finish()
 
 contains
+
+  subroutine steps_take_further_arguments()
+    type(contact_scene) :: scenes(2)
+    type(contact_solver) :: solvers(2)
+    real(real64) :: f(6, 2), g(6, 2, 2), dfdq(6, 6, 2), dfdv(6, 6, 2), dfdr(6, 3, 2), dfdrv(6, 3, 2)
+    real(real64) :: many_r(6, 3, 2, 2), bends(2), mu(2, 2), moving(3, 2)
+    integer :: stat, i
+    character(200) :: errmsg
+    do i = 1, 2
+      call make(scenes(i))
+      call solvers(i)%create()
+    end do
+    moving = 0
+    moving(1, 1) = 3.0_real64
+    call solvers(1)%step(scenes(1), q, v, f, dfdq=dfdq, dfdv=dfdv, curvature=-2.0e-6_real64, &
+      friction=[0.2_real64, 0.4_real64], rail_velocities=moving, dfdr=dfdr, dfdrv=dfdrv)
+    call expect(same(scenes(1)%get_number('friction.right'), 0.4_real64), 'friction of a step stays')
+    call expect(same(scenes(1)%get_number('motion.curvature'), -2.0e-6_real64), 'curvature of a step')
+    call expect(all(abs(dfdr(:, 2, :) + dfdq(:, 3, :)) <= 0), 'a rail that sinks is a wheel that rises')
+    call expect(all(abs(dfdrv(:, 1, :) + dfdv(:, 2, :)) <= 0), 'a rail moves against the wheel')
+    bends = -2.0e-6_real64
+    mu(1, :) = 0.2_real64
+    mu(2, :) = 0.4_real64
+    call step_batch(solvers, scenes, spread(q, 2, 2), spread(v, 2, 2), g, 2, curvature=bends, friction=mu, &
+      rail_velocities=spread(moving, 3, 2), dfdr=many_r)
+    call expect(all(abs(g(:, :, 2) - f) <= 0) .and. all(abs(many_r(:, :, :, 2) - dfdr) <= 0), &
+      'a batch has the bits of steps')
+    mu(2, 2) = -1.0_real64
+    call step_batch(solvers, scenes, spread(q, 2, 2), spread(v, 2, 2), g, 2, friction=mu, stat=stat, &
+      errmsg=errmsg)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'wheelset 2: friction.right') == 1, &
+      'the message names the wheelset')
+  end subroutine steps_take_further_arguments
+
+  subroutine wheelsets_in_equilibrium()
+    type(contact_scene) :: scene
+    type(contact_solver) :: solver
+    real(real64) :: place(6), f(6, 2), g(6, 2)
+    integer :: stat
+    call make(scene)
+    call solver%create()
+    place = [0.0_real64, 3.0_real64, 0.0_real64, 0.0_real64, 0.0_real64, 1.0e-3_real64]
+    call solver%equilibrium(scene, wrc_load_of_axle, [1.4e5_real64, 2.0e6_real64], place, f, v)
+    call expect(abs(sum(f(3, :)) - 1.4e5_real64) < 20 .and. abs(sum(f(4, :)) + 2.0e6_real64) < 2.0e4_real64, &
+      'the axle carries its load and moment')
+    call solver%step(scene, place, v, g)
+    call expect(all(abs(f - g) <= 0), 'a step there has the same bits')
+    call solver%equilibrium(scene, wrc_loads_of_wheels, [-1.0_real64, 1.0_real64], place, f, stat=stat)
+    call expect(stat == wrc_invalid_argument, 'wheels cannot pull')
+  end subroutine wheelsets_in_equilibrium
 
   subroutine make(scene)
     type(contact_scene), intent(inout) :: scene
@@ -96,7 +148,8 @@ contains
     end do
     qs(6, 2) = 1
     call step_batch(solvers, scenes, qs, vs, f, 2, statuses, stat, errmsg)
-    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'pose.yaw') == 1, 'the second fails')
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'wheelset 2: pose.yaw') == 1, &
+      'the second fails')
     call expect(statuses(2) == stat .and. statuses(3) == wrc_ok, 'alone')
     call step_batch(solvers(:2), scenes, qs, vs, f, 2, stat=stat, errmsg=errmsg)
     call expect(stat == wrc_invalid_argument .and. index(errmsg, 'q(6, n)') > 0, 'two for three')

@@ -117,7 +117,7 @@
 %! rail = wrc_profile ('60E1');
 %! points = [rail.lateral, rail.height];
 %! cases = {{'pose.latera', 5}, 'unknown_name', 'nearest: pose.lateral;';
-%!          {'pose.lateral', 500}, 'invalid_argument', 'pose.lateral = 500: allowed is -100 to 100 mm';
+%!          {'pose.lateral', 2e4}, 'invalid_argument', 'pose.lateral = 20000: allowed is -1e4 to 1e4 mm';
 %!          {'pose.lateral', 100}, 'no_contact', 'wheel off the rail';
 %!          {'track.rail', 'no/such.txt'}, 'unknown_name', 'no/such.txt';
 %!          {'track.rail', file}, 'file_malformed', file;

@@ -45,6 +45,9 @@ void draw_motion(Draw& draw, DrawnScene& scene) {
     scene.set("motion.roll", draw.signed_by_ratio(1e-4, 10.0));
     scene.set("motion.vertical", draw.signed_by_ratio(1e-2, 1e3));
   }
+  if (draw.chance(0.1)) {
+    scene.set("motion.standstill_speed", std::abs(draw.signed_by_ratio(1e-2, 1e3)));
+  }
 }
 
 void draw_creepages(Draw& draw, DrawnScene& scene) {

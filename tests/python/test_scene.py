@@ -166,6 +166,28 @@ def test_a_step_gives_forces_and_derivatives_of_both_wheels():
         solver.step(scene, position[:5], velocity)
 
 
+def test_a_step_takes_rails_curvature_and_friction():
+    solver, scene = wrcontact.Solver(), wrcontact.Scene(accuracy_of="forces", creep="fastsim")
+    position, velocity = [0, 3.0, 459.815, 1.8e-4, 0, 1e-3], [2e4, 15.0, 0, 0, 43.5, 0]
+    step = solver.step(scene, position, velocity, derivatives=True, friction=[0.2, 0.4],
+                       curvature=-2e-6, rail_velocities=[[3.0, 0, 0], [0, 0, 0]])
+    assert scene["friction.right"] == 0.4 and scene["motion.curvature"] == -2e-6
+    assert step.by_rail is not None and step.by_position is not None
+    assert np.array_equal(step.by_rail[:, 1], -step.by_position[:, 2])
+    with pytest.raises(wrcontact.InvalidArgument, match="friction has 1 values"):
+        solver.step(scene, position, velocity, friction=[0.3])
+
+
+def test_equilibrium_finds_height_and_roll():
+    solver, scene = wrcontact.Solver(), wrcontact.Scene(accuracy_of="forces", accuracy=1e-3)
+    found = solver.equilibrium(scene, [0, 3.0, 0, 0, 0, 0], axle=[1.4e5, 2e6])
+    assert np.isclose(found.step.force[:, 2].sum(), 1.4e5, rtol=1e-4)
+    assert np.isclose(found.step.force[:, 3].sum(), -2e6, rtol=1e-2)
+    assert 459 < found.position[2] < 461
+    with pytest.raises(wrcontact.InvalidArgument, match="either wheels"):
+        solver.equilibrium(scene, [0] * 6)
+
+
 def test_a_table_has_an_axis_for_each_key():
     scene = wrcontact.Scene(accuracy=1e-2)
     table = scene.tabulate({"lateral": [0, 2, 4], "yaw": [0, 0.01]}, ["left.pmax", "roll"], threads=2)

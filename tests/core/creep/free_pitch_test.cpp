@@ -224,5 +224,40 @@ TEST(FreePitch, StepsOfUnlikeBodiesEndTheSearch) {
   EXPECT_LE(found.evaluations, 10);
 }
 
+/// Forces jump with the elements of a wheel on the edge of its chamfer: no rate balances them, and
+/// 28 were tried, for 2.6 s.
+TEST(FreePitch, JumpsOfForcesEndTheSearch) {
+  Scene scene;
+  set_text(scene, "wheelset.wheel", "LM");
+  set_text(scene, "track.rail", "54E1");
+  set_text(scene, "track.cant", "1:20");
+  set_number(scene, "track.gauge", 1442.107946106634);
+  set_number(scene, "track.gauge_height", 12.291186898315406);
+  set_number(scene, "wheelset.back_to_back", 1360.5458673425089);
+  set_number(scene, "wheelset.radius", 528.20214264168237);
+  scene.side = SideChoice::right;
+  scene.lateral = 5.3676863941506774;
+  scene.roll = 0.10617728777754171;
+  scene.vertical = 606.74697540262969;
+  scene.accuracy = 1.1056112753860231e-3;
+  scene.motion.emplace(); // for the grid of normal contact
+  scene.precision = Precision::double_only;
+  SceneResult normal = solve_scene(scene);
+  CreepRequest request;
+  request.model = CreepModel::full;
+  request.motion = Motion{.speed = 181.7825001337884};
+  request.nominal_radius = scene.nominal_radius();
+  request.friction = {0.3, {}, 0.86557472317851736, 0.39095861741163929};
+  request.accuracy = scene.accuracy;
+  request.pitch_is_free = true;
+  request.material = shear_constants(scene.wheel_material, scene.rail_material);
+  request.combined_modulus = combined_modulus(scene.wheel_material, scene.rail_material);
+  std::vector<DrivenWheel> wheels{{&*normal.right, request}};
+  RollingSolver solver;
+  const FreePitch found = solve_free_pitch(wheels, 0.0, solver);
+  EXPECT_FALSE(found.saturated);
+  EXPECT_LE(found.evaluations, 10);
+}
+
 } // namespace
 } // namespace wrc::test::free_pitch_test

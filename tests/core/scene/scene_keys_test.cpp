@@ -61,7 +61,7 @@ TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
     const char* text;
   };
   constexpr std::array<Refused, 7> refused{{
-      {"pose.lateral", 3.0, "pose.lateral = 3: allowed is -0.1 to 0.1 m"},
+      {"pose.lateral", 30.0, "pose.lateral = 30: allowed is -10 to 10 m"},
       {"track.gauge", 1435.0, "track.gauge = 1435: allowed is 0.6 to 1.7 m"},
       {"motion.speed", 2e4, "motion.speed = 20000: allowed is -1000 to 1000 m/s, or \"none\""},
       {"material.youngs_modulus", 1e300, "allowed is 1e+06 to 1e+15 Pa"},
@@ -83,8 +83,8 @@ TEST(SceneKeys, RangesAreStatedInTheUnitsAndFrameOfTheCaller) {
     const std::string text =
         error_text([&] { set_number(scene, "pose.vertical", 460.0); }, ErrorCode::invalid_argument);
     EXPECT_EQ(text, frame == TrackFrame::left_up
-                        ? "pose.vertical = 460: allowed is \"solve\" or 0 to 6 m"
-                        : "pose.vertical = 460: allowed is \"solve\" or -6 to 0 m");
+                        ? "pose.vertical = 460: allowed is \"solve\" or -10 to 20 m"
+                        : "pose.vertical = 460: allowed is \"solve\" or -20 to 10 m");
   }
 }
 

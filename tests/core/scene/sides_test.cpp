@@ -176,9 +176,9 @@ TEST(Sides, DisplacementsAreReturnedInTheCallersConvention) {
   expect_error(
       ErrorCode::invalid_argument,
       [&] {
-        set_numbers(scene, "track.left.displacement", std::vector{0.2, 0.0, 0.0});
+        set_numbers(scene, "track.left.displacement", std::vector{20.0, 0.0, 0.0});
       },
-      "track.left.displacement", "0.2", "-100 to 100 mm");
+      "track.left.displacement", "20", "-1e4 to 1e4 mm");
 }
 
 TEST(Sides, AnErrorNamesTheKeyOfTheSide) {

@@ -34,6 +34,9 @@ VehicleState curving() {
 TEST(VehicleStep, StatesGoIntoTheScene) {
   VehicleState state = curving();
   state.rails = SixNumbers{0.1, 0.2, 1e-3, -0.1, -0.2, -1e-3};
+  state.rail_velocities = SixNumbers{1.0, 2.0, 3e-3, -1.0, -2.0, -3e-3};
+  state.curvature = -1e-6;
+  state.friction = {0.2, 0.4};
   const Scene scene = scene_at(rolling_scene(), state);
   EXPECT_EQ(scene.lateral, 5.0);
   EXPECT_EQ(scene.vertical, 459.9);
@@ -43,6 +46,11 @@ TEST(VehicleStep, StatesGoIntoTheScene) {
   EXPECT_EQ(scene.motion->pitch, 43.6);
   EXPECT_EQ(scene.left.displacement.height, 0.2);
   EXPECT_EQ(scene.right.displacement.lateral, -0.1);
+  EXPECT_EQ(scene.left.velocity.height, 2.0);
+  EXPECT_EQ(scene.right.velocity.roll, -3e-3);
+  EXPECT_EQ(scene.motion->curvature, -1e-6);
+  EXPECT_EQ(scene.left.friction.coefficient, 0.2);
+  EXPECT_EQ(scene.right.friction.coefficient, 0.4);
 }
 
 TEST(VehicleStep, StepsWithoutForcesOrDerivativesAreRefused) {
@@ -137,13 +145,13 @@ TEST(VehicleStep, JacobiansAreThoseOfDifferences) {
   state.derivatives = true;
   const WheelForces here = forces_at(state);
   ASSERT_GT(here.force[2], 1e4);
-  const auto expect_column = [&](SixNumbers VehicleState::*numbers, std::size_t column, double step,
-                                 const SixNumbers& by, double tolerance) {
+  const auto expect_column = [&](SixNumbers& (*numbers_of)(VehicleState&), std::size_t column,
+                                 double step, const SixNumbers& by, double tolerance) {
     VehicleState before = state;
     VehicleState after = state;
     before.derivatives = after.derivatives = false;
-    (before.*numbers)[column] -= step;
-    (after.*numbers)[column] += step;
+    numbers_of(before)[column] -= step;
+    numbers_of(after)[column] += step;
     const WheelForces low = forces_at(before);
     const WheelForces high = forces_at(after);
     for (const std::size_t row : {0U, 1U, 2U}) {
@@ -153,9 +161,11 @@ TEST(VehicleStep, JacobiansAreThoseOfDifferences) {
   };
   const double stiffness = std::abs(here.by_position[2][2]);
   EXPECT_GT(stiffness, 1e5) << "some hundred kN per mm";
-  expect_column(&VehicleState::position, 2, 1e-3, here.by_position[2], 0.03 * stiffness);
+  expect_column([](VehicleState& at) -> SixNumbers& { return at.position; }, 2, 1e-3,
+                here.by_position[2], 0.03 * stiffness);
   const double damping = std::abs(here.by_velocity[1][1]);
-  expect_column(&VehicleState::velocity, 1, 1.0, here.by_velocity[1], 0.03 * damping);
+  expect_column([](VehicleState& at) -> SixNumbers& { return *at.velocity; }, 1, 1.0,
+                here.by_velocity[1], 0.03 * damping);
 }
 
 TEST(VehicleStep, CreepForcesOfAPatchAreRefusedBeyondTheirRange) {
