@@ -91,8 +91,7 @@ struct RailMoves {
 };
 
 constexpr RailMoves displacements{
-    "[lateral, vertical, roll], each -1e4 to 1e4 mm, the roll -0.2 to 0.2 rad",
-    {1e4, 1e4, 0.2}};
+    "[lateral, vertical, roll], each -1e4 to 1e4 mm, the roll -0.2 to 0.2 rad", {1e4, 1e4, 0.2}};
 constexpr RailMoves velocities{
     "[lateral, vertical, roll], each -1e6 to 1e6 mm/s, the roll -1e3 to 1e3 rad/s",
     {1e6, 1e6, 1e3}};
