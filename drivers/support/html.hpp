@@ -13,7 +13,7 @@ namespace driver {
 /// or another attribute. Control characters become blanks.
 std::string html_text(const std::string& text);
 
-/// Elements below each other. The page may load and run nothing, whatever stands in it.
+/// Elements below each other. The page may load and run nothing, whatever its texts are.
 class HtmlPage {
 public:
   explicit HtmlPage(const std::string& title);

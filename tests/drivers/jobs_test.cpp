@@ -157,7 +157,7 @@ TEST_F(Jobs, AReportIsOnePage) {
   expect_parts(page, {"<h1>wheel.txt on rail.txt</h1>", "equivalent conicity 0.", "(Sh)", "(Sd)",
                       "<td>qR</td>", "Contact band on the wheel: s = -", "Largest pressure centred",
                       "<h2>Warnings</h2>", "data:image/svg+xml;base64,", "data:image/png;base64,"});
-  // Nothing is loaded, and no folder is told.
+  // Nothing is loaded, and no folder is shown.
   EXPECT_EQ(page.find("http:"), std::string::npos);
   EXPECT_EQ(page.find("https:"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
@@ -167,7 +167,7 @@ TEST_F(Jobs, AReportIsOnePage) {
 }
 
 /// The numbers of the page are those of wrc_case.
-TEST_F(Jobs, AReportAgreesWithASceneOfItsOwn) {
+TEST_F(Jobs, AReportShowsThePressuresOfWrcCase) {
   NEEDS_GNUPLOT();
   ASSERT_EQ(run(WRC_REPORT_PROGRAM, "S1002 60E1 --page a.html --threads 2").exit_code, 0);
   const std::string page = read("a.html");
