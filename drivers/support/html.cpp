@@ -21,7 +21,7 @@ body { font: 15px sans-serif; margin: 1em auto; max-width: 960px; padding: 0 1em
 h1 { font-size: 1.4em; overflow-wrap: anywhere; }
 h2 { font-size: 1.15em; margin-top: 1.6em; border-bottom: 1px solid #bbb; }
 img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
-table { border-collapse: collapse; margin: .6em 0; }
+table { border-collapse: collapse; margin: .6em 0; display: block; overflow-x: auto; }
 td, th { padding: .2em .8em; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top; font-weight: normal; }
 th { color: #555; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }

@@ -14,6 +14,10 @@ namespace {
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr int label_width = 20;
 
+/// How both profiles of a comparison lie.
+constexpr const char* alignment =
+    "each in its own frame as read and corrected; neither is moved to fit the other";
+
 /// A number that stands to the right of its label.
 std::string aligned(double value, int decimals) {
   const std::string text = fixed(value, decimals);
@@ -156,7 +160,7 @@ void print_table(const ProfileReport& report, std::ostream& out) {
                                << " mm2   where that one is higher\n";
     label(out, "area added") << aligned(report.comparison->added_area, 4)
                              << " mm2   where that one is lower\n";
-    label(out, "alignment") << "        none: each in its own frame, neither shifted nor turned\n";
+    label(out, "alignment") << "        " << alignment << '\n';
     out << "\nDimensions less those of " << one_line(*report.other_name) << '\n';
     print_dimensions(report.comparison->differences, out);
   }
@@ -207,6 +211,7 @@ json json_of(const ProfileReport& report) {
   if (report.comparison) {
     object["comparison"] = json_of(*report.comparison);
     object["comparison"]["other"] = *report.other_name;
+    object["comparison"]["alignment"] = alignment;
     object["comparison"]["differences"] = json_of(report.comparison->differences);
   }
   if (report.conversion) {

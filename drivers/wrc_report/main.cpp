@@ -108,12 +108,10 @@ std::vector<std::string> in_brief(const Scene& centre, const std::vector<Positio
   std::vector<std::string> brief{conicity.in_words("Without roll, after EN 15302") + '.'};
   const double spread = centre.number_or("left.spread.pmax", 0.0);
   std::string pressure =
-      "Largest pressure centred: " + number(centre.number_or("left.pmax", std::nan("")), 0) +
-      " MPa";
-  if (spread > 0.0) {
-    pressure +=
-        ", +- " + fixed(spread, 0) + " MPa in 95 of 100 cases because of the noise of the profiles";
-  }
+      "Largest pressure centred: " + number(centre.number_or("left.pmax", std::nan("")), 0);
+  pressure += spread > 0.0 ? " ± " + fixed(spread, 0) +
+                                 " MPa, in 95 of 100 cases because of the noise of the profiles"
+                           : " MPa";
   brief.push_back(pressure + '.');
   const auto less = [](const Position& one, const Position& other) {
     return std::isnan(one.pmax) || one.pmax < other.pmax;
@@ -185,8 +183,10 @@ void add_profile(HtmlPage& page, const PictureFolder& folder, const Profile& pro
 
 /// Script lines of a panel over the lateral position.
 void label_panel(Gnuplot& gnuplot, const std::string& label, const Range& range) {
-  gnuplot.script() << "set xlabel 'lateral displacement, mm (to the left)'\nset ylabel "
-                   << gnuplot_text(label, Markup::subscripts) << '\n'
+  const double side = position_reach + position_step;
+  gnuplot.script() << "set xlabel 'lateral displacement, mm (to the left)'\nset xrange [" << -side
+                   << ':' << side << "]\nset ylabel " << gnuplot_text(label, Markup::subscripts)
+                   << '\n'
                    << range.command("y");
 }
 

@@ -9,8 +9,6 @@
 namespace driver {
 namespace {
 
-constexpr double reach = 6.0; // of the positions, mm
-constexpr double step = 0.5;
 constexpr double conicity_reach = 9.0;
 constexpr double conicity_step = 0.05;
 
@@ -112,9 +110,10 @@ Scene Pair::scene() const {
 }
 
 std::vector<Position> positions_of(const Pair& pair, int threads) {
-  std::vector<Position> positions(static_cast<std::size_t>(2.0 * reach / step) + 1);
+  std::vector<Position> positions(static_cast<std::size_t>(2.0 * position_reach / position_step) +
+                                  1);
   for_each_index(positions.size(), threads, [&](std::size_t i) {
-    positions[i] = solved(pair, -reach + step * static_cast<double>(i));
+    positions[i] = solved(pair, -position_reach + position_step * static_cast<double>(i));
   });
   return positions;
 }

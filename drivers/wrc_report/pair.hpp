@@ -29,6 +29,10 @@ struct Pair {
   Profile rail;
 };
 
+/// Positions go to both sides this far, in such steps, mm.
+inline constexpr double position_reach = 6.0;
+inline constexpr double position_step = 0.5;
+
 /// Where one patch presses, from its edge nearer to the flange (wheel) or to the gauge face (rail).
 struct PressedBand {
   double s_from = 0.0; ///< on the wheel

@@ -91,6 +91,15 @@ RankedEntry ranked(SeriesEntry entry, const PictureRequest& picture, const Pictu
   return made;
 }
 
+/// The label of a tic, which gnuplot takes as the format of a number.
+std::string tic_text(const std::string& title) {
+  std::string text;
+  for (const char letter : gnuplot_text(title, Markup::subscripts)) {
+    text += letter == '%' ? "%%" : std::string(1, letter);
+  }
+  return text;
+}
+
 /// Four digits, or all before the point.
 std::string value_text(double value) {
   return std::abs(value) >= 1000.0 ? fixed(value, 0) : general(value, 4);
@@ -171,8 +180,7 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
   out << "set tics out nomirror\nset grid x lt 1 lw 1 lc rgb '#d8d8d8'\nunset key\nset ytics (";
   for (std::size_t i = 0; i < entries.size(); ++i) {
     letters = std::max(letters, entries[i].entry.shown.size());
-    out << (i > 0 ? ", " : "") << gnuplot_text(entries[i].entry.title, Markup::subscripts) << ' '
-        << i + 1;
+    out << (i > 0 ? ", " : "") << tic_text(entries[i].entry.title) << ' ' << i + 1;
   }
   constexpr std::size_t most_letters = 40;
   letters = std::min(letters, most_letters);
