@@ -105,6 +105,16 @@ std::string value_text(double value) {
   return std::abs(value) >= 1000.0 ? fixed(value, 0) : general(value, 4);
 }
 
+/// A round step of which at most five lie in a length: narrow panels have no room for more.
+double tic_step(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / 5.0)));
+  double step = power;
+  for (const double factor : {2.0, 5.0, 10.0}) {
+    step = 5.0 * step < length ? factor * power : step;
+  }
+  return step;
+}
+
 std::string heading_of(const PanelRequest& panel) {
   return panel.statistic + " of " + panel.lines.front().result;
 }
@@ -185,7 +195,7 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
   constexpr std::size_t most_letters = 40;
   letters = std::min(letters, most_letters);
   out << ")\nset yrange [" << entries.size() + 1 << ":0]\nset style fill solid 0.85\nset lmargin "
-      << letters * 8 / 10 + 4 << '\n'
+      << letters * 9 / 10 + 4 << "\nset bmargin 5\n"
       << warning_note(data);
   for (std::size_t k = 0; k < picture.panels.size(); ++k) {
     std::ostringstream bars;
@@ -198,9 +208,11 @@ void draw_ranking(const PictureRequest& picture, const PictureData& data,
         range.include(value);
       }
     }
+    const double least = range.least < 0.0 ? 1.2 * range.least : 0.0;
+    const double greatest = range.greatest > 0.0 ? 1.2 * range.greatest : 1.0;
     out << "set xlabel " << gnuplot_text(picture.panels[k].y_label, Markup::subscripts)
-        << "\nset xrange [" << (range.least < 0.0 ? 1.2 * range.least : 0.0) << ':'
-        << (range.greatest > 0.0 ? 1.2 * range.greatest : 1.0) << "]\n";
+        << "\nset xrange [" << least << ':' << greatest << "]\nset xtics "
+        << tic_step(greatest - least) << '\n';
     const std::string block = bars.str().empty() ? "" : gnuplot.block(bars.str());
     if (block.empty()) {
       gnuplot.plot({});

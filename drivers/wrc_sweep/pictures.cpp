@@ -101,7 +101,7 @@ std::string warning_note(const PictureData& data, const std::string& marks, bool
          ("set label 9999 '" + std::to_string(data.warned())) + " of " + std::to_string(all) +
          (all == 1 ? " scene has" : " scenes have") + " warnings" +
          (marks.empty() ? "" : ", shown ") + marks +
-         "' at screen 0.006,0.012 left font ',9' tc rgb '#b00000' front\n";
+         "' at screen 0.006,character 0.7 left font ',9' tc rgb '#b00000' front\n";
 }
 
 std::string end_of_warning_note() {
