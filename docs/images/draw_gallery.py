@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Runs the commands of docs/gallery.md in an empty folder and compares what they draw with docs/images.
+"""Runs the commands of docs/gallery.md and docs/jobs.md in empty folders and compares what they draw with docs/images.
 
 Usage: docs/images/draw_gallery.py [--update] [BIN]
 
 BIN holds the programs, build/release/bin if it is missing. Without --update a picture fails that differs in more than
 one pixel of a hundred, or in size; with it, it is replaced. A command follows <!-- picture -->, its picture the
-command; <!-- picture: PROGRAM --> leaves the picture out where there is no such program. Needs gnuplot and
+command; <!-- picture: PROGRAM --> leaves the picture out where there is no such program. docs/jobs.md is run as a tutorial
+(tests/readme/run_tutorial.py); its pictures are what its commands draw, or those of the gallery. Needs gnuplot and
 python3-matplotlib.
 """
 import argparse
@@ -36,6 +37,39 @@ def difference(one, other):
     return f"differs in {100 * share:.2g} % of its pixels" if share > PIXELS else ""
 
 
+def compared(drawn, picture, update):
+    """Whether a picture is as committed, or was replaced; says so if not."""
+    target = PROJECT / "docs/images" / picture
+    found = difference(drawn, target) if target.exists() else "is not in docs/images"
+    if found and update:
+        shutil.copyfile(drawn, target)
+        found += "; replaced"
+    if found:
+        print(f"{picture}: {found}")
+    return not found or update
+
+
+def check_jobs(programs, others, update):
+    """Pictures of docs/jobs.md, and how many of them are as committed; `others` are those of the gallery."""
+    page = PROJECT / "docs/jobs.md"
+    pictures = [name for name in re.findall(r"\]\(images/([\w.]+)\)", page.read_text(encoding="utf-8")) if name not in others]
+    with tempfile.TemporaryDirectory() as name:
+        prefix, folder = Path(name) / "prefix", Path(name) / "jobs"
+        examples = prefix / "share/wrcontact/examples"
+        examples.mkdir(parents=True)
+        (prefix / "bin").symlink_to(programs)
+        (examples / "measured_wheel.txt").symlink_to(PROJECT / "tests/reference/profiles/Car7216_0001r.txt")
+        subprocess.run([sys.executable, PROJECT / "tests/readme/run_tutorial.py", page, prefix, folder], check=True)
+        good = 0
+        for picture in pictures:
+            drawn = next(folder.rglob(picture), None)
+            if drawn:
+                good += compared(drawn, picture, update)
+            else:
+                print(f"{picture}: not drawn by a command of docs/jobs.md")
+    return len(pictures), good
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--update", action="store_true", help="replace pictures that differ")
@@ -63,20 +97,15 @@ def main():
                                   env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8",
                                        "MPLCONFIGDIR": str(folder)})
             drawn = next((p for p in folder.rglob(picture) if "docs" not in p.relative_to(folder).parts), None)
-            target = PROJECT / "docs/images" / picture
             if done.returncode or not drawn:
-                found = f"not drawn: {done.stderr.strip()[-500:]}"
-            else:
-                found = difference(drawn, target) if target.exists() else "is not in docs/images"
-                if found and options.update:
-                    shutil.copyfile(drawn, target)
-                    print(f"{picture}: {found}; replaced")
-                    found = ""
-            if found:
                 failures += 1
-                print(f"{picture}: {found}")
-    print(f"{len(entries) - failures} of {len(entries)} pictures of docs/gallery.md are as committed")
-    return 1 if failures else 0
+                print(f"{picture}: not drawn: {done.stderr.strip()[-500:]}")
+            else:
+                failures += not compared(drawn, picture, options.update)
+    count, good = check_jobs(options.bin.resolve(), {picture for _, _, picture in entries}, options.update)
+    print(f"{len(entries) - failures} of {len(entries)} pictures of docs/gallery.md and {good} of {count} of docs/jobs.md are as "
+          "committed")
+    return 1 if failures or good < count else 0
 
 
 sys.exit(main())

@@ -197,6 +197,19 @@ std::string line_colour(std::size_t index, std::size_t count) {
   return text.str();
 }
 
+int legend_width(std::size_t lines) {
+  constexpr std::size_t most_above = 6;
+  constexpr int beside = 240;
+  return lines > most_above ? beside : 0;
+}
+
+std::string line_style(std::size_t lines) {
+  return std::string("set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
+                     "set lmargin 10\n") +
+         (legend_width(lines) > 0 ? "set key outside right top vertical\n"
+                                  : "set rmargin 3\nset key outside top center horizontal\n");
+}
+
 const char* const pressure_palette =
     "set palette defined (0 '#e8f0ff', 0.25 '#6fa8dc', 0.5 '#3d85c6', 0.7 '#f1c232', 0.85 "
     "'#e69138', 1 '#990000')\n";

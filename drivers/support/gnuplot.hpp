@@ -31,6 +31,10 @@ std::string without_markup(const std::string& text);
 /// Colours of `count` lines in a picture: up to six that colour-blind readers can distinguish, more
 /// along the rainbow.
 std::string line_colour(std::size_t index, std::size_t count = 1);
+/// Axes, grid and legend as all pictures of lines have them.
+std::string line_style(std::size_t lines);
+/// Pixels beside the lines for a legend of more than six; 0 for fewer, whose legend is above.
+int legend_width(std::size_t lines);
 /// Colours of pressures, from none to the largest.
 extern const char* const pressure_palette;
 

@@ -130,6 +130,46 @@ std::vector<std::string> profile_files(const Scene& scene) {
   return {files.begin(), files.end()};
 }
 
+Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name) {
+  const bool wheel = kind == WRC_WHEEL;
+  Profile profile;
+  if (is_standard(name)) {
+    profile.load_standard(name);
+    if (profile.kind() != kind) {
+      throw Failure(name + ": allowed is a " + (wheel ? "wheel" : "rail"));
+    }
+    return profile;
+  }
+  if (std::error_code ignored; !std::filesystem::exists(name, ignored)) {
+    throw Failure(name + ": no such file; allowed are files and built-in names, which wrc_profile "
+                         "--list lists");
+  }
+  const Values values = values_in_force(scene);
+  const auto number = [&](const char* key, double otherwise) {
+    const auto found = values.find(key);
+    const double* const value =
+        found == values.end() ? nullptr : std::get_if<double>(&found->second);
+    return value == nullptr ? otherwise : *value;
+  };
+  wrc_read_options options{};
+  options.struct_size = sizeof options;
+  options.kind_given = 1;
+  options.kind = kind;
+  const double length =
+      number(wheel ? "wheelset.wheel_smoothing" : "track.rail_smoothing", WRC_SMOOTHING_AUTO);
+  options.smoothing_wavelength = length == 0.0 ? WRC_SMOOTHING_NONE : length;
+  if (wheel) {
+    options.tape_offset = number("wheelset.tape_offset", 0.0);
+    options.lateral_shift = number("wheelset.profile_shift", 0.0);
+    const std::string origin = scene.get_text("wheelset.profile_origin");
+    options.origin = origin == "tape"          ? WRC_ORIGIN_TAPE
+                     : origin == "flange-back" ? WRC_ORIGIN_FLANGE_BACK
+                                               : 0;
+  }
+  profile.load_file(name, &options);
+  return profile;
+}
+
 std::string beside(const std::string& file, const std::string& profile) {
   // A built-in profile is not hidden by a file of its name.
   if (is_standard(profile)) {

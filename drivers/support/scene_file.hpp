@@ -35,6 +35,10 @@ std::string beside(const std::string& file, const std::string& profile);
 bool names_profile(const std::string& key);
 bool takes_list(const std::string& key);
 
+/// A profile by its built-in name or from a file, as a scene with these keys reads it: smoothing,
+/// and of wheels taping line and shift. Throws Failure if it is of the other kind.
+Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name);
+
 /// Sets a scene from a file, from the text of one, or from assignments "key=value", in which texts
 /// need no quotes. Keys are applied in the library's order, the general before the special
 /// (load.vertical before load.left). Profile files named in a scene file are looked up beside it.

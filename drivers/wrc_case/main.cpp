@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
       driver::write_stress_vtk(scene, stress);
     }
     if (!plot.empty()) {
-      driver::draw_scene(scene, plot);
+      driver::draw_scene(scene, plot, scene.warnings());
     }
     if (!converged) {
       std::cerr << "wrc_case: not converged: the printed results are approximate\n";

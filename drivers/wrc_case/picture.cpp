@@ -425,7 +425,8 @@ void plot_tractions(Gnuplot& gnuplot, const Scene& scene, const DrawnSide& side,
 
 } // namespace
 
-void draw_scene(const Scene& scene, const std::filesystem::path& path) {
+void draw_scene(const Scene& scene, const std::filesystem::path& path,
+                const std::vector<std::string>& warnings) {
   Gnuplot gnuplot;
   const bool has_pressures = scene.get_text("solve.until") == "mechanics";
   std::vector<DrawnSide> sides;
@@ -448,7 +449,7 @@ void draw_scene(const Scene& scene, const std::filesystem::path& path) {
   const std::size_t rows =
       1U + (has_pressures ? 1U : 0U) + (has_tractions ? 1U : 0U) + (has_stresses ? 1U : 0U);
   gnuplot.begin_multiplot(rows, sides.size());
-  const WarningNote note(scene.warnings(), std::max<std::size_t>(sides.size(), 1));
+  const WarningNote note(warnings, std::max<std::size_t>(sides.size(), 1));
   std::size_t row = 0;
   const auto plot_row = [&](const auto& plot_side) {
     ++row;

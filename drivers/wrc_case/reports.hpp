@@ -56,7 +56,9 @@ void write_stress_vtk(const Scene& scene, const std::filesystem::path& path);
 class Gnuplot;
 void plot_stress(Gnuplot& gnuplot, const Scene& scene, const std::string& side);
 
-/// Draws a .png or .svg file. Seen in driving direction: the left wheel is on the left.
-void draw_scene(const Scene& scene, const std::filesystem::path& path);
+/// Draws a .png or .svg file. Seen in driving direction: the left wheel is on the left. `warnings`
+/// stand below.
+void draw_scene(const Scene& scene, const std::filesystem::path& path,
+                const std::vector<std::string>& warnings);
 
 } // namespace driver

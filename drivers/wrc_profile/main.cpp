@@ -201,7 +201,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--points", arguments.points,
                "add points of the curve: arc, lateral, height, angle, curvature");
   app.add_option("--compare", arguments.compare,
-                 "largest and rms normal distance to another profile in the same frame")
+                 "compare with another profile in the same frame: normal distance, area between "
+                 "both, differences of dimensions; --plot draws the distance over the curve")
       ->type_name("NAME|FILE");
   app.add_option("--tape-offset", arguments.tape_offset, "flange back to taping line of a wheel")
       ->type_name("MM")
@@ -235,7 +236,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "  wrc_profile wheel.csv --kind wheel --origin flange-back --tape-offset 70\n"
       "      a wheel measured from its flange back\n"
       "  wrc_profile worn.prw --compare S1002 --plot wear.svg\n"
-      "      how far a worn wheel is from the new one\n"
+      "      how far a worn wheel is from the new one: distance, worn area, change of Sh, Sd, qR\n"
       "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"
       "      a file for other programs; it is read back, and the difference reported\n"
       "  wrc_profile LMA --points --spacing 1 --json\n"
@@ -255,12 +256,13 @@ int run(const CLI::App& app, const Arguments& arguments) {
                      {file(arguments.name), file(arguments.compare)});
   Profile profile = load_asked(app, arguments);
   const Measures measures = measure(profile, -arguments.tape_offset);
-  ProfileReport report{std::move(profile), measures, {}, {}, {}, {}};
+  ProfileReport report{std::move(profile), measures, {}, {}, {}, {}, {}};
   std::optional<Profile> other;
   if (!arguments.compare.empty()) {
     other = load_other(arguments.compare, report.profile);
     report.other_name = other->text("name");
     report.comparison = compare(report.profile, *other);
+    report.comparison->differences = differences(measures, measure(*other, -arguments.tape_offset));
   }
   if (!arguments.convert.empty()) {
     report.conversion = convert(report.profile, arguments.convert, arguments.spacing);
@@ -273,6 +275,9 @@ int run(const CLI::App& app, const Arguments& arguments) {
                     " mm or more for this profile");
     }
     report.points = equal_points(report.profile, arguments.spacing);
+    if (other) {
+      report.distances = distances_to(*other, report.points);
+    }
   }
   if (!arguments.plot.empty()) {
     draw_profile(report.profile, measures, other ? &*other : nullptr, arguments.plot);

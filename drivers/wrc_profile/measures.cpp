@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "support/scene.hpp"
@@ -314,29 +315,52 @@ Measures measure(const Profile& profile, double flange_back) {
   return measures;
 }
 
+std::vector<double> distances_to(const Profile& other, const std::vector<ProfilePoint>& points) {
+  const auto coarse = equal_points(other, comparison_spacing);
+  std::vector<double> distances;
+  for (const ProfilePoint& point : points) {
+    const Foot foot = find_foot(other, coarse, point);
+    // Along the normal that points to larger height, or on overhanging parts to the outside.
+    distances.push_back(
+        foot.at_end ? std::numeric_limits<double>::quiet_NaN()
+                    : (foot.point.height - point.height) * std::cos(foot.point.angle) -
+                          (foot.point.lateral - point.lateral) * std::sin(foot.point.angle));
+  }
+  return distances;
+}
+
+std::vector<Dimension> differences(const Measures& measures, const Measures& other) {
+  std::vector<Dimension> all = measures.dimensions;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::optional<double>& subtrahend = other.dimensions[i].value;
+    all[i].value =
+        all[i].value && subtrahend ? std::optional(*all[i].value - *subtrahend) : std::nullopt;
+  }
+  return all;
+}
+
 Comparison compare(const Profile& profile, const Profile& other) {
   if (is_wheel(profile) != is_wheel(other)) {
     throw Failure("--compare " + other.text("name") + ": is a " + kind_name(other) +
                   "; allowed is a " + kind_name(profile) + " as " + profile.text("name") + " is");
   }
   const auto points = equal_points(profile, comparison_spacing);
-  const auto coarse = equal_points(other, comparison_spacing);
+  const std::vector<double> distances = distances_to(other, points);
+  const double step = profile.length() / static_cast<double>(points.size() - 1);
   Comparison result;
   double squares = 0.0;
   std::size_t count = 0;
-  for (const ProfilePoint& point : points) {
-    const Foot foot = find_foot(other, coarse, point);
-    if (foot.at_end) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = distances[i];
+    if (std::isnan(distance)) {
       continue;
     }
-    // Along the normal that points to larger height, or on overhanging parts to the outside.
-    const double distance = (foot.point.height - point.height) * std::cos(foot.point.angle) -
-                            (foot.point.lateral - point.lateral) * std::sin(foot.point.angle);
     squares += distance * distance;
     ++count;
+    (distance > 0.0 ? result.missing_area : result.added_area) += std::abs(distance) * step;
     if (std::abs(distance) > std::abs(result.largest)) {
       result.largest = distance;
-      result.largest_at = point;
+      result.largest_at = points[i];
     }
   }
   if (count == 0) {

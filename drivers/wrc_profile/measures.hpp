@@ -56,11 +56,15 @@ struct Checks {
   std::vector<SteepPart> steep_parts;
 };
 
+/// Of a profile with another, each in its own frame: nothing is shifted or turned to fit.
 struct Comparison {
   double largest = 0.0; ///< normal distance, positive where the other profile is higher
   ProfilePoint largest_at;
-  double rms = 0.0;      ///< over the arc length that has a counterpart
-  double compared = 0.0; ///< that arc length
+  double rms = 0.0;                   ///< over the arc length that has a counterpart
+  double compared = 0.0;              ///< that arc length
+  double missing_area = 0.0;          ///< between the profiles where the other one is higher, mm^2
+  double added_area = 0.0;            ///< where it is lower
+  std::vector<Dimension> differences; ///< dimensions of the profile less those of the other
 };
 
 struct Measures {
@@ -86,5 +90,10 @@ std::vector<ProfilePoint> piece_points(const Profile& profile);
 Measures measure(const Profile& profile, double flange_back);
 /// Throws Failure if the profiles are of different kinds or nowhere side by side.
 Comparison compare(const Profile& profile, const Profile& other);
+/// Normal distance from each point to a profile, positive where that is higher; NaN beyond its
+/// ends.
+std::vector<double> distances_to(const Profile& other, const std::vector<ProfilePoint>& points);
+/// The dimensions of one less those of the other, of the same kind; absent if one does not have it.
+std::vector<Dimension> differences(const Measures& measures, const Measures& other);
 
 } // namespace driver

@@ -72,6 +72,22 @@ std::pair<double, double> curvature_range(const std::vector<ProfilePoint>& point
   return {low - margin, high + margin};
 }
 
+/// Lateral position of points along a profile and their distance to another one.
+std::string distance_block(Gnuplot& gnuplot, const Profile& profile, const Profile& other) {
+  constexpr double spacing = 0.25; // mm
+  const std::vector<ProfilePoint> points = equal_points(profile, spacing);
+  const std::vector<double> distances = distances_to(other, points);
+  std::vector<double> lateral;
+  std::vector<double> known;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!std::isnan(distances[i])) {
+      lateral.push_back(points[i].lateral);
+      known.push_back(distances[i]);
+    }
+  }
+  return gnuplot.block(lateral, known);
+}
+
 std::string dimension_text(const Measures& measures) {
   std::string text;
   for (const Dimension& dimension : measures.dimensions) {
@@ -106,15 +122,16 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
     return " title " + gnuplot_text(shown.text("name"));
   };
   std::vector<std::string> shapes;
-  std::vector<std::string> curvatures;
+  std::vector<std::string> lower;
   if (other != nullptr) {
     const std::string beneath = block_of(gnuplot, piece_points(*other));
     shapes.push_back(beneath + " using 1:2 with lines lw 4 lc rgb '#f1a340'" + titled(*other));
-    curvatures.push_back(beneath + " using 1:3 with lines lw 3 lc rgb '#f1a340' notitle");
   }
   add_points(gnuplot, profile, shapes); // beneath the curve, which they would hide
   shapes.push_back(block + " using 1:2 with lines lw 1.5 lc rgb '#1f4e9e'" + titled(profile));
-  curvatures.push_back(block + " using 1:3 with lines lw 1.5 lc rgb '#1f4e9e' notitle");
+  lower.push_back((other != nullptr ? distance_block(gnuplot, profile, *other) + " using 1:2"
+                                    : block + " using 1:3") +
+                  " with lines lw 1.5 lc rgb '#1f4e9e' notitle");
   const Checks& checks = measures.checks;
   if (checks.smallest_radius > 0.0) {
     shapes.push_back(block_of(gnuplot, {checks.radius_at}) +
@@ -128,7 +145,6 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
                      "" +
                      fixed(1e3 * checks.largest_kink, 1) + " mrad'");
   }
-  const auto [low, high] = curvature_range(points);
   std::ostream& out = gnuplot.script();
   out << "set grid lt 1 lw 1 lc rgb '#dddddd'\nset tics out nomirror\nset border 3 lc rgb "
          "'#555555'\n"
@@ -147,9 +163,16 @@ void draw_profile(const Profile& profile, const Measures& measures, const Profil
   gnuplot.plot(shapes);
   out << "set title\nset tmargin at screen " << (bottom_margin + curvature_height) / total_height
       << "\nset bmargin at screen " << bottom_margin / total_height
-      << "\nset xlabel 'lateral, mm (positive to the field side)'\nset ylabel 'curvature, 1/mm'\n"
-      << "set yrange [" << low << ':' << high << "]\nset xzeroaxis lc rgb '#888888'\n";
-  gnuplot.plot(curvatures);
+      << "\nset xlabel 'lateral, mm (positive to the field side)'\nset xzeroaxis lc rgb "
+         "'#888888'\n";
+  if (other != nullptr) {
+    out << "set ylabel " << gnuplot_text("normal distance to " + other->text("name") + ", mm")
+        << "\nset yrange [*:*]\n";
+  } else {
+    const auto [low, high] = curvature_range(points);
+    out << "set ylabel 'curvature, 1/mm'\nset yrange [" << low << ':' << high << "]\n";
+  }
+  gnuplot.plot(lower);
   out << "unset multiplot\n";
   gnuplot.draw(path, static_cast<int>(std::lround(total_width)),
                static_cast<int>(std::lround(total_height)));

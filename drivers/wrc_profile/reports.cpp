@@ -1,5 +1,6 @@
 #include "wrc_profile/reports.hpp"
 
+#include <cmath>
 #include <iomanip>
 #include <numbers>
 
@@ -12,6 +13,10 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr int label_width = 20;
+
+/// How both profiles of a comparison lie.
+constexpr const char* alignment =
+    "each in its own frame as read and corrected; neither is moved to fit the other";
 
 /// A number that stands to the right of its label.
 std::string aligned(double value, int decimals) {
@@ -52,6 +57,19 @@ void print_checks(const Checks& checks, std::ostream& out) {
   }
 }
 
+void print_dimensions(const std::vector<Dimension>& dimensions, std::ostream& out) {
+  for (const Dimension& dimension : dimensions) {
+    label(out, dimension.label);
+    if (dimension.value) {
+      out << aligned(*dimension.value, 4);
+    } else {
+      out << std::right << std::setw(12) << "-";
+    }
+    out << ' ' << std::left << std::setw(6) << dimension.unit << dimension.definition
+        << (dimension.value ? "\n" : "; the profile does not reach there\n");
+  }
+}
+
 void print_comparison(const Comparison& comparison, std::ostream& out) {
   label(out, "largest") << aligned(1e3 * comparison.largest, 4) << " um    ";
   place(out, comparison.largest_at) << '\n';
@@ -86,11 +104,21 @@ json json_of(const Checks& checks) {
   return object;
 }
 
+json json_of(const std::vector<Dimension>& dimensions) {
+  json object = json::object();
+  for (const Dimension& dimension : dimensions) {
+    object[dimension.key] = dimension.value ? json(*dimension.value) : json();
+  }
+  return object;
+}
+
 json json_of(const Comparison& comparison) {
   return {{"largest", comparison.largest},
           {"largest_at", json_of(comparison.largest_at)},
           {"rms", comparison.rms},
-          {"compared_length", comparison.compared}};
+          {"compared_length", comparison.compared},
+          {"missing_area", comparison.missing_area},
+          {"added_area", comparison.added_area}};
 }
 
 } // namespace
@@ -122,21 +150,19 @@ void print_table(const ProfileReport& report, std::ostream& out) {
                        << (is_wheel(profile) ? " mm (positive towards larger radius)\n"
                                              : " mm (positive upwards)\n");
   out << "\nDimensions\n";
-  for (const Dimension& dimension : measures.dimensions) {
-    label(out, dimension.label);
-    if (dimension.value) {
-      out << aligned(*dimension.value, 4);
-    } else {
-      out << std::right << std::setw(12) << "-";
-    }
-    out << ' ' << std::left << std::setw(6) << dimension.unit << dimension.definition
-        << (dimension.value ? "\n" : "; the profile does not reach there\n");
-  }
+  print_dimensions(measures.dimensions, out);
   print_checks(measures.checks, out);
   if (report.comparison) {
     out << "\nNormal distance to " << one_line(*report.other_name)
         << " (positive: that one is higher)\n";
     print_comparison(*report.comparison, out);
+    label(out, "area missing") << aligned(report.comparison->missing_area, 4)
+                               << " mm2   where that one is higher\n";
+    label(out, "area added") << aligned(report.comparison->added_area, 4)
+                             << " mm2   where that one is lower\n";
+    label(out, "alignment") << "        " << alignment << '\n';
+    out << "\nDimensions less those of " << one_line(*report.other_name) << '\n';
+    print_dimensions(report.comparison->differences, out);
   }
   if (report.conversion) {
     out << "\nWritten " << one_line(report.conversion->path) << ", a point every "
@@ -146,10 +172,21 @@ void print_table(const ProfileReport& report, std::ostream& out) {
   if (!report.points.empty()) {
     TextTable table("r", {12, 12, 12, 13, 20});
     table.add({});
-    table.add({"arc", "lateral", "height", "angle/mrad", "curvature, 1/mm"});
-    for (const ProfilePoint& point : report.points) {
-      table.add({fixed(point.arc, 4), fixed(point.lateral, 5), fixed(point.height, 5),
-                 fixed(1e3 * point.angle, 4), power(point.curvature, 6)});
+    std::vector<std::string> head{"arc", "lateral", "height", "angle/mrad", "curvature, 1/mm"};
+    if (report.comparison) {
+      head.emplace_back("distance, mm");
+    }
+    table.add(head);
+    for (std::size_t i = 0; i < report.points.size(); ++i) {
+      const ProfilePoint& point = report.points[i];
+      std::vector<std::string> row{fixed(point.arc, 4), fixed(point.lateral, 5),
+                                   fixed(point.height, 5), fixed(1e3 * point.angle, 4),
+                                   power(point.curvature, 6)};
+      if (report.comparison) {
+        const double distance = report.distances[i];
+        row.push_back(std::isnan(distance) ? "-" : fixed(distance, 5));
+      }
+      table.add(std::move(row));
     }
     table.print(out);
   }
@@ -169,14 +206,13 @@ json json_of(const ProfileReport& report) {
   object["length"] = measures.length;
   object["extents"] = {{"lateral", {measures.least_lateral, measures.greatest_lateral}},
                        {"height", {measures.least_height, measures.greatest_height}}};
-  object["dimensions"] = json::object();
-  for (const Dimension& dimension : measures.dimensions) {
-    object["dimensions"][dimension.key] = dimension.value ? json(*dimension.value) : json();
-  }
+  object["dimensions"] = json_of(measures.dimensions);
   object["checks"] = json_of(measures.checks);
   if (report.comparison) {
     object["comparison"] = json_of(*report.comparison);
     object["comparison"]["other"] = *report.other_name;
+    object["comparison"]["alignment"] = alignment;
+    object["comparison"]["differences"] = json_of(report.comparison->differences);
   }
   if (report.conversion) {
     object["conversion"] = json_of(report.conversion->difference);
@@ -185,8 +221,11 @@ json json_of(const ProfileReport& report) {
   }
   if (!report.points.empty()) {
     object["points"] = json::array();
-    for (const ProfilePoint& point : report.points) {
-      object["points"].push_back(json_of(point));
+    for (std::size_t i = 0; i < report.points.size(); ++i) {
+      object["points"].push_back(json_of(report.points[i]));
+      if (report.comparison) { // not a number becomes null
+        object["points"].back()["distance"] = report.distances[i];
+      }
     }
   }
   return object;

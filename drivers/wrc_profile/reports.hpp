@@ -26,6 +26,7 @@ struct ProfileReport {
   std::optional<Comparison> comparison;
   std::optional<Conversion> conversion;
   std::vector<ProfilePoint> points;
+  std::vector<double> distances; ///< from these points to the other profile, NaN beyond its ends
 };
 
 /// A table for people.
@@ -35,7 +36,8 @@ json json_of(const ProfileReport& report);
 /// The built-in profiles, a line or an object each.
 void print_list(bool as_json, std::ostream& out);
 
-/// Draws a .png or .svg file; `other` may be null, or a profile to draw beneath.
+/// Draws a .png or .svg file; `other` may be null, or a profile to draw beneath, and the distance
+/// to it instead of the curvature.
 void draw_profile(const Profile& profile, const Measures& measures, const Profile* other,
                   const std::filesystem::path& path);
 

@@ -6,6 +6,7 @@
 #include "support/gnuplot.hpp"
 #include "support/output_file.hpp"
 #include "support/program.hpp"
+#include "support/text_table.hpp"
 #include "wrc_sweep/page.hpp"
 #include "wrc_sweep/pictures.hpp"
 #include "wrc_sweep/ranks.hpp"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string study_file;
-  std::vector<std::string> assignments;
+  driver::StudyChanges changes;
   std::string folder = ".";
   std::string page;
   int threads = 1;
@@ -29,6 +30,7 @@ struct Options {
   bool quiet = false;
   bool no_pictures = false;
   bool list_results = false;
+  bool list_studies = false;
 };
 
 constexpr int interrupted_code = 130; // exit code of shells for Ctrl-C
@@ -46,7 +48,7 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
   results = ["left.pmax", "right.pmax", "roll"]  # --list-results prints all names
   fields = ["x", "y", "z", "pressure"]           # of every patch, into the NetCDF file
   [[picture]]
-  kind = "lines"                                 # or map, patches, connections, conicity
+  kind = "lines"                                 # or map, patches, connections, conicity, ranking
   x = "pose.lateral"
   series = "wheelset.wheel"
   panels = [{y_label = "p_{max}, MPa", lines = [{result = "left.pmax", title = "left"}]}]
@@ -57,6 +59,9 @@ files are identical to the last bit for any number of threads and ranks. Ctrl-C 
 finished scene: NAME.rows keeps them, and --resume continues.
 
 Examples:
+  wrc_sweep --list-studies
+  wrc_sweep fleet --wheels S1002 wheels/*.whl --rails 60E1 --out fleet
+  wrc_sweep conicity --wheels worn.prw --rails 60E1 --out conicity
   wrc_sweep study.toml --out results --threads 4
   wrc_sweep study.toml --set 'pose.lateral=[0, 3, 6]' --set track.rail=54E3
   wrc_sweep study.toml --out results --resume
@@ -79,7 +84,7 @@ std::vector<fs::path> files_of(const driver::Study& study, const fs::path& folde
 /// What rank 0 does before the first scene.
 void begin(const Options& options, std::optional<driver::Study>& study,
            std::optional<driver::Journal>& journal) {
-  study = driver::read_study(options.study_file, options.assignments);
+  study = driver::read_study(options.study_file, options.changes);
   if (options.no_pictures) {
     study->pictures.clear();
   } else if (!study->pictures.empty()) {
@@ -124,10 +129,12 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   driver::write_csv(study, journal, files[0]);
   driver::write_netcdf(study, journal, files[1]);
   const driver::PictureData data(study, journal);
+  std::ostringstream findings;
   for (const driver::PictureRequest& picture : study.pictures) {
-    driver::draw_picture(picture, data, folder);
+    driver::draw_picture(picture, data, folder, findings);
   }
   if (!options.quiet) {
+    std::cout << findings.str();
     std::cout << study.scene_count() << " scenes, " << journal.failed()
               << " of them with a status other than ok, " << journal.warnings().scenes()
               << " with warnings\n";
@@ -141,7 +148,7 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
 }
 
 void make_page(const Options& options) {
-  const driver::Study study = driver::read_study(options.study_file, options.assignments);
+  const driver::Study study = driver::read_study(options.study_file, options.changes);
   std::vector<fs::path> inputs;
   for (const driver::InputFile& input : study.inputs) {
     inputs.emplace_back(input.path);
@@ -162,9 +169,17 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
     }
     return 0;
   }
+  if (options.list_studies) {
+    driver::TextTable table("l");
+    for (const auto& [name, purpose] : driver::shipped_studies()) {
+      table.add({name, purpose});
+    }
+    table.print(std::cout);
+    return 0;
+  }
   if (options.study_file.empty()) {
-    throw driver::Failure(
-        "no study given: allowed is a study file in TOML; wrc_sweep --help shows one");
+    throw driver::Failure("no study given: allowed is a study file in TOML (wrc_sweep --help shows "
+                          "one) or the name of a shipped study (wrc_sweep --list-studies)");
   }
   if (options.resume && options.restart) {
     throw driver::Failure("--resume --restart: allowed is one of them");
@@ -181,7 +196,7 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
       return 1;
     }
     started = true;
-    const driver::Study study = driver::read_study(options.study_file, options.assignments);
+    const driver::Study study = driver::read_study(options.study_file, options.changes);
     driver::serve_study(study, options.threads, ranks);
     return 0;
   }
@@ -204,14 +219,20 @@ int main(int argc, char** argv) {
       "Solves a study: a wheel/rail scene for every combination of the values listed for its keys.",
       "wrc_sweep");
   Options options;
-  app.add_option("STUDY", options.study_file, "study file in TOML");
+  app.add_option("STUDY", options.study_file, "study file in TOML, or the name of a shipped study")
+      ->type_name("FILE|NAME");
   app.add_option("--out", options.folder, "folder of the results; created if it does not exist")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--threads", options.threads, "threads of each rank; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("--set", options.assignments,
+  app.add_option("--wheels", options.changes.wheels,
+                 "wheels to study, built-in names and files, instead of those of the study")
+      ->type_name("NAME|FILE");
+  app.add_option("--rails", options.changes.rails, "rails to study, likewise")
+      ->type_name("NAME|FILE");
+  app.add_option("--set", options.changes.assignments,
                  "set one or more keys, overriding the study file; lists and ranges as in the file")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -224,6 +245,7 @@ int main(int argc, char** argv) {
   app.add_flag("--quiet", options.quiet, "show warnings only, neither progress nor files written");
   app.add_flag("--no-pictures", options.no_pictures, "write tables only");
   app.add_flag("--list-results", options.list_results, "print the names of all results");
+  app.add_flag("--list-studies", options.list_studies, "print the shipped studies");
   app.footer(footer);
   return driver::run_program(app, argc, argv, [&] {
     const driver::Ranks ranks;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <optional>
 
 #include "support/gnuplot.hpp"
 #include "support/scene.hpp"
@@ -21,7 +23,8 @@ constexpr std::array kinds{KindName{"lines", PictureRequest::Kind::lines},
                            KindName{"map", PictureRequest::Kind::map},
                            KindName{"patches", PictureRequest::Kind::patches},
                            KindName{"connections", PictureRequest::Kind::connections},
-                           KindName{"conicity", PictureRequest::Kind::conicity}};
+                           KindName{"conicity", PictureRequest::Kind::conicity},
+                           KindName{"ranking", PictureRequest::Kind::ranking}};
 
 PictureRequest::Kind kind_of(const TableReader& reader, const std::string& name) {
   std::string allowed;
@@ -39,6 +42,10 @@ PanelRequest read_panel(const toml::table& table, const std::string& name, const
   PanelRequest panel;
   panel.y_label = reader.text("y_label", "");
   panel.y_factor = reader.number("y_factor", 1.0);
+  panel.statistic = reader.text("statistic", panel.statistic);
+  if (panel.statistic != "max" && panel.statistic != "mean" && panel.statistic != "min") {
+    reader.refuse("statistic", in_quotes(panel.statistic), "\"max\", \"mean\" and \"min\"");
+  }
   for (const toml::table* line_table : reader.tables("lines")) {
     TableReader line_reader(*line_table, name + ".lines");
     LineRequest line;
@@ -75,6 +82,17 @@ void check_value(const TableReader& reader, const char* name, const std::string&
   reader.refuse(name, text_of(value), "a value of " + key + ": " + allowed);
 }
 
+bool has_numbers(const Axis& axis) {
+  return std::all_of(axis.values.begin(), axis.values.end(),
+                     [](const Value& value) { return std::holds_alternative<double>(value); });
+}
+
+/// The key that varies fastest and whose values are numbers.
+std::string default_x(const Study& study) {
+  const auto found = std::find_if(study.axes.rbegin(), study.axes.rend(), has_numbers);
+  return found != study.axes.rend() ? found->key : study.axes.empty() ? "" : study.axes.back().key;
+}
+
 /// Values of an axis in the picture are positions.
 void check_numbers(const TableReader& reader, const char* name, const std::string& key,
                    const Study& study) {
@@ -86,15 +104,31 @@ void check_numbers(const TableReader& reader, const char* name, const std::strin
   }
 }
 
+/// Keys of the series that have one value in this study are left out, except from maps.
+void check_series(const TableReader& reader, PictureRequest& picture, const Study& study) {
+  if (picture.kind == PictureRequest::Kind::map) {
+    const std::string key = picture.series.size() == 1 ? picture.series.front() : "";
+    check_axis(reader, "series", key, study);
+    check_numbers(reader, "series", key, study);
+  }
+  std::erase_if(picture.series, [&](const std::string& key) {
+    if (study.axis_of(key) < 0 && !study.constants().contains(key)) {
+      reader.refuse("series", in_quotes(key), "a key of the scene");
+    }
+    return study.axis_of(key) < 0;
+  });
+}
+
 void check_panels(const TableReader& reader, const PictureRequest& picture) {
-  const bool map = picture.kind == PictureRequest::Kind::map;
-  if ((map || picture.kind == PictureRequest::Kind::lines) && picture.panels.empty()) {
+  using Kind = PictureRequest::Kind;
+  const bool takes_one = picture.kind == Kind::map || picture.kind == Kind::ranking;
+  if ((takes_one || picture.kind == Kind::lines) && picture.panels.empty()) {
     reader.refuse("panels", "[]", "one panel or more, each with lines");
   }
   for (const PanelRequest& panel : picture.panels) {
-    if (panel.lines.empty() || (map && panel.lines.size() > 1)) {
+    if (panel.lines.empty() || (takes_one && panel.lines.size() > 1)) {
       reader.refuse("panels.lines", std::to_string(panel.lines.size()) + " lines",
-                    map ? "one" : "one line or more");
+                    takes_one ? "one" : "one line or more");
     }
   }
 }
@@ -123,10 +157,12 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   picture.file = reader.text("file", study.name + ".png");
   picture.kind = kind_of(reader, reader.text("kind", "lines"));
   picture.title = with_values(reader.text("title", study.title), study, without_markup);
-  picture.x = reader.text("x", study.axes.empty() ? "" : study.axes.back().key);
+  picture.x = reader.text("x", default_x(study));
   picture.x_label = reader.text("x_label", without_markup(picture.x));
   picture.x_factor = reader.number("x_factor", 1.0);
-  picture.series = reader.text("series", "");
+  picture.series_is_list = table["series"].is_array();
+  picture.series =
+      picture.series_is_list ? reader.texts("series") : words(reader.text("series", ""));
   picture.series_factor = reader.number("series_factor", 1.0);
   if (std::string label = reader.text("series_label", ""); table.contains("series_label")) {
     picture.series_label = std::move(label);
@@ -145,19 +181,15 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
     reader.refuse("file", in_quotes(picture.file),
                   "a name without folder that ends in .png or .svg");
   }
-  check_axis(reader, "x", picture.x, study);
-  check_numbers(reader, "x", picture.x, study);
+  if (picture.kind != PictureRequest::Kind::ranking) {
+    check_axis(reader, "x", picture.x, study);
+    check_numbers(reader, "x", picture.x, study);
+  }
   for (const double value : picture.x_values) {
     check_value(reader, "x_values", picture.x, value, study);
   }
   check_panels(reader, picture);
-  const bool map = picture.kind == PictureRequest::Kind::map;
-  if (map || !picture.series.empty()) {
-    check_axis(reader, "series", picture.series, study);
-  }
-  if (map) {
-    check_numbers(reader, "series", picture.series, study);
-  }
+  check_series(reader, picture, study);
   for (const auto& [key, value] : picture.where) {
     check_axis(reader, "where", key, study);
     check_value(reader, "where", key, value, study);
@@ -174,15 +206,38 @@ PictureRequest read_picture(const toml::table& table, const Study& study) {
   return picture;
 }
 
-/// What a profile is called in pictures: a reconstruction says so.
+/// What a profile is called in pictures: a reconstruction says so, a file is named without folder.
 std::string profile_title(const std::string& name) {
   if (!is_standard(name)) {
-    return name; // a file
+    return is_profile_file(name) ? std::filesystem::path(name).filename().string() : name;
   }
   Profile profile;
   profile.load_standard(name);
   const std::string title = profile.text("title");
   return title.substr(0, title.find(','));
+}
+
+/// The value of a key in a title; of several profiles their names, or their number if they are
+/// many.
+std::optional<std::string> shown_value(const std::string& key, const Study& study) {
+  if (const auto found = study.fixed.find(key); found != study.fixed.end()) {
+    const std::string value = text_of(found->second);
+    return names_profile(key) ? profile_title(value) : value;
+  }
+  const int axis = study.axis_of(key);
+  if (axis < 0 || !names_profile(key)) {
+    return std::nullopt;
+  }
+  constexpr std::size_t most_names = 3;
+  const std::vector<Value>& values = study.axes[static_cast<std::size_t>(axis)].values;
+  if (values.size() > most_names) {
+    return std::to_string(values.size()) + (key.ends_with("rail") ? " rails" : " wheels");
+  }
+  std::string names;
+  for (const Value& value : values) {
+    names += (names.empty() ? "" : ", ") + profile_title(text_of(value));
+  }
+  return names;
 }
 
 } // namespace
@@ -192,15 +247,14 @@ std::string with_values(const std::string& text, const Study& study,
   std::string out;
   for (std::size_t at = 0; at < text.size();) { // values are not searched for keys
     const std::size_t end = text[at] == '{' ? text.find('}', at) : std::string::npos;
-    const auto found = end == std::string::npos
-                           ? study.fixed.end()
-                           : study.fixed.find(text.substr(at + 1, end - at - 1));
-    if (found == study.fixed.end()) {
+    const auto value = end == std::string::npos
+                           ? std::nullopt
+                           : shown_value(text.substr(at + 1, end - at - 1), study);
+    if (!value) {
       out += text[at++];
       continue;
     }
-    const std::string value = text_of(found->second);
-    out += shown(names_profile(found->first) ? profile_title(value) : value);
+    out += shown(*value);
     at = end + 1;
   }
   return out;

@@ -32,16 +32,9 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
                                 const PanelRequest& panel, Range& range) {
   std::vector<DrawnLine> lines;
   const std::vector<double> x = places_of(picture, data);
-  const std::vector<Value> series =
-      picture.series.empty() ? std::vector<Value>{} : data.values_of(picture.series);
-  const std::size_t groups = std::max<std::size_t>(series.size(), 1);
-  for (std::size_t group = 0; group < groups; ++group) {
-    Values where = picture.where;
-    std::string name;
-    if (!series.empty()) {
-      where.insert_or_assign(picture.series, series[group]);
-      name = series_title(picture, series[group]);
-    }
+  const std::vector<SeriesEntry> series = series_of(picture, data);
+  for (std::size_t group = 0; group < series.size(); ++group) {
+    const Values& where = series[group].where;
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
       const auto y = line_of(picture, data, where, panel.lines[i].result);
       for (const double value : y) {
@@ -53,7 +46,8 @@ std::vector<DrawnLine> lines_of(const PictureRequest& picture, const PictureData
         y_warned.push_back(
             y[static_cast<std::size_t>(std::find(x.begin(), x.end(), place) - x.begin())]);
       }
-      lines.push_back({joined(name, panel.lines[i].title), series.empty() ? i : group, i,
+      lines.push_back({joined(series[group].title, panel.lines[i].title),
+                       picture.series.empty() ? i : group, i,
                        data_of(x, picture.x_factor, y, panel.y_factor),
                        data_of(warned, picture.x_factor, y_warned, panel.y_factor)});
     }
@@ -70,7 +64,7 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   constexpr int title_height = 50;
   const auto count = static_cast<int>(picture.panels.size());
   const int height = title_height + panel_height * count;
-  const std::size_t groups = picture.series.empty() ? 1 : data.values_of(picture.series).size();
+  const std::size_t groups = series_of(picture, data).size();
   std::size_t most_lines = 0; // of a panel
   for (const PanelRequest& panel : picture.panels) {
     most_lines = std::max(most_lines, groups * panel.lines.size());

@@ -9,7 +9,7 @@ namespace {
 std::string matrix_of(const PictureRequest& picture, const PictureData& data,
                       const PanelRequest& panel) {
   const std::vector<double> x = places_of(picture, data);
-  const std::vector<double> y = data.numbers_of(picture.series);
+  const std::vector<double> y = data.numbers_of(picture.series.front());
   std::string text = text_of(static_cast<double>(x.size()));
   for (const double place : x) {
     text += ' ' + text_of(picture.x_factor * place);
@@ -17,7 +17,7 @@ std::string matrix_of(const PictureRequest& picture, const PictureData& data,
   for (const double place : y) {
     text += '\n' + text_of(picture.series_factor * place);
     Values where = picture.where;
-    where.insert_or_assign(picture.series, place);
+    where.insert_or_assign(picture.series.front(), place);
     for (const double value : line_of(picture, data, where, panel.lines.front().result)) {
       const std::string shown = text_of(panel.y_factor * value);
       text += ' ' + (shown.empty() ? "NaN" : shown);
@@ -30,9 +30,9 @@ std::string matrix_of(const PictureRequest& picture, const PictureData& data,
 std::string warned_of(const PictureRequest& picture, const PictureData& data,
                       const PanelRequest& panel) {
   std::string text;
-  for (const double place : data.numbers_of(picture.series)) {
+  for (const double place : data.numbers_of(picture.series.front())) {
     Values where = picture.where;
-    where.insert_or_assign(picture.series, place);
+    where.insert_or_assign(picture.series.front(), place);
     for (const double x : warned_places_of(picture, data, where, panel.lines.front().result)) {
       text += text_of(picture.x_factor * x) + ' ' + text_of(picture.series_factor * place) + " 0\n";
     }

@@ -139,20 +139,11 @@ Cell cell_of(Gnuplot& gnuplot, const PictureData& data, std::int64_t scene, std:
 std::vector<MapRow> rows_of(Gnuplot& gnuplot, const PictureRequest& picture,
                             const PictureData& data, const std::vector<double>& columns) {
   std::vector<MapRow> rows;
-  std::vector<Value> series{std::string()};
-  if (!picture.series.empty()) {
-    series = data.values_of(picture.series);
-  }
-  for (const Value& value : series) {
-    Values where = picture.where;
-    std::string label;
-    if (!picture.series.empty()) {
-      where.insert_or_assign(picture.series, value);
-      label = series_title(picture, value);
-    }
+  for (const SeriesEntry& entry : series_of(picture, data)) {
+    Values where = entry.where;
     for (const std::string& side : picture.sides) {
       MapRow& row = rows.emplace_back();
-      row.label = label;
+      row.label = entry.title;
       row.side = side;
       for (const double column : columns) {
         where.insert_or_assign(picture.x, column);

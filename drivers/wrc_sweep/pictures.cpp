@@ -1,6 +1,7 @@
 #include "wrc_sweep/pictures.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "support/gnuplot.hpp"
@@ -100,7 +101,7 @@ std::string warning_note(const PictureData& data, const std::string& marks, bool
          ("set label 9999 '" + std::to_string(data.warned())) + " of " + std::to_string(all) +
          (all == 1 ? " scene has" : " scenes have") + " warnings" +
          (marks.empty() ? "" : ", shown ") + marks +
-         "' at screen 0.006,0.012 left font ',9' tc rgb '#b00000' front\n";
+         "' at screen 0.006,character 0.7 left font ',9' tc rgb '#b00000' front\n";
 }
 
 std::string end_of_warning_note() {
@@ -114,44 +115,96 @@ std::string with_value(std::string label, const std::string& value) {
   return place == std::string::npos ? label + ' ' + value : label.replace(place, 2, value);
 }
 
+/// The last `count` parts of a path.
+std::string tail_of(const std::string& path, int count) {
+  std::size_t slash = path.size();
+  for (; count > 0; --count) {
+    slash = slash == 0 ? std::string::npos : path.rfind('/', slash - 1);
+    if (slash == std::string::npos) {
+      return path;
+    }
+  }
+  return path.substr(slash + 1);
+}
+
+/// Values as a picture shows them: a profile's file by its name, with the folders that it takes
+/// to distinguish it from the others.
+std::vector<std::string> titles_of(const std::string& key, const std::vector<Value>& values) {
+  std::vector<std::string> titles;
+  std::vector<std::string> texts;
+  std::transform(values.begin(), values.end(), std::back_inserter(texts),
+                 [](const Value& value) { return text_of(value); });
+  for (const std::string& text : texts) {
+    std::string title = names_profile(key) ? tail_of(text, 1) : text;
+    for (int count = 2; title != text; ++count) {
+      const auto same = [&](const std::string& other) {
+        return tail_of(other, count - 1) == title;
+      };
+      if (std::count_if(texts.begin(), texts.end(), same) == 1) {
+        break;
+      }
+      title = tail_of(text, count);
+    }
+    titles.push_back(std::move(title));
+  }
+  return titles;
+}
+
 } // namespace
 
-std::string series_name(const PictureRequest& picture, const Value& value) {
-  return with_value(picture.series_label.value_or(picture.series), text_of(value));
-}
-
-std::string series_title(const PictureRequest& picture, const Value& value) {
-  return with_value(series_label(picture), without_markup(text_of(value)));
-}
-
 std::string series_label(const PictureRequest& picture) {
-  return picture.series_label.value_or(without_markup(picture.series));
+  return picture.series_label.value_or(
+      picture.series.empty() ? "" : without_markup(picture.series.front()));
 }
 
-int legend_width(std::size_t lines) {
-  constexpr std::size_t most_above = 6;
-  constexpr int beside = 240;
-  return lines > most_above ? beside : 0;
-}
-
-std::string line_style(std::size_t lines) {
-  return std::string("set grid back lt 1 lw 1 lc rgb '#d8d8d8'\nset tics out nomirror\n"
-                     "set lmargin 10\n") +
-         (legend_width(lines) > 0 ? "set key outside right top vertical\n"
-                                  : "set rmargin 3\nset key outside top center horizontal\n");
+std::vector<SeriesEntry> series_of(const PictureRequest& picture, const PictureData& data) {
+  std::vector<SeriesEntry> all{{picture.where, "", "", ""}};
+  for (const std::string& key : picture.series) {
+    const std::vector<Value> values = data.values_of(key);
+    const std::vector<std::string> titles = titles_of(key, values);
+    // In a list of keys profiles speak for themselves, a number does not.
+    const std::string label =
+        !picture.series_is_list || picture.series_label || names_profile(key) ? "" : key + ' ';
+    std::vector<SeriesEntry> crossed;
+    for (const SeriesEntry& entry : all) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const char* const comma = entry.name.empty() ? "" : ", ";
+        SeriesEntry& made = crossed.emplace_back(entry);
+        made.where.insert_or_assign(key, values[i]);
+        made.name += comma + label + text_of(values[i]);
+        made.shown += comma + label + titles[i];
+        made.title += comma + without_markup(label + titles[i]);
+      }
+    }
+    all = std::move(crossed);
+  }
+  if (!picture.series.empty()) {
+    const std::string otherwise = picture.series_is_list ? "{}" : picture.series.front();
+    for (SeriesEntry& entry : all) {
+      entry.name = with_value(picture.series_label.value_or(otherwise), entry.name);
+      entry.shown = with_value(picture.series_label.value_or(otherwise), entry.shown);
+      entry.title =
+          with_value(picture.series_is_list && !picture.series_label ? "{}" : series_label(picture),
+                     entry.title);
+    }
+  }
+  return all;
 }
 
 std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
                                             const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files{folder / picture.file};
+  const std::string stem = files[0].stem().string();
   if (picture.kind == PictureRequest::Kind::conicity) {
-    files.push_back(folder / (files[0].stem().string() + "_by_amplitude.csv"));
+    files.push_back(folder / (stem + "_by_amplitude.csv"));
+  } else if (picture.kind == PictureRequest::Kind::ranking) {
+    files.push_back(folder / (stem + ".csv"));
   }
   return files;
 }
 
 void draw_picture(const PictureRequest& picture, const PictureData& data,
-                  const std::filesystem::path& folder) {
+                  const std::filesystem::path& folder, std::ostream& findings) {
   const std::vector<std::filesystem::path> files = files_of(picture, folder);
   switch (picture.kind) {
   case PictureRequest::Kind::lines:
@@ -167,7 +220,10 @@ void draw_picture(const PictureRequest& picture, const PictureData& data,
     draw_connections(picture, data, files[0]);
     break;
   case PictureRequest::Kind::conicity:
-    draw_conicity(picture, data, files[0], files[1]);
+    draw_conicity(picture, data, files[0], files[1], findings);
+    break;
+  case PictureRequest::Kind::ranking:
+    draw_ranking(picture, data, files[0], files[1], findings);
     break;
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -54,24 +55,28 @@ std::string warning_note(const PictureData& data, const std::string& marks = "",
                          bool has_axes = true);
 std::string end_of_warning_note();
 
-/// "cant {}" with a value instead of {}, or after the text if there is no {}.
-std::string series_name(const PictureRequest& picture, const Value& value);
-/// The same for a picture, and the label alone: the study's label may have markup, the value and
-/// the key that replaces a missing label are drawn letter by letter.
-std::string series_title(const PictureRequest& picture, const Value& value);
+/// One combination of values of a picture's series.
+struct SeriesEntry {
+  Values where;      ///< those of the picture, and the series' values
+  std::string name;  ///< "cant {}" with the values instead of {}, or after the text if it has no {}
+  std::string shown; ///< the same for people: files without their folders
+  std::string title; ///< for the picture, with markup
+};
+/// The picture's series; without one a single entry that has no name.
+///
+/// Titles have markup: that of the study's label. Values, and keys that replace a missing label,
+/// are drawn letter by letter.
+std::vector<SeriesEntry> series_of(const PictureRequest& picture, const PictureData& data);
+/// The label of a series of one key, as a title.
 std::string series_label(const PictureRequest& picture);
 
-/// Axes, grid and legend as all pictures of lines have them.
-std::string line_style(std::size_t lines);
-/// Pixels beside the lines for a legend of more than six; 0 for fewer, whose legend is above.
-int legend_width(std::size_t lines);
-
-/// The files of a picture in a folder: the picture, and for conicity a table too.
+/// The files of a picture in a folder: the picture, and for conicity and ranking a table too.
 std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
                                             const std::filesystem::path& folder);
-/// Draws one picture into a folder.
+/// Draws one picture into a folder; `findings` gets what it shows in words, if there is such a
+/// thing.
 void draw_picture(const PictureRequest& picture, const PictureData& data,
-                  const std::filesystem::path& folder);
+                  const std::filesystem::path& folder, std::ostream& findings);
 
 void draw_lines(const PictureRequest& picture, const PictureData& data,
                 const std::filesystem::path& path);
@@ -81,8 +86,12 @@ void draw_patches(const PictureRequest& picture, const PictureData& data,
                   const std::filesystem::path& path);
 void draw_connections(const PictureRequest& picture, const PictureData& data,
                       const std::filesystem::path& path);
-/// Also writes what it draws as a table.
+/// Both also write what they draw as a table.
 void draw_conicity(const PictureRequest& picture, const PictureData& data,
-                   const std::filesystem::path& path, const std::filesystem::path& table);
+                   const std::filesystem::path& path, const std::filesystem::path& table,
+                   std::ostream& findings);
+void draw_ranking(const PictureRequest& picture, const PictureData& data,
+                  const std::filesystem::path& path, const std::filesystem::path& table,
+                  std::ostream& findings);
 
 } // namespace driver

@@ -54,7 +54,11 @@ int Study::axis_of(const std::string& key) const {
 
 InputFile read_input(const std::string& path) {
   constexpr std::size_t most = std::size_t{64} << 20; // of a profile file (docs/profiles.md)
-  InputFile input{path, read_file("input", path, most), ""};
+  return input_of(path, read_file("input", path, most));
+}
+
+InputFile input_of(const std::string& path, std::string content) {
+  InputFile input{path, std::move(content), ""};
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
   if (EVP_Digest(input.content.data(), input.content.size(), digest.data(), &size, EVP_sha256(),

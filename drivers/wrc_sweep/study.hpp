@@ -22,6 +22,7 @@ struct InputFile {
 
 /// Throws Failure if it cannot be read, or is larger than a profile file may be.
 InputFile read_input(const std::string& path);
+InputFile input_of(const std::string& path, std::string content);
 
 /// A key with the values it goes through.
 struct Axis {
@@ -38,6 +39,7 @@ struct LineRequest {
 struct PanelRequest {
   std::string y_label;
   double y_factor = 1.0;
+  std::string statistic = "max"; ///< ranking: of all scenes of a bar; or "mean", "min"
   std::vector<LineRequest> lines;
 };
 
@@ -47,7 +49,8 @@ struct PictureRequest {
     map,         ///< results over the values of two keys, as colours
     patches,     ///< maps of pressures, one per scene and side
     connections, ///< points of both profiles that touch, joined
-    conicity     ///< rolling radius difference, contact angles and equivalent conicity
+    conicity,    ///< rolling radius difference, contact angles and equivalent conicity
+    ranking      ///< bars of the largest, mean or smallest results, the largest bar first
   };
 
   std::string file; ///< beside the results
@@ -56,8 +59,11 @@ struct PictureRequest {
   std::string x; ///< key of the axis to the right; patches: of the columns
   std::string x_label;
   double x_factor = 1.0;
-  std::string series; ///< key with a line, or a row of maps, for each value; map: upwards
-  std::optional<std::string> series_label; ///< {} stands for the value; none: the key
+  /// Keys with a line, a row of maps or a bar for each combination of their values; map: one key,
+  /// upwards. Keys that do not vary are left out.
+  std::vector<std::string> series;
+  bool series_is_list = false;             ///< of keys: without a label, profiles by name alone
+  std::optional<std::string> series_label; ///< {} stands for the values; none: the key
   double series_factor = 1.0;              ///< map
   std::vector<std::string> sides;          ///< patches, connections: "left", "right"
   std::vector<double> x_values;            ///< those drawn; empty: all

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "support/toml.hpp"
 #include "wrc_sweep/result_names.hpp"
+#include "wrc_sweep/shipped_studies.hpp"
 
 namespace driver {
 namespace {
@@ -95,6 +97,15 @@ public:
     fixed_.insert_or_assign(key, Bare{value});
   }
 
+  void set_names(const std::string& key, const std::vector<std::string>& names) {
+    if (names.size() == 1) {
+      set_bare(key, names.front());
+    } else if (!names.empty()) {
+      assigned_.insert(key);
+      put_axis(key, {names.begin(), names.end()}, behind_all, 0);
+    }
+  }
+
   void move_to(Study& study) {
     std::stable_sort(axes_.begin(), axes_.end(),
                      [](const PlacedAxis& one, const PlacedAxis& other) {
@@ -111,6 +122,8 @@ public:
   void start_assignments() { from_command_line_ = true; }
 
 private:
+  static constexpr std::size_t behind_all = std::size_t{1} << 30U;
+
   struct PlacedAxis {
     std::size_t line = 0;
     std::size_t column = 0;
@@ -156,6 +169,12 @@ private:
       fixed_.insert_or_assign(key, one(key, node));
       return;
     }
+    const auto place = node.source().begin;
+    put_axis(key, std::move(values), from_command_line_ ? behind_all : place.line, place.column);
+  }
+
+  void put_axis(const std::string& key, std::vector<Value> values, std::size_t line,
+                std::size_t column) {
     // A key that was varied already keeps its position.
     const auto old = std::find_if(axes_.begin(), axes_.end(),
                                   [&](const PlacedAxis& axis) { return axis.axis.key == key; });
@@ -164,10 +183,7 @@ private:
       return;
     }
     remove(key);
-    const auto place = node.source().begin;
-    constexpr std::size_t behind_all = std::size_t{1} << 30U;
-    axes_.push_back(
-        {from_command_line_ ? behind_all : place.line, place.column, {key, std::move(values)}});
+    axes_.push_back({line, column, {key, std::move(values)}});
   }
 
   std::string path_;
@@ -216,8 +232,8 @@ void try_values(const Study& study) {
   }
 }
 
-/// The study file and the profiles that are files.
-std::vector<InputFile> inputs_of(const std::string& path, const Study& study) {
+/// The study and the profiles that are files.
+std::vector<InputFile> inputs_of(InputFile file, const Study& study) {
   std::set<std::string> profiles;
   const auto take = [&](const std::string& key, const Value& value) {
     if (names_profile(key) && is_profile_file(text_of(value))) {
@@ -232,21 +248,52 @@ std::vector<InputFile> inputs_of(const std::string& path, const Study& study) {
       take(axis.key, value);
     }
   }
-  std::vector<InputFile> inputs{read_input(path)};
+  std::vector<InputFile> inputs{std::move(file)};
   std::transform(profiles.begin(), profiles.end(), std::back_inserter(inputs), read_input);
   return inputs;
 }
 
+/// The text of a shipped study, null if there is none of this name or a file is meant.
+const char* shipped_text(const std::string& name) {
+  std::error_code ignored;
+  const auto found = std::find_if(std::begin(shipped_study_texts), std::end(shipped_study_texts),
+                                  [&](const ShippedStudy& study) { return study.name == name; });
+  const bool is_file =
+      std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored);
+  return is_file || found == std::end(shipped_study_texts) ? nullptr : found->text;
+}
+
+/// The first sentence of the comment that a study begins with.
+std::string purpose_of(const std::string& text) {
+  std::string purpose;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line) && line.starts_with("# ");) {
+    purpose += (purpose.empty() ? "" : " ") + line.substr(2);
+  }
+  purpose = purpose.substr(0, purpose.find(". "));
+  return purpose.substr(0, purpose.find_last_not_of('.') + 1);
+}
+
 } // namespace
 
-Study read_study(const std::string& path, const std::vector<std::string>& assignments) {
-  const toml::table file = read_toml("study file", path);
+std::vector<std::pair<std::string, std::string>> shipped_studies() {
+  std::vector<std::pair<std::string, std::string>> studies;
+  for (const ShippedStudy& study : shipped_study_texts) {
+    studies.emplace_back(study.name, purpose_of(study.text));
+  }
+  return studies;
+}
+
+Study read_study(const std::string& path, const StudyChanges& changes) {
+  const char* const shipped = shipped_text(path);
+  const toml::table file =
+      shipped != nullptr ? parse_toml("study", path, shipped) : read_toml("study file", path);
   Study study;
   study.name = std::filesystem::path(path).stem().string();
   KeyReader reader(path);
   reader.read(file, "");
   reader.start_assignments();
-  for (const std::string& text : assignments) {
+  for (const std::string& text : changes.assignments) {
     const Assignment assignment = split_assignment(text);
     if (assignment.is_toml()) {
       reader.read(parse_assignment(text, assignment.key, assignment.value), "");
@@ -254,6 +301,8 @@ Study read_study(const std::string& path, const std::vector<std::string>& assign
       reader.set_bare(assignment.key, assignment.value);
     }
   }
+  reader.set_names("wheelset.wheel", changes.wheels);
+  reader.set_names("track.rail", changes.rails);
   reader.move_to(study);
   try_values(study);
   read_study_table(file, study);
@@ -262,7 +311,8 @@ Study read_study(const std::string& path, const std::vector<std::string>& assign
   }
   check_results(study.results);
   check_fields(study.fields);
-  study.inputs = inputs_of(path, study);
+  study.inputs =
+      inputs_of(shipped != nullptr ? input_of(path + ".toml", shipped) : read_input(path), study);
   study.pictures = read_pictures(file, study); // their titles escape values of keys
   study.title = with_values(study.title, study, std::identity());
   return study;

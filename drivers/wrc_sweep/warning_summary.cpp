@@ -71,21 +71,30 @@ void WarningSummary::add(std::int64_t scene, const std::vector<std::string>& war
   scenes_ += warnings.empty() ? 0 : 1;
 }
 
-void WarningSummary::print(std::int64_t all, const std::string& where, std::ostream& out) const {
-  if (scenes_ == 0) {
-    return;
-  }
+std::vector<std::string> WarningSummary::lines() const {
   std::vector<const Kind*> kinds;
   for (const auto& [name, kind] : kinds_) {
     kinds.push_back(&kind);
   }
   std::stable_sort(kinds.begin(), kinds.end(),
                    [](const Kind* one, const Kind* other) { return one->scenes > other->scenes; });
+  std::vector<std::string> lines;
+  for (const Kind* kind : kinds) {
+    lines.push_back(std::to_string(kind->scenes) + (kind->scenes == 1 ? " scene: " : " scenes: ") +
+                    one_line(kind->text));
+  }
+  return lines;
+}
+
+void WarningSummary::print(std::int64_t all, const std::string& where, std::ostream& out) const {
+  if (scenes_ == 0) {
+    return;
+  }
   out << "wrc_sweep: " << scenes_ << " of " << all << " scenes have warnings; " << where
       << " has the texts of each scene, here with the numbers of the first one\n";
+  const std::vector<std::string> kinds = lines();
   for (std::size_t i = 0; i < std::min(kinds.size(), most_kinds); ++i) {
-    out << "  " << kinds[i]->scenes << (kinds[i]->scenes == 1 ? " scene: " : " scenes: ")
-        << one_line(kinds[i]->text) << '\n';
+    out << "  " << kinds[i] << '\n';
   }
   if (kinds.size() > most_kinds) {
     out << "  and " << kinds.size() - most_kinds << " more kinds\n";

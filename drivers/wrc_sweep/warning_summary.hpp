@@ -23,6 +23,8 @@ public:
   void add(std::int64_t scene, const std::vector<std::string>& warnings);
   /// Scenes with warnings.
   [[nodiscard]] std::int64_t scenes() const { return scenes_; }
+  /// Each kind with the number of its scenes and its first text, the most frequent one first.
+  [[nodiscard]] std::vector<std::string> lines() const;
   /// Prints each kind with the number of its scenes, the most frequent one first; nothing if there
   /// is none. `all`: scenes there are; `where`: what has every text.
   void print(std::int64_t all, const std::string& where, std::ostream& out) const;

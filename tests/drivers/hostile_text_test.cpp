@@ -133,6 +133,7 @@ std::string study_of(const std::string& text) {
   add("patches", by_wheel);
   add("connections", "");
   add("conicity", by_wheel);
+  add("ranking", ", series = [\"wheelset.left.wheel\", \"pose.yaw\"]" + panels);
   std::string results;
   for (const char* side : {"left", "right"}) {
     for (const char* name :
@@ -160,10 +161,10 @@ TEST_F(HostileText, IsDrawnInAllPicturesOfStudies) {
         run(WRC_SWEEP_PROGRAM, "s.toml --quiet --out " + shell("./" + file_name(text)));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     expect_no_trace();
-    constexpr std::size_t kinds = 5;
+    constexpr std::size_t kinds = 6;
     expect_pictures(kinds);
     if (text == hostile.front()) { // and as it is
-      for (const char* kind : {"map", "patches", "connections", "conicity"}) {
+      for (const char* kind : {"map", "patches", "connections", "conicity", "ranking"}) {
         EXPECT_NE(read(text + '/' + text + kind + ".svg").find(">" + text + text + ".txt"),
                   std::string::npos)
             << kind;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The page of a study in headless Chromium: its slider is moved to the end, and the table must show
 # the last scene as wrc_case solves it; and texts that would be elements or scripts are shown as
-# texts. Usage: page_in_browser.sh WRC_SWEEP WRC_CASE CHROMIUM [PNG]
+# texts, there and in a report. Usage: page_in_browser.sh WRC_SWEEP WRC_CASE CHROMIUM [PNG]
 # With PNG also takes a picture of the page.
 # shellcheck disable=SC2016 # scripts hold ${} of their own
 set -euo pipefail
@@ -121,6 +121,25 @@ expected="b/worn.txt at 0 m; y # mm, x # mm: # MPa; b/worn.txt: left #, right #;
 if ! grep -qF "<title>$expected</title>" "$folder/dom"; then
   echo "a page of files shows: $(grep -oE '<title>.*</title>' "$folder/dom")"
   echo "expected: $expected"
+  exit 1
+fi
+# A report of a wheel with such a name: shown as it is, and all five pictures are there.
+hostile="x<img src=x onerror=document.body.id='ran'>.prw"
+"${sweep%sweep}profile" S1002 --convert "$folder/$hostile" >"$folder/log" 2>&1
+"${sweep%sweep}report" "$folder/$hostile" 60E1 --page "$folder/report.html" --set solve.accuracy=0.1 --quiet
+{
+  grep -v Content-Security-Policy "$folder/report.html"
+  echo '<script>
+    onload = () => {
+      document.title = [...document.images].filter(image => image.naturalWidth > 300).length + " pictures";
+    };
+  </script>'
+} >"$folder/report_counted.html"
+"$chromium" "${options[@]}" --dump-dom "file://$folder/report_counted.html" 2>"$folder/log" >"$folder/dom"
+if ! grep -qF "<h1>x&lt;img src=x onerror=document.body.id='ran'&gt;.prw on 60E1</h1>" "$folder/dom" ||
+  ! grep -qF "<title>5 pictures</title>" "$folder/dom" || grep -q '<body id=' "$folder/dom"; then
+  echo "a report shows:"
+  grep -oE '<body[^>]*>|<h1.*</h1>|<title>.*' "$folder/dom" || true
   exit 1
 fi
 if [ -n "$picture" ]; then

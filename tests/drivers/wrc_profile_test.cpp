@@ -122,6 +122,46 @@ TEST_F(WrcProfile, ComparesInTheDirectionOfTheNormal) {
   EXPECT_NEAR(same.at("compared_length").get<double>(), run_json("60E1").at("length"), rounding);
 }
 
+/// A wheel whose flange is 1 mm thinner: the flank is missing, nothing else.
+TEST_F(WrcProfile, ComparesDimensionsAndAreas) {
+  const json points = run_json("S1002 --points --spacing 0.1").at("points");
+  std::ostringstream thinner;
+  thinner.precision(17);
+  for (const json& point : points) {
+    const double lateral = point.at("lateral").get<double>();
+    const double share = std::clamp((-25.0 - lateral) / 10.0, 0.0, 1.0);
+    thinner << lateral - share << ' ' << point.at("height").get<double>() << '\n';
+  }
+  write("thinner.wheel", thinner.str());
+  const std::string compare = "thinner.wheel --kind wheel --origin tape --compare S1002";
+  const json comparison = run_json(compare).at("comparison");
+  constexpr double interpolation = 1e-3; // of points 0.1 mm apart
+  const json& differences = comparison.at("differences");
+  EXPECT_NEAR(differences.at("flange_height").get<double>(), 0.0, interpolation);
+  EXPECT_NEAR(differences.at("flange_thickness").get<double>(), -1.0, interpolation);
+  EXPECT_NEAR(differences.at("qr").get<double>(), 0.0, interpolation);
+  EXPECT_GT(comparison.at("missing_area").get<double>(), 10.0); // 28 mm high, less at the root
+  EXPECT_LT(comparison.at("missing_area").get<double>(), 28.0);
+  // At each point on request: 1 mm across is less along the normal, and nothing on the tread.
+  const json shown = run_json(compare + " --points --spacing 1").at("points");
+  double most = 0.0;
+  for (const json& point : shown) {
+    if (point.at("distance").is_null()) {
+      continue;
+    }
+    const double distance = point.at("distance").get<double>();
+    most = std::max(most, distance);
+    if (point.at("lateral").get<double>() > -20.0) {
+      EXPECT_NEAR(distance, 0.0, interpolation) << point;
+    }
+  }
+  EXPECT_GT(most, 0.9);
+  EXPECT_LT(most, 1.0);
+  const std::string table = run(compare + " --points --spacing 10").out;
+  expect_parts(table,
+               {"area missing", "alignment", "Dimensions less those of S1002", "distance, mm"});
+}
+
 TEST_F(WrcProfile, ConvertsAndReadsBack) {
   for (const auto& [name, file] : {std::pair{"S1002", "a.txt"}, std::pair{"S1002", "a.prw"},
                                    std::pair{"60E1", "b.txt"}, std::pair{"60E1", "b.prr"}}) {

@@ -36,7 +36,7 @@ TEST_F(WrcWear, TheProfileLosesTheWornArea) {
 }
 
 TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
-  run("--distance 1 --wheel S1003").expect_refusal({"--wheel S1003", "built-in wheel"});
+  run("--distance 1 --wheel S1003").expect_refusal({"S1003", "no such file", "built-in"});
   run("--distance 1 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
 }
 

@@ -11,8 +11,8 @@ namespace driver {
 
 class WornProfile {
 public:
-  /// Points of a built-in wheel, `spacing` mm apart along the curve.
-  WornProfile(const std::string& wheel, double spacing);
+  /// Points of a wheel, `spacing` mm apart along the curve.
+  WornProfile(const Profile& profile, double spacing);
 
   /// Notes an area in mm^2 that is worn off at position s, distributed to the two points beside it.
   void add(double s, double area);

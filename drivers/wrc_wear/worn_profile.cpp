@@ -12,9 +12,7 @@ constexpr int smoothing_rounds = 8;
 
 } // namespace
 
-WornProfile::WornProfile(const std::string& wheel, double spacing) : spacing_(spacing) {
-  Profile profile;
-  profile.load_standard(wheel);
+WornProfile::WornProfile(const Profile& profile, double spacing) : spacing_(spacing) {
   const auto count = static_cast<std::size_t>(std::ceil(profile.length() / spacing)) + 1;
   for (std::size_t i = 0; i < count; ++i) {
     const auto point =

@@ -1,0 +1,375 @@
+// wrc_report: one page about a wheel on a rail: dimensions, conicity, contact band, pressures,
+// warnings.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "support/gnuplot.hpp"
+#include "support/html.hpp"
+#include "support/numbers.hpp"
+#include "support/output_file.hpp"
+#include "support/program.hpp"
+#include "support/scene_file.hpp"
+#include "wrc_case/reports.hpp"
+#include "wrc_profile/reports.hpp"
+#include "wrc_report/pair.hpp"
+#include "wrc_sweep/warning_summary.hpp"
+
+namespace driver {
+namespace {
+
+struct Options {
+  std::string wheel;
+  std::string rail;
+  std::string page = "report.html";
+  std::vector<std::string> assignments;
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// A folder for pictures on their way into the page.
+class PictureFolder {
+public:
+  PictureFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "wrc_report.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw Failure("cannot make a folder " + name);
+    }
+    path_ = name;
+  }
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+  ~PictureFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+private:
+  std::filesystem::path path_;
+};
+
+std::string file_name(const std::string& profile) {
+  return is_standard(profile) ? profile : std::filesystem::path(profile).filename().string();
+}
+
+/// Texts that quote the profiles' files, without their folders.
+class Shortener {
+public:
+  explicit Shortener(const Options& options) : names_{options.wheel, options.rail} {}
+
+  [[nodiscard]] std::string operator()(std::string text) const {
+    for (const std::string& name : names_) {
+      const std::string shown = file_name(name);
+      for (std::size_t at = 0; shown != name && (at = text.find(name, at)) != std::string::npos;
+           at += shown.size()) {
+        text.replace(at, name.size(), shown);
+      }
+    }
+    return text;
+  }
+  [[nodiscard]] std::vector<std::string> operator()(std::vector<std::string> texts) const {
+    std::transform(texts.begin(), texts.end(), texts.begin(), *this);
+    return texts;
+  }
+
+private:
+  std::array<std::string, 2> names_;
+};
+
+std::string shown(const Value& value) {
+  const double* const number = std::get_if<double>(&value);
+  return number == nullptr ? text_of(value) : general(*number);
+}
+
+std::string number(double value, int decimals) {
+  return std::isnan(value) ? "-" : fixed(value, decimals);
+}
+
+/// "-12.3 to 4.5 mm", of the bands of all positions.
+std::string extent_text(const std::vector<Position>& positions, double PressedBand::*from,
+                        double PressedBand::*to) {
+  Range range;
+  for (const Position& position : positions) {
+    for (const PressedBand& band : position.bands) {
+      range.include(band.*from);
+      range.include(band.*to);
+    }
+  }
+  return range.empty() ? "nowhere"
+                       : fixed(range.least, 1) + " to " + fixed(range.greatest, 1) + " mm";
+}
+
+/// The findings, each in a sentence.
+std::vector<std::string> in_brief(const Scene& centre, const std::vector<Position>& positions,
+                                  const ConicityCurve& conicity) {
+  std::vector<std::string> brief{conicity.in_words("Without roll, after EN 15302") + '.'};
+  const double spread = centre.number_or("left.spread.pmax", 0.0);
+  std::string pressure =
+      "Largest pressure centred: " + number(centre.number_or("left.pmax", std::nan("")), 0);
+  pressure += spread > 0.0 ? " ± " + fixed(spread, 0) +
+                                 " MPa, in 95 of 100 cases because of the noise of the profiles"
+                           : " MPa";
+  brief.push_back(pressure + '.');
+  const auto less = [](const Position& one, const Position& other) {
+    return std::isnan(one.pmax) || one.pmax < other.pmax;
+  };
+  const auto most = std::max_element(positions.begin(), positions.end(), less);
+  if (!std::isnan(most->pmax)) {
+    brief.push_back("Largest pressure between y = " + general(positions.front().lateral) + " and " +
+                    general(positions.back().lateral) + " mm: " + fixed(most->pmax, 0) +
+                    " MPa, at y = " + general(most->lateral) + " mm.");
+  }
+  brief.push_back("Contact band on the wheel: s = " +
+                  extent_text(positions, &PressedBand::s_from, &PressedBand::s_to) +
+                  " from the taping line, positive to the field side.");
+  brief.push_back("Contact band on the rail: t = " +
+                  extent_text(positions, &PressedBand::t_from, &PressedBand::t_to) +
+                  " from the axis, positive to the field side.");
+  const auto failed = std::count_if(positions.begin(), positions.end(),
+                                    [](const Position& one) { return !one.trouble.empty(); });
+  if (failed > 0) {
+    brief.push_back(std::to_string(failed) + " of " + std::to_string(positions.size()) +
+                    " positions have no result, or one that is not converged.");
+  }
+  return brief;
+}
+
+void add_warnings(HtmlPage& page, const std::vector<Position>& positions,
+                  const Shortener& shorten) {
+  WarningSummary summary;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    summary.add(static_cast<std::int64_t>(i), positions[i].warnings);
+    if (!positions[i].trouble.empty()) {
+      lines.push_back("y = " + general(positions[i].lateral) + " mm: " + positions[i].trouble);
+    }
+  }
+  for (const std::string& line : summary.lines()) {
+    lines.push_back(line);
+  }
+  page.heading("Warnings");
+  if (lines.empty()) {
+    page.paragraph("None.");
+  } else {
+    page.list(shorten(lines));
+  }
+}
+
+void add_profile(HtmlPage& page, const PictureFolder& folder, const Profile& profile,
+                 const std::string& shown, double flange_back, const Shortener& shorten) {
+  const Measures measures = measure(profile, flange_back);
+  page.heading((is_wheel(profile) ? "Wheel " : "Rail ") + shown);
+  page.paragraph(shorten(profile.text("title") + ". Source: " + profile.text("source") + '.'));
+  std::vector<std::vector<std::string>> rows{{"dimension", "value", "unit", "definition"}};
+  for (const Dimension& dimension : measures.dimensions) {
+    const std::string symbol = dimension.key == "flange_height"      ? " (Sh)"
+                               : dimension.key == "flange_thickness" ? " (Sd)"
+                                                                     : "";
+    rows.push_back({dimension.label + symbol, dimension.value ? fixed(*dimension.value, 3) : "-",
+                    dimension.unit, dimension.definition});
+  }
+  page.table(rows);
+  if (const auto corrections = profile.corrections(); !corrections.empty()) {
+    page.paragraph("Corrected on reading:");
+    page.list(shorten(corrections));
+  }
+  const auto picture = folder / (is_wheel(profile) ? "wheel.png" : "rail.png");
+  draw_profile(profile, measures, nullptr, picture);
+  page.picture(picture, "shape and curvature of " + shown);
+}
+
+/// Script lines of a panel over the lateral position.
+void label_panel(Gnuplot& gnuplot, const std::string& label, const Range& range) {
+  const double side = position_reach + position_step;
+  gnuplot.script() << "set xlabel 'lateral displacement, mm (to the left)'\nset xrange [" << -side
+                   << ':' << side << "]\nset ylabel " << gnuplot_text(label, Markup::subscripts)
+                   << '\n'
+                   << range.command("y");
+}
+
+std::string line_over(Gnuplot& gnuplot, const std::vector<Position>& positions,
+                      double Position::*value, Range& range) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Position& position : positions) {
+    if (!std::isnan(position.*value)) {
+      x.push_back(position.lateral);
+      y.push_back(position.*value);
+      range.include(y.back());
+    }
+  }
+  return x.empty() ? "" : gnuplot.block(x, y);
+}
+
+/// Where patches press, a stroke each, and where the profiles touch first.
+void plot_bands(Gnuplot& gnuplot, const std::vector<Position>& positions, double PressedBand::*from,
+                double PressedBand::*to, double Position::*touch, const std::string& label) {
+  Range range;
+  std::ostringstream strokes;
+  for (const Position& position : positions) {
+    for (const PressedBand& band : position.bands) {
+      strokes << position.lateral << ' ' << band.*from << " 0 " << band.*to - band.*from << '\n';
+      range.include(band.*from);
+      range.include(band.*to);
+    }
+  }
+  std::vector<std::string> items;
+  if (!strokes.str().empty()) {
+    items.push_back(gnuplot.block(strokes.str()) +
+                    " with vectors nohead lw 7 lc rgb '#6fa8dc' title 'pressed'");
+  }
+  if (const std::string block = line_over(gnuplot, positions, touch, range); !block.empty()) {
+    items.push_back(block + " with points pt 7 ps 0.6 lc rgb '#c00000' title 'first touch'");
+  }
+  label_panel(gnuplot, label, range);
+  gnuplot.plot(items);
+}
+
+void draw_positions(const std::vector<Position>& positions, const std::filesystem::path& path) {
+  Gnuplot gnuplot;
+  gnuplot.begin_multiplot(4, 1);
+  gnuplot.script() << line_style(2);
+  const auto plot_line = [&](double Position::*value, const std::string& label,
+                             std::size_t colour) {
+    Range range;
+    std::vector<std::string> items;
+    if (const std::string block = line_over(gnuplot, positions, value, range); !block.empty()) {
+      items.push_back(block + " with linespoints lw 2 pt 5 ps 0.7 lc rgb '" + line_colour(colour) +
+                      "' notitle");
+    }
+    label_panel(gnuplot, label, range);
+    gnuplot.plot(items);
+  };
+  plot_line(&Position::pmax, "p_{max}, MPa", 0);
+  plot_line(&Position::area, "contact area, mm^2", 1);
+  plot_bands(gnuplot, positions, &PressedBand::s_from, &PressedBand::s_to, &Position::s_wheel,
+             "wheel: s, mm (to the field side)");
+  plot_bands(gnuplot, positions, &PressedBand::t_from, &PressedBand::t_to, &Position::t_rail,
+             "rail: t, mm (to the field side)");
+  gnuplot.draw(path, 860, 1300);
+}
+
+void add_conicity(HtmlPage& page, const PictureFolder& folder, ConicityCurve conicity) {
+  page.heading("Equivalent conicity");
+  std::vector<std::vector<std::string>> rows{{"amplitude, mm", "equivalent conicity", ""}};
+  for (std::size_t i = 0; i < conicity.amplitude.size(); ++i) {
+    if (conicity.amplitude[i] == std::floor(conicity.amplitude[i]) &&
+        (!std::isnan(conicity.conicity[i]) || conicity.amplitude[i] == standard_amplitude)) {
+      rows.push_back({fixed(conicity.amplitude[i], 0), number(conicity.conicity[i], 4),
+                      conicity.no_conicity[i]});
+    }
+  }
+  page.table(rows);
+  draw_conicity_curves({std::move(conicity)}, "", folder / "conicity.svg");
+  page.picture(folder / "conicity.svg",
+               "rolling radius difference, contact angle difference, equivalent conicity");
+}
+
+void add_positions(HtmlPage& page, const PictureFolder& folder,
+                   const std::vector<Position>& positions) {
+  page.heading("Pressures and contact band of the left wheel");
+  draw_positions(positions, folder / "positions.svg");
+  page.picture(folder / "positions.svg", "largest pressure, area and contact band over y");
+  std::vector<std::vector<std::string>> rows{{"y, mm", "pmax, MPa", "area, mm²",
+                                              "contact angle, rad", "rolling radius, mm",
+                                              "s on the wheel, mm", "t on the rail, mm"}};
+  for (const Position& one : positions) {
+    rows.push_back({general(one.lateral), number(one.pmax, 0), number(one.area, 1),
+                    number(one.angle, 4), number(one.radius, 3), number(one.s_wheel, 2),
+                    number(one.t_rail, 2)});
+  }
+  page.table(rows);
+}
+
+std::string report(const Options& options) {
+  const Pair pair(options.wheel, options.rail, options.assignments);
+  const std::vector<Position> positions = positions_of(pair, options.threads);
+  const ConicityCurve conicity = conicity_of(pair);
+  Scene centre = pair.scene();
+  const Scene plain = pair.scene();
+  std::string trouble;
+  try {
+    centre.solve();
+  } catch (const std::exception& error) {
+    trouble = error.what();
+  }
+
+  const Shortener shorten(options);
+  HtmlPage page(file_name(options.wheel) + " on " + file_name(options.rail));
+  std::string conditions;
+  for (const char* key : {"track.gauge", "track.cant", "wheelset.back_to_back", "wheelset.radius",
+                          "load.vertical", "solve.accuracy"}) {
+    const auto values = values_in_force(plain);
+    if (const auto found = values.find(key); found != values.end()) {
+      conditions +=
+          (conditions.empty() ? "" : ", ") + std::string(key) + " = " + shown(found->second);
+    }
+  }
+  page.paragraph("wrcontact " + std::string(wrc_version()) + "; mm, N, MPa, rad. " + conditions +
+                 '.');
+  page.heading("In brief");
+  page.list(in_brief(centre, positions, conicity));
+  add_warnings(page, positions, shorten);
+  const PictureFolder folder;
+  page.heading("Centred on the track");
+  if (trouble.empty()) {
+    draw_scene(centre, folder / "centre.png", {}); // they stand above
+    page.picture(folder / "centre.png", "profiles in contact and pressures of both wheels");
+  } else {
+    page.paragraph(shorten("Not solved: " + trouble));
+  }
+  add_positions(page, folder, positions);
+  add_conicity(page, folder, conicity);
+  add_profile(page, folder, pair.wheel, file_name(options.wheel),
+              -plain.get_number("wheelset.tape_offset"), shorten);
+  add_profile(page, folder, pair.rail, file_name(options.rail), 0.0, shorten);
+  return page.text();
+}
+
+} // namespace
+} // namespace driver
+
+int main(int argc, char** argv) {
+  using namespace driver;
+  CLI::App app(
+      "Makes one page about a wheel on a rail, to be opened in a browser or sent to others: "
+      "dimensions, equivalent conicity, pressures and contact band over the lateral "
+      "position, warnings. It loads no other file.",
+      "wrc_report");
+  Options options;
+  app.add_option("WHEEL", options.wheel, "wheel, built-in name or file")
+      ->type_name("NAME|FILE")
+      ->required();
+  app.add_option("RAIL", options.rail, "rail, built-in name or file")
+      ->type_name("NAME|FILE")
+      ->required();
+  app.add_option("--page", options.page, "the page to write")
+      ->type_name("FILE.html")
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "number of threads; results do not depend on it")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--set", options.assignments,
+                 "set a key of all scenes, such as load.vertical=100000; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--quiet", options.quiet, "do not print the name of the page");
+  app.footer("\n" + standard_names_text() +
+             "\nExamples:\n"
+             "  wrc_report S1002 60E1\n"
+             "  wrc_report worn.prw 54E3 --page worn.html --set load.vertical=100000\n");
+  return run_program(app, argc, argv, [&] {
+    const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
+    refuse_overwriting({options.page}, {file(options.wheel), file(options.rail)});
+    require_gnuplot();
+    const std::string page = report(options);
+    write_whole(options.page, [&](std::ostream& out) { out << page; });
+    if (!options.quiet) {
+      std::cout << options.page << '\n';
+    }
+    return 0;
+  });
+}

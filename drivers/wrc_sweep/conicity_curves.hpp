@@ -1,0 +1,44 @@
+/// Rolling radius difference and contact angle difference over the lateral position, and equivalent
+/// conicity over the amplitude: as numbers, in words, and drawn.
+///
+/// Units mm and rad; frame and signs of the track.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace driver {
+
+/// The amplitude at which conicities are compared (EN 15302), mm.
+inline constexpr double standard_amplitude = 3.0;
+
+struct ConicityCurve {
+  std::string name;  ///< in tables
+  std::string title; ///< in the picture, with markup
+  std::vector<double> lateral;
+  std::vector<double> radius;
+  std::vector<double> angle;     ///< tan of the left contact angle minus tan of the right one
+  std::vector<double> amplitude; ///< 0.5 to 12 mm
+  std::vector<double> conicity;  ///< NaN where there is none
+  std::vector<std::string> no_conicity; ///< why
+
+  /// At `standard_amplitude`; NaN if there is none.
+  [[nodiscard]] double standard() const;
+  /// A sentence without full stop about what is called `shown`.
+  [[nodiscard]] std::string in_words(const std::string& shown) const;
+};
+
+/// From ascending positions, the differences of rolling radii and the contact angles of both wheels
+/// there; NaN where there are none.
+ConicityCurve conicity_curve(const std::vector<double>& lateral, const std::vector<double>& radius,
+                             const std::vector<double>& left_angle,
+                             const std::vector<double>& right_angle);
+
+/// Curves below each other; `note` and `end_of_note` are script lines before the first panel and
+/// after each one.
+void draw_conicity_curves(const std::vector<ConicityCurve>& curves, const std::string& title,
+                          const std::filesystem::path& path, const std::string& note = "",
+                          const std::string& end_of_note = "");
+
+} // namespace driver
