@@ -68,6 +68,12 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   if (known.tape_offset != 0.0) {
     options.tape_offset = known.tape_offset;
   }
+  if (known.rotation_given != 0) {
+    options.rotation = known.rotation;
+  }
+  if (known.align_to != nullptr && given->struct_size >= sizeof known) { // not half a pointer
+    options.align_to = known.align_to;
+  }
   if (known.lateral_shift != 0.0) {
     options.lateral_shift = known.lateral_shift;
   }

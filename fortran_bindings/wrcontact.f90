@@ -90,8 +90,8 @@ module wrcontact
     !> load_standard(name): a built-in profile.
     procedure :: load_standard => profile_load_standard
     !> load_file(path, kind, mirror_lateral, mirror_height, strict, scale, smoothing_wavelength,
-    !> origin, tape_offset, lateral_shift, slice): all arguments but the path are optional, those
-    !> from origin on by keyword; see wrc_read_options in wrcontact.h.
+    !> origin, tape_offset, lateral_shift, slice, rotation, align_to): all arguments but the path are
+    !> optional, those from origin on by keyword; see wrc_read_options in wrcontact.h.
     procedure :: load_file => profile_load_file
     !> set_points(name, kind, lateral, height) and the options of load_file.
     procedure :: set_points => profile_set_points

@@ -291,7 +291,7 @@ contains
     real(c_double), intent(in) :: scale, smooth
     integer, intent(in) :: width
     type(wrc_read_options) :: reading
-    reading = wrc_read_options(0, 0, 0, 0, 0, 0, 0, scale, smooth, 0, 0, 0, 0)
+    reading = wrc_read_options(0, 0, 0, 0, 0, 0, 0, scale, smooth, 0, 0, 0, 0, 0, 0, 0, c_null_ptr)
     if (abs(smooth) .le. 0) reading%smoothing_wavelength = smoothing_none
     if (smooth .lt. 0) reading%smoothing_wavelength = smoothing_auto
     reading%struct_size = c_sizeof(reading)

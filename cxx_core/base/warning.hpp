@@ -20,6 +20,7 @@ enum class WarningClass : std::uint8_t {
   profile_origin,     ///< counted from elsewhere
   profile_flange,     ///< a wheel without one
   profile_signs,      ///< upside down, or left to right
+  profile_tilt,       ///< of a wheel's faces, or against a built-in wheel
   profile_gap,        ///< a hole where wheel and rail touch
   profile_step,       ///< two scans that do not meet
   profile_overlap,    ///< two points at one lateral position
@@ -53,40 +54,16 @@ enum class WarningClass : std::uint8_t {
 };
 
 /// Names of the classes, in their order.
-inline constexpr std::array<std::string_view, 34> warning_class_names{"profile_dimensions",
-                                                                      "profile_origin",
-                                                                      "profile_flange",
-                                                                      "profile_signs",
-                                                                      "profile_gap",
-                                                                      "profile_step",
-                                                                      "profile_overlap",
-                                                                      "profile_outliers",
-                                                                      "profile_noise",
-                                                                      "profile_swing",
-                                                                      "profile_end",
-                                                                      "flange_tip",
-                                                                      "chamfer",
-                                                                      "no_contact",
-                                                                      "no_load",
-                                                                      "not_converged",
-                                                                      "not_settled",
-                                                                      "rounding",
-                                                                      "accuracy",
-                                                                      "element_limit",
-                                                                      "ridge",
-                                                                      "grid_edge",
-                                                                      "patch_turn",
-                                                                      "vertical_angle",
-                                                                      "patch_left_out",
-                                                                      "other_solver",
-                                                                      "close_patches",
-                                                                      "model_validity",
-                                                                      "no_interaction",
-                                                                      "pressure",
-                                                                      "creep_accuracy",
-                                                                      "unlike_materials",
-                                                                      "torque_exceeded",
-                                                                      "torque_ambiguous"};
+inline constexpr std::array<std::string_view, 35> warning_class_names{
+    "profile_dimensions", "profile_origin",  "profile_flange",  "profile_signs",
+    "profile_tilt",       "profile_gap",     "profile_step",    "profile_overlap",
+    "profile_outliers",   "profile_noise",   "profile_swing",   "profile_end",
+    "flange_tip",         "chamfer",         "no_contact",      "no_load",
+    "not_converged",      "not_settled",     "rounding",        "accuracy",
+    "element_limit",      "ridge",           "grid_edge",       "patch_turn",
+    "vertical_angle",     "patch_left_out",  "other_solver",    "close_patches",
+    "model_validity",     "no_interaction",  "pressure",        "creep_accuracy",
+    "unlike_materials",   "torque_exceeded", "torque_ambiguous"};
 static_assert(static_cast<std::size_t>(WarningClass::torque_ambiguous) + 1 ==
               warning_class_names.size());
 

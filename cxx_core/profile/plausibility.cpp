@@ -233,7 +233,7 @@ void check_flange_back(std::span<const Position> points, const Flange& flange, d
                  " by the distance of the taping line; state profile_origin " + "or tape_offset");
 }
 
-void check_wheel(std::span<const Position> points, double tape_offset, Log& log) {
+void check_wheel(std::span<const Position> points, double tape_offset, bool is_aligned, Log& log) {
   const std::string remedy = "state profile_origin, mirror_height or the scale";
   const Position lateral = extent_of(points, 0);
   if (lateral[0] > -least_reach || lateral[1] < least_reach)
@@ -258,7 +258,7 @@ void check_wheel(std::span<const Position> points, double tape_offset, Log& log)
     log.warn(WarningClass::profile_signs, "the flange is on the field side, its tip at " +
                                               place_text(flange->tip) + "; state mirror_lateral");
   const std::optional<double> tape = height_at_taping_line(points);
-  if (tape && std::abs(*tape) > tape_height_tolerance)
+  if (tape && std::abs(*tape) > tape_height_tolerance && !is_aligned)
     log.warn(WarningClass::profile_origin,
              "height " + fixed_text(*tape) + " mm at the taping line, expected 0; " + remedy);
   check_range(tape && !flange->is_down ? flange->tip[1] - *tape : flange->height, flange_range,
@@ -335,13 +335,13 @@ std::optional<double> height_at_taping_line(std::span<const Position> points) {
   return std::nullopt;
 }
 
-void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset,
-                  Log& log) {
+void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log,
+                  bool is_aligned) {
   const Position lateral = extent_of(points, 0);
   check_range(lateral[1] - lateral[0], width_range, WarningClass::profile_dimensions, "width",
               "state the scale", log);
   if (kind == ProfileKind::wheel)
-    check_wheel(points, tape_offset, log);
+    check_wheel(points, tape_offset, is_aligned, log);
   else
     check_rail(points, log);
   const Part part = contact_part(points, kind);

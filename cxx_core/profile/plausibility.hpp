@@ -18,8 +18,9 @@ namespace wrc::reading {
 inline constexpr double tape_height_tolerance = 1.0;
 
 /// Points in the order of profile.hpp; `tape_offset` is the distance of a wheel's taping line from
-/// its flange back.
-void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log);
+/// its flange back. If they are aligned to a nominal profile, a worn tread is not at height 0.
+void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log,
+                  bool is_aligned = false);
 
 /// How far points are off a smooth line.
 struct Scatter {

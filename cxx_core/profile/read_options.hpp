@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "profile/profile.hpp"
 
@@ -35,7 +36,15 @@ struct ReadOptions {
   WheelOrigin origin = WheelOrigin::by_file;
   std::optional<double> tape_offset;   ///< flange back to taping line, mm; else by the file, or 70
   std::optional<double> lateral_shift; ///< instead of `origin`: to the taping line, mm
-  int slice = 0; ///< of a slices file (.slcs, .slcw): which one, from 1; 0: refused with a list
+  /// rad, anticlockwise in (lateral, height) about the taping line or the rail's origin; if set,
+  /// replaces the search for a tilt (tilt.hpp).
+  std::optional<double> rotation;
+  /// A built-in name or file of the same kind; the points are moved and turned to lie on it where
+  /// they are not worn (alignment.hpp). Empty: they are not.
+  std::string align_to;
+  /// Number of a profile in a slices file (.slcs, .slcw) or a project file of MiniProf, from 1;
+  /// 0: the only one, several are refused with a list.
+  int slice = 0;
 };
 
 /// Bounds on what is read.
@@ -49,6 +58,7 @@ struct ReadLimits {
   static constexpr double max_coordinate = 1e5;    ///< mm
   static constexpr double min_tape_offset = 20.0;  ///< mm
   static constexpr double max_tape_offset = 120.0; ///< mm
+  static constexpr double max_rotation = 0.5;      ///< rad
 };
 
 } // namespace wrc

@@ -2,8 +2,9 @@
 /// columns.
 ///
 /// Between numbers stand blanks, tabs, semicolons or commas; decimal commas are read where
-/// something else separates the numbers. Comments begin with # ! %. A heading says which columns
-/// are lateral and height and in which unit. Without one they are the first two that neither count
+/// something else separates the numbers. Comments begin with # ! %. A row whose lateral or height
+/// is missing (an empty cell, NaN, #N/A) is a gap and no point. A heading says which columns are
+/// lateral and height and in which unit. Without one they are the first two that neither count
 /// the rows nor are constant. Signs are not defined; the common part of the readers settles them.
 #include <algorithm>
 #include <array>
@@ -91,8 +92,13 @@ Heading heading_of(std::string_view text, std::size_t line) {
   return heading;
 }
 
+/// In place of a number that is missing (a name, not a tuning constant); a word has NaN.
+constexpr double missing = HUGE_VAL;
+
 /// Rows of equally many numbers.
 struct Table {
+  /// Cells may be empty; then one separator stands between two of them. Otherwise any number does.
+  bool has_empty_cells = false;
   std::size_t columns = 0;
   std::vector<double> numbers; ///< row by row
   std::vector<std::size_t> lines;
@@ -109,11 +115,39 @@ struct Table {
   }
 };
 
+/// The cells of a row: words, or what stands between separators.
+Words cells_of(std::string_view row, bool may_be_empty) {
+  if (!may_be_empty)
+    return words_of(row, " ;");
+  Words cells;
+  for (std::size_t begin = 0; begin <= row.size();) {
+    const std::size_t end = std::min(row.find(';', begin), row.size());
+    if (cells.count < Words::max_words)
+      cells.word[cells.count] = trimmed(row.substr(begin, end - begin));
+    ++cells.count;
+    begin = end + 1;
+  }
+  return cells;
+}
+
+bool is_empty_or_missing(std::string_view cell) {
+  return cell.empty() || is_missing(cell);
+}
+
 /// Before the first row: text, or a number of points alone.
-bool is_heading(std::string_view line) {
-  const std::string row = plain_row(line);
-  const Words words = words_of(row, " ");
-  return words.count < 2 || !number_of(words.word[0]) || !number_of(words.word[1]);
+bool is_heading(std::string_view line, bool has_empty_cells) {
+  const std::string row = plain_row(line, ';');
+  const Words cells = cells_of(row, has_empty_cells);
+  if (cells.count < 2)
+    return true;
+  bool has_number = false;
+  for (std::size_t i = 0; i < std::min(cells.count, Words::max_words); ++i) {
+    const bool is_number = number_of(cells.word[i]).has_value();
+    has_number = has_number || is_number;
+    if (i < 2 && !is_number && !is_empty_or_missing(cells.word[i]))
+      return true;
+  }
+  return !has_number;
 }
 
 /// Names may be in one line and units in the next.
@@ -128,30 +162,47 @@ void take_heading(Table& table, std::string_view text, std::size_t line) {
   table.heading.line = line;
 }
 
-void read_row(Table& table, std::string_view line, std::size_t number, const Log& log) {
-  const std::string row = plain_row(line);
-  const Words words = words_of(row, " ");
-  if (words.count < 2)
-    log.refuse(number, quoted(line) + " is one column, two are needed");
-  if (table.columns != 0 && words.count != table.columns)
-    log.refuse(number, std::to_string(words.count) + " columns, the rows before have " +
+/// Whether a separator has nothing on one of its sides.
+bool has_empty_cell(std::string_view row) {
+  const Words cells = cells_of(row, true);
+  const auto* const end = cells.word.begin() + std::min(cells.count, Words::max_words);
+  return cells.count > 1 &&
+         std::any_of(cells.word.begin(), end, [](std::string_view cell) { return cell.empty(); });
+}
+
+double number_in(std::string_view cell, bool may_be_text, std::size_t line, const Log& log) {
+  if (is_empty_or_missing(cell))
+    return missing;
+  return may_be_text && !number_of(cell) ? std::nan("") : finite_number(cell, line, log);
+}
+
+/// False if its cells do not fit the rows before, but may do so as empty ones.
+bool read_row(Table& table, std::string_view line, std::size_t number, const Log& log) {
+  const std::string row = plain_row(line, ';');
+  const Words cells = cells_of(row, table.has_empty_cells);
+  if (cells.count < 2 || (table.columns != 0 && cells.count != table.columns)) {
+    if (!table.has_empty_cells && has_empty_cell(row))
+      return false;
+    if (cells.count < 2)
+      log.refuse(number, quoted(line) + " is one column, two are needed");
+    log.refuse(number, std::to_string(cells.count) + " columns, the rows before have " +
                            std::to_string(table.columns));
-  if (words.count > Words::max_words)
-    log.refuse(number, std::to_string(words.count) + " columns, at most " +
+  }
+  if (cells.count > Words::max_words)
+    log.refuse(number, std::to_string(cells.count) + " columns, at most " +
                            std::to_string(Words::max_words) + " are allowed");
   if (table.rows() >= ReadLimits::max_points)
     log.refuse(number, "more than " + std::to_string(ReadLimits::max_points) + " points");
-  table.columns = words.count;
-  for (std::size_t i = 0; i < words.count; ++i)
-    table.numbers.push_back(i < 2 || number_of(words.word[i])
-                                ? finite_number(words.word[i], number, log)
-                                : std::nan(""));
+  table.columns = cells.count;
+  for (std::size_t i = 0; i < cells.count; ++i)
+    table.numbers.push_back(number_in(cells.word[i], i >= 2, number, log));
   table.lines.push_back(number);
   table.only_commas = table.only_commas && line.find_first_of(" \t;\"") == std::string_view::npos;
   table.has_point = table.has_point || line.find('.') != std::string_view::npos;
   if (line.find(',') != std::string_view::npos && row.find('.') != std::string::npos &&
       line.find('.') == std::string_view::npos)
     table.decimal_commas.add(number);
+  return true;
 }
 
 /// A first row that gives the number of rows and columns is none.
@@ -165,26 +216,59 @@ void drop_counts(Table& table) {
                       table.numbers.begin() + static_cast<std::ptrdiff_t>(table.columns));
 }
 
-Table read_table(std::string_view text, Log& log) {
+bool is_empty(const Table& table, std::size_t column) {
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (table.at(row, column) != missing)
+      return false;
+  return true;
+}
+
+/// At the end of the rows, behind the last separator.
+void drop_empty_columns(Table& table) {
+  std::size_t columns = table.columns;
+  while (columns > 2 && is_empty(table, columns - 1))
+    --columns;
+  if (columns == table.columns)
+    return;
+  std::vector<double> numbers;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    for (std::size_t column = 0; column < columns; ++column)
+      numbers.push_back(table.at(row, column));
+  table.numbers = std::move(numbers);
+  table.columns = columns;
+}
+
+/// None if a row shows that cells are empty.
+std::optional<Table> read_table(std::string_view text, bool has_empty_cells, Log& log) {
   Table table;
+  table.has_empty_cells = has_empty_cells;
   for (Lines lines(text, log); lines.next();) {
-    const std::string_view all = lines.text();
-    const std::size_t comment = all.find_first_of("#!%");
+    const std::string_view all = lines.whole();
+    const std::size_t comment = comment_of(all);
     const std::string_view line = trimmed(all.substr(0, comment));
     if (table.rows() == 0 && line.empty() && comment != std::string_view::npos)
       take_heading(table, all.substr(comment + 1), lines.number());
-    if (line.empty())
+    if (line.find_first_not_of(";,") == std::string_view::npos)
       continue;
-    if (table.rows() == 0 && is_heading(line)) {
+    if (table.rows() == 0 && is_heading(line, has_empty_cells)) {
       table.last_heading = quoted(line) + " in line " + std::to_string(lines.number());
       table.headings.add(lines.number());
       take_heading(table, line, lines.number());
       continue;
     }
-    read_row(table, line, lines.number(), log);
+    if (!read_row(table, all.substr(0, comment), lines.number(), log))
+      return std::nullopt;
   }
   drop_counts(table);
+  drop_empty_columns(table);
   return table;
+}
+
+Table read_table(std::string_view text, Log& log) {
+  std::optional<Table> table = read_table(text, false, log);
+  if (!table)
+    table = read_table(text, true, log);
+  return std::move(*table);
 }
 
 /// Whether rows are numbered: 0, 1, 2 or 10, 20, 30.
@@ -199,10 +283,17 @@ bool counts_rows(const Table& table, std::size_t column) {
   return true;
 }
 
+/// Missing numbers do not count.
 bool is_constant(const Table& table, std::size_t column) {
-  for (std::size_t row = 1; row < table.rows(); ++row)
-    if (table.at(row, column) != table.at(0, column))
+  std::optional<double> constant;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double number = table.at(row, column);
+    if (number == missing)
+      continue;
+    if (constant && number != *constant)
       return false;
+    constant = number;
+  }
   return true;
 }
 
@@ -305,17 +396,22 @@ RawProfile read_columns(std::string_view text, Log& log) {
                "commas between the numbers and perhaps in them; separate the numbers by "
                "semicolons, or write decimal points");
   const Pair columns = columns_of(table, raw, log);
+  LineCount gaps;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Position point{table.at(row, columns[0]), table.at(row, columns[1])};
-    if (!std::isfinite(point[0] + point[1]))
+    if (std::isnan(point[0]) || std::isnan(point[1]))
       log.refuse(table.lines[row], "no number in column " + std::to_string(columns[0] + 1) +
                                        " or " + std::to_string(columns[1] + 1));
-    add_point(raw, point, table.lines[row], log);
+    if (point[0] == missing || point[1] == missing)
+      gaps.add(table.lines[row]);
+    else
+      add_point(raw, point, table.lines[row], log);
   }
   if (table.headings.count > 0)
     log.note(table.headings.text("lines before the first number skipped as headings"));
   if (table.decimal_commas.count > 0)
     log.note(table.decimal_commas.text("rows with decimal commas"));
+  note_gaps(gaps, log);
   settle_unit(raw, table, log);
   return raw;
 }

@@ -41,10 +41,13 @@ struct RawProfile {
 
 RawProfile read_columns(std::string_view text, Log& log);
 RawProfile read_simpack(std::string_view text, Log& log);
-RawProfile read_miniprof(std::string_view text, Log& log);
+/// `choice` is the number of a profile in a project file, from 1; 0: the only one.
+RawProfile read_miniprof(std::string_view text, int choice, Log& log);
 
 /// Adds a point; refuses more than the largest number.
 void add_point(RawProfile& raw, const Position& point, std::size_t line, const Log& log);
+/// Says how many rows have no number in place of lateral or height.
+void note_gaps(const LineCount& gaps, Log& log);
 /// Changes all points, the dropped ones too.
 template <class Change> void change_points(RawProfile& raw, const Change& change) {
   for (std::vector<Position>* points : {&raw.points, &raw.dropped})

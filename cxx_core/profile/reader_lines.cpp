@@ -8,6 +8,15 @@
 #include "profile/read_options.hpp"
 
 namespace wrc::reading {
+namespace {
+
+/// Words in place of a number, in small letters; those with # are errors of spreadsheets.
+constexpr std::array<std::string_view, 20> missing_words{
+    "nan",     "-nan",    "+nan",  "nan(ind)", "-nan(ind)", "1.#qnan", "na",
+    "n/a",     "null",    "none",  "#n/a",     "#na",       "#nv",     "#num!",
+    "#value!", "#div/0!", "#ref!", "#null!",   "#zahl!",    "#wert!"};
+
+} // namespace
 
 void Log::refuse(const std::string& text) const {
   throw Error(ErrorCode::file_malformed, name_ + ": " + text);
@@ -51,6 +60,7 @@ bool Lines::next() {
     if ((byte < 0x20 && c != '\t') || byte == 0x7F)
       log_.refuse(number_, "byte " + std::to_string(byte) + ", only text is allowed");
   }
+  whole_ = line_;
   line_ = trimmed(line_);
   return true;
 }
@@ -87,7 +97,7 @@ Words words_of(std::string_view line, std::string_view separators) {
   return words;
 }
 
-std::string plain_row(std::string_view line) {
+std::string plain_row(std::string_view line, char separator) {
   const bool decimal_commas = line.find_first_of(" \t;") != std::string_view::npos;
   const auto is_digit = [line](std::size_t i) {
     return i < line.size() && line[i] >= '0' && line[i] <= '9';
@@ -102,9 +112,32 @@ std::string plain_row(std::string_view line) {
     else if (c == ',' && between_digits && (decimal_commas || in_quotes))
       row += '.';
     else
-      row += c == ',' || c == ';' || c == '\t' ? ' ' : c;
+      row += c == ',' || c == ';' || c == '\t' ? separator : c;
   }
   return row;
+}
+
+bool is_missing(std::string_view word) {
+  return word.size() <= 9 &&
+         std::find(missing_words.begin(), missing_words.end(), lower(word)) != missing_words.end();
+}
+
+std::size_t comment_of(std::string_view line) {
+  constexpr std::string_view separators = " \t,;\"";
+  std::size_t begin = 0; // of the word that holds the sign
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (separators.find(line[i]) != std::string_view::npos) {
+      begin = i + 1;
+      continue;
+    }
+    if (line[i] != '#' && line[i] != '!' && line[i] != '%')
+      continue;
+    const std::size_t end = std::min(line.find_first_of(separators, i), line.size());
+    if (!is_missing(line.substr(begin, end - begin)))
+      return i;
+    i = end - 1;
+  }
+  return std::string_view::npos;
 }
 
 std::optional<double> number_of(std::string_view word) {

@@ -53,11 +53,14 @@ public:
   /// False at the end. Refuses lines that are too long or hold control characters.
   bool next();
   [[nodiscard]] std::string_view text() const { return line_; }
+  /// With its outer blanks, of which tabs separate cells.
+  [[nodiscard]] std::string_view whole() const { return whole_; }
   [[nodiscard]] std::size_t number() const { return number_; }
 
 private:
   std::string_view rest_;
   std::string_view line_;
+  std::string_view whole_;
   std::size_t number_ = 0;
   const Log& log_;
 };
@@ -88,9 +91,16 @@ struct Words {
 };
 Words words_of(std::string_view line, std::string_view separators);
 
-/// A row of numbers with points and blanks: quotes go, separators ; , and tab become blanks, and a
-/// comma between digits becomes a decimal point where something else separates the numbers.
-std::string plain_row(std::string_view line);
+/// A row of numbers with points and blanks: quotes go, separators ; , and tab become `separator`,
+/// and a comma between digits becomes a decimal point where something else separates the numbers.
+std::string plain_row(std::string_view line, char separator = ' ');
+
+/// Whether a word stands in place of a number that is missing: NaN, NA, N/A, null, or an error of a
+/// spreadsheet such as #N/A, in capital or small letters.
+bool is_missing(std::string_view word);
+/// Where a comment that begins with # ! or % starts, which errors of spreadsheets do not; npos if
+/// there is none.
+std::size_t comment_of(std::string_view line);
 
 /// The number a word stands for, also with Fortran's exponent D; none if it is not one. May be
 /// infinite or not a number.

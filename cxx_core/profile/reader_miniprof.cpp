@@ -4,6 +4,10 @@
 /// line. A key in quotes counts only where it does not stand without them. Rows that start with a
 /// quote or another comment sign are comments, as in CONTACT's reader. Units mm.
 ///
+/// Project files have sections, [Profile1Points] and the like, whose rows may have keys of their
+/// own (XYPoint1=x,y). Keys of [Profile1] are those of its points, keys of sections without a
+/// number and before the first section those of all.
+///
 /// Signs, by measured files: a wheel's X counts from the flange back to the field side, Y towards
 /// larger radius. A rail's X counts towards the gauge side, Y upwards; the instrument's own program
 /// writes rails half turned (X to the field side, Y downwards).
@@ -43,9 +47,88 @@ bool is_row(std::string_view line) {
   const std::string row = plain_row(line);
   const Words words = words_of(row, " ");
   for (std::size_t i = 0; i < std::min(words.count, Words::max_words); ++i)
-    if (!number_of(words.word[i]))
+    if (!number_of(words.word[i]) && !is_missing(words.word[i]))
       return false;
   return words.count >= 2;
+}
+
+constexpr std::size_t most_sections = 10000; // bound of input, not a tuning constant
+constexpr std::size_t most_listed = 20;      // in a message; not a tuning constant
+
+/// The name of the section that a line begins.
+std::optional<std::string_view> section_in(std::string_view line) {
+  if (!line.starts_with('[') || !line.ends_with(']') || line.size() < 3)
+    return std::nullopt;
+  return trimmed(line.substr(1, line.size() - 2));
+}
+
+/// What a line of a section says of a point: behind its key, if that has a number of its own.
+std::string_view row_in(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos || is_comment(line))
+    return line;
+  const std::string_view key = trimmed(line.substr(0, equals));
+  return !key.empty() && key.back() >= '0' && key.back() <= '9' ? trimmed(line.substr(equals + 1))
+                                                                : line;
+}
+
+struct Section {
+  std::string name;
+  std::string owner; ///< the name up to its number, in small letters; empty: of all profiles
+  std::size_t line = 0;
+  std::size_t rows = 0; ///< that may be points
+};
+
+std::string owner_of(std::string_view name) {
+  const std::size_t digit = name.find_first_of("0123456789");
+  return digit == std::string_view::npos
+             ? std::string()
+             : lower(name.substr(0, name.find_first_not_of("0123456789", digit)));
+}
+
+/// Those of a project file, the first one before any name; none of other files.
+std::vector<Section> sections_of(std::string_view text, const Log& log) {
+  std::vector<Section> sections(1);
+  for (Lines lines(text, log); lines.next();) {
+    if (const std::optional<std::string_view> name = section_in(lines.text())) {
+      if (sections.size() >= most_sections)
+        log.refuse(lines.number(), "more than " + std::to_string(most_sections) + " sections");
+      sections.push_back({printable(*name), owner_of(*name), lines.number()});
+    } else if (sections.size() > 1 && is_row(row_in(lines.text()))) {
+      ++sections.back().rows;
+    }
+  }
+  std::size_t with_points = 0;
+  for (const Section& section : sections)
+    with_points += section.rows >= rows_of_points ? 1U : 0U;
+  if (with_points == 0)
+    sections.clear();
+  return sections;
+}
+
+/// The section whose points are read, by the number of a profile or as the only one.
+const Section& chosen_section(const std::vector<Section>& sections, int choice, const Log& log) {
+  std::vector<const Section*> profiles;
+  for (const Section& section : sections)
+    if (section.rows >= rows_of_points)
+      profiles.push_back(&section);
+  const auto count = static_cast<int>(profiles.size());
+  if (choice == 0 && count == 1)
+    return *profiles.front();
+  if (choice >= 1 && choice <= count)
+    return *profiles[static_cast<std::size_t>(choice - 1)];
+  std::string text;
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    if (i >= most_listed && i + 1 < profiles.size())
+      continue;
+    text += (i == 0             ? " "
+             : i == most_listed ? " ..., "
+                                : ", ") +
+            std::to_string(i + 1) + " [" + profiles[i]->name + "] of " +
+            std::to_string(profiles[i]->rows) + " points";
+  }
+  log.refuse("slice = " + std::to_string(choice) + ", allowed is 1 to " + std::to_string(count) +
+             " of its " + std::to_string(count) + " profiles:" + text);
 }
 
 /// Number of the line with which the points begin: the first row or comment after the blank line
@@ -153,6 +236,7 @@ void read_header_line(Header& header, std::string_view line, std::size_t number,
 }
 
 struct Counts {
+  LineCount gaps;
   LineCount comments;
   LineCount short_rows;
   LineCount long_rows;
@@ -172,12 +256,17 @@ void read_row(RawProfile& raw, const Header& header, Counts& counts, std::string
   }
   if (words.count > header.columns)
     counts.long_rows.add(number);
+  if (is_missing(words.word[header.x]) || is_missing(words.word[header.y])) {
+    counts.gaps.add(number);
+    return;
+  }
   const double x = finite_number(words.word[header.x], number, log);
   const double y = finite_number(words.word[header.y], number, log);
   add_point(raw, {x + header.offset[0], y + header.offset[1]}, number, log);
 }
 
 void report(const RawProfile& raw, const Header& header, const Counts& counts, Log& log) {
+  note_gaps(counts.gaps, log);
   if (counts.comments.count > 0)
     log.note(counts.comments.text("rows after the header skipped as comments"));
   if (counts.short_rows.count > 0)
@@ -198,24 +287,73 @@ void report(const RawProfile& raw, const Header& header, const Counts& counts, L
              "inclines it again");
 }
 
-} // namespace
-
-RawProfile read_miniprof(std::string_view text, Log& log) {
+/// A header and rows after it.
+void read_plain(RawProfile& raw, Header& header, Counts& counts, std::string_view text, Log& log) {
   const std::size_t first = first_row(text, log);
-  RawProfile raw;
-  Header header;
-  Counts counts;
-  std::size_t last = 0;
   for (Lines lines(text, log); lines.next();) {
     const std::string_view line = lines.text();
-    last = lines.number();
     if (first == 0 || lines.number() < first)
       read_header_line(header, line, lines.number(), log);
     else if (!line.empty())
       read_row(raw, header, counts, line, lines.number(), log);
   }
+}
+
+/// Keys of a project file that belong to one profile, or to all if `owner` is empty.
+void read_keys_of(Header& header, std::string_view text, const std::vector<Section>& sections,
+                  std::string_view owner, Log& log) {
+  header.values.clear(); // those of the profile win over those of all
+  auto section = sections.begin();
+  for (Lines lines(text, log); lines.next();) {
+    if (section + 1 != sections.end() && (section + 1)->line == lines.number())
+      ++section;
+    else if (section->owner == owner && row_in(lines.text()) == lines.text())
+      read_header_line(header, lines.text(), lines.number(), log);
+  }
+}
+
+void read_section(RawProfile& raw, Header& header, Counts& counts, std::string_view text,
+                  const std::vector<Section>& sections, const Section& chosen, Log& log) {
+  read_keys_of(header, text, sections, "", log);
+  if (!chosen.owner.empty())
+    read_keys_of(header, text, sections, chosen.owner, log);
+  bool is_inside = false;
+  for (Lines lines(text, log); lines.next();) {
+    const std::string_view line = lines.text();
+    if (section_in(line))
+      is_inside = lines.number() == chosen.line;
+    else if (is_inside && !line.empty() &&
+             (row_in(line) != line || is_comment(line) || line.find('=') == std::string_view::npos))
+      read_row(raw, header, counts, row_in(line), lines.number(), log);
+  }
+  const std::string name = lower(chosen.name);
+  if (name.find("wheel") != std::string::npos)
+    raw.kind = ProfileKind::wheel;
+  else if (name.find("rail") != std::string::npos)
+    raw.kind = ProfileKind::rail;
+  log.note("points of the section [" + chosen.name + "] in line " + std::to_string(chosen.line));
+}
+
+std::size_t line_count(std::string_view text, const Log& log) {
+  std::size_t last = 0;
+  for (Lines lines(text, log); lines.next();)
+    last = lines.number();
+  return last;
+}
+
+} // namespace
+
+RawProfile read_miniprof(std::string_view text, int choice, Log& log) {
+  RawProfile raw;
+  Header header;
+  Counts counts;
+  const std::vector<Section> sections = sections_of(text, log);
+  if (sections.empty())
+    read_plain(raw, header, counts, text, log);
+  else
+    read_section(raw, header, counts, text, sections, chosen_section(sections, choice, log), log);
   if (raw.points.empty())
-    log.refuse(last,
+    log.refuse(line_count(text, log),
                "the file ends without a row of " + std::to_string(header.columns) + " numbers");
   report(raw, header, counts, log);
   const bool by_instrument = header.program.starts_with("MiniProf");

@@ -38,6 +38,7 @@ struct Content {
   int point_sections = 0;
   LineCount unknown_keys;
   LineCount weights;
+  LineCount gaps;
 };
 
 class Parser {
@@ -134,6 +135,10 @@ private:
     if (words.count < 2 || words.count > 3)
       log_.refuse(lines_.number(),
                   std::to_string(words.count) + " columns, a point has y, z and perhaps a weight");
+    if (is_missing(words.word[0]) || is_missing(words.word[1])) {
+      content_.gaps.add(lines_.number());
+      return;
+    }
     const double y = finite_number(words.word[0], lines_.number(), log_);
     const double z = finite_number(words.word[1], lines_.number(), log_);
     if (words.count == 3 && finite_number(words.word[2], lines_.number(), log_) != 1.0)
@@ -264,6 +269,7 @@ RawProfile read_simpack(std::string_view text, Log& log) {
   Content content = Parser(text, log).parse();
   if (content.unknown_keys.count > 0)
     log.note(content.unknown_keys.text("unknown keys ignored"));
+  note_gaps(content.gaps, log);
   if (content.weights.count > 0)
     log.note(content.weights.text("weights other than 1 ignored"));
   if (const auto smooth = content.number.find("approx.smooth");

@@ -157,7 +157,8 @@ std::optional<ProfileFormat> format_by_content(std::string_view text) {
   if (begin.find("spline.begin") != std::string_view::npos)
     return ProfileFormat::simpack;
   if (begin.find("ColumnDef=") != std::string_view::npos ||
-      begin.find("XYPoints=") != std::string_view::npos)
+      begin.find("XYPoints=") != std::string_view::npos || begin.starts_with("[Profile") ||
+      begin.find("\n[Profile") != std::string_view::npos)
     return ProfileFormat::miniprof;
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "profile/noise_removal.hpp"
 #include "profile/plausibility.hpp"
+#include "profile/profile_shape.hpp"
 #include "profile/reader_formats.hpp"
 #include "profile/reader_text.hpp"
 #include "profile/settling.hpp"
@@ -23,6 +24,11 @@ void add_point(RawProfile& raw, const Position& point, std::size_t line, const L
     log.refuse(line, "more than " + std::to_string(ReadLimits::max_points) + " points");
   raw.points.push_back(point);
   raw.lines.push_back(line);
+}
+
+void note_gaps(const LineCount& gaps, Log& log) {
+  if (gaps.count > 0)
+    log.note(gaps.text("rows without lateral or height skipped as gaps"));
 }
 
 std::size_t drop_close_points(std::vector<Position>& points, double least) {
@@ -71,6 +77,10 @@ void check_options(const ReadOptions& options) {
     throw_invalid_argument("tape_offset", *options.tape_offset,
                            text_of(ReadLimits::min_tape_offset) + " to " +
                                text_of(ReadLimits::max_tape_offset) + " mm");
+  if (options.rotation && !(std::abs(*options.rotation) <= ReadLimits::max_rotation))
+    throw_invalid_argument("rotation", *options.rotation,
+                           "-" + text_of(ReadLimits::max_rotation) + " to " +
+                               text_of(ReadLimits::max_rotation) + " rad");
   if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length))
     throw_invalid_argument("lateral_shift", *options.lateral_shift,
                            "-" + text_of(ReadLimits::max_length) + " to " +
@@ -176,10 +186,29 @@ void join(Profile& profile, const ReadOptions& options, Log& log) {
   reading::check_curve(profile, log);
 }
 
+/// The profile to which the points are aligned, if any.
+std::optional<Profile> nominal_of(const ReadOptions& options, const Log& log) {
+  const std::string& name = options.align_to;
+  if (name.empty())
+    return std::nullopt;
+  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail})
+    for (const std::string_view known : standard_profile_names(kind))
+      if (known == name)
+        return standard_profile(name);
+  ReadOptions plain;
+  plain.kind = options.kind;
+  try {
+    return read_profile(name, plain).profile;
+  } catch (const Error& error) {
+    log.refuse("align_to = " + name + ", allowed is a built-in profile or a file: " + error.what());
+  }
+}
+
 /// What the formats have in common, once their points are there; `of` says from what they are.
 ReadResult complete(RawProfile& raw, std::string_view name, const std::string& of,
                     const ReadOptions& options, Log& log) {
-  reading::Settled settled = reading::settle(raw, options, log);
+  const std::optional<Profile> nominal = nominal_of(options, log);
+  reading::Settled settled = reading::settle(raw, options, log, nominal ? &*nominal : nullptr);
   ReadResult result;
   Profile& profile = result.profile;
   profile.kind = settled.kind;
@@ -199,12 +228,13 @@ ReadResult complete(RawProfile& raw, std::string_view name, const std::string& o
   return result;
 }
 
-RawProfile parse(std::string_view text, ProfileFormat format, Log& log) {
+RawProfile parse(std::string_view text, ProfileFormat format, const ReadOptions& options,
+                 Log& log) {
   switch (format) {
   case ProfileFormat::simpack:
     return reading::read_simpack(text, log);
   case ProfileFormat::miniprof:
-    return reading::read_miniprof(text, log);
+    return reading::read_miniprof(text, options.slice, log);
   case ProfileFormat::columns:
   case ProfileFormat::slices: // are a list of other files
     break;
@@ -229,6 +259,7 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
     throw Error(ErrorCode::file_malformed,
                 path.string() + ": a slice is itself a slices file, " + chosen.file.string());
   ReadOptions of_slice = options;
+  of_slice.slice = 0;
   if (!of_slice.kind)
     of_slice.kind = kind;
   ReadResult result = read_profile(chosen.file, of_slice);
@@ -252,7 +283,7 @@ ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::s
     log.refuse("is empty");
   reading::refuse_foreign(text, log);
   const std::optional<std::string> other_text = reading::decoded(text);
-  RawProfile raw = parse(other_text ? *other_text : text, format, log);
+  RawProfile raw = parse(other_text ? *other_text : text, format, options, log);
   ReadResult result = complete(raw, name, "file", options, log);
   result.profile.source = "file " + std::filesystem::path(name).filename().string();
   return result;

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/error.hpp"
+#include "profile/alignment.hpp"
 #include "profile/file_type.hpp"
 #include "profile/plausibility.hpp"
 #include "profile/profile_cleaning.hpp"
 #include "profile/profile_shape.hpp"
+#include "profile/tilt.hpp"
 
 namespace wrc::reading {
 namespace {
@@ -267,9 +270,52 @@ void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& optio
     log.guess(text, "state profile_origin");
 }
 
+/// About the taping line of a wheel, whose height stays, or the origin of a rail.
+void turn(RawProfile& raw, ProfileKind kind, double angle) {
+  const double height =
+      kind == ProfileKind::wheel ? height_at_taping_line(raw.points).value_or(0.0) : 0.0;
+  const Motion motion{angle, {0.0, 0.0}};
+  shift(raw, {0.0, -height});
+  change_points(raw, [&motion](const Position& point) { return motion.of(point); });
+  shift(raw, {0.0, height});
+}
+
+void align(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
+  if (nominal.kind != kind)
+    log.refuse("align_to: " + nominal.name + " is a " + std::string(name_of(nominal.kind)) +
+               ", allowed is a " + std::string(name_of(kind)));
+  const std::optional<Alignment> found = alignment_to(nominal.curve, raw.points);
+  if (!found)
+    log.refuse("cannot be aligned to " + nominal.name +
+               ": too few points beside it, or a shape that shows no rotation");
+  change_points(raw, [&](const Position& point) { return found->motion.of(point); });
+  log.note("aligned to " + nominal.name + ": turned by " +
+           fixed_text(found->motion.rotation * 180.0 / std::numbers::pi, 3) +
+           " degrees, moved by " + fixed_text(found->motion.shift[0], 3) + " mm in lateral and " +
+           fixed_text(found->motion.shift[1], 3) + " mm in height; " +
+           fixed_text(100.0 * found->share, 0) + " % of the points are within " +
+           fixed_text(found->bound, 1) + " mm of it and count, " + fixed_text(found->deviation, 3) +
+           " mm (rms) off");
+}
+
+/// As stated, or as a wheel's faces ask for.
+void settle_rotation(RawProfile& raw, ProfileKind kind, const ReadOptions& options,
+                     const Profile* nominal, Log& log) {
+  if (options.rotation && *options.rotation != 0.0) {
+    turn(raw, kind, *options.rotation);
+    log.note("turned by " + short_text_of(*options.rotation * 180.0 / std::numbers::pi) +
+             " degrees as requested");
+  }
+  if (nominal != nullptr)
+    align(raw, kind, *nominal, log);
+  else if (!options.rotation && kind == ProfileKind::wheel)
+    if (const double rotation = untilting_rotation(raw.points, log); rotation != 0.0)
+      turn(raw, kind, rotation);
+}
+
 } // namespace
 
-Settled settle(RawProfile& raw, const ReadOptions& options, Log& log) {
+Settled settle(RawProfile& raw, const ReadOptions& options, Log& log, const Profile* nominal) {
   const std::optional<ProfileKind> stated = stated_kind(raw, options, log);
   std::vector<Position>& points = raw.points;
   if (points.size() < ReadLimits::min_points)
@@ -301,7 +347,8 @@ Settled settle(RawProfile& raw, const ReadOptions& options, Log& log) {
       options.tape_offset ? *options.tape_offset : raw.tape_offset.value_or(usual_tape_offset);
   if (kind == ProfileKind::wheel)
     settle_origin(raw, tape_offset, options, log);
-  check_points(points, kind, tape_offset, log);
+  settle_rotation(raw, kind, options, nominal, log);
+  check_points(points, kind, tape_offset, log, nominal != nullptr);
   return {kind, std::move(raw.points), std::move(raw.dropped)};
 }
 

@@ -1,4 +1,5 @@
-/// From the points of a format to those of a profile: kind, units, cleaning, signs, order, origin.
+/// From the points of a format to those of a profile: kind, units, cleaning, signs, order, origin,
+/// rotation.
 ///
 /// What the format defines comes first, then what the options state; where both are silent the
 /// shape decides, which is reported as a guess with its evidence. Units mm. Thread rule: no
@@ -16,7 +17,8 @@ struct Settled {
   std::vector<Position> dropped;
 };
 
-/// Throws Error(file_malformed).
-Settled settle(RawProfile& raw, const ReadOptions& options, Log& log);
+/// `nominal` is the profile of options.align_to. Throws Error(file_malformed).
+Settled settle(RawProfile& raw, const ReadOptions& options, Log& log,
+               const Profile* nominal = nullptr);
 
 } // namespace wrc::reading

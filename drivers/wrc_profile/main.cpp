@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "support/output_file.hpp"
 #include "support/program.hpp"
@@ -26,6 +27,8 @@ struct Arguments {
   std::string origin;
   double shift = 0.0;
   std::int32_t slice = 0;
+  double rotation = 0.0; ///< degrees
+  std::string align_to;
   std::string convert;
   double spacing = 0.25;
   std::string plot;
@@ -87,6 +90,9 @@ wrc_read_options options_from(const CLI::App& app, const Arguments& arguments) {
   options.slice = arguments.slice;
   options.tape_offset = app.count("--tape-offset") > 0 ? arguments.tape_offset : 0.0;
   options.lateral_shift = arguments.shift;
+  options.rotation_given = app.count("--rotate") > 0 ? 1 : 0;
+  options.rotation = arguments.rotation * std::numbers::pi / 180.0;
+  options.align_to = arguments.align_to.c_str();
   return options;
 }
 
@@ -95,7 +101,7 @@ Profile load_asked(const CLI::App& app, const Arguments& arguments) {
     return load_file("NAME|FILE", arguments.name, options_from(app, arguments));
   }
   for (const char* option : {"--kind", "--mirror-lateral", "--mirror-height", "--scale", "--smooth",
-                             "--strict", "--origin", "--shift", "--slice"}) {
+                             "--strict", "--origin", "--shift", "--rotate", "--align", "--slice"}) {
     if (app.count(option) > 0) {
       throw Failure(std::string(option) + ": allowed only with a file; " + arguments.name +
                     " is built in and exact");
@@ -185,8 +191,19 @@ void add_reading_options(CLI::App& app, Arguments& arguments) {
                  "instead of --origin: shift added to lateral, so that the taping line is at 0")
       ->type_name("MM")
       ->check(CLI::Range(-500.0, 500.0));
-  app.add_option("--slice", arguments.slice,
-                 "number of a profile in a slices file (.slcs, .slcw), from 1")
+  app.add_option("--rotate", arguments.rotation,
+                 "turn by this angle, anticlockwise in the picture, about the taping line or the "
+                 "rail's origin; 0: as measured, without a search for a tilt")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(-25.0, 25.0));
+  app.add_option(
+         "--align", arguments.align_to,
+         "move and turn the points so that they lie on this profile where they are not worn")
+      ->type_name("NAME|FILE");
+  app.add_option(
+         "--slice", arguments.slice,
+         "number of a profile, from 1, in a slices file (.slcs, .slcw) or a project file of "
+         "MiniProf; without it such a file is listed")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   app.add_flag("--strict", arguments.strict,
@@ -235,6 +252,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "      a measurement in two columns, smoothed and drawn\n"
       "  wrc_profile wheel.csv --kind wheel --origin flange-back --tape-offset 70\n"
       "      a wheel measured from its flange back\n"
+      "  wrc_profile tilted.csv --kind wheel --align S1002 --convert straight.prw\n"
+      "      a wheel that was measured with a tilt, laid on the new one where it is not worn\n"
       "  wrc_profile worn.prw --compare S1002 --plot wear.svg\n"
       "      how far a worn wheel is from the new one: distance, worn area, change of Sh, Sd, qR\n"
       "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"
@@ -253,7 +272,7 @@ int run(const CLI::App& app, const Arguments& arguments) {
   }
   const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
   refuse_overwriting({arguments.convert, arguments.plot},
-                     {file(arguments.name), file(arguments.compare)});
+                     {file(arguments.name), file(arguments.compare), file(arguments.align_to)});
   Profile profile = load_asked(app, arguments);
   const Measures measures = measure(profile, -arguments.tape_offset);
   ProfileReport report{std::move(profile), measures, {}, {}, {}, {}, {}};

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ from .errors import InvalidArgument
 _KINDS = {"wheel": lib.WRC_WHEEL, "rail": lib.WRC_RAIL}
 _ORIGINS = {"auto": 0, "tape": lib.WRC_ORIGIN_TAPE, "flange-back": lib.WRC_ORIGIN_FLANGE_BACK}
 _SMOOTHINGS = {"none": -1, "auto": -2}  # WRC_SMOOTHING_NONE, WRC_SMOOTHING_AUTO
+_kept_alive: weakref.WeakKeyDictionary[Any, Any] = weakref.WeakKeyDictionary()  # texts of structs
 
 
 class ProfilePoint(NamedTuple):
@@ -43,7 +45,7 @@ def _number_of(word: str, words: dict[str, int], argument: str) -> int:
 def _read_options(options: dict[str, Any]) -> Any:
     """The struct of wrcontact.h, from arguments with the names of its members."""
     members = {name for name, _ in ffi.typeof("wrc_read_options").fields}
-    members -= {"struct_size", "kind_given", "reserved"}
+    members -= {"struct_size", "kind_given", "rotation_given", "reserved", "reserved_2"}
     struct = ffi.new("wrc_read_options *")
     struct.struct_size = ffi.sizeof("wrc_read_options")
     for name, value in options.items():
@@ -55,6 +57,10 @@ def _read_options(options: dict[str, Any]) -> Any:
             value = _number_of(value, _ORIGINS, name)
         elif name == "smoothing_wavelength" and (isinstance(value, str) or value == 0):
             value = _number_of(value or "none", _SMOOTHINGS, name)
+        elif name == "rotation":
+            struct.rotation_given = 1
+        elif name == "align_to":
+            value = _kept_alive[struct] = ffi.new("char[]", encoded(value))
         setattr(struct, name, value)
     return struct
 
@@ -70,9 +76,10 @@ class Profile(Handle):
     Files are columns, Simpack .prr/.prw, MiniProf .ban/.whl and slices .slcs/.slcw. Options, as in
     wrc_read_options of wrcontact.h: kind ("wheel", "rail"), mirror_lateral and mirror_height (-1, 0,
     1), strict, scale (mm per unit of the file), smoothing_wavelength (mm, 0: none; "auto": as the
-    noise of the points needs), origin ("auto", "tape", "flange-back"), slice, tape_offset (mm), lateral_shift (mm). Lateral is positive to the field
-    side; heights of a wheel towards larger radius, of a rail upwards. UnknownName, FileUnreadable,
-    FileMalformed.
+    noise of the points needs), origin ("auto", "tape", "flange-back"), slice, tape_offset (mm),
+    lateral_shift (mm), rotation (rad), align_to (a built-in name or file). Lateral is positive to
+    the field side; heights of a wheel towards larger radius, of a rail upwards. UnknownName,
+    FileUnreadable, FileMalformed.
     """
 
     _kind = "profile"

@@ -113,7 +113,7 @@ TEST(ReferenceFiles, MiniprofFileHoldsTheSimpackPoints) {
   const Curve simpack = read_profile(reference_file(uic60_columns), all_points()).profile.curve;
   EXPECT_EQ(ban.profile.kind, ProfileKind::rail);
   reading::Log log("ban", false);
-  const reading::RawProfile raw = reading::read_miniprof(content_of(file), log);
+  const reading::RawProfile raw = reading::read_miniprof(content_of(file), 0, log);
   EXPECT_GE(raw.points.size(), 476U); // 495, of which 19 are quoted
   for (const Position& point : raw.points)
     EXPECT_LT(distance_from(simpack, {-point[0], -point[1]}), 1e-12);

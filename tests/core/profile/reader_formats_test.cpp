@@ -33,7 +33,6 @@ TEST(ColumnsReader, RefusesWithLineAndText) {
   };
   EXPECT_TRUE(contains(refusal("1 2\n3\n"), "sample:2: '3' is one column"));
   EXPECT_TRUE(contains(refusal("1 2\n3 x\n"), "sample:2: 'x' is not a number"));
-  EXPECT_TRUE(contains(refusal("1 2\n3 nan\n"), "sample:2: 'nan' is not a finite number"));
   EXPECT_TRUE(contains(refusal("1 2\n-inf 3\n"), "sample:2: '-inf' is not a finite number"));
   EXPECT_TRUE(contains(refusal("1 2\n1e999 3\n"), "sample:2: '1e999' is not a finite number"));
   EXPECT_TRUE(contains(refusal("1 2\n1 2 3\n"), "sample:2: 3 columns, the rows before have 2"));
@@ -202,7 +201,7 @@ TEST(SimpackReader, RefusesBrokenFiles) {
   EXPECT_TRUE(contains(refusal("header.begin\ntype = 2\n"), "allowed: 0 rail, 1 wheel"));
   EXPECT_TRUE(contains(refusal(simpack("1\n", "", 1)), "1 columns"));
   EXPECT_TRUE(contains(refusal(simpack("1 2 3 4\n", "", 1)), "4 columns"));
-  EXPECT_TRUE(contains(refusal(simpack("1 nan\n", "", 1)), "'nan' is not a finite number"));
+  EXPECT_TRUE(contains(refusal(simpack("1 inf\n", "", 1)), "'inf' is not a finite number"));
   EXPECT_TRUE(
       contains(refusal(simpack(rows, "mirror.y = 2\n", 1)), "mirror.y = 2, allowed: 0 or 1"));
   EXPECT_TRUE(contains(refusal(simpack(rows, "units.len.f = 0\n", 1)), "must be positive"));
@@ -383,7 +382,54 @@ TEST(MiniprofReader, RefusesBrokenFiles) {
   EXPECT_TRUE(
       contains(refusal("ColumnDef=X,Y\nXOffset=a\n\n1 2\n"), "sample:2: 'a' is not a number"));
   EXPECT_TRUE(contains(refusal("XYPoints=1e18\n\n1 2\n"), "1 points"));
-  EXPECT_TRUE(contains(refusal("a\n\n1 nan\n"), "sample:3: 'nan' is not a finite number"));
+  EXPECT_TRUE(contains(refusal("a\n\n1 inf\n"), "sample:3: 'inf' is not a finite number"));
+}
+
+/// Two profiles with a key for each point, a third with plain rows.
+std::string miniprof_project(int profiles) {
+  std::string text = "[MiniProf]\nProgramVer=3\nColumnDef=X,Y\n";
+  for (int profile = 1; profile <= profiles; ++profile) {
+    const std::string name = "Profile" + std::to_string(profile);
+    text += "[" + name + "]\nXOffset=" + std::to_string(profile) + "\n[" + name +
+            "Points]\nXYPoints=35\n";
+    std::size_t row = 0;
+    for (const Position& point : rail_points()) {
+      if (profile < 3)
+        text += "XYPoint" + std::to_string(++row) + "=";
+      text += text_of(-point[0] - profile) + "," + text_of(point[1] - 0.1 * profile) + "\n";
+    }
+  }
+  return text;
+}
+
+TEST(MiniprofReader, ReadsTheProfilesOfAProjectFile) {
+  ReadOptions options;
+  options.kind = ProfileKind::rail;
+  for (int profile = 1; profile <= 3; ++profile) {
+    options.slice = profile;
+    const ReadResult read = read_as(ProfileFormat::miniprof, miniprof_project(3), "a.mpt", options);
+    std::vector<Position> expected = rail_points();
+    for (Position& point : expected)
+      point[1] -= 0.1 * profile;
+    EXPECT_LT(distance_at(read.profile.curve, expected), rounding) << profile;
+    EXPECT_TRUE(says(read, "points of the section [Profile" + std::to_string(profile) + "Points]"));
+    EXPECT_EQ(read.measured.size(), 35U);
+  }
+  options.slice = 0;
+  EXPECT_NO_THROW((void)read_as(ProfileFormat::miniprof, miniprof_project(1), "a.mpt", options));
+  EXPECT_TRUE(
+      contains(refusal_of(miniprof_project(2), ProfileFormat::miniprof, options),
+               "slice = 0, allowed is 1 to 2 of its 2 profiles: 1 [Profile1Points] of 35 points, "
+               "2 [Profile2Points] of 35 points"));
+  options.slice = 4;
+  EXPECT_TRUE(contains(refusal_of(miniprof_project(3), ProfileFormat::miniprof, options),
+                       "slice = 4, allowed is 1 to 3"));
+}
+
+TEST(MiniprofReader, SectionsSayWhichBodyTheyAre) {
+  std::string text = miniprof_project(1);
+  text.replace(text.find("[Profile1Points]"), 16, "[Rail1Points]");
+  EXPECT_EQ(read_as(ProfileFormat::miniprof, text, "a").profile.kind, ProfileKind::rail);
 }
 
 } // namespace
