@@ -51,7 +51,7 @@ of_header() {
     /^typedef/ {
       line = $3; sub(/^wrc_(read_|step_)?/, "", line)
       sub(/^[^{]*\{/, ""); sub(/\}.*/, ""); n = split($0, member, ";")
-      for (i = 1; i <= n; ++i) if (member[i] ~ /[a-z]/) line = line " " pair(member[i], 0)
+      for (i = 1; i <= n; ++i) if (member[i] ~ /[a-z]/) line = line " " pair(member[i], 1)
       gsub(/:(const_)?(real|int32)\*/, ":address", line) # an array that a member points to
       print line; next
     }

@@ -1,16 +1,24 @@
 #include "geometry/rail_surface.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 
 namespace wrc {
 namespace {
 
-/// Lateral coordinate of the gauge face at a given height: the point, going from the top towards
-/// the gauge side, where the curve first falls below the height.
-double lateral_of_gauge_face(const Curve& curve, double top_arc, double height,
-                             double gauge_height) {
+/// Distance of the axis of a body without gauge face from the place of a gauge face, mm.
+/// origin: published: running circles are 1500 mm apart, on a gauge of 1435 mm (EN 15302).
+constexpr double axis_distance = 32.5;
+/// A gauge face falls at least by this slope.
+/// origin: published: gauge corners turn to 87 degrees (EN 13674-1); a crown turns by 19 degrees.
+constexpr double least_face_slope = 1.0;
+
+/// Lateral coordinate of the gauge face at a given height, none if there is no face: the point,
+/// going from the top towards the gauge side, where the curve first falls below the height.
+std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, double height,
+                                            double gauge_height) {
   const std::size_t top_piece = curve.piece_at(top_arc);
   for (std::size_t piece = top_piece + 1; piece-- > 0;) {
     if (curve.at(piece, 0.0).height > height) {
@@ -26,6 +34,9 @@ double lateral_of_gauge_face(const Curve& curve, double top_arc, double height,
       (curve.at(piece, middle).height <= height ? low : high) = middle;
     }
   }
+  const CurvePoint end = curve.at(0.0);
+  if (end.tangent_height < least_face_slope * end.tangent_lateral)
+    return std::nullopt;
   throw_invalid_argument("track.gauge_height", gauge_height,
                          "at most the depth of the rail profile's gauge face below its top, mm");
 }
@@ -36,11 +47,13 @@ RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& tr
   const Curve inclined = profile.curve.moved(track.cant, 0.0, 0.0);
   const double top_arc = arc_of_highest_point(inclined);
   const double top = inclined.at(top_arc).height;
-  const double face =
+  const std::optional<double> face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
-  const double lateral_shift = 0.5 * track.gauge - face;
+  const double lateral_shift = 0.5 * track.gauge + (face ? -*face : axis_distance);
   CurveGraph graph(profile.curve.without_steps().moved(track.cant, lateral_shift, -top), top_arc);
-  return {std::move(graph), top_arc, track.cant, lateral_shift, -top};
+  RailSurface surface{std::move(graph), top_arc, track.cant, lateral_shift, -top};
+  surface.is_placed_by_axis_ = !face;
+  return surface;
 }
 
 RailSurface::RailSurface(const Profile& profile, const TrackDimensions& track)

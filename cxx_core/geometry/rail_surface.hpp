@@ -5,6 +5,8 @@
 /// raises the field side. It is then shifted so that its highest point lies at z = 0 and its gauge
 /// face, at `gauge_height` below the top, at y = gauge / 2 (the paper, equations 3 and 4, with the
 /// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x.
+/// A roller or disc, which does not fall to the gauge side by 45 degrees, has no gauge face: its
+/// lateral 0 is put 32.5 mm beside gauge / 2, where the taping line of a wheel is.
 /// Irregularities of the track displace it from there.
 /// Units mm and rad. Thread rule: immutable, safe to share.
 #pragma once
@@ -39,7 +41,7 @@ inline RailDisplacement mirrored(const RailDisplacement& displacement) {
 
 class RailSurface {
 public:
-  /// Throws Error(invalid_argument) if the profile has no gauge face at the gauge height.
+  /// Throws Error(invalid_argument) if the profile's gauge face ends above the gauge height.
   RailSurface(const Profile& profile, const TrackDimensions& track);
 
   /// The same rail somewhere else: 1 us without roll, which takes a new table of heights, 40 us.
@@ -50,6 +52,8 @@ public:
   /// The profile's origin in the track frame.
   [[nodiscard]] double origin_y() const { return lateral_shift_; }
   [[nodiscard]] double origin_z() const { return height_shift_; }
+  /// Whether it was placed without a gauge face, before the displacement.
+  [[nodiscard]] bool is_placed_by_axis() const { return is_placed_by_axis_; }
   /// Converts a point of the track frame into the profile's frame (t, height).
   void to_profile_frame(double y, double z, double& lateral, double& height) const;
 
@@ -65,6 +69,7 @@ private:
   double angle_;   ///< of the profile's frame in the track frame
   double lateral_shift_;
   double height_shift_;
+  bool is_placed_by_axis_ = false;
 };
 
 } // namespace wrc

@@ -338,6 +338,16 @@ std::optional<double> height_at_taping_line(std::span<const Position> points) {
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log,
                   bool is_aligned) {
   const Position lateral = extent_of(points, 0);
+  if (const std::optional<double> radius = disc_radius_of(points)) {
+    log.note("a disc without flange or rail head, " + fixed_text(lateral[1] - lateral[0]) +
+             " mm wide" +
+             (std::isfinite(*radius) ? ", a circle of radius " + short_text_of(*radius) + " mm"
+                                     : ", a cylinder"));
+    const Part everything{-HUGE_VAL, -HUGE_VAL};
+    check_distances(points, everything, log);
+    check_single_valued(points, everything, log);
+    return;
+  }
   check_range(lateral[1] - lateral[0], width_range, WarningClass::profile_dimensions, "width",
               "state the scale", log);
   if (kind == ProfileKind::wheel)

@@ -29,6 +29,14 @@ constexpr double top_share = 1.0 / 3.0;
 /// origin: published: heads are up to 51 mm high, rails 140 to 190 (EN 13674-1).
 constexpr double least_rail_height = 100.0;
 
+/// Points of a disc are so close to a circle, mm, whose middle is beside theirs by so small a share
+/// of the width. origin: reasoned: discs are ground to 0.01 mm; crowns of rails have arcs of two
+/// radii, which differ by 0.3 mm, cones of treads rise to one side.
+constexpr double circle_tolerance = 0.05;
+constexpr double circle_eccentricity = 0.05;
+/// Longest chord height of a cylinder, mm.
+constexpr double flatness = 0.05; // origin: reasoned: as above
+
 /// Height that half of the lateral extent lies above.
 double level_of(std::span<const Position> points) {
   struct Part {
@@ -139,6 +147,39 @@ std::optional<Flange> flange_of(std::span<const Position> points) {
                 other.width,
                 std::abs(flange.extreme[1] - level),
                 flange.extreme};
+}
+
+std::optional<double> disc_radius_of(std::span<const Position> points) {
+  const Position lateral = extent_of(points, 0);
+  const Position height = extent_of(points, 1);
+  if (height[1] - height[0] <= flatness)
+    return HUGE_VAL;
+  const double middle = 0.5 * (lateral[0] + lateral[1]);
+  const double width = lateral[1] - lateral[0];
+  // The circle through both ends and the point closest to the middle.
+  const auto central = std::min_element(points.begin(), points.end(),
+                                        [middle](const Position& a, const Position& b) {
+                                          return std::abs(a[0] - middle) < std::abs(b[0] - middle);
+                                        });
+  const Position& a = points.front();
+  const Position& b = *central;
+  const Position& c = points.back();
+  const Position ab{b[0] - a[0], b[1] - a[1]};
+  const Position ac{c[0] - a[0], c[1] - a[1]};
+  const double area = 2.0 * (ab[0] * ac[1] - ab[1] * ac[0]);
+  if (area == 0.0)
+    return std::nullopt;
+  const double ab_square = ab[0] * ab[0] + ab[1] * ab[1];
+  const double ac_square = ac[0] * ac[0] + ac[1] * ac[1];
+  const Position centre{a[0] + (ac[1] * ab_square - ab[1] * ac_square) / area,
+                        a[1] + (ab[0] * ac_square - ac[0] * ab_square) / area};
+  const double radius = distance_between(centre, a);
+  if (std::abs(centre[0] - middle) > circle_eccentricity * width)
+    return std::nullopt;
+  const bool is_on_circle = std::all_of(points.begin(), points.end(), [&](const Position& point) {
+    return std::abs(distance_between(point, centre) - radius) < circle_tolerance;
+  });
+  return is_on_circle ? std::optional(radius) : std::nullopt;
 }
 
 std::optional<Head> head_of(std::span<const Position> points) {

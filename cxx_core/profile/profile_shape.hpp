@@ -38,6 +38,10 @@ struct Head {
 /// Which way a rail's head points; none if the shape does not show it.
 std::optional<Head> head_of(std::span<const Position> points);
 
+/// Radius of the circle that all points lie on, mm, its middle above or below theirs: a roller or
+/// the disc of a test rig; infinite for a cylinder. None for other bodies.
+std::optional<double> disc_radius_of(std::span<const Position> points);
+
 /// Least and greatest value of a coordinate.
 Position extent_of(std::span<const Position> points, std::size_t coordinate);
 double distance_between(const Position& a, const Position& b);

@@ -95,7 +95,7 @@ Words words_of(std::string_view line, std::string_view separators);
 /// and a comma between digits becomes a decimal point where something else separates the numbers.
 std::string plain_row(std::string_view line, char separator = ' ');
 
-/// Whether a word stands in place of a number that is missing: NaN, NA, N/A, null, or an error of a
+/// Whether a word says that a number is missing: NaN, NA, N/A, null, or an error of a
 /// spreadsheet such as #N/A, in capital or small letters.
 bool is_missing(std::string_view word);
 /// Where a comment that begins with # ! or % starts, which errors of spreadsheets do not; npos if

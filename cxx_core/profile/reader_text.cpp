@@ -146,9 +146,14 @@ void refuse_foreign(std::string_view bytes, const Log& log) {
       std::find_if(signatures.begin(), signatures.end(),
                    [&](const Signature& each) { return begin.starts_with(each.begin); });
   const bool drawing = is_drawing(begin);
+  const std::string what(found == signatures.end() ? "" : found->what);
+  const bool is_workbook = what.find("workbook") != std::string::npos;
   if (found != signatures.end() || drawing)
-    log.refuse("is " + std::string(drawing ? "a drawing (.dxf)" : found->what) +
-               ", which is not supported; allowed are text files: two columns, Simpack .prr/.prw, "
+    log.refuse("is " + (drawing ? "a drawing (.dxf)" : what) + ", which is not supported; " +
+               (is_workbook ? "save the sheet with the points as CSV text (in Excel: Save As, CSV; "
+                              "in LibreOffice: Save As, Text CSV) and read that file; "
+                            : "") +
+               "allowed are text files: two columns, Simpack .prr/.prw, "
                "MiniProf .ban/.whl");
 }
 

@@ -36,6 +36,10 @@ constexpr double near_width = 1.3;
 /// EN 13674-1).
 constexpr double swapped_ratio = 0.6;
 constexpr double greatest_head_height = 100.0;
+/// The outer half of a wheel rises above its tread by less than this, mm, the head and the foot of
+/// a half rail above its web by more. origin: published: hollow treads have false flanges of up to
+/// 5 mm; half heads of rails are 25 mm thicker than half webs, half feet 50 mm (EN 13674-1).
+constexpr double greatest_rise_of_tread = 8.0;
 
 /// Where a wheel that counts from its flange back begins, and its tip, mm.
 /// origin: measured: files of six instruments begin at -0.2 to 3.9, tips are at 15 to 21.
@@ -130,6 +134,25 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
                  text_of(ReadLimits::max_coordinate) + " mm are allowed");
 }
 
+/// Whether points are a wheel once their columns are swapped: it stands off its tread at one end, a
+/// half rail off its web at head and foot.
+bool is_swapped_wheel(const std::vector<Position>& points) {
+  std::vector<Position> swapped;
+  for (const Position& point : points)
+    swapped.push_back({point[1], point[0]});
+  const std::optional<Flange> flange = flange_of(swapped);
+  if (!flange)
+    return false;
+  const double side = flange->is_down ? -1.0 : 1.0;
+  const double tread = flange->tip[1] - side * flange->height;
+  const Position lateral = extent_of(swapped, 0);
+  const double middle = 0.5 * (lateral[0] + lateral[1]);
+  return std::none_of(swapped.begin(), swapped.end(), [&](const Position& point) {
+    return (point[0] > middle) != flange->is_outside &&
+           side * (point[1] - tread) > greatest_rise_of_tread;
+  });
+}
+
 void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) {
   if (raw.signs != Signs::silent || raw.columns_are_named)
     return;
@@ -138,7 +161,8 @@ void settle_columns(RawProfile& raw, std::optional<ProfileKind> kind, Log& log) 
   const double width = first[1] - first[0];
   const double height = second[1] - second[0];
   if (!(width < swapped_ratio * height) || !(height >= thinkable_width[0]) ||
-      (kind != ProfileKind::wheel && height > greatest_head_height && width < rail_width))
+      (kind != ProfileKind::wheel && height > greatest_head_height &&
+       (kind || !is_swapped_wheel(raw.points))))
     return;
   log.guess("columns swapped, since the first extends over " + fixed_text(width) +
                 " mm and the second over " + fixed_text(height) + " mm",
@@ -271,7 +295,7 @@ void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& optio
 }
 
 /// About the taping line of a wheel, whose height stays, or the origin of a rail.
-void turn(RawProfile& raw, ProfileKind kind, double angle) {
+void turn_points(RawProfile& raw, ProfileKind kind, double angle) {
   const double height =
       kind == ProfileKind::wheel ? height_at_taping_line(raw.points).value_or(0.0) : 0.0;
   const Motion motion{angle, {0.0, 0.0}};
@@ -280,7 +304,7 @@ void turn(RawProfile& raw, ProfileKind kind, double angle) {
   shift(raw, {0.0, height});
 }
 
-void align(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
+void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
   if (nominal.kind != kind)
     log.refuse("align_to: " + nominal.name + " is a " + std::string(name_of(nominal.kind)) +
                ", allowed is a " + std::string(name_of(kind)));
@@ -302,15 +326,15 @@ void align(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) 
 void settle_rotation(RawProfile& raw, ProfileKind kind, const ReadOptions& options,
                      const Profile* nominal, Log& log) {
   if (options.rotation && *options.rotation != 0.0) {
-    turn(raw, kind, *options.rotation);
+    turn_points(raw, kind, *options.rotation);
     log.note("turned by " + short_text_of(*options.rotation * 180.0 / std::numbers::pi) +
              " degrees as requested");
   }
   if (nominal != nullptr)
-    align(raw, kind, *nominal, log);
+    align_points(raw, kind, *nominal, log);
   else if (!options.rotation && kind == ProfileKind::wheel)
     if (const double rotation = untilting_rotation(raw.points, log); rotation != 0.0)
-      turn(raw, kind, rotation);
+      turn_points(raw, kind, rotation);
 }
 
 } // namespace

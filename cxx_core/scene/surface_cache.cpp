@@ -79,6 +79,15 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   return read_file(choice, options, kind, key, corrections);
 }
 
+void warn_of_place(const RailSurface& surface, const TrackDimensions& track, Warnings& warnings) {
+  if (surface.is_placed_by_axis())
+    warnings.push_back({WarningClass::profile_origin,
+                        "no gauge face " + short_text_of(track.gauge_height) +
+                            " mm below its top: placed by its axis, lateral 0 is " +
+                            short_text_of(surface.origin_y()) + " mm from the track centre"});
+}
+void warn_of_place(const WheelSurface&, const WheelsetDimensions&, Warnings&) {}
+
 /// One of the two surfaces; corrections, warnings and time are added to those of the scene.
 template <class Surface, class Dimensions>
 std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept,
@@ -92,6 +101,7 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
     all.profile_milliseconds += stopwatch.milliseconds();
     made.surface = std::make_shared<Surface>(profile, source.dimensions);
     made.likely = profile.likely;
+    warn_of_place(*made.surface, source.dimensions, profile.warnings);
     if (!profile.warnings.empty()) {
       made.warnings = std::make_shared<const Warnings>(std::move(profile.warnings));
     }

@@ -306,6 +306,38 @@ TEST_F(ProfileFiles, OneSliceIsAProfile) {
   EXPECT_EQ(wrc_profile_load_file(p, file.c_str(), &options), WRC_FILE_MALFORMED);
 }
 
+/// Members that an older caller does not have are not read; half a pointer is none.
+TEST_F(ProfileFiles, ARotationAndANominalProfileAreApplied) {
+  const ProfilePointer straight = make_profile();
+  ASSERT_EQ(wrc_profile_load_standard(straight.get(), "S1002"), WRC_OK);
+  const std::string path = write("turned.wheel", "");
+  ASSERT_EQ(wrc_profile_write(straight.get(), path.c_str(), 0.5), WRC_OK);
+  const ProfilePointer profile = make_profile();
+  wrc_profile* p = profile.get();
+  wrc_read_options options = plain_options();
+  options.rotation_given = 1;
+  options.rotation = 0.02;
+  const auto height_of_end = [&] {
+    EXPECT_EQ(wrc_profile_load_file(p, path.c_str(), &options), WRC_OK) << wrc_profile_error(p);
+    double length = 0.0;
+    double height = 0.0;
+    EXPECT_EQ(wrc_profile_length(p, &length), WRC_OK);
+    EXPECT_EQ(wrc_profile_at(p, length, nullptr, &height, nullptr, nullptr), WRC_OK);
+    return height;
+  };
+  const double turned = height_of_end();
+  options.rotation_given = 0;
+  const double plain = height_of_end();
+  EXPECT_NEAR(turned - plain, 0.02 * 65.0, 0.01);
+  options.rotation_given = 1;
+  options.align_to = "S1002";
+  EXPECT_NEAR(height_of_end(), plain, 0.01);
+  options.struct_size = offsetof(wrc_read_options, align_to) + 4;
+  EXPECT_NEAR(height_of_end(), turned, 1e-12);
+  options.rotation = 1.0;
+  EXPECT_EQ(wrc_profile_load_file(p, path.c_str(), &options), WRC_INVALID_ARGUMENT);
+}
+
 TEST_F(ProfileFiles, OptionsAreApplied) {
   const ProfilePointer profile = make_profile();
   wrc_profile* p = profile.get();

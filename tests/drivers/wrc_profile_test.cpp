@@ -102,6 +102,45 @@ TEST_F(WrcProfile, TheTableListsCorrections) {
   EXPECT_NEAR(kept.at("extents").at("height").at(1).get<double>(), 20.0, rounding);
 }
 
+/// A wheel measured with a tilt of one degree, by a nominal profile or a stated angle.
+TEST_F(WrcProfile, TurnsATiltedWheel) {
+  std::ostringstream points;
+  const json wheel = run_json("S1002 --points --spacing 0.5");
+  const double tilt = std::acos(-1.0) / 180.0;
+  for (const json& point : wheel.at("points")) {
+    const double y = point.at("lateral");
+    const double z = point.at("height");
+    points << std::cos(tilt) * y - std::sin(tilt) * z << ' '
+           << std::sin(tilt) * y + std::cos(tilt) * z << '\n';
+  }
+  write("tilted.wheel", points.str());
+  EXPECT_EQ(run_json("tilted.wheel").at("warnings").size(), 1U);
+  EXPECT_EQ(run_json("tilted.wheel --rotate 0").at("warnings").size(), 0U);
+  run("tilted.wheel --strict").expect_refusal({"turned by -1.00 degrees", "rotation"});
+  for (const char* how : {"--align S1002", "--rotate -1"}) {
+    const json straight = run_json(std::string("tilted.wheel --strict --compare S1002 ") + how);
+    EXPECT_LT(std::abs(straight.at("comparison").at("largest").get<double>()), 5e-3) << how;
+  }
+  run("tilted.wheel --align nowhere").expect_refusal({"align_to = nowhere", "allowed"});
+  run("tilted.wheel --rotate 30").expect_refusal({"--rotate", "30"});
+  run("S1002 --align S1002").expect_refusal({"--align", "built in"});
+}
+
+TEST_F(WrcProfile, ListsTheProfilesOfAProjectFile) {
+  std::ostringstream project;
+  for (int profile = 1; profile <= 2; ++profile) {
+    project << "[Profile" << profile << "Points]\n";
+    for (int y = -30; y <= 30; ++y) {
+      project << y << ',' << -0.02 * y * y - profile << '\n';
+    }
+  }
+  write("project.ban", project.str());
+  run("project.ban")
+      .expect_refusal({"1 [Profile1Points] of 61 points", "2 [Profile2Points] of 61 points"});
+  EXPECT_NEAR(run_json("project.ban --slice 2").at("extents").at("height").at(1).get<double>(),
+              -2.0, 0.01);
+}
+
 TEST_F(WrcProfile, ComparesInTheDirectionOfTheNormal) {
   // 60E1 moved up by 0.1 mm: at the crown the normal distance is 0.1, on the 1:20 sides less.
   const json points = run_json("60E1 --points --spacing 0.1").at("points");

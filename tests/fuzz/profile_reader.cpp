@@ -41,6 +41,13 @@ wrc::ReadOptions options_from(std::uint8_t bits) {
   if ((bits & 64U) != 0) {
     options.scale = (bits & 128U) != 0 ? 1e-3 : 25.4;
   }
+  if ((bits & 128U) != 0) {
+    options.slice = 1;
+  }
+  if ((bits & 192U) == 192U) {
+    options.align_to = (bits & 2U) != 0 ? "60E1" : "S1002";
+    options.rotation = 0.01;
+  }
   return options;
 }
 
@@ -48,6 +55,28 @@ void demand(bool promise) {
   if (!promise) {
     __builtin_trap();
   }
+}
+
+/// Whether points lie on the circle through the first, the middle and the last one, of any width.
+bool is_disc(const std::vector<wrc::Position>& points) {
+  const wrc::Position& a = points.front();
+  const wrc::Position& c = points.back();
+  const double chord = std::hypot(c[0] - a[0], c[1] - a[1]);
+  double least = 0.0;
+  double greatest = 0.0;
+  for (const wrc::Position& point : points) {
+    const double along =
+        ((point[0] - a[0]) * (c[0] - a[0]) + (point[1] - a[1]) * (c[1] - a[1])) / chord;
+    const double off =
+        ((point[1] - a[1]) * (c[0] - a[0]) - (point[0] - a[0]) * (c[1] - a[1])) / chord;
+    // Of the products of intersecting chords; the rest is the circle's second height.
+    if (along > 0.25 * chord && along < 0.75 * chord) {
+      const double bulge = off * chord * chord / (4.0 * along * (chord - along));
+      least = least == 0.0 ? bulge : std::min(least, bulge);
+      greatest = greatest == 0.0 ? bulge : std::max(greatest, bulge);
+    }
+  }
+  return greatest - least <= 0.2 + 0.5 * std::max(std::abs(least), std::abs(greatest));
 }
 
 /// Extents of wheels and rails, in numbers of their own: those of plausibility.cpp are on trial.
@@ -70,7 +99,8 @@ bool is_plausible(const wrc::Profile& profile, const std::vector<wrc::Position>&
 
 void check(const wrc::ReadResult& read) {
   const wrc::Profile& profile = read.profile;
-  demand(is_plausible(profile, read.measured) || !read.profile.warnings.empty());
+  demand(is_plausible(profile, read.measured) || is_disc(read.measured) ||
+         !read.profile.warnings.empty());
   const double length = profile.curve.length();
   demand(std::isfinite(length) && length > 0.0);
   for (const double share : {0.0, 0.3, 0.7, 1.0}) {

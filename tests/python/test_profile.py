@@ -28,6 +28,19 @@ def test_a_file_and_its_points_give_one_scene(tmp_path):
     assert found[0] == found[1] and np.isclose(found[2], found[0], rtol=1e-6)
 
 
+def test_a_tilted_wheel_is_turned(tmp_path):
+    curve = wrcontact.Profile("S1002").at(np.arange(0.5, 170.0, 0.5))
+    y, z = curve.lateral, curve.height
+    tilted = y - 0.02 * z, z + 0.02 * y
+    np.savetxt(tmp_path / "tilted.txt", np.transpose(tilted))
+    (warning,) = wrcontact.Profile(tmp_path / "tilted.txt", kind="wheel").warnings
+    assert "turned by -1.15 degrees" in warning
+    for options in ({"rotation": -0.02}, {"align_to": "S1002"}):
+        straight = wrcontact.Profile.from_points("wheel", *tilted, strict=True, **options)
+        assert np.allclose(straight.at(0.0).height, z[0], atol=0.03), options
+    assert not wrcontact.Profile(tmp_path / "tilted.txt", kind="wheel", rotation=0.0).warnings
+
+
 def test_the_name_of_a_file_is_drawn_as_it_is(tmp_path):
     pytest.importorskip("matplotlib")
     name = r"a$\frac{b$_^%.txt"

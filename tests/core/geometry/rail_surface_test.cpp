@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "profile/spline.hpp"
 #include "support/brute_force.hpp"
 
 namespace wrc::test::rail_surface_test {
@@ -58,6 +59,27 @@ TEST(RailSurface, HeightOverALateralCoordinateAgreesWithBisection) {
   for (double y = 718.0; y < 787.0; y += 0.37) {
     EXPECT_NEAR(rail.graph().at_lateral(y).height, rail_height(rail, y), rounding) << y;
   }
+}
+
+/// A roller has no gauge face: its axis is where a wheel has its taping line. A crown whose
+/// measurement ends in the gauge corner is not one.
+TEST(RailSurface, ARollerIsPlacedByItsAxis) {
+  const auto arc = [](double radius, double half_width) {
+    std::vector<Position> points;
+    for (double y = -half_width; y <= half_width; y += 0.25) {
+      points.push_back({y, std::sqrt(radius * radius - y * y) - radius});
+    }
+    Profile profile;
+    profile.kind = ProfileKind::rail;
+    profile.curve = curve_through(points);
+    return profile;
+  };
+  const RailSurface roller(arc(300.0, 15.0), {1435.0, 14.0, 0.0});
+  EXPECT_TRUE(roller.is_placed_by_axis());
+  EXPECT_NEAR(roller.origin_y(), 750.0, 1e-12);
+  EXPECT_NEAR(roller.origin_z(), 0.0, 1e-9);
+  EXPECT_FALSE(RailSurface(standard_profile("60E1"), {1435.0, 14.0, 0.0}).is_placed_by_axis());
+  EXPECT_THROW(RailSurface(arc(13.0, 10.0), {1435.0, 14.0, 0.0}), Error);
 }
 
 TEST(RailSurfaceErrors, GaugeHeightBelowTheProfile) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "profile/profile_shape.hpp"
 #include "samples.hpp"
 
 namespace wrc::test::plausibility_test {
@@ -82,6 +83,31 @@ TEST(Plausibility, GapsStepsAndOverlapsShow) {
   points = rail_points();
   std::swap(points[16], points[17]);
   EXPECT_TRUE(warns(points, ProfileKind::rail, WarningClass::profile_overlap));
+}
+
+/// Rollers and discs have neither flange nor head, and any width.
+TEST(Plausibility, DiscsNeedNoFlange) {
+  const auto disc = [](double radius, double half_width, double slope) {
+    std::vector<Position> points;
+    for (double y = -half_width; y <= half_width; y += 0.5) {
+      points.push_back({y, std::sqrt(radius * radius - y * y) - radius + slope * y});
+    }
+    return points;
+  };
+  for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail}) {
+    for (const double radius : {30.0, 300.0, 1e5}) {
+      Log log("file", true);
+      EXPECT_NO_THROW(check_points(disc(radius, 15.0, 0.0), kind, tape_offset, log)) << radius;
+      EXPECT_EQ(log.corrections().size(), 1U);
+    }
+  }
+  EXPECT_TRUE(disc_radius_of(disc(300.0, 15.0, 0.0)));
+  EXPECT_FALSE(disc_radius_of(disc(1e5, 15.0, 0.05))) << "a cone";
+  EXPECT_FALSE(disc_radius_of(wheel_points()));
+  EXPECT_FALSE(disc_radius_of(rail_points()));
+  std::vector<Position> hole = disc(300.0, 30.0, 0.0);
+  hole.erase(hole.begin() + 50, hole.begin() + 70);
+  EXPECT_TRUE(warns(hole, ProfileKind::rail, WarningClass::profile_gap));
 }
 
 TEST(Plausibility, HeightAtTheTapingLineIsBetweenThePoints) {

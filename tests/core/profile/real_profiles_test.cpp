@@ -45,7 +45,7 @@ const RealFile real_files[] = {
     {"whl_left_iter288.whl", ProfileKind::wheel, true, {-70.2, 75.1}, {-21.5, 28.4}, {-51, -47}},
     {"avg_wheel.whl", ProfileKind::wheel, false, {-68.5, 69.7}, {-32.3, 28.0}, {-56, -51}},
     {"worn_high_mileage.prw", ProfileKind::wheel, false, {-66.1, 73.4}, {-3.0, 35.4}, {-51, -47}},
-    {"circ_r100.prw", ProfileKind::wheel, false, {-50, 50}, {-13.4, 0}, {-0.1, 0.1}},
+    {"circ_r100.prw", ProfileKind::wheel, true, {-50, 50}, {-13.4, 0}, {-0.1, 0.1}},
     {"groove_r1025.prr", ProfileKind::rail, false, {-20.6, 20.6}, {0, 10.25}, {-20.6, 20.6}},
     {"avg_HR.BAN", ProfileKind::rail, false, {-46.6, 11.7}, {-25.4, -0.2}, {-9, -3}},
     {"avg_low2.ban", ProfileKind::rail, false, {-25.6, 54.1}, {-33.8, -0.2}, {19, 23}},

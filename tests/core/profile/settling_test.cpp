@@ -82,6 +82,30 @@ TEST(Settling, TheKindFollowsFromTheShape) {
   }
 }
 
+/// Before the kind is decided: of a wheel, but not of a half rail, which is as high.
+TEST(Settling, SwappedColumnsOfAnUnknownKindAreFound) {
+  RawProfile raw;
+  const Curve curve = standard_profile("S1002").curve;
+  for (double arc = 0.0; arc < curve.length(); arc += 0.5)
+    raw.points.push_back({curve.at(arc).height, curve.at(arc).lateral});
+  Log log("file", false);
+  const Settled wheel = settle(raw, {}, log);
+  EXPECT_EQ(wheel.kind, ProfileKind::wheel);
+  EXPECT_NEAR(wheel.points.front()[0], -70.0, 1e-9);
+  EXPECT_TRUE(log.warnings().empty());
+
+  RawProfile half_rail; // head, web and foot
+  for (const Position& corner :
+       {Position{0, 0}, Position{20, -1}, Position{36, -14}, Position{36, -35}, Position{10, -45},
+        Position{8, -140}, Position{20, -160}, Position{75, -162}, Position{75, -172}})
+    half_rail.points.push_back(corner);
+  Log log_of_rail("file", false);
+  EXPECT_EQ(settle(half_rail, {}, log_of_rail).points.front()[0], 0.0);
+  EXPECT_TRUE(std::none_of(
+      log_of_rail.corrections().begin(), log_of_rail.corrections().end(),
+      [](const std::string& line) { return line.find("swapped") != std::string::npos; }));
+}
+
 TEST(Settling, TooFewPointsAreRefused) {
   Log log("file", false);
   expect_error(

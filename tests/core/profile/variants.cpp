@@ -153,7 +153,7 @@ void add_encodings(std::vector<Variant>& all) {
     add("end_mark", text + "\x1A");
     add("latin1_heading", "# H\xF6he in mm\n" + text);
     Variant workbook = columns(kind, "workbook", std::string("PK\x03\x04", 4) + text);
-    workbook.refusal = "an Excel workbook";
+    workbook.refusal = "save the sheet with the points as CSV";
     all.push_back(workbook);
   }
 }

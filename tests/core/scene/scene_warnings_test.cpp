@@ -2,6 +2,7 @@
 #include "scene/scene_warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +55,27 @@ TEST(SceneWarnings, ProfileWarningsDoNotDependOnCachedSurfaces) {
     EXPECT_TRUE(result.corrections.empty());
     (void)solver.solve(Scene());
   }
+}
+
+TEST(SceneWarnings, ARailWithoutAGaugeFaceIsPlacedByItsAxisWithAWarning) {
+  std::vector<Position> points;
+  for (double y = -15.0; y <= 15.0; y += 0.25)
+    points.push_back({y, std::sqrt(300.0 * 300.0 - y * y) - 300.0});
+  ReadOptions options;
+  options.kind = ProfileKind::rail;
+  const Profile disc = profile_through(points, "disc", options).profile;
+  Scene scene;
+  scene.until = Module::geometry;
+  for (SceneSide* side : {&scene.left, &scene.right}) {
+    side->rail.name = disc.name;
+    side->rail.given = std::make_shared<const Profile>(disc);
+  }
+  const Warnings all = all_warnings(SceneSolver().solve(scene));
+  const auto found = std::find_if(all.begin(), all.end(), [](const Warning& warning) {
+    return warning.text.find("placed by its axis, lateral 0 is 750 mm") != std::string::npos;
+  });
+  ASSERT_NE(found, all.end());
+  EXPECT_EQ(found->kind, WarningClass::profile_origin);
 }
 
 TEST(SceneWarnings, AWarningOfOneSideNamesTheSide) {
