@@ -43,6 +43,8 @@ struct ProfileChoice {
   std::optional<double> smoothing{};
   WheelOrigin origin = WheelOrigin::by_file; ///< of a wheel's file; a scene's is that of all
   double shift = 0.0;                        ///< of its lateral, mm, instead of the origin; 0: none
+  std::optional<double> rotation{};          ///< of a wheel's file, rad; a scene's is that of all
+  std::string align_to{};                    ///< nominal profile of a wheel's file, or empty
   bool operator==(const ProfileChoice&) const = default;
 };
 
@@ -71,6 +73,8 @@ struct Scene : WheelOptions {
   double tape_offset = 70.0;                         ///< taping line to inner face
   WheelOrigin profile_origin = WheelOrigin::by_file; ///< of wheels read from files
   double profile_shift = 0.0;                        ///< mm; see ProfileChoice
+  std::optional<double> profile_rotation;            ///< rad; see ProfileChoice
+  std::string align_to;                              ///< see ProfileChoice
 
   Material wheel_material{210000.0, 0.3};
   Material rail_material{210000.0, 0.3};

@@ -45,17 +45,23 @@ std::string toml_of(const std::vector<double>& values) {
   return text + ']';
 }
 
+bool is_built_in(const std::string& name, ProfileKind kind) {
+  const auto standard = standard_profile_names(kind);
+  return std::find(standard.begin(), standard.end(), name) != standard.end();
+}
+
 /// The name under which a profile is found again from anywhere.
 std::string lasting_name(const std::string& name, ProfileKind kind) {
-  const auto standard = standard_profile_names(kind);
-  return std::find(standard.begin(), standard.end(), name) != standard.end()
-             ? name
-             : fs::absolute(name).string();
+  return is_built_in(name, kind) ? name : fs::absolute(name).string();
+}
+
+bool is_wheel_file(const ProfileChoice& wheel) {
+  return !wheel.given && !is_built_in(wheel.name, ProfileKind::wheel);
 }
 
 /// Writes the points of a profile given by the program; returns the file's name.
 std::string write_beside(const Profile& profile, const std::string& side,
-                         const fs::path& scene_path) {
+                         const fs::path& scene_path, const Scene& scene) {
   const bool wheel = profile.kind == ProfileKind::wheel;
   fs::path path = scene_path;
   path.replace_extension(side + (wheel ? ".wheel.txt" : ".rail.txt"));
@@ -63,6 +69,10 @@ std::string write_beside(const Profile& profile, const std::string& side,
   ReadOptions options;
   options.smoothing_wavelength = 0.0;
   options.kind = profile.kind;
+  if (wheel) {
+    options.rotation = scene.profile_rotation;
+    options.align_to = scene.align_to;
+  }
   if (read_profile(path, options).profile.points != profile.points) {
     throw_invalid_argument(wheel ? "wheelset.wheel" : "track.rail", '"' + profile.name + '"',
                            "its points would not read back unchanged: give it as a file");
@@ -102,10 +112,19 @@ std::string scene_text(const Scene& scene) {
 
 void write_scene(const Scene& scene, const fs::path& path) {
   Scene lasting = scene;
-  const auto lasting_choice = [&path](const ProfileChoice& choice, ProfileKind kind,
-                                      const std::string& side) -> ProfileChoice {
-    return choice.given ? ProfileChoice{write_beside(*choice.given, side, path), nullptr, 0.0}
-                        : ProfileChoice{lasting_name(choice.name, kind), nullptr, choice.smoothing};
+  const bool is_given = scene.left.wheel.given || scene.right.wheel.given;
+  if (is_given && !is_wheel_file(scene.left.wheel) && !is_wheel_file(scene.right.wheel)) {
+    // Points given by the program are as they are.
+    lasting.profile_rotation = 0.0;
+    lasting.align_to.clear();
+  } else if (!scene.align_to.empty()) {
+    lasting.align_to = lasting_name(scene.align_to, ProfileKind::wheel);
+  }
+  const auto lasting_choice = [&](const ProfileChoice& choice, ProfileKind kind,
+                                  const std::string& side) -> ProfileChoice {
+    return choice.given
+               ? ProfileChoice{write_beside(*choice.given, side, path, lasting), nullptr, 0.0}
+               : ProfileChoice{lasting_name(choice.name, kind), nullptr, choice.smoothing};
   };
   const auto make_lasting = [&](ProfileChoice& left, ProfileChoice& right, ProfileKind kind) {
     const bool same = left == right;

@@ -193,6 +193,25 @@ std::vector<Key> track_keys() {
   return keys;
 }
 
+Key align_key() {
+  Key key;
+  key.description = {"wheelset.align_to", "\"none\"",
+                     "\"none\" or a text: a built-in wheel or a profile file",
+                     "nominal profile on which wheel profiles read from a file are laid where they "
+                     "are not worn"};
+  key.get = [](const Scene& scene) {
+    return KeyValue(scene.align_to.empty() ? std::string("none") : scene.align_to);
+  };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == "none")
+      scene.align_to.clear();
+    else if (!value.empty())
+      scene.align_to = value;
+    return !value.empty();
+  };
+  return key;
+}
+
 std::vector<Key> wheelset_keys() {
   std::vector<Key> keys;
   constexpr std::string_view allowed = "a text: a built-in wheel or a profile file";
@@ -230,6 +249,12 @@ std::vector<Key> wheelset_keys() {
        "shift added to lateral positions of wheel profiles read from a file, instead of "
        "wheelset.profile_origin, so that the taping line is at 0; 0: none"},
       {-500.0, 500.0}, length, [](auto& s) -> auto& { return s.profile_shift; }));
+  keys.push_back(optional_key(
+      {"wheelset.profile_rotation", "\"auto\"", "\"auto\" or -0.5 to 0.5 rad",
+       "rotation of wheel profiles read from a file, anticlockwise in (lateral, height) about the "
+       "taping line; \"auto\": that of parallel faces, else a warning where a tilt shows; 0: none"},
+      {-0.5, 0.5}, pure, &Scene::profile_rotation, "auto"));
+  keys.push_back(align_key());
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);
   wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});

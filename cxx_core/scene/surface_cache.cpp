@@ -72,6 +72,8 @@ Profile load_profile(const SurfaceSource<Dimensions>& source, ProfileKind kind,
   options.kind = kind;
   options.smoothing_wavelength = choice.smoothing.value_or(automatic_smoothing);
   options.origin = choice.origin;
+  options.rotation = choice.rotation;
+  options.align_to = choice.align_to;
   if (choice.shift != 0.0) {
     options.lateral_shift = choice.shift;
   }
@@ -135,6 +137,8 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     ProfileChoice wheel = side.wheel;
     wheel.origin = scene.profile_origin;
     wheel.shift = scene.profile_shift;
+    wheel.rotation = scene.profile_rotation;
+    wheel.align_to = scene.align_to;
     found.wheel = get_one(wheels_, {wheel, {scene.back_to_back, scene.tape_offset, side.radius}},
                           ProfileKind::wheel, key(&SceneSide::wheel, "wheelset.", "wheel"), which,
                           is_solved, found.likely_wheels, surfaces);

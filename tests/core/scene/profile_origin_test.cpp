@@ -10,6 +10,7 @@
 
 #include "profile/writers.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/scene_warnings.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc::test::profile_origin_test {
@@ -94,6 +95,31 @@ TEST_F(ProfileOrigin, AWrongOriginIsReportedByTheProfileAndTheFirstTouch) {
   chamfer.track.gauge = 1600.0; // the rails are 165 mm too far apart
   chamfer.roll = 0.0;
   EXPECT_TRUE(tells(solve_scene(chamfer).left->warnings, "first touch is on the wheel's chamfer"));
+}
+
+/// A tilt of one degree, 70 % in pmax: a warning, unless keys of the scene state what to do.
+TEST_F(ProfileOrigin, AWheelIsTurnedOrAlignedByKeys) {
+  Scene scene = scene_with(0.0, 0.0);
+  Profile tilted = standard_profile("S1002");
+  tilted.curve = tilted.curve.moved(0.017453, 0.0, 0.0);
+  write_profile(tilted, scene.left.wheel.name, 0.25);
+  scene.until = Module::mechanics;
+  scene.side = SideChoice::left;
+  scene.accuracy = 0.1;
+  const SceneResult plain = solve_scene(scene);
+  EXPECT_TRUE(tells(all_warnings(plain), "turned by -1.00 degrees"));
+  EXPECT_GT(plain.left->pmax, 1300.0);
+  set_number(scene, "wheelset.profile_rotation", -0.017453);
+  const SceneResult turned = solve_scene(scene);
+  EXPECT_FALSE(tells(all_warnings(turned), "turned by"));
+  EXPECT_NEAR(turned.left->pmax, 898.0, 30.0);
+  set_text(scene, "wheelset.profile_rotation", "auto");
+  set_text(scene, "wheelset.align_to", "S1002");
+  const SceneResult aligned = solve_scene(scene);
+  EXPECT_TRUE(tells(aligned.corrections, "aligned to S1002: turned by -1.0"));
+  EXPECT_NEAR(aligned.left->pmax, turned.left->pmax, 10.0);
+  set_text(scene, "wheelset.align_to", "none");
+  EXPECT_TRUE(scene.align_to.empty());
 }
 
 } // namespace

@@ -83,6 +83,28 @@ TEST_F(SceneFile, ProfilesFromTheProgramAreSavedBesideIt) {
   EXPECT_EQ(read.profile.points, profile.points);
 }
 
+/// Its tilt was settled when it was read.
+TEST_F(SceneFile, AGivenWheelKeepsItsTilt) {
+  std::vector<Position> points;
+  const Curve curve = standard_profile("S1002").curve.moved(0.02, 0.0, 0.0);
+  for (double z = -20.0; z < 9.0; z += 0.5)
+    points.push_back({-70.0 - 0.02 * z, z - 1.4});
+  for (double arc = 0.5; arc < curve.length(); arc += 0.5)
+    points.push_back({curve.at(arc).lateral, curve.at(arc).height});
+  for (double z = -7.0; z > -32.0; z -= 0.5)
+    points.push_back({65.2 - 0.02 * z, z + 1.3});
+  ReadOptions options;
+  options.kind = ProfileKind::wheel;
+  EXPECT_NE(profile_through(points, "turned", options).measured, points);
+  options.rotation = 0.0;
+  options.smoothing_wavelength = 0.0;
+  Scene scene;
+  scene.left.wheel.given =
+      std::make_shared<const Profile>(profile_through(points, "tilted", options).profile);
+  const std::string text = written(scene);
+  EXPECT_TRUE(contains(text, "profile_rotation = 0.0\n")) << text;
+}
+
 TEST_F(SceneFile, UnwritablePathIsAnError) {
   EXPECT_THROW(write_scene(Scene{}, folder_ / "none" / "scene.toml"), Error);
 }
