@@ -77,7 +77,7 @@ def main():
         PAGE.write_text(new, encoding="utf-8")
     elif new != old:
         print("docs/keys.md is not that of the library; scripts/list_keys.py --update rewrites it")
-        print("\n".join(difflib.unified_diff(old.splitlines(), new.splitlines(), "page", "library", "", 0)))
+        print("\n".join(difflib.unified_diff(old.splitlines(), new.splitlines(), "page", "library", lineterm="", n=0)))
         return 1
     return 0
 
