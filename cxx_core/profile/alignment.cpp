@@ -145,7 +145,7 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
   const std::optional<Vector> step = solution_of(a, b);
   if (!step)
     return false;
-  const Motion last{(*step)[2] / lever, {(*step)[0], (*step)[1]}};
+  const RigidMotion last{(*step)[2] / lever, {(*step)[0], (*step)[1]}};
   alignment.motion.shift = last.of(alignment.motion.shift);
   alignment.motion.rotation += last.rotation;
   return true;
@@ -153,7 +153,7 @@ bool improve(Alignment& alignment, const Nominal& nominal, std::span<const Posit
 
 } // namespace
 
-Position Motion::of(const Position& point) const {
+Position RigidMotion::of(const Position& point) const {
   const double c = std::cos(rotation);
   const double s = std::sin(rotation);
   return {c * point[0] - s * point[1] + shift[0], s * point[0] + c * point[1] + shift[1]};

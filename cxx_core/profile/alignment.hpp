@@ -16,7 +16,7 @@
 namespace wrc {
 
 /// Rotation about the origin, anticlockwise in (lateral, height), then a shift.
-struct Motion {
+struct RigidMotion {
   double rotation = 0.0; ///< rad
   Position shift{0.0, 0.0};
 
@@ -24,7 +24,7 @@ struct Motion {
 };
 
 struct Alignment {
-  Motion motion;
+  RigidMotion motion;
   double deviation = 0.0; ///< rms of the points that count, along normals, mm
   double bound = 0.0;     ///< that they are within, mm
   double share = 0.0;     ///< of the points beside the nominal that count

@@ -298,7 +298,7 @@ void settle_origin(RawProfile& raw, double tape_offset, const ReadOptions& optio
 void turn_points(RawProfile& raw, ProfileKind kind, double angle) {
   const double height =
       kind == ProfileKind::wheel ? height_at_taping_line(raw.points).value_or(0.0) : 0.0;
-  const Motion motion{angle, {0.0, 0.0}};
+  const RigidMotion motion{angle, {0.0, 0.0}};
   shift(raw, {0.0, -height});
   change_points(raw, [&motion](const Position& point) { return motion.of(point); });
   shift(raw, {0.0, height});

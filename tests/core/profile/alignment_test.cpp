@@ -24,7 +24,8 @@ std::vector<Position> points_on(const Curve& curve) {
 }
 
 /// The motion that takes points back from where another one put them.
-void expect_inverse(const Motion& found, const Motion& other, double angle, double distance) {
+void expect_inverse(const RigidMotion& found, const RigidMotion& other, double angle,
+                    double distance) {
   EXPECT_NEAR(found.rotation, -other.rotation, angle);
   for (const Position& point : {Position{-60.0, 20.0}, Position{0.0, 0.0}, Position{60.0, -4.0}}) {
     const Position back = found.of(other.of(point));
@@ -36,8 +37,9 @@ void expect_inverse(const Motion& found, const Motion& other, double angle, doub
 TEST(Alignment, TakesPointsBackToTheirCurve) {
   for (const char* name : {"S1002", "LMA", "60E1"}) {
     const Curve curve = standard_profile(name).curve;
-    for (const Motion& motion : {Motion{0.0, {0.0, 0.0}}, Motion{2.0 * degree, {0.8, -0.5}},
-                                 Motion{-1.0 * degree, {-1.5, 0.7}}}) {
+    for (const RigidMotion& motion :
+         {RigidMotion{0.0, {0.0, 0.0}}, RigidMotion{2.0 * degree, {0.8, -0.5}},
+          RigidMotion{-1.0 * degree, {-1.5, 0.7}}}) {
       std::vector<Position> points = points_on(curve);
       for (Position& point : points)
         point = motion.of(point);
@@ -56,7 +58,7 @@ TEST(Alignment, WornPartsDoNotCount) {
   std::mt19937 engine(5);
   std::normal_distribution<double> noise(0.0, 0.01);
   std::vector<Position> points = points_on(curve);
-  const Motion motion{1.0 * degree, {0.5, 0.3}};
+  const RigidMotion motion{1.0 * degree, {0.5, 0.3}};
   for (Position& point : points) {
     if (std::abs(point[0] - 5.0) < 30.0)
       point[1] -= 2.0 * std::pow(std::cos((point[0] - 5.0) / 60.0 * std::numbers::pi), 2);

@@ -37,7 +37,7 @@ std::vector<Position> wheel(Faces faces, double angle, double noise = 0.0) {
       points.push_back({65.0, z});
   std::mt19937 engine(3);
   std::normal_distribution<double> draw(0.0, noise > 0.0 ? noise : 1.0);
-  const Motion motion{angle, {0.0, 0.0}};
+  const RigidMotion motion{angle, {0.0, 0.0}};
   for (Position& point : points) {
     if (noise > 0.0)
       point = {point[0] + draw(engine), point[1] + draw(engine)};
