@@ -338,9 +338,10 @@ std::optional<double> height_at_taping_line(std::span<const Position> points) {
 void check_points(std::span<const Position> points, ProfileKind kind, double tape_offset, Log& log,
                   bool is_aligned) {
   const Position lateral = extent_of(points, 0);
-  if (const std::optional<double> radius = disc_radius_of(points)) {
-    log.note("a disc without flange or rail head, " + fixed_text(lateral[1] - lateral[0]) +
-             " mm wide" +
+  const double width = lateral[1] - lateral[0];
+  const bool is_crown = kind == ProfileKind::rail && width >= width_range[0];
+  if (const std::optional<double> radius = is_crown ? std::nullopt : disc_radius_of(points)) {
+    log.note("a disc without flange or rail head, " + fixed_text(width) + " mm wide" +
              (std::isfinite(*radius) ? ", a circle of radius " + short_text_of(*radius) + " mm"
                                      : ", a cylinder"));
     const Part everything{-HUGE_VAL, -HUGE_VAL};
@@ -348,8 +349,8 @@ void check_points(std::span<const Position> points, ProfileKind kind, double tap
     check_single_valued(points, everything, log);
     return;
   }
-  check_range(lateral[1] - lateral[0], width_range, WarningClass::profile_dimensions, "width",
-              "state the scale", log);
+  check_range(width, width_range, WarningClass::profile_dimensions, "width", "state the scale",
+              log);
   if (kind == ProfileKind::wheel)
     check_wheel(points, tape_offset, is_aligned, log);
   else
