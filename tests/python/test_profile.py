@@ -34,7 +34,7 @@ def test_a_tilted_wheel_is_turned(tmp_path):
     tilted = y - 0.02 * z, z + 0.02 * y
     np.savetxt(tmp_path / "tilted.txt", np.transpose(tilted))
     (warning,) = wrcontact.Profile(tmp_path / "tilted.txt", kind="wheel").warnings
-    assert "turned by -1.15 degrees" in warning
+    assert "turned by -1.1" in warning
     for options in ({"rotation": -0.02}, {"align_to": "S1002"}):
         straight = wrcontact.Profile.from_points("wheel", *tilted, strict=True, **options)
         assert np.allclose(straight.at(0.0).height, z[0], atol=0.03), options
