@@ -152,10 +152,12 @@ std::optional<Flange> flange_of(std::span<const Position> points) {
 std::optional<double> disc_radius_of(std::span<const Position> points) {
   const Position lateral = extent_of(points, 0);
   const Position height = extent_of(points, 1);
-  if (height[1] - height[0] <= flatness)
-    return HUGE_VAL;
   const double middle = 0.5 * (lateral[0] + lateral[1]);
   const double width = lateral[1] - lateral[0];
+  if (std::abs(middle) > circle_eccentricity * width)
+    return std::nullopt;
+  if (height[1] - height[0] <= flatness)
+    return HUGE_VAL;
   // The circle through both ends and the point closest to the middle.
   const auto central = std::min_element(points.begin(), points.end(),
                                         [middle](const Position& a, const Position& b) {

@@ -38,8 +38,8 @@ struct Head {
 /// Which way a rail's head points; none if the shape does not show it.
 std::optional<Head> head_of(std::span<const Position> points);
 
-/// Radius of the circle that all points lie on, mm, its middle above or below theirs: a roller or
-/// the disc of a test rig; infinite for a cylinder. None for other bodies.
+/// Radius of the circle that all points lie on, mm, its middle above or below theirs, and theirs at
+/// lateral 0: a roller or the disc of a test rig; infinite for a cylinder. None for other bodies.
 std::optional<double> disc_radius_of(std::span<const Position> points);
 
 /// Least and greatest value of a coordinate.

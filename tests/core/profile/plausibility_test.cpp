@@ -103,6 +103,8 @@ TEST(Plausibility, DiscsNeedNoFlange) {
   }
   EXPECT_TRUE(disc_radius_of(disc(300.0, 15.0, 0.0)));
   EXPECT_FALSE(disc_radius_of(disc(1e5, 15.0, 0.05))) << "a cone";
+  EXPECT_FALSE(disc_radius_of(changed(disc(300.0, 15.0, 0.0), 1.0, 1.0, {15.0, 0.0})))
+      << "its edge";
   EXPECT_FALSE(disc_radius_of(wheel_points()));
   EXPECT_FALSE(disc_radius_of(rail_points()));
   std::vector<Position> hole = disc(300.0, 30.0, 0.0);
