@@ -93,6 +93,7 @@ contains
     case ('--energy')
       with_energy = value == 'yes'
       bad = merge(0, 1, with_energy)
+      past%tighter = 1.0e-3_real64 ! forces are those of the state, not of the iteration before
     case ('--critical')
       critical = value == 'yes'
       bad = merge(0, 1, critical)
@@ -179,6 +180,7 @@ contains
     real(real64), allocatable :: wheel_forces(:, :, :)
     integer :: first, last, i, unit, at
     integer(int64) :: began, ended, rate
+    real(real64) :: processor(2)
     call centred_state(vehicle, p, v, failed)
     if (failed) call stop_with(trim(vehicle%message))
     print '(a, f10.6)', 'height of a wheelset, m              ', vehicle%height
@@ -206,6 +208,7 @@ contains
     allocate (wheel_forces(2, 8, last - first))
     call print_header()
     call system_clock(began, rate)
+    call cpu_time(processor(1))
     do i = first, last - 1
       call advance(vehicle, i*h, h, p, v, past, failed)
       if (failed) call stop_with(trim(vehicle%message))
@@ -215,7 +218,8 @@ contains
       if (mod(i + 1 - first, max(1, (last - first)/10)) == 0) call print_line(vehicle, (i + 1)*h, p)
     end do
     call system_clock(ended)
-    call print_counts(real(ended - began, real64)/real(rate, real64), last - first)
+    call cpu_time(processor(2))
+    call print_counts(real(ended - began, real64)/real(rate, real64), processor(2) - processor(1), last - first)
     call print_statistics(wheel_forces)
     if (with_energy) call print_energy(energy_of(vehicle, last*h, p, v) - energy)
     print '(a, *(es25.17))', 'state ', p, v
@@ -232,8 +236,8 @@ contains
     print '(a, es12.4)', 'power of its friction, W             ', friction_power(vehicle)/4
   end subroutine print_balance
 
-  subroutine print_counts(taken, steps)
-    real(real64), intent(in) :: taken
+  subroutine print_counts(taken, processor, steps)
+    real(real64), intent(in) :: taken, processor
     integer, intent(in) :: steps
     print '(a, i0)', 'steps                     ', steps
     print '(a, i0)', 'steps halved              ', past%halved
@@ -242,6 +246,7 @@ contains
     print '(a, i0)', 'evaluations               ', vehicle%evaluations
     print '(a, f0.1)', 'microseconds per step     ', 1.0e6_real64*taken/max(1, steps)
     print '(a, f0.3)', 'wall over simulated time  ', taken/(h*max(1, steps))
+    print '(a, f0.3)', 'processor over simulated time ', processor/(h*max(1, steps))
   end subroutine print_counts
 
   !> Of contact forces on the motion in the frames, over the ground, of friction, of dampers.

@@ -5,8 +5,7 @@
 !> programs that cite it agree on masses, inertias, distances and vertical stiffness and damping, except that one
 !> rounds the vertical primary stiffness to 1.2 MN/m; all other values come from one of them alone.
 !>
-!> Simplified: dampers have no series stiffness. Not modelled: traction rods (a coupler at the car body holds the speed
-!> instead), flexible track (rails are rigid and lie where the irregularities place them).
+!> Simplified: dampers have no series stiffness; rails are rigid and lie where the irregularities place them.
 !>
 !> m, N, kg, s, rad. Bodies: car body, leading and trailing bogie frame, four wheelsets from front to back.
 module coach_data
@@ -55,6 +54,9 @@ module coach_data
     0.04_real64, 0.045_real64, 0.05_real64, 0.055_real64, 0.06_real64, 0.065_real64]
   real(real64), parameter :: stop_forces(10) = [0.0_real64, 0.0_real64, 600.0_real64, 1760.0_real64, &
     3730.0_real64, 6870.0_real64, 11580.0_real64, 17170.0_real64, 29200.0_real64, 230000.0_real64]
+
+  !> Traction rod of each bogie, between car body and frame, along. No source was found; chosen here.
+  real(real64), parameter :: rod_stiffness = 5.0e6_real64, rod_damping = 2.5e4_real64, rod_height = 0.6_real64
 
   !> Between the car body and a locomotive that runs at the prescribed speed. Not of the benchmark: chosen for half a
   !> hertz and critical damping with the coach's mass.

@@ -28,17 +28,21 @@ module coach_runs
   real(real64), parameter :: beta = (gamma + 0.5_real64)**2/4
   real(real64), parameter :: share = (1 - af)/(1 - am)
   !> Error of positions, in m and rad, over the accuracy of contact forces: these then follow from the state to some
-  !> hundredths of their uncertainty, 10 N of 110 kN at 1e-2.
-  real(real64), parameter :: tolerance = 1.0e-6_real64
+  !> hundredths of their uncertainty, 10 N of 110 kN at 1e-2. The forces that a step reports are those before its last
+  !> correction, which is therefore at most 1e-7 m (100 N) if it is the first.
+  real(real64), parameter :: tolerance = 1.0e-6_real64, largest_first = 1.0e-7_real64
   !> Velocities change creep forces less than positions normal ones: by 6e5 N s/m at 40 m/s, instead of 1e9 N/m.
   real(real64), parameter :: velocity_weight = 1.0e-3_real64
-  !> The rate of convergence that a new matrix is trusted with, and the least of one that has been measured.
-  real(real64), parameter :: expected_rate = 0.1_real64, least_rate = 0.02_real64
+  !> The rate of convergence that a new matrix is trusted with, and the least that any is.
+  real(real64), parameter :: expected_rate = 0.1_real64, least_rate = 0.1_real64
+  !> Hunting, in rad/s: faster than the car body on its springs, slower than wheelsets on the contacts.
+  real(real64), parameter :: slowest = 12, fastest = 300
 
   !> What a run goes on from besides positions and velocities, and what it has taken.
   type history
     logical :: explicit = .false.
     integer :: keep = 20 !< steps that a matrix serves
+    real(real64) :: tighter = 1 !< factor of the tolerance
     real(real64) :: a(n) = 0, f(n) = 0 !< of the method, by the forces
     real(real64) :: matrix(n, n) = 0, step = 0, rate = expected_rate !< LU factors, for this step
     integer :: pivots(n) = 0, age = 0
@@ -156,7 +160,8 @@ contains
       call correct(vehicle, t + h, h, known_p + h**2*beta*a, known_v + h*gamma*a, new, f, size, past, failed)
       if (failed) exit
       if (iteration > 1 .and. .not. new) past%rate = max(least_rate, size/previous)
-      if (size*past%rate <= tolerance*vehicle%accuracy) exit
+      if (size*past%rate <= past%tighter*tolerance*vehicle%accuracy .and. &
+        (iteration > 1 .or. size <= largest_first)) exit
       ! A matrix with which the iteration hardly converges is replaced.
       new = iteration > 1 .and. size > 0.3_real64*previous
       previous = size
@@ -210,8 +215,8 @@ contains
     size = share*max(h**2*beta, velocity_weight*h*gamma)*maxval(abs(correction(:, 1)))
   end subroutine correct
 
-  !> The oscillation about the centred state, linearised with the Jacobian, that decays least: eigenvalue in 1/s, motion,
-  !> and the left eigenvector that gives its amplitude in any motion.
+  !> The oscillation of the wheelsets about the centred state, linearised with the Jacobian, that decays least:
+  !> eigenvalue in 1/s, motion, and the left eigenvector that gives its amplitude in any motion.
   subroutine least_stable_mode(vehicle, p, v, eigenvalue, mode, share_of, failed)
     type(coach), intent(inout) :: vehicle
     real(real64), intent(out) :: p(n), v(n) !< the centred state
@@ -231,7 +236,7 @@ contains
       jacobian(i, n + i) = 1
     end do
     call dgeev('V', 'V', 2*n, jacobian, 2*n, re, im, left, 2*n, right, 2*n, work, size(work), info)
-    i = maxloc(re, 1, im > 1)
+    i = maxloc(re, 1, im > slowest .and. im < fastest)
     eigenvalue = cmplx(re(i), im(i), real64)
     mode = cmplx(right(:, i), right(:, i + 1), real64)
     share_of = cmplx(left(:, i), left(:, i + 1), real64)

@@ -43,6 +43,9 @@ contains
         joint = [places(frames(i)), side*secondary_side, secondary_height]
         call add_spring(self, car, frames(i), joint, secondary_stiffness, secondary_damping, secondary_preload)
       end do
+      joint = [places(frames(i)), 0.0_real64, rod_height]
+      call add_spring(self, car, frames(i), joint, [rod_stiffness, 0.0_real64, 0.0_real64], &
+        [rod_damping, 0.0_real64, 0.0_real64], 0.0_real64)
       turn = turn_of(car) - turn_of(frames(i))
       call add_product(self%stiffness, 2*secondary_bending + anti_roll_bar, turn(1, :), turn(1, :))
       call add_product(self%stiffness, 2*secondary_bending, turn(2, :), turn(2, :))
