@@ -7,7 +7,7 @@ if (exists('live')) { set terminal qt size 1000, 1000 noraise } else {
 }
 set multiplot layout 4, 1
 set lmargin 10
-set rmargin 28
+set rmargin 32
 set key outside right top Left reverse samplen 2 width -2
 set grid
 mm = 1e3

@@ -328,7 +328,7 @@ contains
   end subroutine centred_state
 
   !> Kinetic energy of the motion in the frames and energy of the springs, on straight track. Weights and static forces
-  !> of the springs cancel but for what the wheelsets carry.
+  !> of the springs cancel, except for the load of the wheelsets.
   pure real(real64) function energy_of(self, t, p, v) result(energy)
     type(coach), intent(in) :: self
     real(real64), intent(in) :: t, p(n), v(n)

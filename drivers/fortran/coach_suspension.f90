@@ -1,6 +1,6 @@
 !> Springs, dampers and bump stops of the coach, between bodies on a track that bends and twists.
 !>
-!> Springs and dampers are linear but for the bump stops. Static forces of the springs turn with the mean of the bodies
+!> Springs and dampers are linear except for the bump stops. Static forces of the springs turn with the mean of the bodies
 !> that they join (geometric stiffness), so that a body that moves sideways or rolls shifts its weight.
 !>
 !> Thread rule: procedures keep nothing.
