@@ -21,7 +21,8 @@ module coach_runs
   private
   public :: history, begin, advance, critical_speed, growth_in_time
 
-  integer, parameter :: n = position_count, max_iterations = 12, max_halvings = 6
+  integer, parameter :: n = position_count, max_iterations = 20, max_halvings = 6
+  real(real64), parameter :: shortest = 1.0_real64/64 !< part of a correction
   !> Spectral radius at infinite frequency, and the method's parameters.
   real(real64), parameter :: rho = 0.6_real64
   real(real64), parameter :: am = (2*rho - 1)/(rho + 1), af = rho/(rho + 1), gamma = 0.5_real64 - am + af
@@ -146,7 +147,7 @@ contains
     real(real64), intent(inout) :: p(n), v(n)
     type(history), intent(inout) :: past
     logical, intent(out) :: failed
-    real(real64) :: f(n), a(n), known(n), known_p(n), known_v(n), size, previous
+    real(real64) :: f(n), a(n), known(n), known_p(n), known_v(n), size, previous, part
     integer :: iteration
     logical :: new
     f = past%f
@@ -155,15 +156,23 @@ contains
     known_v = v + h*(1 - gamma)*past%a
     new = abs(past%step - h) > 0 .or. past%age >= past%keep
     previous = huge(previous)
+    part = 1
     do iteration = 1, max_iterations
       a = share*f + known
-      call correct(vehicle, t + h, h, known_p + h**2*beta*a, known_v + h*gamma*a, new, f, size, past, failed)
+      call correct(vehicle, t + h, h, known_p + h**2*beta*a, known_v + h*gamma*a, new, part, &
+        f, size, past, failed)
       if (failed) exit
       if (iteration > 1 .and. .not. new) past%rate = max(least_rate, size/previous)
       if (size*past%rate <= past%tighter*tolerance*vehicle%accuracy .and. &
-        (iteration > 1 .or. size <= largest_first)) exit
-      ! A matrix with which the iteration hardly converges is replaced.
-      new = iteration > 1 .and. size > 0.3_real64*previous
+        (iteration > 1 .or. size <= largest_first) .and. .not. part < 1) exit
+      ! A matrix with which the iteration hardly converges is replaced. Corrections that go back and forth, as between
+      ! sticking and sliding, are shortened.
+      if (new .and. size > 0.7_real64*previous) then
+        part = max(shortest, part/2)
+      else
+        part = min(1.0_real64, 2*part)
+      end if
+      new = iteration > 1 .and. size > 0.3_real64*previous .or. part < 1
       previous = size
     end do
     if (.not. failed) failed = iteration > max_iterations
@@ -180,10 +189,10 @@ contains
     past%age = past%age + 1
   end subroutine take_implicit_step
 
-  !> One iteration for the accelerations, with a new matrix or the one that is there.
-  subroutine correct(vehicle, t, h, p, v, new, f, size, past, failed)
+  !> One iteration for the accelerations, with a new matrix or the one that is there, by a part of the correction.
+  subroutine correct(vehicle, t, h, p, v, new, part, f, size, past, failed)
     type(coach), intent(inout) :: vehicle
-    real(real64), intent(in) :: t, h, p(n), v(n)
+    real(real64), intent(in) :: t, h, p(n), v(n), part
     logical, intent(in) :: new
     real(real64), intent(inout) :: f(n)
     real(real64), intent(out) :: size
@@ -211,7 +220,7 @@ contains
     end if
     correction(:, 1) = found - f
     call dgetrs('N', n, 1, past%matrix, n, past%pivots, correction, n, info)
-    f = f + correction(:, 1)
+    f = f + part*correction(:, 1)
     size = share*max(h**2*beta, velocity_weight*h*gamma)*maxval(abs(correction(:, 1)))
   end subroutine correct
 
