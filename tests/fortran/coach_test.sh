@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # What the coach is to prove, by the numbers that it prints.
-# Usage: coach_test.sh COACH runs|mirror|energy|figures|critical|extremes
+# Usage: coach_test.sh COACH runs|mirror|energy|figures|table|critical|extremes
 set -euo pipefail
 coach=$(realpath "$1")
+table_of_costs=$(realpath "$(dirname "$0")/../../drivers/fortran/coach_table.sh")
 files=$(mktemp -d)
 trap '[ $? = 0 ] || tail -n 25 "$files"/*.txt; rm -r "$files"' EXIT
 cd "$files"
@@ -109,6 +110,14 @@ figures() {
   near "$(value explicit.txt 'all wheels' 5)" 3.480 5e-3 "rms Y, explicit"
   near "$(value full.txt 'all wheels' 5)" 3.496 5e-3 "rms Y, full theory"
   near "$(value full.txt 'all wheels' 6)" 11.48 1e-2 "99.85 % of Y, full theory"
+}
+
+# A row for each integrator with each of four models, then the reference, which differs by 0 from itself.
+table() {
+  "$table_of_costs" "$coach" 0.02 >table.txt
+  expect "$(grep -c '^| `' table.txt) == 13" "thirteen rows"
+  expect "$(grep -c 'explicit | 4.00 ' table.txt) == 4" "four evaluations in an explicit step"
+  expect "$(tail -n 3 table.txt | grep -c ' +0.00 % | +0.00 % | +0.00 % | +0.00 % |') == 1" "the reference"
 }
 
 # By eigenvalues of the library's Jacobian and in time: here 0.6 % apart.
