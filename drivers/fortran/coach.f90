@@ -4,7 +4,7 @@
 program coach_program
   use, intrinsic :: iso_fortran_env, only: error_unit, int64, real64
   use coach_data, only: wheelsets
-  use coach_model, only: centred_state, coach, contact_power, energy_of, first_of, friction_power, make_coach, &
+  use coach_model, only: centred_state, coach, contact_power, displace, energy_of, first_of, friction_power, make_coach, &
     position_count, speed_at
   use coach_output, only: open_data, print_header, print_line, print_statistics, read_state, write_data, write_state
   use coach_runs, only: advance, begin, critical_speed, growth_in_time, history
@@ -15,7 +15,7 @@ program coach_program
   type(history) :: past
   real(real64) :: seconds = 1, h = 1.0e-3_real64, accuracy = 1.0e-2_real64
   real(real64) :: critical_accuracy = 3.0e-4_real64
-  real(real64) :: lateral = 0, lateral_speed = 0, roll = 0
+  real(real64) :: lateral = 0, lateral_speed = 0, roll = 0, standstill_speed = 1.0e-3_real64
   !> Since the beginning: work of contact forces, of friction, and what dampers take.
   real(real64) :: work(4) = 0, powers(4) = 0
   character(200) :: creep = 'fastsim', data = '', save_to = '', restart = ''
@@ -25,7 +25,7 @@ program coach_program
   call read_options()
   if (critical) accuracy = critical_accuracy
   call make_track(vehicle%line)
-  call make_coach(vehicle, accuracy, trim(creep))
+  call make_coach(vehicle, accuracy, trim(creep), standstill_speed)
   if (critical) then
     call print_critical_speed()
   else
@@ -133,6 +133,8 @@ contains
       read (value, *, iostat=bad) lateral_speed
     case ('--roll')
       read (value, *, iostat=bad) roll
+    case ('--standstill-speed')
+      read (value, *, iostat=bad) standstill_speed
     end select
   end subroutine read_vehicle_option
 
@@ -160,6 +162,7 @@ contains
       '  --mirror yes          swap left and right of track and disturbance', &
       '  --lateral 0           initial lateral displacement of the first wheelset, m', &
       '  --lateral-speed 0     its initial lateral velocity, m/s', &
+      '  --standstill-speed 1e-3  motion.standstill_speed, m/s; 0.1 for runs that stop or start', &
       '  --roll 0              its initial roll, rad; it then stands on one wheel', &
       '  --energy yes          print the energy balance; for straight, even track', &
       '  --data FILE           write a table of all steps, which coach.gp draws', &
@@ -187,10 +190,10 @@ contains
     call print_balance()
     at = first_of(wheelsets(1))
     side = merge(-1.0_real64, 1.0_real64, vehicle%line%mirrored)
-    p(at + 1) = side*lateral
+    if (abs(lateral) > 0) call displace(vehicle, side*lateral, p, failed)
+    if (failed) call stop_with(trim(vehicle%message))
     v(at + 1) = side*lateral_speed
-    p(at + 3) = side*roll
-    p(at + 2) = 0.75_real64*abs(roll) ! it turns about the other wheel
+    if (abs(roll) > 0) p(at + 2:at + 3) = [0.75_real64*abs(roll), side*roll] ! it turns about the other wheel
     start = 0
     if (restart /= '') then
       call read_state(restart, start, p, v, past, failed)
@@ -233,7 +236,7 @@ contains
     print '(a, es12.4)', 'lateral force when centred, N        ', total(2)
     print '(a, es12.4)', 'moment about the vertical, N m       ', total(6)
     print '(a, es12.4)', 'power of its drag when centred, W    ', -total(1)*vehicle%speed
-    print '(a, es12.4)', 'power of its friction, W             ', friction_power(vehicle)/4
+    print '(a, es12.4)', 'power of its friction, W             ', friction_power(vehicle, 1)
   end subroutine print_balance
 
   subroutine print_counts(taken, processor, steps)
@@ -254,7 +257,7 @@ contains
     real(real64), intent(in) :: t, p(n), v(n)
     real(real64) :: now(4)
     now(:2) = contact_power(vehicle, t, p, v)
-    now(3) = friction_power(vehicle)
+    now(3) = friction_power(vehicle, 4)
     now(4) = dot_product(v, matmul(vehicle%springs%damping, v))
   end function powers_now
 

@@ -23,10 +23,11 @@ module coach_model
   use coach_suspension, only: add_product, first_of, lay, make_suspension, stop_energy, stop_force, stop_slope, &
     suspension
   use coach_track, only: point_at, rails_at, track, track_point
-  use wrcontact, only: contact_patch, contact_scene, contact_solver, step_batch, wrc_ok
+  use wrcontact, only: contact_patch, contact_scene, contact_solver, step_batch, wrc_load_of_axle, &
+    wrc_loads_of_wheels, wrc_ok
   implicit none
   private
-  public :: coach, position_count, make_coach, accelerations, centred_state, speed_at, distance_at, &
+  public :: coach, position_count, make_coach, accelerations, centred_state, displace, speed_at, distance_at, &
     first_of, energy_of, friction_power, contact_power
 
   integer, parameter :: position_count = 6*body_count, n = position_count
@@ -44,15 +45,14 @@ module coach_model
     type(suspension) :: springs
     real(real64) :: inverse_mass(n) = 0
     real(real64) :: forces(6, 2, 4) = 0 !< of the last evaluation: component, side, wheelset
-    integer :: curvature = 0 !< id of the key
     character(200) :: message = '' !< of the last failure
   end type coach
 
 contains
 
-  subroutine make_coach(self, accuracy, creep)
+  subroutine make_coach(self, accuracy, creep, standstill_speed)
     type(coach), intent(inout) :: self
-    real(real64), intent(in) :: accuracy
+    real(real64), intent(in) :: accuracy, standstill_speed
     character(*), intent(in) :: creep
     integer :: i
     self%accuracy = accuracy
@@ -63,8 +63,8 @@ contains
       call self%scenes(i)%set('solve.accuracy_of', 'forces')
       call self%scenes(i)%set('solve.accuracy', accuracy)
       call self%scenes(i)%set('solve.creep', creep)
+      call self%scenes(i)%set('motion.standstill_speed', standstill_speed)
     end do
-    self%curvature = self%scenes(1)%key_id('motion.curvature')
     do i = 1, body_count
       self%inverse_mass(first_of(i):first_of(i) + 2) = 1/masses(i)
       self%inverse_mass(first_of(i) + 3:first_of(i) + 5) = 1/inertias(:, i)
@@ -245,19 +245,14 @@ contains
       2.0e-6_real64, 1.0_real64, 1.0e-5_real64, 1.0e-4_real64, 1.0e-4_real64, 1.0e-4_real64, &
       1.0e-4_real64, 1.0e-4_real64, 1.0e-4_real64], [6, 2])
     real(real64) :: moved(6, 4, 2), other(6, 2, 4)
-    integer :: i, j, k, stat
-    if (abs(self%line%radius) > 0) then
-      do i = 1, 4
-        call self%scenes(i)%set_numbers_by_id([self%curvature], [curvatures(i)])
-      end do
-    end if
+    integer :: j, k, stat
     self%evaluations = self%evaluations + 1
     if (allocated(dfdq) .and. .not. self%by_differences) then
       call step_batch(self%solvers, self%scenes, q, dq, self%forces, self%threads, stat=stat, &
-        errmsg=self%message, dfdq=dfdq, dfdv=dfdv, rails=rails)
+        errmsg=self%message, dfdq=dfdq, dfdv=dfdv, rails=rails, curvature=curvatures)
     else
       call step_batch(self%solvers, self%scenes, q, dq, self%forces, self%threads, stat=stat, &
-        errmsg=self%message, rails=rails)
+        errmsg=self%message, rails=rails, curvature=curvatures)
     end if
     failed = stat /= wrc_ok
     if (failed .or. .not. allocated(dfdq) .or. .not. self%by_differences) return
@@ -270,7 +265,7 @@ contains
         moved(j, :, k) = moved(j, :, k) + steps(j, k)
         self%evaluations = self%evaluations + 1
         call step_batch(self%solvers, self%scenes, moved(:, :, 1), moved(:, :, 2), other, self%threads, &
-          stat=stat, errmsg=self%message, rails=rails)
+          stat=stat, errmsg=self%message, rails=rails, curvature=curvatures)
         failed = stat /= wrc_ok
         if (failed) return
         if (k == 1) dfdq(:, j, :, :) = (other - self%forces)/steps(j, k)
@@ -293,39 +288,47 @@ contains
     onto(6, 6) = 1
   end function work_per_motion
 
-  !> The state of a coach that rolls centred and freely on straight, even track at the speed of the time 0: the height
-  !> of its wheelsets, and rates of pitch at which no wheelset is driven.
+  !> The state of a coach that rolls centred and freely on straight, even track at the speed of the time 0, and the
+  !> height of its wheelsets there: the library's static equilibrium, in which the pitch rate is the one that needs
+  !> no torque on the axle.
   subroutine centred_state(self, p, v, failed)
     type(coach), intent(inout) :: self
     real(real64), intent(out) :: p(n), v(n)
     logical, intent(out) :: failed
-    real(real64) :: loads(6, 4), by_p(6, 6, 4), by_v(6, 6, 4)
-    type(track_point) :: straight(body_count)
-    real(real64) :: irregularity, radius
+    real(real64) :: dfdv(6, 6, 2), q(6), dq(6)
     integer :: iteration, i, stat
     p = 0
     v = 0
-    call self%scenes(1)%set('load.vertical', axle_load/2)
-    call self%solvers(1)%solve(self%scenes(1), stat, self%message)
-    failed = stat /= wrc_ok
-    if (failed) return
-    self%height = self%scenes(1)%number('vertical') - self%scenes(1)%number('left.depth')
-    irregularity = self%line%irregularity
-    radius = self%line%radius
-    self%line%irregularity = 0
-    self%line%radius = 0
+    q = 0
+    dq = [self%speed, 0.0_real64, 0.0_real64, 0.0_real64, self%speed/nominal_radius, 0.0_real64]
     do iteration = 1, 6
-      call contact_loads(self, 0.0_real64, p, v, straight, loads, failed, by_p, by_v)
-      if (failed) exit
-      self%height = self%height - (loads(3, 1) - axle_load)/by_p(3, 3, 1)
-      do i = 1, 4
-        if (abs(self%speed) > 0) v(first_of(wheelsets(i)) + 4) = v(first_of(wheelsets(i)) + 4) - &
-          loads(5, 1)/by_v(5, 5, 1)
-      end do
+      call self%solvers(1)%equilibrium(self%scenes(1), wrc_load_of_axle, [axle_load, 0.0_real64], q, &
+        self%forces(:, :, 1), dq, stat, self%message, dfdv=dfdv)
+      failed = stat /= wrc_ok
+      if (failed .or. .not. abs(self%speed) > 0) exit
+      dq(5) = dq(5) - sum(self%forces(5, :, 1))/sum(dfdv(5, 5, :))
     end do
-    self%line%irregularity = irregularity
-    self%line%radius = radius
+    self%height = q(3)
+    do i = 1, 4
+      v(first_of(wheelsets(i)) + 4) = dq(5) - self%speed/nominal_radius
+    end do
   end subroutine centred_state
+
+  !> Places the first wheelset sideways, where its wheels carry their static loads.
+  subroutine displace(self, lateral, p, failed)
+    type(coach), intent(inout) :: self
+    real(real64), intent(in) :: lateral
+    real(real64), intent(inout) :: p(n)
+    logical, intent(out) :: failed
+    real(real64) :: q(6), f(6, 2)
+    integer :: at, stat
+    q = [0.0_real64, lateral, self%height, 0.0_real64, 0.0_real64, 0.0_real64]
+    call self%solvers(1)%equilibrium(self%scenes(1), wrc_loads_of_wheels, [axle_load, axle_load]/2, q, f, &
+      stat=stat, errmsg=self%message)
+    failed = stat /= wrc_ok
+    at = first_of(wheelsets(1))
+    p(at + 1:at + 3) = [lateral, q(3) - self%height, q(4)]
+  end subroutine displace
 
   !> Kinetic energy of the motion in the frames and energy of the springs, on straight track. Weights and static forces
   !> of the springs cancel, except for the load of the wheelsets.
@@ -366,13 +369,14 @@ contains
     end do
   end function contact_power
 
-  !> Power of friction of the last evaluation, by the library.
-  real(real64) function friction_power(self) result(power)
+  !> Power of friction of the first wheelsets in the last evaluation, by the library.
+  real(real64) function friction_power(self, wheelset_count) result(power)
     type(coach), intent(in) :: self
+    integer, intent(in) :: wheelset_count
     type(contact_patch) :: patches(8)
     integer :: i, patch_count
     power = 0
-    do i = 1, 4
+    do i = 1, wheelset_count
       call self%scenes(i)%patches(patches, patch_count)
       power = power + sum(patches(:patch_count)%friction_power)
     end do

@@ -131,14 +131,17 @@ critical() {
   awk 'NR == 2 && !($4 < 0) || NR == 3 && !($4 > 0) { exit 1 }' found.txt
 }
 
-# Through standstill to rolling backwards; braking to rest and starting; a wheel that comes down; flange contact.
+# Through standstill to rolling backwards; braking to rest and starting; a push at rest; a wheel that comes down; flange contact.
 extremes() {
   "$coach" --speed 0.02 --acceleration -1 --step 2e-4 --seconds 0.03 >backwards.txt
   "$coach" --speed 0.1 --acceleration -1 --acceleration-time 0.1 --seconds 0.2 >rest.txt
   "$coach" --speed 0 --acceleration 0.5 --seconds 0.2 >start.txt
+  "$coach" --speed 0 --lateral-speed 0.01 --standstill-speed 0.1 --seconds 0.1 >pushed.txt
   "$coach" --roll 0.005 --seconds 0.1 --data lifted >wheel.txt
   "$coach" --speed 60 --lateral-speed 1.5 --seconds 0.05 --data flange >jolt.txt
   expect "$(value rest.txt 'steps halved') + $(value start.txt 'steps halved') == 0" "no step has failed"
+  # The lateral velocity of the first wheelset: 10 mm/s at first, then friction holds it.
+  grep '^state' pushed.txt | awk '{ exit !($63 < 2e-3 && $63 > -2e-3) }' || expect 0 "friction stops a pushed wheelset"
   awk '!/^#/ && $11 == 0 { up = 1 } !/^#/ && up && $11 > 1e4 { down = 1 } END { exit !down }' lifted ||
     expect 0 "the left wheel comes down"
   # Forces on a flange are many times those on the tread.
