@@ -4,8 +4,8 @@
 program coach_program
   use, intrinsic :: iso_fortran_env, only: error_unit, int64, real64
   use coach_data, only: wheelsets
-  use coach_model, only: centred_state, coach, contact_power, displace, energy_of, first_of, friction_power, make_coach, &
-    position_count, speed_at
+  use coach_model, only: centred_state, coach, contact_power, displace, energy_of, first_of, friction_power, &
+    make_coach, position_count, speed_at
   use coach_output, only: open_data, print_header, print_line, print_statistics, read_state, write_data, write_state
   use coach_runs, only: advance, begin, critical_speed, growth_in_time, history
   use coach_track, only: make_track

@@ -1,7 +1,7 @@
 # Draws what coach --data has written, once or again every second while the run goes on:
 #   gnuplot -e "data='coach.dat'; picture='coach.png'" drivers/fortran/coach.gp
 #   gnuplot -e "data='coach.dat'; live=1" drivers/fortran/coach.gp
-if (exists('live')) { set terminal qt size 1000, 1000 noraise } else {
+if (!exists('live')) {
   set terminal pngcairo size 1000, 1100 font 'DejaVu Sans,11'
   set output picture
 }
@@ -35,4 +35,7 @@ plot data using 2:(mm*$22) with lines lc 1 lw 1.5 title 'curvature, 1/km', \
      data using 2:(mm*($20 + $21)/2) with lines lc 'gray40' title 'height, mm', \
      data using 2:(mm*($20 - $21)) with lines lc 'gray70' title 'left rail above right, mm'
 unset multiplot
-if (exists('live')) { pause 1; reread }
+if (exists('live')) {
+  pause 1
+  reread
+}
