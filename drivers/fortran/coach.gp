@@ -35,7 +35,5 @@ plot data using 2:(mm*$22) with lines lc 1 lw 1.5 title 'curvature, 1/km', \
      data using 2:(mm*($20 + $21)/2) with lines lc 'gray40' title 'height, mm', \
      data using 2:(mm*($20 - $21)) with lines lc 'gray70' title 'left rail above right, mm'
 unset multiplot
-if (exists('live')) {
-  pause 1
-  reread
-}
+if (exists('live')) pause 1
+if (exists('live')) reread
