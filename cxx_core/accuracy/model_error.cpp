@@ -30,11 +30,17 @@ double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
          std::cos(plane_angle);
 }
 
+double depth_error_of_plane(const SurfaceTurn& turn) {
+  return depth_error_by_turn * turn.range() * turn.range();
+}
+
 double pressure_error_of_plane(const SurfaceTurn& turn) {
   return pressure_error_by_turn * turn.range() * turn.range();
 }
 
-double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of) {
+double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,
+                            bool position_is_prescribed) {
+  const double of_depth = position_is_prescribed ? force_by_depth : 1.0;
   const bool of_pressures = accuracy_of == AccuracyOf::pressures;
   const double peak = solution.peak_pressure();
   double weighted = 0.0;
@@ -53,7 +59,8 @@ double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of) {
       }
     }
     const double of_force =
-        force_error_of_plane(turn, solution.patches[plane.patches.front()].frame.angle());
+        std::max(force_error_of_plane(turn, solution.patches[plane.patches.front()].frame.angle()),
+                 of_depth * depth_error_of_plane(turn));
     for (const std::size_t k : plane.patches) {
       solution.patches[k].plane_error = std::max(of_plane, of_force);
     }

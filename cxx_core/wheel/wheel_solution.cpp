@@ -336,7 +336,8 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     error_ = estimate_error(solution, goal_);
     result_.discretisation_error = error_.total();
-    result_.model_error = estimate_model_error(solution, request_.accuracy_of);
+    result_.model_error =
+        estimate_model_error(solution, request_.accuracy_of, goal_.position_is_prescribed);
     // Forces are kept: with a second grid they would not be continuous functions of the scene. The
     // limit of elements must not be exceeded.
     if (error_.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
