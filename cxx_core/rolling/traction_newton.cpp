@@ -111,11 +111,11 @@ void TractionNewton<Real>::solve_linear(double relative_tolerance, Real* step, R
     }
     return arrays[index].data();
   };
-  std::fill_n(step, size, Real{0});
-  std::fill_n(step_slip, size, Real{0});
   const Real* right = vector(right_side);
   const double norm = std::sqrt(dot(right, right, size));
   if (!(norm > 0.0)) {
+    std::fill_n(step, size, Real{0});
+    std::fill_n(step_slip, size, Real{0});
     return;
   }
   scale_to(provided(krylov_, 0, size), 1.0 / norm, right, size);
@@ -141,7 +141,9 @@ void TractionNewton<Real>::solve_linear(double relative_tolerance, Real* step, R
     scale_to(next, 1.0 / rest, next, size);
   }
   const auto weights = reduction.solution();
-  for (std::size_t j = 0; j < reduction.size(); ++j) {
+  scale_to(step, weights[0], directions_[0].data(), size);
+  scale_to(step_slip, weights[0], directions_[0].data() + size, size);
+  for (std::size_t j = 1; j < reduction.size(); ++j) {
     add_scaled(step, weights[j], directions_[j].data(), size);
     add_scaled(step_slip, weights[j], directions_[j].data() + size, size);
   }
