@@ -77,7 +77,7 @@ template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
                 double aspect, double poisson) {
   const std::size_t count = shape.rows * pitch;
-  const double apart = edge_advance_by_poisson * poisson;
+  const double apart = 2.0 * edge_advance * poisson;
   const std::vector<double> places = edge_places(bound, edge, shape, pitch);
   for (std::size_t row = shape.rows; row-- > 0;) {
     for (std::size_t column = 0; column < shape.columns; ++column) {
