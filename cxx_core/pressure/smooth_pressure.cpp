@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pressure/constants.hpp"
+#include "pressure/pressure_field.hpp"
 
 namespace wrc {
 
@@ -45,18 +46,51 @@ double grown(double value, double whole) {
   return !(value > 0.0) ? 0.0 : value < whole ? value / whole : 1.0;
 }
 
+/// The elements under pressure with those next to them; without any the first element.
+IndexBox around_contact(const Grid& grid, std::span<const double> pressure) {
+  IndexBox box{grid.lateral_count, 0, grid.longitudinal_count, 0};
+  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
+    const auto row = pressure.subspan(i * grid.longitudinal_count, grid.longitudinal_count);
+    const auto positive = [](double p) { return p > 0.0; };
+    const auto first = std::find_if(row.begin(), row.end(), positive);
+    if (first == row.end()) {
+      continue;
+    }
+    const auto last = std::find_if(row.rbegin(), row.rend(), positive);
+    box = {std::min(box.lateral_first, i), i,
+           std::min(box.longitudinal_first, static_cast<std::size_t>(first - row.begin())),
+           std::max(box.longitudinal_last, static_cast<std::size_t>(row.rend() - last - 1))};
+  }
+  if (box.lateral_first > box.lateral_last) {
+    return {};
+  }
+  const auto before = [](std::size_t index) { return index > 0 ? index - 1 : 0; };
+  return {before(box.lateral_first), std::min(box.lateral_last + 1, grid.lateral_count - 1),
+          before(box.longitudinal_first),
+          std::min(box.longitudinal_last + 1, grid.longitudinal_count - 1)};
+}
+
 } // namespace
 
 SmoothPressure::SmoothPressure(const Grid& grid, std::span<const double> pressure) : grid_(grid) {
+  const IndexBox box = around_contact(grid, pressure);
+  grid_.lateral_first = grid.lateral(box.lateral_first);
+  grid_.longitudinal_first = grid.longitudinal(box.longitudinal_first);
+  grid_.lateral_count = box.lateral_last - box.lateral_first + 1;
+  grid_.longitudinal_count = box.longitudinal_last - box.longitudinal_first + 1;
+  const std::size_t rows = grid_.lateral_count;
+  const std::size_t columns = grid_.longitudinal_count;
   grid_.lateral_count += 2 * room;
   grid_.longitudinal_count += 2 * room;
   grid_.lateral_first -= static_cast<double>(room) * grid.lateral_step;
   grid_.longitudinal_first -= static_cast<double>(room) * grid.longitudinal_step;
   known_.resize(grid_.element_count());
   squares_.resize(grid_.element_count());
-  for (std::size_t i = 0; i < grid.lateral_count; ++i) {
-    for (std::size_t j = 0; j < grid.longitudinal_count; ++j) {
-      const double p = std::max(pressure[i * grid.longitudinal_count + j], 0.0);
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double p = std::max(
+          pressure[(i + box.lateral_first) * grid.longitudinal_count + j + box.longitudinal_first],
+          0.0);
       squares_[(i + room) * grid_.longitudinal_count + j + room] = p * p;
     }
   }

@@ -67,7 +67,7 @@ private:
   void replace_ends_of_rows(const std::vector<double>& given);
   void fill_in_ring(const std::vector<double>& given);
 
-  Grid grid_;                   ///< with room for what is filled in
+  Grid grid_;                   ///< of the contact, with room for what is filled in
   std::vector<double> known_;   ///< how far elements are known, 0 to 1
   std::vector<double> squares_; ///< p^2 where it is known
 };

@@ -44,11 +44,11 @@ double advance_at(const std::vector<double>& places, std::size_t column) {
   return sides > 0 ? std::abs(sum) / sides : 0.0;
 }
 
-/// The effective covered fraction: more for an oblique edge, on average by `edge_advance` times its
-/// slope, and nothing for an uncovered or a whole element, so that nothing steps as edges move on.
-double advanced_share(double covered, double slope) {
+/// The effective covered fraction: more for an oblique edge, on average by `advance`, and nothing
+/// for an uncovered or a whole element, so that nothing steps as edges move on.
+double advanced_share(double covered, double advance) {
   constexpr double most = 1.0 / 6.0; // with which 1 is reached with slope 0
-  return covered + std::min(edge_advance * slope, most) * 6.0 * covered * (1.0 - covered);
+  return covered + std::min(advance, most) * 6.0 * covered * (1.0 - covered);
 }
 
 } // namespace
@@ -75,14 +75,16 @@ double edge_compliance_rate(double compliance, double covered) {
 
 template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
-                double aspect) {
+                double aspect, double poisson) {
+  const std::size_t count = shape.rows * pitch;
+  const double apart = 2.0 * edge_advance * poisson;
   const std::vector<double> places = edge_places(bound, edge, shape, pitch);
   for (std::size_t row = shape.rows; row-- > 0;) {
     for (std::size_t column = 0; column < shape.columns; ++column) {
       const std::size_t at = row * pitch + column;
       const double open = row > 0 ? 1.0 - static_cast<double>(edge[at - pitch]) : 1.0;
       if (!(bound[at] > Real{0}) || !(open > 0.0)) {
-        edge[at] = Real{0};
+        edge[at] = edge[count + at] = Real{0};
         continue;
       }
       const auto covered = static_cast<double>(edge[at]);
@@ -90,12 +92,17 @@ void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t
           places[column] + 1.0 >= static_cast<double>(row); // of strips behind others
       const double slope = first ? advance_at(places, column) / aspect : 0.0;
       bound[at] *= static_cast<Real>(1.0 + open * (edge_traction_ratio(covered) - 1.0));
-      edge[at] = static_cast<Real>(open * edge_compliance(advanced_share(covered, slope)));
+      const auto compliance = [&](double advance) {
+        return open * edge_compliance(advanced_share(covered, advance * slope));
+      };
+      edge[at] = static_cast<Real>((1.0 - poisson) * compliance(edge_advance - apart));
+      edge[count + at] = static_cast<Real>(compliance(edge_advance + apart));
     }
   }
 }
 
-template void make_edges<float>(float*, float*, const TractionShape&, std::size_t, double);
-template void make_edges<double>(double*, double*, const TractionShape&, std::size_t, double);
+template void make_edges<float>(float*, float*, const TractionShape&, std::size_t, double, double);
+template void make_edges<double>(double*, double*, const TractionShape&, std::size_t, double,
+                                 double);
 
 } // namespace wrc

@@ -18,8 +18,9 @@
 /// order wherever its edge falls.
 ///
 /// An edge that runs obliquely through the strips is found behind its true position, by a fraction
-/// of its slope (`edge_advance`); its elements count as covered by more, the same on average over
-/// all positions of an edge, nothing where it passes from one element to the next. Along a single
+/// of its slope (`edge_advance`), which is smaller for tractions in x than for those in y; its
+/// elements count as covered by more, the same on average over all positions of an edge, nothing
+/// where it passes from one element to the next. Along a single
 /// oblique edge that holds on average only: what is left is of first order still. Thread rule: pure
 /// functions.
 #pragma once
@@ -30,19 +31,20 @@ namespace wrc {
 
 /// Compliance in y for a fraction c that is in contact, 0 to 1.
 double edge_compliance(double covered);
-/// Derivative of the compliance that make_edges found by the covered fraction; 0 for a whole
-/// element.
+/// Derivative of the compliance in y that make_edges found, or of that in x over 1 - nu, by the
+/// covered fraction; 0 for a whole element.
 double edge_compliance_rate(double compliance, double covered);
 
 /// f for such a fraction: the value of a first element over the mean of its tractions.
 double edge_traction_ratio(double covered);
 
-/// Replaces the covered fraction of each element that begins a strip by its compliance, and
-/// multiplies its bound by f. An element behind another one begins its strip as far as the one
-/// ahead is not covered, so that nothing steps where an edge enters the next element. Fields as
-/// TractionConvolution has them; `aspect`: an element's width over its length.
+/// Replaces the covered fraction of each element that begins a strip by its compliance in x, writes
+/// that in y behind all of them, and multiplies its bound by f. An element behind another one
+/// begins its strip as far as the one ahead is not covered, so that nothing steps where an edge
+/// enters the next element. Fields as TractionConvolution has them; `aspect`: an element's width
+/// over its length.
 template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
-                double aspect);
+                double aspect, double poisson);
 
 } // namespace wrc

@@ -123,11 +123,13 @@ private:
     const Real* q = solved_.traction();
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
       if (has_moving_edge(rate, at)) {
-        const double by = edge_compliance_rate(static_cast<double>(solved_.edge()[at]),
-                                               problem_.covered[element.index]) *
-                          rate.covered[element.index];
-        slip[at] += static_cast<Real>((1.0 - problem_.poisson) * by) * q[at];
-        slip[size + at] += static_cast<Real>(by) * q[size + at];
+        const auto add = [&](std::size_t i, double unit) {
+          const double compliance = static_cast<double>(solved_.edge()[i]) / unit;
+          const double by = edge_compliance_rate(compliance, problem_.covered[element.index]);
+          slip[i] += static_cast<Real>(unit * by * rate.covered[element.index]) * q[i];
+        };
+        add(at, 1.0 - problem_.poisson);
+        add(size + at, 1.0);
       }
     });
   }

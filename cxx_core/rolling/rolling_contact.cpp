@@ -101,7 +101,7 @@ public:
 
   NewtonOutcome solve(const ScaledTractions& scaled, const RollingProblem& problem) {
     scaled.fill_bound(finest().bound(), finest().pitch());
-    std::fill_n(finest().edge(), finest().size(), Real{0});
+    std::fill_n(finest().edge(), 2 * finest().size(), Real{0});
     if (scaled.has_edges()) {
       scaled.fill_covered(finest().edge(), finest().pitch());
     }
@@ -110,7 +110,8 @@ public:
     }
     for (auto& level : levels_) {
       if (scaled.has_edges()) {
-        make_edges(level->bound(), level->edge(), level->shape(), level->pitch(), scaled.aspect());
+        make_edges(level->bound(), level->edge(), level->shape(), level->pitch(), scaled.aspect(),
+                   problem.poisson);
       }
     }
     NewtonOutcome all;

@@ -100,16 +100,16 @@ namespace {
 
 /// Compliances of the elements that strips begin with; `bound` and tractions become those that
 /// stand for them (leading_edge.hpp).
-std::vector<double> take_in_edges(const ScaledTractions& scaled, std::vector<double>& bound,
-                                  std::vector<double>& traction) {
+std::vector<double> take_in_edges(const ScaledTractions& scaled, double poisson,
+                                  std::vector<double>& bound, std::vector<double>& traction) {
   const TractionShape& shape = scaled.box().shape;
   const std::size_t count = bound.size();
-  std::vector<double> edge(count);
+  std::vector<double> edge(2 * count);
   if (!scaled.has_edges()) {
     return edge;
   }
   scaled.fill_covered(edge.data(), shape.columns);
-  make_edges(bound.data(), edge.data(), shape, shape.columns, scaled.aspect());
+  make_edges(bound.data(), edge.data(), shape, shape.columns, scaled.aspect(), poisson);
   for (std::size_t i = 0; i < count; ++i) {
     if (bound[i] > 0.0) {
       const double share =
@@ -144,14 +144,14 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   scaled.fill_bound(bound.data(), pitch);
   scaled.fill_rigid_slip(rigid.data(), shape, pitch, 0);
   scaled.read_tractions(traction_x, traction_y, q.data(), pitch);
-  const std::vector<double> edge = take_in_edges(scaled, bound, q);
+  const std::vector<double> edge = take_in_edges(scaled, problem.poisson, bound, q);
   ConvolutionWorkspace<double> workspace;
   convolution.apply(q.data(), q.data() + count, s.data(), s.data() + count, workspace);
   for (std::size_t i = 0; i < 2 * count; ++i) {
     s[i] += rigid[i];
   }
   if (scaled.has_edges()) {
-    add_edges(edge.data(), 1.0 - problem.poisson, q.data(), s.data(), count);
+    add_edges(edge.data(), q.data(), s.data(), count);
   }
   const double step = natural_step_of(shape, convolution.self_influence(), problem.motion);
   const ResidualSums sums =

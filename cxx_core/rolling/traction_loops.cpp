@@ -51,7 +51,8 @@ WRC_VECTOR_BODY ResidualSums residual_body(const Real* q, const Real* s, const R
   double size = 0.0;
 #pragma omp simd reduction(+ : change, size)
   for (std::size_t i = 0; i < n; ++i) {
-    const Cut<Real> cut = cut_of(q[i], q[n + i], s[i], s[n + i], g[i], step_at(inverse_r, edge[i]));
+    const Cut<Real> cut =
+        cut_of(q[i], q[n + i], s[i], s[n + i], g[i], step_at(inverse_r, edge[n + i]));
     const Real x = q[i] - cut.x;
     const Real y = q[n + i] - cut.y;
     const bool inside = g[i] > Real{0};
@@ -66,16 +67,15 @@ WRC_VECTOR_BODY void linearise_body(const Real* q, const Real* s, const Real* g,
                                     const ElementScales& scales, const LinearisedElements<Real>& at,
                                     Real* change, std::size_t n) {
   const auto inverse_r = static_cast<Real>(1.0 / scales.step);
-  const auto share_x = static_cast<Real>(scales.edge_x);
   const auto damping = static_cast<Real>(scales.damping);
   const auto diagonal_x = static_cast<Real>(scales.diagonal_x);
   const auto diagonal_y = static_cast<Real>(scales.diagonal_y);
 #pragma omp simd
   for (std::size_t i = 0; i < n; ++i) {
     const Real bound = g[i];
-    const Real dx = diagonal_x + share_x * edge[i];
-    const Real dy = diagonal_y + edge[i];
-    const Real r = step_at(inverse_r, edge[i]);
+    const Real dx = diagonal_x + edge[i];
+    const Real dy = diagonal_y + edge[n + i];
+    const Real r = step_at(inverse_r, edge[n + i]);
     const Real qx = q[i];
     const Real qy = q[n + i];
     const Cut<Real> cut = cut_of(qx, qy, s[i], s[n + i], bound, r);
@@ -113,12 +113,10 @@ WRC_VECTOR_BODY void project_body(const LinearisedElements<Real>& at, const Real
 }
 
 template <typename Real>
-WRC_VECTOR_BODY void edges_body(const Real* edge, Real share_x, const Real* z, Real* out,
-                                std::size_t n) {
+WRC_VECTOR_BODY void edges_body(const Real* edge, const Real* z, Real* out, std::size_t n) {
 #pragma omp simd
-  for (std::size_t i = 0; i < n; ++i) {
-    out[i] += share_x * edge[i] * z[i];
-    out[n + i] += edge[i] * z[n + i];
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    out[i] += edge[i] * z[i];
   }
 }
 
@@ -127,7 +125,8 @@ WRC_VECTOR_BODY void cut_body(Real* q, const Real* s, const Real* g, const Real*
                               Real inverse_r, std::size_t n) {
 #pragma omp simd
   for (std::size_t i = 0; i < n; ++i) {
-    const Cut<Real> cut = cut_of(q[i], q[n + i], s[i], s[n + i], g[i], step_at(inverse_r, edge[i]));
+    const Cut<Real> cut =
+        cut_of(q[i], q[n + i], s[i], s[n + i], g[i], step_at(inverse_r, edge[n + i]));
     const Real within = factor_within(q[i] * q[i] + q[n + i] * q[n + i], g[i]);
     q[i] = cut.slipping ? cut.x : within * q[i];
     q[n + i] = cut.slipping ? cut.y : within * q[n + i];
@@ -182,9 +181,8 @@ WRC_VECTOR_BODY void scale_body(Real* to, Real factor, const Real* from, std::si
     project_body(elements, in, z, out, n);                                                         \
   }                                                                                                \
   template <>                                                                                      \
-  WRC_VECTOR_CLONES void add_edges(const Real* edge, double edge_x, const Real* z, Real* out,      \
-                                   std::size_t n) {                                                \
-    edges_body(edge, static_cast<Real>(edge_x), z, out, n);                                        \
+  WRC_VECTOR_CLONES void add_edges(const Real* edge, const Real* z, Real* out, std::size_t n) {    \
+    edges_body(edge, z, out, n);                                                                   \
   }                                                                                                \
   template <>                                                                                      \
   WRC_VECTOR_CLONES void cut_to_bound(Real* q, const Real* s, const Real* g, const Real* edge,     \

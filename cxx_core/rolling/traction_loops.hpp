@@ -28,7 +28,6 @@ struct ElementScales {
   double step = 1.0;       ///< r
   double diagonal_x = 1.0; ///< of the march
   double diagonal_y = 1.0;
-  double edge_x = 1.0;  ///< compliance of an edge in x over that in y
   double damping = 0.0; ///< added to the ratio of every element
 };
 
@@ -39,7 +38,7 @@ struct ResidualSums {
 };
 
 /// The natural residual of q with slip s; elements without bound g count nothing. `edge`: what the
-/// leading edge adds to an element's influence on itself, in y; r is smaller there.
+/// leading edge adds to an element's influence on itself, in x and in y; r is smaller there.
 template <typename Real>
 ResidualSums natural_residual(const Real* q, const Real* s, const Real* g, const Real* edge,
                               double step, std::size_t n);
@@ -62,8 +61,7 @@ void cut_to_bound(Real* q, const Real* s, const Real* g, const Real* edge, doubl
                   std::size_t n);
 
 /// out += what edges add to displacements under z.
-template <typename Real>
-void add_edges(const Real* edge, double edge_x, const Real* z, Real* out, std::size_t n);
+template <typename Real> void add_edges(const Real* edge, const Real* z, Real* out, std::size_t n);
 
 template <typename Real> double dot(const Real* one, const Real* other, std::size_t count);
 /// to += factor from.

@@ -72,12 +72,12 @@ TractionNewton<Real>::TractionNewton(const TractionGrid& grid, double poisson,
       count_(grid.shape.rows * pitch_),
       convolution_(grid.shape, pitch_, poisson, weights, table, plans),
       march_(grid.shape.rows, pitch_, grid.step_over_width, motion == TangentialMotion::rolling),
-      fields_((2 + 2 * vector_count + element_fields) * count_), elements_{} {
+      fields_((3 + 2 * vector_count + element_fields) * count_), elements_{} {
   std::fill_n(fields_.data(), fields_.size(), Real{0});
   const auto self = convolution_.self_influence();
   self_influence_ = std::sqrt(self[0] * self[1]);
   scales_ = {natural_step_of(shape_, self, motion), march_.diagonal() * self[0],
-             march_.diagonal() * self[1], 1.0 - poisson, 0.0};
+             march_.diagonal() * self[1], 0.0};
   Real* scalars = vector(vector_count);
   elements_ = {scalars,
                scalars + count_,
@@ -90,7 +90,7 @@ TractionNewton<Real>::TractionNewton(const TractionGrid& grid, double poisson,
 
 template <typename Real> void TractionNewton<Real>::convolve(const Real* in, Real* out) {
   convolution_.apply(in, in + count_, out, out + count_, workspace_);
-  add_edges(edge(), scales_.edge_x, in, out, count_);
+  add_edges(edge(), in, out, count_);
   ++convolutions_;
 }
 
@@ -111,11 +111,11 @@ void TractionNewton<Real>::solve_linear(double relative_tolerance, Real* step, R
     }
     return arrays[index].data();
   };
-  std::fill_n(step, size, Real{0});
-  std::fill_n(step_slip, size, Real{0});
   const Real* right = vector(right_side);
   const double norm = std::sqrt(dot(right, right, size));
   if (!(norm > 0.0)) {
+    std::fill_n(step, size, Real{0});
+    std::fill_n(step_slip, size, Real{0});
     return;
   }
   scale_to(provided(krylov_, 0, size), 1.0 / norm, right, size);
@@ -141,7 +141,9 @@ void TractionNewton<Real>::solve_linear(double relative_tolerance, Real* step, R
     scale_to(next, 1.0 / rest, next, size);
   }
   const auto weights = reduction.solution();
-  for (std::size_t j = 0; j < reduction.size(); ++j) {
+  scale_to(step, weights[0], directions_[0].data(), size);
+  scale_to(step_slip, weights[0], directions_[0].data() + size, size);
+  for (std::size_t j = 1; j < reduction.size(); ++j) {
     add_scaled(step, weights[j], directions_[j].data(), size);
     add_scaled(step_slip, weights[j], directions_[j].data() + size, size);
   }

@@ -50,7 +50,7 @@ public:
   [[nodiscard]] std::size_t size() const { return count_; }
   /// The bound g of each element; 0 outside the contact and beyond the columns.
   [[nodiscard]] Real* bound() { return fields_.data(); }
-  /// What a leading edge within the element adds to its influence on itself, in y
+  /// What a leading edge within the element adds to its influence on itself, in x and in y
   /// (leading_edge.hpp); 0 to begin with.
   [[nodiscard]] Real* edge() { return fields_.data() + count_; }
   /// The rigid slip; kept.
@@ -69,7 +69,7 @@ public:
   void convolve(const Real* in, Real* out);
 
 private:
-  /// Fields of two components, behind bound and edge.
+  /// Fields of two components, behind bound and edge's two.
   enum Vector : std::size_t {
     rigid,
     tractions,
@@ -82,7 +82,7 @@ private:
     best_slips,
     vector_count
   };
-  [[nodiscard]] Real* vector(Vector which) { return fields_.data() + (2 + 2 * which) * count_; }
+  [[nodiscard]] Real* vector(Vector which) { return fields_.data() + (3 + 2 * which) * count_; }
   [[nodiscard]] double residual_of(const Real* q, const Real* s) const;
   void solve_linear(double relative_tolerance, Real* step, Real* step_slip);
   void take_step(double residual, const Real* step, const Real* step_slip);

@@ -18,7 +18,7 @@ template <typename Real> constexpr double rounding = 200.0 * std::numeric_limits
 
 /// Elements in slip at the angles of `turns`, with the slip that belongs to it.
 template <typename Real> struct Slipping {
-  explicit Slipping(std::size_t n, double turn = 0.0) : q(2 * n), s(2 * n), g(n), edge(n) {
+  explicit Slipping(std::size_t n, double turn = 0.0) : q(2 * n), s(2 * n), g(n), edge(2 * n) {
     for (std::size_t i = 0; i < n; ++i) {
       const double angle = 0.4 * static_cast<double>(i) + turn;
       const double bound = 1.0 + 0.1 * static_cast<double>(i);
@@ -63,7 +63,7 @@ TYPED_TEST(TractionLoops, ResidualIsTheDistanceFromTheCutTraction) {
   const TypeParam q[] = {TypeParam(0.3), TypeParam(0.4)};
   const TypeParam s[] = {TypeParam(-0.6), TypeParam(-0.8)}; // q - s = (0.9, 1.2): 1.5 long
   const TypeParam g[] = {TypeParam(1.0)};
-  const TypeParam edge[] = {TypeParam(0.0)};
+  const TypeParam edge[] = {TypeParam(0.0), TypeParam(0.0)};
   const ResidualSums sums = natural_residual(q, s, g, edge, 1.0, 1);
   EXPECT_NEAR(sums.change, 0.5, rounding<TypeParam>);
   EXPECT_NEAR(sums.size, 1.0, rounding<TypeParam>);
@@ -80,7 +80,7 @@ TYPED_TEST(TractionLoops, LinearisedSlipFollowsTheSlipsDirection) {
   const Slipping<TypeParam> then(n, turn);
   Elements7<TypeParam> elements(n);
   std::vector<TypeParam> change(2 * n);
-  linearise(now.q.data(), now.s.data(), now.g.data(), now.edge.data(), {0.7, 1.0, 1.0, 1.0, 0.0},
+  linearise(now.q.data(), now.s.data(), now.g.data(), now.edge.data(), {0.7, 1.0, 1.0, 0.0},
             elements.at, change.data(), n);
   std::vector<TypeParam> dq(2 * n);
   for (std::size_t i = 0; i < 2 * n; ++i) {
@@ -98,10 +98,10 @@ TYPED_TEST(TractionLoops, AdhesionLeavesAllDirectionsAndOutsideNone) {
   const TypeParam q[] = {TypeParam(0.1), TypeParam(0.3), TypeParam(0.2), TypeParam(0.4)};
   const TypeParam s[] = {TypeParam(0), TypeParam(0), TypeParam(0), TypeParam(0)};
   const TypeParam g[] = {TypeParam(1), TypeParam(0)};
-  const TypeParam edge[] = {TypeParam(0), TypeParam(0)};
+  const TypeParam edge[] = {TypeParam(0), TypeParam(0), TypeParam(0), TypeParam(0)};
   Elements7<TypeParam> elements(2);
   TypeParam change[4];
-  linearise(q, s, g, edge, {0.7, 2.0, 4.0, 1.0, 0.0}, elements.at, change, 2);
+  linearise(q, s, g, edge, {0.7, 2.0, 4.0, 0.0}, elements.at, change, 2);
   const TypeParam in[] = {TypeParam(3), TypeParam(5), TypeParam(7), TypeParam(9)};
   const TypeParam z[] = {TypeParam(1), TypeParam(1), TypeParam(1), TypeParam(1)};
   TypeParam out[4];
@@ -137,25 +137,26 @@ TYPED_TEST(TractionLoops, CutTractionsAreOnTheBoundAgainstTheSlip) {
 
 TYPED_TEST(TractionLoops, SumsAreThoseOfPlainLoops) {
   for (const std::size_t n : {1U, 5U, 16U, 37U}) {
-    std::vector<TypeParam> a(n), b(n), edge(n), z(2 * n), out(2 * n, TypeParam(0.5));
+    std::vector<TypeParam> a(n), b(n), edge(2 * n), z(2 * n), out(2 * n, TypeParam(0.5));
     double product = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       a[i] = static_cast<TypeParam>(std::sin(1.0 + static_cast<double>(i)));
       b[i] = static_cast<TypeParam>(std::cos(2.0 * static_cast<double>(i)));
-      edge[i] = static_cast<TypeParam>(0.1 * static_cast<double>(i % 3));
+      edge[i] = static_cast<TypeParam>(0.07 * static_cast<double>(i % 3));
+      edge[n + i] = static_cast<TypeParam>(0.1 * static_cast<double>(i % 3));
       z[i] = a[i];
       z[n + i] = b[i];
       product += static_cast<double>(a[i]) * static_cast<double>(b[i]);
     }
     EXPECT_NEAR(dot(a.data(), b.data(), n), product, rounding<TypeParam>);
-    add_edges(edge.data(), 0.7, z.data(), out.data(), n);
+    add_edges(edge.data(), z.data(), out.data(), n);
     std::vector<TypeParam> sum = a;
     add_scaled(sum.data(), -1.5, b.data(), n);
     std::vector<TypeParam> scaled(n);
     scale_to(scaled.data(), 0.25, a.data(), n);
     for (std::size_t i = 0; i < n; ++i) {
-      EXPECT_NEAR(out[i], 0.5 + 0.7 * edge[i] * a[i], rounding<TypeParam>);
-      EXPECT_NEAR(out[n + i], 0.5 + edge[i] * b[i], rounding<TypeParam>);
+      EXPECT_NEAR(out[i], 0.5 + edge[i] * a[i], rounding<TypeParam>);
+      EXPECT_NEAR(out[n + i], 0.5 + edge[n + i] * b[i], rounding<TypeParam>);
       EXPECT_NEAR(sum[i], a[i] - 1.5 * b[i], rounding<TypeParam>);
       EXPECT_NEAR(scaled[i], 0.25 * a[i], rounding<TypeParam>);
     }
