@@ -445,9 +445,16 @@ typedef struct wrc_read_options {
                                     needs; WRC_SMOOTHING_... */
   /* Since 0.3: */
   int32_t origin;       /**< lateral 0 of a wheel's file: WRC_ORIGIN_...; 0: from the file */
-  int32_t slice;        /**< number of a slice in a slices file (.slcs, .slcw), from 1 */
+  int32_t slice;        /**< number of a slice in a slices file (.slcs, .slcw), or of a profile in a
+                             project file of MiniProf, from 1 */
   double tape_offset;   /**< flange back to taping line, mm; 0: from the file, or 70 */
   double lateral_shift; /**< instead of origin: mm added to lateral; 0: none */
+  double rotation;      /**< if rotation_given is not 0: rad, anticlockwise in (lateral, height),
+                             about the taping line or a rail's origin; 0: not tilted */
+  int32_t rotation_given; /**< 0: a tilt of a wheel is looked for */
+  int32_t reserved_2;
+  const char* align_to; /**< built-in profile or file on which the points are laid where they are
+                             not worn; NULL or empty: none */
 } wrc_read_options;
 
 #define WRC_SMOOTHING_NONE (-1.0) /**< the points as they are */
