@@ -6,7 +6,7 @@
 ///   dF_y / F_z <= (s^3 + 0.4 delta^2) / cos^2(alpha),
 /// and over its turn t, from one end of the contact to the other, for the depth and for moments
 /// over force and semi-axis
-///   ddepth / depth <= 0.035 t^2,  dpmax / pmax <= 0.14 t^2.
+///   ddepth / depth <= 0.03 t^2,  dpmax / pmax <= 0.07 t^2.
 /// At a prescribed position the force is off instead of the depth, by 1.5 times as much (Hertz).
 /// What inclined rows would add is in the solution (remesh/row_scales.hpp).
 /// Units rad. Thread rule: pure functions.

@@ -8,10 +8,6 @@
 namespace wrc {
 namespace {
 
-/// 1/c^2 of surfaces that are nearly parallel is more.
-/// origin: reasoned: a bound; no contact lies where both turn by 0.7 rad away from each other.
-constexpr double least_square = 0.5;
-
 template <class Change>
 std::vector<double> changed(const Grid& grid, std::span<const double> scales,
                             std::span<const double> field, const Change& change) {
@@ -41,7 +37,7 @@ std::vector<double> row_scales(const PosedPair& pair, const ContactFrame& frame,
   const auto set = [&](std::size_t row) {
     if (const auto position = ray.solve(0.0, grid.lateral(row))) {
       const double of_wheel = ray.inclination(0.0, grid.lateral(row), *position);
-      const double square = std::max(1.0 + of_wheel * rail.inclination(row), least_square);
+      const double square = 1.0 + std::max(of_wheel * rail.inclination(row), 0.0);
       scales[row] = std::pow(square, -0.5 * scale_by_inclination);
     }
   };

@@ -9,9 +9,11 @@
 ///   u = S K S p,  S = diag(c^(-3/4)),  c = cos(beta) of each row,
 /// exact for bodies as round along the rail as across it (K the half-space; with u = K p all are
 /// too large by cos^(-3/2)). Wheel and rail are inclined alike, except for the gap between them:
-///   1/c^2 = 1 + tan(beta_wheel) tan(beta_rail),
-/// which an edge of one of them does not spoil. Forces take no notice of how S changes as rail and
-/// wheel move along each other. Solvers see h/S, p S and K: the same problem in other variables.
+///   1/c^2 = 1 + max(tan(beta_wheel) tan(beta_rail), 0),
+/// which an edge of one of them does not spoil. Where they are inclined to opposite sides, as on
+/// flanges, the plane is midway between both, and c is 1. Forces take no notice of how S changes as
+/// rail and wheel move along each other. Solvers see h/S, p S and K: the same problem in other
+/// variables.
 /// Units: none. Thread rule: pure functions.
 /// Not known here: distances along the wheelset's axis (vertical convention), whose rows stay as
 /// they are.
