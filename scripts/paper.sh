@@ -17,9 +17,10 @@ sweep() {
 }
 
 echo "== S1002 on 60E1"
-for study in fig05 connections conicity; do
+for study in fig05 connections; do
   sweep "$study" S1002
 done
+sweep conicity S1002 --rails 60E1 UIC60-Manchester --set 'pose.roll=["en15302", "solve"]'
 for wheel in LM LMA; do
   echo "== $wheel on CHN60"
   radius=420

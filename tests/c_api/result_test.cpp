@@ -214,7 +214,6 @@ TEST_F(Solving, NotConvergedComesWithUsableResults) {
   const ScenePointer scene = make_scene();
   const double grid[] = {256.0, 128.0};
   for (wrc_scene* s : {converged.get(), scene.get()}) {
-    set(s, {{"pose.lateral", 5.0}});
     ASSERT_EQ(wrc_scene_set_numbers(s, "solve.grid", grid, 2), WRC_OK);
     set(s, {{"solve.solver", "paper"}});
   }

@@ -404,7 +404,7 @@ TEST_F(WrcCase, RefusesFilesThatCannotBeWritten) {
 }
 
 TEST_F(WrcCase, NotConvergedPrintsResultsAndHasItsOwnExitCode) {
-  const Outcome outcome = run("--set pose.lateral=5 --set solve.grid=[200,100] --set "
+  const Outcome outcome = run("--set solve.grid=[256,128] --set "
                               "solve.tolerance=1e-13 --set solve.solver=paper --json");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.error.find("not converged"), std::string::npos);

@@ -27,7 +27,8 @@ TEST_F(WrcPaper, JudgesGivenResults) {
   NEEDS_GNUPLOT();
   sweep("fig05", "S1002", "--set 'solve.grid=[32, 16]'");
   sweep("connections", "S1002");
-  sweep("conicity", "S1002");
+  sweep("conicity", "S1002",
+        "--rails 60E1 UIC60-Manchester --set 'pose.roll=[\"en15302\", \"solve\"]'");
   for (const std::string wheel : {"LM", "LMA"}) {
     for (const char* study : {"fig06_07", "fig08", "fig09_10", "fig11", "fig12", "fig13"}) {
       sweep(study, wheel, "--set solve.accuracy=0.1 --set wheelset.wheel=" + wheel);

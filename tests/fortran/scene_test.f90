@@ -175,7 +175,6 @@ contains
     type(contact_scene) :: scene
     integer :: stat
     call scene%create()
-    call scene%set('pose.lateral', 5.0_real64)
     call scene%set('solve.side', 'left')
     call scene%set('solve.grid', [256.0_real64, 128.0_real64])
     ! Below what rounding permits on this grid.

@@ -36,7 +36,7 @@ def test_a_status_of_a_later_library_is_an_error_too():
 
 
 @pytest.mark.parametrize("kind, call", {
-    wrcontact.InvalidArgument: lambda folder: wrcontact.Scene(lateral=1000),
+    wrcontact.InvalidArgument: lambda folder: wrcontact.Scene(lateral=2e4),
     wrcontact.UnknownName: lambda folder: wrcontact.solve()["left.nothing"],
     wrcontact.FileUnreadable: lambda folder: wrcontact.Profile(folder / "none.prr"),
     wrcontact.FileMalformed: lambda folder: wrcontact.Profile(folder / "words.prr"),
@@ -55,7 +55,7 @@ def test_real_calls_raise(kind, call, tmp_path):
 
 def test_what_has_not_converged_can_be_read():
     with pytest.raises(wrcontact.NotConverged) as caught:
-        wrcontact.solve(lateral=5, grid=[256, 128], tolerance=1e-13, solver="paper")
+        wrcontact.solve(grid=[256, 128], tolerance=1e-13, solver="paper")
     assert caught.value.result.left.pmax > 0.0
 
 

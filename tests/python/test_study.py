@@ -44,7 +44,7 @@ def test_a_scene_that_fails_is_a_row_with_its_status():
     with pytest.raises(wrcontact.UnknownName):
         wrcontact.study({"lateral": [0]}, ["left.none"])
     with pytest.raises(wrcontact.InvalidArgument):
-        wrcontact.study({"lateral": [1000]})
+        wrcontact.study({"lateral": [20000]})
 
 
 def test_values_of_all_kinds_vary(tmp_path):

@@ -117,7 +117,7 @@ CASES = {
     "no_load": Case("is treated as zero load", {"load.vertical": 1e-9}),
     "not_converged": Case("not converged: ", {
         "solve.grid": [256, 128], "solve.solver": "paper", "solve.tolerance": 1e-13,
-        "pose.lateral": 5, **LEFT}),
+        **LEFT}),
     "not_settled": Case("not settled", {
         "track.cant": 0, "pose.roll": 0, "solve.accuracy": 1e-2, **LEFT},
         lambda: conformal(1.004), "conformal.prw", "",
