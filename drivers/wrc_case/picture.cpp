@@ -39,7 +39,7 @@ std::string shortened(const std::string& text, std::size_t length) {
 /// Warnings as lines of text at the lower end of the picture, and the room for them.
 struct WarningNote {
   WarningNote(std::vector<std::string> warnings, std::size_t columns) {
-    constexpr std::size_t most_lines = 4;
+    constexpr std::size_t most_lines = 6;
     constexpr std::size_t letters = 100; // in the width of a column
     const std::size_t count = warnings.size();
     if (count > most_lines) {
