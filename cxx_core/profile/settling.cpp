@@ -138,6 +138,7 @@ void settle_units(RawProfile& raw, std::optional<ProfileKind> kind, const ReadOp
 /// half rail off its web at head and foot.
 bool is_swapped_wheel(const std::vector<Position>& points) {
   std::vector<Position> swapped;
+  swapped.reserve(points.size());
   for (const Position& point : points)
     swapped.push_back({point[1], point[0]});
   const std::optional<Flange> flange = flange_of(swapped);
