@@ -71,7 +71,8 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   if (known.rotation_given != 0) {
     options.rotation = known.rotation;
   }
-  if (known.align_to != nullptr && given->struct_size >= sizeof known) { // not half a pointer
+  constexpr std::size_t with_align_to = offsetof(wrc_read_options, align_to) + sizeof(char*);
+  if (known.align_to != nullptr && given->struct_size >= with_align_to) { // not half a pointer
     options.align_to = known.align_to;
   }
   if (known.lateral_shift != 0.0) {

@@ -11,8 +11,8 @@ namespace {
 
 /// Sizes that the arguments of a step have had or may have.
 bool is_struct_size(uint64_t size) {
-  constexpr uint64_t least = sizeof(wrc_step_arguments); // of the version that introduced them
-  constexpr uint64_t most = 4096;                        // more is no size of a struct
+  constexpr uint64_t least = 10 * sizeof(double); // of the version that introduced them
+  constexpr uint64_t most = 4096;                 // more is no size of a struct
   return size >= least && size <= most && size % 8 == 0;
 }
 
@@ -24,7 +24,7 @@ wrc_step_arguments known_part(const wrc_step_arguments* given) {
       wrc::throw_invalid_argument("struct_size", static_cast<double>(given->struct_size),
                                   "sizeof(wrc_step_arguments)");
     }
-    std::memcpy(&known, given, sizeof known);
+    std::memcpy(&known, given, std::min<std::size_t>(given->struct_size, sizeof known));
   }
   return known;
 }

@@ -68,10 +68,7 @@ private:
     }
     const double step = cheap.slope < 0.0 ? -last_.value / cheap.slope
                                           : std::copysign(1e-3 * creepage_, last_.value);
-    // Forces that jump with their elements may balance nowhere: what is left then is the jump.
-    const double narrowest = cheap.slope < 0.0 ? -tolerance_ / cheap.slope : 0.0;
-    return search(step, 4.0, narrowest,
-                  [this](double rate) { return unbalanced(rate, std::nullopt); });
+    return search(step, 4.0, [this](double rate) { return unbalanced(rate, std::nullopt); });
   }
 
   /// With a model instead of the requested one, if any.
@@ -100,9 +97,9 @@ private:
     const bool falls = std::any_of(wheels_.begin(), wheels_.end(), [](const DrivenWheel& driven) {
       return driven.request.friction.falls();
     });
-    const FreePitch found =
-        is_balanced(last_) ? FreePitch{rolling_}
-                           : search(direction * 1e-3 * creepage_, falls ? 1.0 : 4.0, 0.0, cheaply);
+    const FreePitch found = is_balanced(last_)
+                                ? FreePitch{rolling_}
+                                : search(direction * 1e-3 * creepage_, falls ? 1.0 : 4.0, cheaply);
     if (found.saturated) {
       return {rolling_, 0.0};
     }
@@ -114,10 +111,9 @@ private:
             another};
   }
 
-  /// From the point evaluated last on, until the sum changes its sign; then between, until the
-  /// rates are `narrowest` apart. Steps grow by `growth` at most.
-  template <class Function>
-  FreePitch search(double step, double growth, double narrowest, const Function& function) {
+  /// From the point evaluated last on, until the sum changes its sign; then between. Steps grow by
+  /// `growth` at most.
+  template <class Function> FreePitch search(double step, double growth, const Function& function) {
     Point ahead = last_;
     const double slowest = rolling_ - creepage_;
     const double fastest = rolling_ + creepage_;
@@ -138,7 +134,10 @@ private:
     RootBracket bracket(last_, ahead, RootBracket::End::other);
     Point found = ahead;
     int left = pitch_evaluations;
-    bracket.narrow(narrowest, [&](double rate) -> std::optional<double> {
+    // Forces that jump with their elements may balance nowhere. Rates so close that a sum as steep
+    // as between the first two would balance enclose such a jump.
+    const double slope = std::abs((ahead.value - last_.value) / (ahead.place - last_.place));
+    bracket.narrow(tolerance_ / slope, [&](double rate) -> std::optional<double> {
       found = function(rate);
       return is_balanced(found) || --left == 0 ? std::nullopt : std::optional(found.value);
     });

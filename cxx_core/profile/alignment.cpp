@@ -172,8 +172,8 @@ std::optional<Alignment> alignment_to(const Curve& nominal, std::span<const Posi
     for (int step = 0; step < (bound == bounds.back() ? last_steps : steps_of_stage); ++step)
       if (!improve(next, feet, some))
         return bound == bounds.front() ? std::nullopt : std::optional(best);
-    if (bound != bounds.front() && next.share < least_share)
-      break;
+    if (next.share < least_share)
+      return bound == bounds.front() ? std::nullopt : std::optional(best);
     best = next;
   }
   return best;

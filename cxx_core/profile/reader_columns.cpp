@@ -100,6 +100,7 @@ struct Table {
   /// Cells may be empty; then one separator stands between two of them. Otherwise any number does.
   bool has_empty_cells = false;
   std::size_t columns = 0;
+  std::size_t gap = 0;         ///< first_gap of the first row
   std::vector<double> numbers; ///< row by row
   std::vector<std::size_t> lines;
   Heading heading;
@@ -170,6 +171,19 @@ bool has_empty_cell(std::string_view row) {
          std::any_of(cells.word.begin(), end, [](std::string_view cell) { return cell.empty(); });
 }
 
+/// Number, from 1, of the first empty cell that others follow; 0 if there is none.
+std::size_t first_gap(std::string_view row) {
+  const Words cells = cells_of(row, true);
+  std::size_t gap = 0;
+  for (std::size_t i = 0; i < std::min(cells.count, Words::max_words); ++i) {
+    if (!cells.word[i].empty() && gap != 0)
+      return gap;
+    if (cells.word[i].empty() && gap == 0)
+      gap = i + 1;
+  }
+  return 0;
+}
+
 double number_in(std::string_view cell, bool may_be_text, std::size_t line, const Log& log) {
   if (is_empty_or_missing(cell))
     return missing;
@@ -179,6 +193,13 @@ double number_in(std::string_view cell, bool may_be_text, std::size_t line, cons
 /// False if its cells do not fit the rows before, but may do so as empty ones.
 bool read_row(Table& table, std::string_view line, std::size_t number, const Log& log) {
   const std::string row = plain_row(line, ';');
+  if (!table.has_empty_cells) {
+    // Where rows have gaps in different places, words are not the same columns.
+    const std::size_t gap = first_gap(row);
+    if (table.columns != 0 && gap != table.gap)
+      return false;
+    table.gap = gap;
+  }
   const Words cells = cells_of(row, table.has_empty_cells);
   if (cells.count < 2 || (table.columns != 0 && cells.count != table.columns)) {
     if (!table.has_empty_cells && has_empty_cell(row))

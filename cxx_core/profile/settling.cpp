@@ -305,6 +305,10 @@ void turn_points(RawProfile& raw, ProfileKind kind, double angle) {
   shift(raw, {0.0, height});
 }
 
+/// Half of the points lie within this distance of their nominal profile, mm; else a warning.
+/// origin: reasoned: wear leaves half of a wheel nearer than that.
+constexpr double usual_bound = 1.0;
+
 void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log& log) {
   if (nominal.kind != kind)
     log.refuse("align_to: " + nominal.name + " is a " + std::string(name_of(nominal.kind)) +
@@ -314,6 +318,10 @@ void align_points(RawProfile& raw, ProfileKind kind, const Profile& nominal, Log
     log.refuse("cannot be aligned to " + nominal.name +
                ": too few points beside it, or a shape that shows no rotation");
   change_points(raw, [&](const Position& point) { return found->motion.of(point); });
+  if (found->bound > usual_bound)
+    log.warn(WarningClass::profile_tilt, "aligned to " + nominal.name + ", but only within " +
+                                             fixed_text(found->bound, 1) +
+                                             " mm: is it the nominal profile of this one?");
   log.note("aligned to " + nominal.name + ": turned by " +
            fixed_text(found->motion.rotation * 180.0 / std::numbers::pi, 3) +
            " degrees, moved by " + fixed_text(found->motion.shift[0], 3) + " mm in lateral and " +

@@ -157,7 +157,8 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
   posed.side = SideChoice::both;
   const Two each = loads_of_wheels(loads.of, requested);
   Two place = start_of(posed, each, solver);
-  const double load = each[0] + each[1];
+  // Each wheel's load to its own size, an axle's moment to that of its load.
+  const Two sizes = loads.of == LoadsOf::wheels ? requested : Two{requested[0], requested[0]};
   const double tolerance = accuracy_share * posed.accuracy;
 
   StaticEquilibrium best;
@@ -169,7 +170,8 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
     posed.roll = place[1];
     SceneResult result = solver.solve(posed);
     const Balance balance = balance_of(result, loads.of, requested);
-    const double unbalanced = std::hypot(balance.missing[0], balance.missing[1]) / load;
+    const double unbalanced =
+        std::hypot(balance.missing[0] / sizes[0], balance.missing[1] / sizes[1]);
     if (unbalanced < best.unbalanced) {
       step = step_of(balance);
       best_place = place;
@@ -180,6 +182,7 @@ StaticEquilibrium find_static_equilibrium(const Scene& scene, const VehicleState
     place = {best_place[0] + step[0], best_place[1] + step[1]};
   }
   best.scene.derivatives = state.derivatives;
+  best.scene.side = scene.side;
   best.vertical = to_caller(best_place[0], convention, turning_length);
   best.roll = to_caller(best_place[1], convention, pure);
   return best;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -12,19 +13,31 @@
 namespace driver {
 
 /// Calls work(i) for all i below `count` on `threads` threads, this one included: each takes the
-/// next i.
+/// next i. Throws what the work of the smallest i has thrown, at the end.
 template <class Work> void for_each_index(std::size_t count, int threads, Work work) {
   std::atomic<std::size_t> next{0};
+  std::vector<std::exception_ptr> failures(count);
   const auto work_on = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
-      work(i);
+      try {
+        work(i);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
     }
   };
-  std::vector<std::jthread> others;
-  for (int i = 1; i < threads; ++i) {
-    others.emplace_back(work_on);
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads; ++i) {
+      others.emplace_back(work_on);
+    }
+    work_on();
   }
-  work_on();
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+  }
 }
 
 /// Counts finished work, and reports it at most every other second, and at the end.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <string_view>
 
@@ -155,6 +157,7 @@ Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& n
   options.struct_size = sizeof options;
   options.kind_given = 1;
   options.kind = kind;
+  const std::string nominal = wheel ? scene.get_text("wheelset.align_to") : "none";
   const double length =
       number(wheel ? "wheelset.wheel_smoothing" : "track.rail_smoothing", WRC_SMOOTHING_AUTO);
   options.smoothing_wavelength = length == 0.0 ? WRC_SMOOTHING_NONE : length;
@@ -165,6 +168,11 @@ Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& n
     options.origin = origin == "tape"          ? WRC_ORIGIN_TAPE
                      : origin == "flange-back" ? WRC_ORIGIN_FLANGE_BACK
                                                : 0;
+    const double unset = std::numeric_limits<double>::quiet_NaN();
+    const double rotation = number("wheelset.profile_rotation", unset);
+    options.rotation_given = std::isnan(rotation) ? 0 : 1;
+    options.rotation = options.rotation_given != 0 ? rotation : 0.0;
+    options.align_to = nominal == "none" ? nullptr : nominal.c_str();
   }
   profile.load_file(name, &options);
   return profile;
@@ -181,7 +189,7 @@ std::string beside(const std::string& file, const std::string& profile) {
 }
 
 bool names_profile(const std::string& key) {
-  return allowed(key).starts_with("a text");
+  return allowed(key).starts_with("a text") || key == "wheelset.align_to";
 }
 
 bool takes_list(const std::string& key) {

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <numbers>
+#include <regex>
+#include <string>
+#include <vector>
 
 #include "support/gnuplot.hpp"
 #include "support/numbers.hpp"
@@ -91,7 +95,14 @@ struct Worn {
   double volume = 0.0;       ///< of the mean wheel, mm^2
   std::vector<double> s;     ///< positions on the wheel ...
   std::vector<double> areas; ///< ... and what goes there, mm^2
+  std::vector<std::string> warnings{};
 };
+
+/// A warning with "..." for its numbers, of which each solution has others.
+std::string without_numbers(const std::string& warning) {
+  static const std::regex number(R"([-+]?\d[-+.\deE]*)");
+  return std::regex_replace(warning, number, "...");
+}
 
 /// Each wheel is as often the left as the right one.
 Worn worn_by(Scene scene, const Passage& passage) {
@@ -101,6 +112,7 @@ Worn worn_by(Scene scene, const Passage& passage) {
   scene.set("pose.yaw", passage.yaw);
   scene.solve();
   Worn worn;
+  worn.warnings = scene.warnings();
   for (const std::string side : side_names) {
     worn.volume += 0.5 * passage.share * scene.number_or(side + ".wear.volume", 0.0);
     const int patches = scene.count_of(side + ".patches");
@@ -187,6 +199,7 @@ void run(Options options) {
   double volume = 0.0;
   std::cout << "      km   depth mm   missing mm2      worn mm2   difference\n";
   int updates = 0;
+  std::map<std::string, long> warnings; // without their numbers, and how often
   while (done < options.distance) {
     const std::vector<Passage> passages =
         passages_of(scene_on(profile, options.assignments), mission);
@@ -197,6 +210,9 @@ void run(Options options) {
     profile.clear();
     double rate = 0.0; // mm^2 per distance rolled, no unit
     for (const Worn& each : worn) {
+      for (const std::string& warning : each.warnings) {
+        ++warnings[without_numbers(warning)];
+      }
       rate += each.volume;
       for (std::size_t i = 0; i < each.s.size(); ++i) {
         profile.add(each.s[i], each.areas[i]);
@@ -219,6 +235,9 @@ void run(Options options) {
                 << std::scientific << std::setw(13) << std::setprecision(1)
                 << missing / volume - 1.0 << std::endl;
     }
+  }
+  for (const auto& [warning, times] : warnings) {
+    std::cerr << "wrc_wear: in " << times << " of the solutions: " << one_line(warning) << '\n';
   }
   if (!options.save.empty()) {
     profile.profile().write(options.save, 0.25);

@@ -60,14 +60,17 @@ class _Arguments:
                                     ("curvature", curvature, 1), ("friction", friction, 2)):
             if values is not None:
                 self._inputs[name] = _numbers(values, name, count)
+                if count == 6 and np.ndim(values) == 2 and np.shape(values) != (2, 3):
+                    raise InvalidArgument(f"{name} has the shape {np.shape(values)}; it takes (2, 3): "
+                                          "a row for each rail")
                 setattr(self.passed, name, pointer(self._inputs[name]))
         self.force, self.states = np.empty((2, 6)), np.empty(2, dtype=np.int32)
         self.passed.states = pointer(self.states, "int32_t")
         self._rates: list[Array | None] = [None] * 4
         if derivatives:
             self._rates = [np.empty((2, columns, 6)) for columns in (6, 6, 3, 3)]
-            for name, rate in zip(("by_position", "by_velocity", "by_rail", "by_rail_velocity"),
-                                  self._rates, strict=True):
+            names = ("by_position", "by_velocity", "by_rail", "by_rail_velocity")
+            for name, rate in zip(names, self._rates):
                 setattr(self.passed, name, pointer(rate))
 
     def step(self) -> Step:

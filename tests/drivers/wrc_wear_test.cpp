@@ -40,6 +40,19 @@ TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
   run("--distance 1 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
 }
 
+/// Thrown on another thread, it ended the program by a signal.
+TEST_F(WrcWear, ReportsAFailureOfAPassage) {
+  const Outcome outcome = run("--distance 10 --threads 2 --set load.vertical=1e9");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.error.find("load of a wheel = 1e+09"), std::string::npos) << outcome.error;
+}
+
+TEST_F(WrcWear, TurnsAWheelAsTheSceneSays) {
+  run("--distance 1 --set wheelset.align_to=60E1 --wheel " WRCONTACT_REFERENCE_DIR
+      "/profiles/avg_wheel.txt")
+      .expect_refusal({"align_to", "60E1 is a rail"});
+}
+
 TEST_F(WrcWear, RefusesAnUnknownKey) {
   const Outcome outcome = run("--distance 1 --set wear.lore=usfd");
   EXPECT_EQ(outcome.exit_code, 1);

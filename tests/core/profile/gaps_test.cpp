@@ -58,6 +58,22 @@ TEST(Gaps, EmptyCellsKeepTheirColumns) {
   EXPECT_LT(distance_at(read.profile.curve, read.measured), 1e-12);
 }
 
+/// Rows with a gap in another column have the same number of words: the 5 of "1.1;;5" was a height.
+TEST(Gaps, InDifferentColumnsOfRowsAreSeen) {
+  std::string text;
+  std::size_t row = 0;
+  for (const Position& point : wheel_points()) {
+    ++row;
+    text += text_of(point[0]) + ";" + (row == 20 ? "" : text_of(point[1])) + ";" +
+            (row == 20 ? "5" : "") + "\n";
+  }
+  ReadOptions options;
+  options.kind = ProfileKind::wheel;
+  const ReadResult read = read_profile_text(text, ProfileFormat::columns, "a.csv", options);
+  EXPECT_TRUE(says(read, "1 rows without lateral or height skipped as gaps, first in line 20"));
+  EXPECT_EQ(read.measured.size(), wheel_points().size() - 1);
+}
+
 TEST(Gaps, OtherFormatsHaveThemToo) {
   const std::string rows = rows_of(wheel_points()) + "61 NaN\n";
   const std::string skipped = "1 rows without lateral or height skipped as gaps";

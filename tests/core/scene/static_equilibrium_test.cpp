@@ -72,6 +72,18 @@ TEST(StaticEquilibrium, EqualLoadsOfACentredWheelsetNeedNoRoll) {
   EXPECT_NEAR(found.roll, 0.0, 1e-9);
 }
 
+/// Each load counts by itself: 10 N beside 80 kN were 20.
+TEST(StaticEquilibrium, ALightWheelBesideAHeavyOneCarriesItsLoad) {
+  Scene scene = scene_for_forces();
+  scene.side = SideChoice::left;
+  SceneSolver solver;
+  const StaticEquilibrium found =
+      find_static_equilibrium(scene, at(1.0), {LoadsOf::wheels, {8e4, 10.0}}, solver);
+  ASSERT_TRUE(found.converged);
+  EXPECT_NEAR(found.result.right->total->force.z, 10.0, 1e-3);
+  EXPECT_EQ(found.scene.side, SideChoice::left) << "a key that it does not set";
+}
+
 TEST(StaticEquilibrium, UsesTheConventionOfTheScene) {
   Scene scene = scene_for_forces();
   SceneSolver solver;
