@@ -35,7 +35,7 @@ struct StaticEquilibrium {
   SceneResult result;      ///< there
   double vertical = 0.0;   ///< the scene's convention
   double roll = 0.0;       ///< rad
-  double unbalanced = 0.0; ///< root of the sum of squares of what is missing, each over its load
+  double unbalanced = 0.0; ///< what is missing of both loads, each over its size (norm)
   bool converged = false;  ///< all loads are met
 };
 
