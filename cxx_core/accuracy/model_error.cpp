@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "accuracy/constants.hpp"
 
@@ -36,6 +37,32 @@ double depth_error_of_plane(const SurfaceTurn& turn) {
 
 double pressure_error_of_plane(const SurfaceTurn& turn) {
   return pressure_error_by_turn * turn.range() * turn.range();
+}
+
+double interaction_error(const GridSolution& solution, double combined_modulus) {
+  double weighted = 0.0;
+  double forces = 0.0;
+  const std::size_t count = solution.patches.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Patch& patch = solution.patches[k];
+    if (patch.no_contact()) {
+      continue;
+    }
+    double missing = 0.0;
+    for (std::size_t l = 0; l < count; ++l) {
+      const Patch& other = solution.patches[l];
+      if (l != k && !other.no_contact()) {
+        const double included =
+            solution.interaction ? solution.interaction->coupling_weight[k * count + l] : 0.0;
+        missing +=
+            (1.0 - included) * other.normal_force /
+            (std::numbers::pi * combined_modulus * norm(patch.frame.origin - other.frame.origin));
+      }
+    }
+    forces += patch.normal_force;
+    weighted += patch.normal_force * std::min(1.0, force_by_depth * missing / patch.overlap());
+  }
+  return forces > 0.0 ? weighted / forces : 0.0;
 }
 
 double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,

@@ -1,4 +1,4 @@
-/// How far a plane is off for a contact whose surface turns.
+/// How far planes are off for contacts whose surface turns, and for their forces on each other.
 ///
 /// Measured against curved patches (drivers/evidence/curved): with the inclination beta of the
 /// rail's surface to the plane, delta the mean of its tangent and s its standard deviation, both
@@ -10,7 +10,9 @@
 /// At a prescribed position the force is off instead of the depth, by 1.5 times as much (Hertz).
 /// What inclined rows would add is in the solution (remesh/row_scales.hpp).
 /// Units rad. Thread rule: pure functions.
-/// Not known here: bodies that are no half-spaces, and forces of patches on each other.
+/// An interaction of weight w (patches/contact_patches.hpp) leaves out (1 - w) F / (pi E* r) of the
+/// displacement u at a distance r from a patch that carries F. A patch of overlap d then carries
+/// too much by 1.5 u / d (Hertz). Not known here: bodies that are no half-spaces.
 #pragma once
 
 #include "accuracy/accuracy_of.hpp"
@@ -28,8 +30,12 @@ double depth_error_of_plane(const SurfaceTurn& turn);
 /// Error of the largest pressure of a patch, relative.
 double pressure_error_of_plane(const SurfaceTurn& turn);
 
+/// Error of the force from displacements that the interaction of patches leaves out: mean of the
+/// patches, weighted with their forces; each 1 at most.
+double interaction_error(const GridSolution& solution, double combined_modulus);
+
 /// Sets Patch::plane_error, patches of one plane alike: the greatest of those that the accuracy
-/// applies to. Returns the error of the wheel.
+/// applies to. Returns the error of planes of the wheel.
 double estimate_model_error(GridSolution& solution, AccuracyOf accuracy_of,
                             bool position_is_prescribed = false);
 

@@ -45,7 +45,7 @@ enum class WarningClass : std::uint8_t {
   other_solver,     ///< than requested
   close_patches,    ///< almost touch
   model_validity,   ///< of an approximate model
-  no_interaction,   ///< of patches in an approximate model
+  no_interaction,   ///< of patches, or a part of it is not known
   pressure,         ///< beyond what steel carries
   creep_accuracy,   ///< not reached
   unlike_materials, ///< of wheel and rail, in creep forces

@@ -153,7 +153,15 @@ ByMotion<double> rates_of(const Rated& number) {
 
 } // namespace
 
-ByMotion<double> MovingPatches::coupling_weight_rate(std::size_t i, std::size_t j) const {
+ByMotion<double> MovingPatches::coupling_weight_rate(std::size_t i, std::size_t j,
+                                                     Interaction interaction) const {
+  if (interaction == Interaction::all) {
+    const double turned = found.patches[i].angle - found.patches[j].angle;
+    return by_motion([&](std::size_t motion) {
+      const double rate = rates[i].angle[motion] - rates[j].angle[motion];
+      return std::cos(turned) > 0.0 ? -std::sin(turned) * rate : 0.0;
+    });
+  }
   double least = 1.0;
   ByMotion<double> rate;
   for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) {

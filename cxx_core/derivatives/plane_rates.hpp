@@ -41,8 +41,9 @@ struct MovingPatches {
   std::vector<PlaneRates> rates;            ///< in the same order
   std::vector<ByMotion<double>> link_rates; ///< of `found.links`
 
-  /// Rate of found.coupling_weight(i, j).
-  [[nodiscard]] ByMotion<double> coupling_weight_rate(std::size_t i, std::size_t j) const;
+  /// Rate of found.coupling_weight(i, j, interaction).
+  [[nodiscard]] ByMotion<double> coupling_weight_rate(std::size_t i, std::size_t j,
+                                                      Interaction interaction) const;
 };
 
 /// `scan` is that of the pair's pose; `depth` leads from the first touch to the pair's height,

@@ -53,20 +53,22 @@ bool is_changing(const PatchInteraction& interaction) {
 
 /// The influence with the rates of coupling weight instead; left empty where the influence does not
 /// change.
-void make_changing_influence(std::span<const SolvedPatch> solved, PatchInteraction interaction,
-                             const Planes& planes, std::size_t motion, double combined_modulus,
+void make_changing_influence(std::span<const SolvedPatch> solved, const WheelDetails& details,
+                             const Planes& planes, std::size_t motion,
                              std::optional<CoupledInfluence>& change) {
+  PatchInteraction interaction = *details.interaction;
   const std::size_t count = solved.size();
   bool any = false;
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t l = 0; l < count; ++l) {
       double& rate = interaction.coupling_weight[k * count + l];
-      rate = planes.moving.coupling_weight_rate(planes.index[k], planes.index[l])[motion];
+      rate = planes.moving.coupling_weight_rate(planes.index[k], planes.index[l],
+                                                details.interaction_rule)[motion];
       any = any || rate != 0.0;
     }
   }
   if (any) {
-    change.emplace(solved, interaction, combined_modulus);
+    change.emplace(solved, interaction, details.combined_modulus);
   }
 }
 
@@ -196,8 +198,7 @@ WheelRates compute_rates(const WheelResult& side) {
   ByMotion<std::optional<CoupledInfluence>> changes;
   if (details.interaction && is_changing(*details.interaction)) {
     request.influence_rates = by_motion([&](std::size_t motion) -> PatchInfluence* {
-      make_changing_influence(solved, *details.interaction, planes, motion,
-                              details.combined_modulus, changes[motion]);
+      make_changing_influence(solved, details, planes, motion, changes[motion]);
       return changes[motion] ? &*changes[motion] : nullptr;
     });
   }

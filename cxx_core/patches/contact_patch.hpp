@@ -45,13 +45,19 @@ struct ContactPatch {
   }
 };
 
+/// Which patches of a wheel displace each other.
+enum class Interaction {
+  all, ///< in proportion to the cosine between their planes
+  near ///< those close to each other, by their links
+};
+
 struct ContactPatches {
   std::vector<ContactPatch> patches; ///< ordered by y, never empty
-  std::vector<double> links;         ///< coupling weight of each one and the next
+  std::vector<double> links;         ///< how close each one and the next are: 0 to 1, joined
   std::size_t main = 0;              ///< the one that holds the first contact
 
   /// 0: no interaction; 1: in full.
-  [[nodiscard]] double coupling_weight(std::size_t i, std::size_t j) const;
+  [[nodiscard]] double coupling_weight(std::size_t i, std::size_t j, Interaction interaction) const;
 };
 
 } // namespace wrc

@@ -70,7 +70,11 @@ double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) 
 
 } // namespace
 
-double ContactPatches::coupling_weight(std::size_t i, std::size_t j) const {
+double ContactPatches::coupling_weight(std::size_t i, std::size_t j,
+                                       Interaction interaction) const {
+  if (interaction == Interaction::all) {
+    return std::max(0.0, std::cos(patches[i].angle - patches[j].angle));
+  }
   double least = 1.0;
   for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) {
     least = std::min(least, links[k]);

@@ -27,14 +27,18 @@
 /// Two in one plane are one contact, on grids of their own until they are joined. The greater
 /// fraction counts, by width or by distance.
 ///
-/// Why not w = 1 for all patches of a wheel: CONTACT leaves patches beyond 2 d_j uncoupled. In its
-/// case extreme-160, two patches 10.5 mm apart, the small one would carry 39 % less, with 7 % more
-/// approach; with graded weights both agree to 0.5 %. Two patches of S1002 on 56E1 17 mm apart
-/// would lie 9.5 % deeper, with 3.4 % less lateral force. Forces would follow the scene as smoothly
-/// as with graded weights, for 1 % more instructions at most.
+/// Which pressures displace which patches is another question than which planes are one. All
+/// patches press on the same two bodies, so a patch displaces every other one as a half-space does
+/// along its normal at their distance, times the cosine between both normals: along the tangent
+/// like bodies move by the same amount. This is C A C + S A S with the cosines and
+/// sines of their angles, positive definite. On a convex rail the true displacement is larger, on a
+/// concave wheel smaller, by parts that are not known here (accuracy/model_error.hpp).
+/// Interaction::near takes w instead, as CONTACT does, which leaves patches beyond 2 d_j uncoupled.
+/// In its case extreme-160, two patches 10.5 mm apart in planes 0.04 rad apart, the small one then
+/// carries 64 % more. Patches further on are as close as the weakest link between: such an
+/// (ultrametric) matrix has no negative eigenvalue.
 ///
-/// Patches further on are as close as the weakest link between: such an (ultrametric) matrix has no
-/// negative eigenvalue. The angle of a plane is the mean over all levels between 0 and 1 of the
+/// The angle of a plane is the mean over all levels between 0 and 1 of the
 /// plane of the patches that turn at least that far towards each other, which for two is
 /// angle = own + turn (mean of both - own).
 ///

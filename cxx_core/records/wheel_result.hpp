@@ -75,8 +75,9 @@ struct WheelDetails {
   double combined_modulus = 0.0;
   Elements elements = Elements::constant;
   std::optional<PatchInteraction> interaction; ///< of the patches as they were solved
-  double joining_distance = 0.0;               ///< of the patches, mm
-  std::optional<double> load;                  ///< vertical, of the normal problem; or none
+  Interaction interaction_rule = Interaction::all;
+  double joining_distance = 0.0; ///< of the patches, mm
+  std::optional<double> load;    ///< vertical, of the normal problem; or none
   GapConvention gap = GapConvention::tangent;
   std::optional<WheelsetMotion> motion; ///< from which creepages follow, left-hand frame
   FrictionLaw friction;                 ///< of creep forces

@@ -33,11 +33,12 @@ struct WheelSolution {
   Elements elements = Elements::constant;
   GapConvention gap = GapConvention::tangent;
   std::optional<PatchInteraction> interaction; ///< none: the patches do not interact
-  double joining_distance = 0.0;               ///< mm, see patches/contact_patches.hpp
+  Interaction interaction_rule = Interaction::all;
+  double joining_distance = 0.0; ///< mm, see patches/contact_patches.hpp
   double peak_pressure = 0.0;
   /// Relative, of forces or pressures as the accuracy; none if not known.
   std::optional<double> discretisation_error;
-  std::optional<double> model_error; ///< of planes (accuracy/model_error.hpp)
+  std::optional<double> model_error; ///< accuracy/model_error.hpp
   /// Both together; the error of elements is independent of that of planes.
   [[nodiscard]] std::optional<double> error_estimate() const {
     return discretisation_error && model_error

@@ -444,11 +444,11 @@ std::vector<Key> solution_keys() {
       {"solve.planner", "\"estimate\"", "\"estimate\" or \"measure\"",
        "how FFTW chooses its algorithms: by rule, or by timing them once"},
       {{"estimate", PlannerRigor::estimate}, {"measure", PlannerRigor::measure}}, &Scene::planner));
-  keys.push_back(word_key<bool>(
-      {"solve.interaction", "\"near\"", "\"near\" or \"all\"",
-       "which patches of a wheel interact elastically: those close to each other, or all, as if "
-       "in one plane"},
-      {{"near", false}, {"all", true}}, &Scene::interaction));
+  keys.push_back(word_key<Interaction>(
+      {"solve.interaction", "\"all\"", "\"all\" or \"near\"",
+       "which patches of a wheel displace each other: all, in proportion to the cosine between "
+       "their planes, or those close to each other, as in CONTACT"},
+      {{"all", Interaction::all}, {"near", Interaction::near}}, &Scene::interaction));
   keys.push_back(
       number_key({"solve.joining_distance", "4", "0 to 100 mm",
                   "penetrations closer than twice this distance share a plane and count as one "

@@ -77,7 +77,8 @@ double ApproximateWheel::first_depth() const {
 
 void ApproximateWheel::find_patches(double depth) {
   WheelRequest near_only = request_;
-  near_only.interaction = false; // models do not couple patches, but lose validity beside others
+  near_only.interaction =
+      Interaction::near; // models do not couple patches, but lose validity beside others
   const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
   planned_ = plan_patches(rail_, equilibrium_, near_only, depth);
   set_grids(planned_, rail_, GridChoice(ElementCounts{counts[0], counts[1]}),
@@ -203,7 +204,7 @@ void ApproximateWheel::publish_patches() {
                                            text_of(good_validity) +
                                            " on): pmax may be off by tens of per cent"});
   }
-  if (request_.interaction && result_.patches.size() > 1) {
+  if (request_.interaction == Interaction::all && result_.patches.size() > 1) {
     result_.warnings.push_back(
         {WarningClass::no_interaction, "patches do not interact in this model"});
   }

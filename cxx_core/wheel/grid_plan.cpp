@@ -56,7 +56,7 @@ ContactPatches in_one_plane(const ContactPatches& found, std::optional<double>& 
 }
 
 /// Which patches interact, and where they lie in their mean plane; none if none do.
-void set_interaction(GridSolution& solution, const ContactPatches& found, bool all) {
+void set_interaction(GridSolution& solution, const ContactPatches& found, Interaction which) {
   PatchInteraction interaction;
   bool any = false;
   double across = 0.0;
@@ -69,7 +69,7 @@ void set_interaction(GridSolution& solution, const ContactPatches& found, bool a
     }
     interaction.places.push_back({across, origin.x});
     for (std::size_t l = 0; l < solution.patches.size(); ++l) {
-      const double weight = all ? 1.0 : found.coupling_weight(k, l);
+      const double weight = found.coupling_weight(k, l, which);
       interaction.coupling_weight.push_back(weight);
       if (k != l) {
         any = any || weight > 0.0;

@@ -10,6 +10,7 @@
 #include "accuracy/accuracy_of.hpp"
 #include "accuracy/constants.hpp"
 #include "half_space/influence_coefficients.hpp"
+#include "patches/contact_patch.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "wheel/module.hpp"
 
@@ -26,7 +27,7 @@ struct WheelOptions {
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
-  bool interaction = false; ///< all patches interact in full, however far apart
+  Interaction interaction = Interaction::all;
   /// Patches closer than twice this distance, mm, have a common plane
   /// (patches/contact_patches.hpp).
   double joining_distance = 4.0;

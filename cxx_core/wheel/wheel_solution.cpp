@@ -336,8 +336,9 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     error_ = estimate_error(solution, goal_);
     result_.discretisation_error = error_.total();
-    result_.model_error =
-        estimate_model_error(solution, request_.accuracy_of, goal_.position_is_prescribed);
+    result_.model_error = std::hypot(
+        estimate_model_error(solution, request_.accuracy_of, goal_.position_is_prescribed),
+        interaction_error(solution, request_.combined_modulus));
     // Forces are kept: with a second grid they would not be continuous functions of the scene. The
     // limit of elements must not be exceeded.
     if (error_.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
@@ -366,6 +367,7 @@ void WheelSolver::publish(GridSolution solution) {
   result_.combined_modulus = request_.combined_modulus;
   result_.elements = request_.elements;
   result_.gap = request_.gap;
+  result_.interaction_rule = request_.interaction;
   result_.joining_distance = request_.joining_distance;
   result_.stop_reason = solution.stop_reason;
   const std::vector<PlanePatches> planes = solution.patches_by_plane(result_.solved);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/model_error.hpp"
 #include "base/error.hpp"
 #include "patches/constants.hpp"
 #include "wheel/constants.hpp"
@@ -32,7 +33,7 @@ std::string edge_text(const Patch& patch) {
                                     "or the patch has just formed";
 }
 
-/// Where patches are planes too large for the accuracy, the warning is theirs (warn_of_patches).
+/// Where the model is too rough for the accuracy, the warning is that of its cause.
 void warn_of_accuracy(double accuracy, WheelSolution& result) {
   const double of_model = result.model_error.value_or(0.0);
   const std::optional<double> all = result.error_estimate();
@@ -44,10 +45,24 @@ void warn_of_accuracy(double accuracy, WheelSolution& result) {
   if (all) {
     text += ": estimated error " + short_text_of(*all);
     if (of_model > least_share_said * *all) {
-      text += " (planes of patches " + short_text_of(of_model) + ')';
+      text += " (patches as planes " + short_text_of(of_model) + ')';
     }
   }
   result.warnings.push_back({WarningClass::accuracy, text});
+}
+
+void warn_of_interaction(const GridSolution& solution, const WheelRequest& request,
+                         Warnings& warnings) {
+  const double error = interaction_error(solution, request.combined_modulus);
+  if (!(error > request.accuracy)) {
+    return;
+  }
+  const std::string cause =
+      request.interaction == Interaction::near
+          ? "solve.interaction = \"near\" leaves out what patches displace at each other"
+          : "patches lie in different planes, so what they displace at each other is known in part";
+  warnings.push_back(
+      {WarningClass::no_interaction, cause + ": estimated error " + short_text_of(error)});
 }
 
 } // namespace
@@ -83,6 +98,7 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
   if (!request.grid) {
     warn_of_accuracy(request.accuracy, result);
   }
+  warn_of_interaction(solution, request, warnings);
   if (solution.left_out_s) {
     warnings.push_back(
         {WarningClass::patch_left_out,

@@ -1,6 +1,7 @@
 #include "accuracy/model_error.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,25 @@ TEST(ModelError, OfAWheelIsThatOfItsPatches) {
   EXPECT_NEAR(solution.patches[1].plane_error, second, 1e-12);
   GridSolution nothing;
   EXPECT_EQ(estimate_model_error(nothing, AccuracyOf::forces), 0.0);
+}
+
+/// Force over pi E* times the distance, over the overlap, by 1.5; weighted with the forces.
+TEST(ModelError, OfPatchesCountsWhatTheirInteractionLeavesOut) {
+  constexpr double modulus = 1e5;
+  GridSolution solution;
+  solution.patches = {patch_with(2000.0, 500.0, {}), patch_with(6000.0, 500.0, {})};
+  solution.patches[1].frame.origin = {0.0, 6.0, 8.0};
+  for (Patch& patch : solution.patches) {
+    patch.grid = {1, 1, 1.0, 1.0, 0.0, 0.0};
+    patch.undeformed_distance = {-0.02};
+  }
+  const double by_force = 1.5 / (std::numbers::pi * modulus * 10.0 * 0.02);
+  const double alone = (2000.0 * 6000.0 + 6000.0 * 2000.0) * by_force / 8000.0;
+  EXPECT_NEAR(interaction_error(solution, modulus), alone, 1e-12);
+  solution.interaction = PatchInteraction{{{0.0, 0.0}, {10.0, 0.0}}, {1.0, 0.8, 0.8, 1.0}};
+  EXPECT_NEAR(interaction_error(solution, modulus), 0.2 * alone, 1e-12);
+  solution.patches[1].contact.element_count = 0;
+  EXPECT_EQ(interaction_error(solution, modulus), 0.0);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ struct Case {
   /// Of the largest rate. Seen: 2e-4 to 3e-3.
   double tolerance = 5e-3;
   GapConvention gap = GapConvention::tangent;
-  bool interaction = false;
+  Interaction interaction = Interaction::all;
   std::size_t patches = 1;
   double load = 80000.0;
 };
@@ -115,18 +115,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"LMA", "LMA", "CHN60", 4.0}, Case{"LMA flange", "LMA", "CHN60", 9.0, 1e-3},
         Case{"vertical gaps", "S1002", "60E1", 2.0, 2e-3, 0.0, 5e-3, GapConvention::vertical},
         Case{"turned to a neighbour", "S1002", "60E1", 4.1, 1e-3},
-        Case{"two patches", "S1002", "60E1", 6.4, 0.0, 0.02, 5e-3, GapConvention::tangent, false,
-             2},
+        Case{"two patches", "S1002", "60E1", 6.4, 0.0, 0.02, 5e-3, GapConvention::tangent,
+             Interaction::near, 2},
         // Elements stay in place.
         Case{"two patches that interact", "S1002", "60E1", 6.4, 0.0, 0.02, 6e-3,
-             GapConvention::tangent, true, 2},
+             GapConvention::tangent, Interaction::all, 2},
         Case{"planes turned by distance", "S1002", "UIC60-Manchester", 5.0, 0.0, 0.0, 5e-3,
-             GapConvention::tangent, false, 2, 1000.0},
+             GapConvention::tangent, Interaction::all, 2, 1000.0},
         Case{"parts of one contact", "S1002", "UIC60-Manchester", 5.0, 0.0, 0.0, 5e-3,
-             GapConvention::tangent, false, 2, 10000.0},
+             GapConvention::tangent, Interaction::all, 2, 10000.0},
         // Planes that turn by 7 rad/mm, and contact that ends where the neighbour's begins: 7e-2.
         Case{"two patches that join", "S1002", "60E1", 6.5, 0.0, 0.02, 0.1, GapConvention::tangent,
-             false, 2}),
+             Interaction::all, 2}),
     [](const testing::TestParamInfo<Case>& tested) {
       std::string name = tested.param.name;
       std::replace(name.begin(), name.end(), ' ', '_');

@@ -24,6 +24,7 @@ double coupling_weight_of(double separation, double angle_difference) {
 }
 
 constexpr double wheel_radius = 460.0;
+constexpr Interaction near_ones = Interaction::near;
 
 SideEquilibrium equilibrium_of(const WheelSurface& wheel, const RailSurface& rail, double lateral,
                                double yaw = 0.0, double roll = 0.0) {
@@ -190,11 +191,11 @@ TEST(ContactPatches, LobesInOnePlaneByTheirDistance) {
   const ContactPatches near = found_at(10.4);  // D = 0.3
   expect_sound(near);
   ASSERT_EQ(near.patches.size(), 2u);
-  EXPECT_NEAR(near.coupling_weight(0, 1), 0.5, 0.05);
-  EXPECT_EQ(near.coupling_weight(1, 1), 1.0);
+  EXPECT_NEAR(near.coupling_weight(0, 1, near_ones), 0.5, 0.05);
+  EXPECT_EQ(near.coupling_weight(1, 1, near_ones), 1.0);
   const ContactPatches far = found_at(12.4); // D = 0.55
   ASSERT_EQ(far.patches.size(), 2u);
-  EXPECT_EQ(far.coupling_weight(0, 1), 0.0);
+  EXPECT_EQ(far.coupling_weight(0, 1, near_ones), 0.0);
   EXPECT_NEAR(far.patches[0].limit_last, 16.2, 0.05);
   EXPECT_NEAR(far.patches[0].weight, 0.5, 0.02);
 }
@@ -224,7 +225,7 @@ TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
     const double mean = one.weight * one.angle_unturned + other.weight * other.angle_unturned;
     EXPECT_NEAR(one.angle, one.angle_unturned + turned * (mean - one.angle_unturned), 1e-4);
     EXPECT_NEAR(other.angle, other.angle_unturned + turned * (mean - other.angle_unturned), 1e-4);
-    EXPECT_EQ(found.coupling_weight(0, 1), 0.0);
+    EXPECT_EQ(found.coupling_weight(0, 1, near_ones), 0.0);
     EXPECT_FALSE(other.shares_plane_with_previous);
   }
   for (const double distance : {2.0, 2.6, 3.0}) { // close by their widths, too
@@ -236,7 +237,7 @@ TEST(ContactPatches, TurnAndInteractByTheirDistanceInMillimetres) {
     EXPECT_EQ(found.patches[0].angle, found.patches[1].angle);
     const double apart = found.patches[1].y_first - found.patches[0].y_last;
     const double by_width = coupling_weight_of(apart / 8.0, 0.1);
-    EXPECT_NEAR(found.coupling_weight(0, 1),
+    EXPECT_NEAR(found.coupling_weight(0, 1, near_ones),
                 std::max(by_width, std::clamp(2.0 - apart / joining_distance, 0.0, 1.0)), 0.03);
   }
   EXPECT_NE(found_at(3.6).patches[0].angle, found_at(3.6).patches[1].angle);
@@ -262,19 +263,21 @@ TEST(ContactPatches, LobesInDifferentPlanesStayApart) {
   const ContactPatches found = find_contact_patches(scan, 0.08);
   expect_sound(found);
   ASSERT_EQ(found.patches.size(), 2u);
-  EXPECT_GT(found.coupling_weight(0, 1), 0.0);
+  EXPECT_GT(found.coupling_weight(0, 1, near_ones), 0.0);
   const double own_difference = found.patches[1].angle_unturned - found.patches[0].angle_unturned;
   const double difference = found.patches[1].angle - found.patches[0].angle;
   EXPECT_NEAR(own_difference, 0.4, 0.01);
   // angle = own + w (mean - own)
-  EXPECT_NEAR(difference, (1.0 - found.coupling_weight(0, 1)) * own_difference, 1e-12);
+  EXPECT_NEAR(difference, (1.0 - found.coupling_weight(0, 1, near_ones)) * own_difference, 1e-12);
   // Crown and flank of 60 degrees, 35 mm apart.
   const ContactScan corner = scan_of(wheel_with_flank(), circular_rail(300.0), -1.35);
   EXPECT_EQ(find_contact_patches(corner, 0.03).patches.size(), 1u);
   const ContactPatches deep = find_contact_patches(corner, 0.1);
   ASSERT_EQ(deep.patches.size(), 2u);
   EXPECT_EQ(deep.main, 1u);
-  EXPECT_EQ(deep.coupling_weight(0, 1), 0.0);
+  EXPECT_EQ(deep.coupling_weight(0, 1, near_ones), 0.0);
+  EXPECT_NEAR(deep.coupling_weight(0, 1, Interaction::all),
+              std::cos(deep.patches[0].angle - deep.patches[1].angle), 1e-15);
   EXPECT_NEAR(deep.patches[0].deepest_s, -31.15, 0.5);
 }
 
@@ -284,9 +287,9 @@ TEST(ContactPatches, CouplingWeightOfAChainIsThatOfItsWeakestLink) {
       bowls({{5.0, 0.0}, {15.2, 0.0}, {26.0, 0.0}}, curved), 0.08); // D = 0.28 and 0.35
   expect_sound(found);
   ASSERT_EQ(found.patches.size(), 3u);
-  EXPECT_GT(found.coupling_weight(0, 1), found.coupling_weight(1, 2));
-  EXPECT_GT(found.coupling_weight(1, 2), 0.0);
-  EXPECT_EQ(found.coupling_weight(2, 0), found.coupling_weight(1, 2));
+  EXPECT_GT(found.coupling_weight(0, 1, near_ones), found.coupling_weight(1, 2, near_ones));
+  EXPECT_GT(found.coupling_weight(1, 2, near_ones), 0.0);
+  EXPECT_EQ(found.coupling_weight(2, 0, near_ones), found.coupling_weight(1, 2, near_ones));
   // Turning moves planes together and leaves their weighted mean alone.
   double own = 0.0;
   for (const ContactPatch& patch : found.patches) {
@@ -450,7 +453,7 @@ TEST(ContactPatches, PlanesAgreeWithAnIndependentProgram) {
     if (found.patches.size() == 2) {
       // The program turns the small plane towards the other one; places do not depend on that.
       const auto& second = entry.at("patches").at(1);
-      EXPECT_EQ(found.coupling_weight(0, 1), 0.0);
+      EXPECT_EQ(found.coupling_weight(0, 1, near_ones), 0.0);
       EXPECT_NEAR(found.patches[0].mean_y, -second.at("y_track_mm").get<double>(), place_tolerance);
     }
   }

@@ -47,6 +47,7 @@ Scene scene_of(const nlohmann::json& entry) {
   scene.roll = entry.at("roll_rad").get<double>();
   scene.left.load = scene.right.load = entry.at("vertical_load_N");
   scene.accuracy = 3e-4;
+  scene.interaction = Interaction::near; // CONTACT's rule
   return scene;
 }
 

@@ -356,7 +356,8 @@ TEST(CreepForces, TwoPatchesOnTheFlangeAddUpToTheTotalForce) {
   scene.right.creepages.reset();
   scene.motion = Motion{.speed = 1e3 * input.at("vx_m_s").get<double>(),
                         .pitch = -input.at("vpitch_rad_s").get<double>()};
-  scene.slip = SlipVariation::planar; // D = 2
+  scene.slip = SlipVariation::planar;    // D = 2
+  scene.interaction = Interaction::near; // CONTACT's rule
   const double load = input.at("Fz_N");
   scene.right.load = load;
   WheelForce total = total_force(*solve_scene(scene).right);

@@ -54,6 +54,7 @@ TEST(SolveScene, PatchesBeyondTheirBoundaryHaveAGrid) {
   scene.vertical = 455.52916334715877;
   scene.roll = 0.00578876;
   scene.yaw = -0.0686492;
+  scene.interaction = Interaction::near;
   const WheelResult deep = *solve_scene(scene).right;
   EXPECT_GT(deep.patches.size(), 1u);
   EXPECT_GT(deep.force.z, 0.0);

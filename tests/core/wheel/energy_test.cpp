@@ -37,6 +37,27 @@ TEST(Energy, ForcesAreItsDerivativesAndTheirDerivativesAreSymmetric) {
   EXPECT_LE(asymmetric, 2);
 }
 
+/// Tread and flange displace each other by the cosine between their planes, which turn with the
+/// wheel: that is not part of their energy.
+TEST(Energy, OfTwoPatchesInPlanesFarApart) {
+  for (const double lateral : {6.05, 6.1, 6.15, 6.2}) {
+    Scene scene;
+    scene.left.rail.name = scene.right.rail.name = "56E1";
+    scene.lateral = lateral;
+    scene.side = SideChoice::left;
+    scene.accuracy_of = AccuracyOf::forces;
+    scene.accuracy = 1e-4;
+    const SceneResult under_load = solve_scene(scene);
+    scene.roll = under_load.roll;
+    scene.vertical = under_load.left->vertical - under_load.left->depth;
+    ASSERT_EQ(under_load.left->patches.size(), 2u);
+    const EnergyErrors errors = energy_errors(scene);
+    EXPECT_LE(errors.energy, limit) << lateral;
+    EXPECT_LE(errors.pairs, 5.0 * limit) << lateral;
+    EXPECT_LE(errors.sensitivities, 5.0 * limit) << lateral;
+  }
+}
+
 /// A single patch in a plane of any angle, at a prescribed position.
 Vector3 force_in_plane(const WheelResult& wheel, double turn) {
   const PatchResult& patch = wheel.patches.at(0);

@@ -80,13 +80,17 @@ TEST(GridPlan, EachPatchHasItsPlane) {
   EXPECT_GT(plan.patches[1].frame.normal.z, 0.995);
 }
 
-TEST(GridPlan, OnRequestAllPatchesInteract) {
+/// In proportion to the cosine between their planes; as CONTACT couples them, these do not.
+TEST(GridPlan, AllPatchesInteractUnlessNearOnesShall) {
   const Touching corner(wheel_with_flank(), -1.35);
   WheelRequest request;
-  request.interaction = true;
   const GridSolution plan = plan_grids(corner, request, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_TRUE(plan.interaction);
-  EXPECT_EQ(plan.patches[0].coupling_weight, 1.0);
+  const double cosine = dot(plan.patches[0].frame.normal, plan.patches[1].frame.normal);
+  EXPECT_LT(cosine, 0.999);
+  EXPECT_NEAR(plan.patches[0].coupling_weight, cosine, 1e-12);
+  request.interaction = Interaction::near;
+  EXPECT_FALSE(plan_grids(corner, request, 0.12, GridChoice(ElementCounts{20, 10})).interaction);
   const Vector3 apart = plan.patches[1].frame.origin - plan.patches[0].frame.origin;
   EXPECT_NEAR(plan.interaction->places[1].lateral, std::hypot(apart.y, apart.z), 1e-12);
 }
