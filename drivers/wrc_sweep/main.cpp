@@ -34,6 +34,7 @@ struct Options {
 };
 
 constexpr int interrupted_code = 130; // exit code of shells for Ctrl-C
+constexpr int unsolved_code = 3;      // not a single scene
 
 const char* const footer = R"(
 A study is a scene file (wrc_case --help lists the keys) in which a key may have many values:
@@ -143,7 +144,13 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
     }
   }
   journal.warnings().print(study.scene_count(), files[0].string(), std::cerr);
+  const bool none_solved = journal.failed() == study.scene_count();
   journal.remove();
+  if (none_solved) {
+    std::cerr << "wrc_sweep: no scene has the status ok; " << files[0].string()
+              << " has the message of each\n";
+    return unsolved_code;
+  }
   return 0;
 }
 

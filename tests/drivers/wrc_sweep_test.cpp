@@ -202,6 +202,10 @@ TEST_F(WrcSweep, FailedScenesHaveRows) {
     EXPECT_TRUE(lines[row + 1].ends_with(",")) << "a failed scene has no results";
   }
   EXPECT_NE(lines[2].find("nowhere.prr"), std::string::npos) << lines[2];
+  const Outcome none = run("s.toml --set pose.lateral=100 --out none");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.error.find("no scene has the status ok; none/s.csv"), std::string::npos)
+      << none.error;
 }
 
 TEST_F(WrcSweep, AssignmentsOverrideTheFile) {
