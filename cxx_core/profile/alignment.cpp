@@ -5,6 +5,12 @@
 #include <cmath>
 #include <vector>
 
+extern "C" {
+/// LAPACK: solves A x = b with A symmetric positive definite.
+void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
+            const int* ldb, int* info);
+}
+
 namespace wrc {
 namespace {
 
@@ -85,29 +91,17 @@ private:
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
 
-/// Solves by Cholesky's method; none if an unknown is not determined.
+/// None if an unknown is not determined.
 std::optional<Vector> solution_of(Matrix a, Vector b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double whole = a[i][i];
-    for (std::size_t j = 0; j < i; ++j)
-      a[i][i] -= a[i][j] * a[i][j];
-    if (!(a[i][i] > least_pivot * whole))
+  const Vector whole{a[0][0], a[1][1], a[2][2]};
+  const char upper = 'U';
+  const int order = 3;
+  const int count = 1;
+  int info = 0;
+  dposv_(&upper, &order, &count, a[0].data(), &order, b.data(), &order, &info);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (info != 0 || !(a[i][i] * a[i][i] > least_pivot * whole[i]))
       return std::nullopt;
-    a[i][i] = std::sqrt(a[i][i]);
-    for (std::size_t k = i + 1; k < 3; ++k) {
-      for (std::size_t j = 0; j < i; ++j)
-        a[k][i] -= a[k][j] * a[i][j];
-      a[k][i] /= a[i][i];
-    }
-    for (std::size_t j = 0; j < i; ++j)
-      b[i] -= a[i][j] * b[j];
-    b[i] /= a[i][i];
-  }
-  for (std::size_t i = 3; i-- > 0;) {
-    for (std::size_t k = i + 1; k < 3; ++k)
-      b[i] -= a[k][i] * b[k];
-    b[i] /= a[i][i];
-  }
   return b;
 }
 
