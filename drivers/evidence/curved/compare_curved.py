@@ -5,8 +5,7 @@ Draws frictionless left wheels at random: all built-in profiles, cants of 1:40 a
 half of them on the tread, a quarter each at the gauge corner and on the flange. Each is solved along
 the mean curve of both bodies (curved_contact.py) on two grids; the finer one is the truth, the
 difference of the two its own error. The library solves it with accuracy of forces and of pressures,
-and so finely that only the errors of its planes are left. Contacts whose penetrations are closer
-than 12 mm are on one curve; others do not interact.
+and so finely that only the errors of its planes are left. All contacts of a wheel are on one curve.
 
     PYTHONPATH=build/release/python drivers/evidence/curved/compare_curved.py --write truth.json
     PYTHONPATH=build/release/python drivers/evidence/curved/compare_curved.py --truth truth.json
@@ -33,7 +32,6 @@ from curved_contact import Array, Contact, Rail, Wheel, solve_for_load
 POISSON, YOUNG = 0.3, 210e3
 MODULUS = YOUNG / (2 * (1 - POISSON**2))
 RADIUS, GAUGE, GAUGE_HEIGHT, TAPE_OFFSET = 460.0, 1435.0, 14.0, 70.0
-ONE_CURVE = 12.0  # mm: contacts closer than this are on one curve
 GRIDS = ((216, 33), (432, 49))  # odd: an element is where the pressure is largest along the rail
 PLANE_ACCURACY = 1e-4  # leaves the error of the library's planes
 PLACES = {"tread": (0.0, 0.15), "gauge corner": (0.15, 0.8), "flange": (0.8, 1.6)}
@@ -69,20 +67,6 @@ def reference_of(patch: Any) -> Array:
     return np.array([patch.x, patch.y, patch.z])
 
 
-def groups_of(patches: list[Any]) -> list[list[Any]]:
-    """Patches in order across the rail, those that share a curve together."""
-    def ends(patch: Any) -> Array:
-        return np.stack([patch.field("y")[[0, -1], 0], patch.field("z")[[0, -1], 0]], -1)
-
-    groups: list[list[Any]] = []
-    for patch in sorted(patches, key=lambda patch: float(patch.y)):
-        if groups and np.hypot(*(ends(patch)[0] - ends(groups[-1][-1])[1])) < ONE_CURVE:
-            groups[-1].append(patch)
-        else:
-            groups.append([patch])
-    return groups
-
-
 def curved_contact(rail: Rail, wheel: Wheel, patches: Sequence[Any], grid: tuple[int, int], *,
                    height: float, modulus: float = MODULUS) -> Contact:
     """Around patches that the library has found, on the mean curve at this height."""
@@ -112,10 +96,9 @@ def curved_figures(keys: dict[str, Any], left: Any, grid: tuple[int, int],
     rail, wheel = bodies(keys)
     patches = list(left.patches)
     first = left.vertical - left.depth if height is None else height
-    contacts = [curved_contact(rail, wheel, group, grid, height=first) for group in groups_of(patches)]
-    height = solve_for_load(contacts, keys["load_vertical"], first, left.depth)
-    places = np.concatenate([contact.on_rail for contact in contacts])
-    forces = np.concatenate([contact.row_forces() for contact in contacts])
+    contact = curved_contact(rail, wheel, patches, grid, height=first)
+    height = solve_for_load([contact], keys["load_vertical"], first, left.depth)
+    places, forces = contact.on_rail, contact.row_forces()
     references = np.array([reference_of(patch) for patch in patches])
     nearest = np.argmin(np.linalg.norm(places[:, None, 1:] - references[:, 1:], axis=-1), axis=1)
     by_patch = [np.sum(forces[nearest == k], 0) for k in range(len(patches))]
@@ -124,13 +107,13 @@ def curved_figures(keys: dict[str, Any], left: Any, grid: tuple[int, int],
     spread = places - np.average(places, axis=0, weights=amounts)
     semi_axis = np.sqrt(5 * np.average(np.sum(spread**2, 1), weights=amounts))
     normal = float(sum(np.linalg.norm(force) for force in by_patch))
-    bodies_differ = sum(contact.force("rail") - contact.force("wheel") for contact in contacts)
+    bodies_differ = contact.force("rail") - contact.force("wheel")
     return {"lateral force": float(total[1]), "normal force": normal,
             "depth": left.vertical - height, "semi-axis": float(semi_axis), "height": height,
             "moment": float(np.sum(arms[:, 1] * forces[:, 2] - arms[:, 2] * forces[:, 1])),
-            "pmax": float(max(contact.pressure.max() for contact in contacts)),
+            "pmax": float(contact.pressure.max()),
             "about": [float(value) for value in references[0][1:]],
-            "curves": len(contacts), "bodies differ": float(np.linalg.norm(bodies_differ) / normal)}
+            "bodies differ": float(np.linalg.norm(bodies_differ) / normal)}
 
 
 def errors(found: dict[str, float], truth: dict[str, Any]) -> dict[str, float]:

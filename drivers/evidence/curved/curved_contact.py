@@ -15,7 +15,7 @@ that with the wheel's shows what elements leave.
 
 Units mm, N, MPa, rad; track frame x forward, y left, z up; left wheel. Taken from the library:
 profiles as points with tangents, and where to look. Not covered: friction, unlike bodies, bodies
-that are not half-spaces, forces between contacts that are solved on curves of their own, and a wheel
+that are not half-spaces, and a wheel
 so steep under yaw that rays meet it twice. Needs numpy; no state, no threads.
 """
 from __future__ import annotations
