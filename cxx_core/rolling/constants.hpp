@@ -156,4 +156,9 @@ inline constexpr int alternation_limit = 12;
 /// origin: reasoned: what tractions change is the difference of two of them, some per cent of each.
 inline constexpr double unlike_normal_tolerance = 1e-4;
 
+/// Fraction by which tractions in adhesion are below their bound: the last cut leaves those of slip
+/// on it, to rounding, and nothing else near it.
+/// origin: derived: above the rounding of single precision.
+inline constexpr double off_bound = 1e-6;
+
 } // namespace wrc

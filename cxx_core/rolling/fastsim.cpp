@@ -206,6 +206,9 @@ RollingSolution solve_with_fastsim(const RollingProblem& problem,
     throw_invalid_argument("motion", static_cast<double>(problem.motion),
                            "must be steady rolling for FASTSIM");
   }
+  if (problem.step_length != 0.0) {
+    throw_invalid_argument("step_length", problem.step_length, "must be 0 for FASTSIM");
+  }
   if (problem.difference_parameter != 0.0) {
     throw_invalid_argument("difference_parameter", problem.difference_parameter,
                            "must be 0 for FASTSIM");

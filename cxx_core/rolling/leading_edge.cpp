@@ -75,7 +75,7 @@ double edge_compliance_rate(double compliance, double covered) {
 
 template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
-                double aspect, double poisson) {
+                double aspect, double poisson, double upstream) {
   const std::size_t count = shape.rows * pitch;
   const double apart = 2.0 * edge_advance * poisson;
   const std::vector<double> places = edge_places(bound, edge, shape, pitch);
@@ -91,9 +91,9 @@ void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t
       const bool first =
           places[column] + 1.0 >= static_cast<double>(row); // of strips behind others
       const double slope = first ? advance_at(places, column) / aspect : 0.0;
-      bound[at] *= static_cast<Real>(1.0 + open * (edge_traction_ratio(covered) - 1.0));
+      bound[at] *= static_cast<Real>(1.0 + upstream * open * (edge_traction_ratio(covered) - 1.0));
       const auto compliance = [&](double advance) {
-        return open * edge_compliance(advanced_share(covered, advance * slope));
+        return upstream * open * edge_compliance(advanced_share(covered, advance * slope));
       };
       edge[at] = static_cast<Real>((1.0 - poisson) * compliance(edge_advance - apart));
       edge[count + at] = static_cast<Real>(compliance(edge_advance + apart));
@@ -101,8 +101,9 @@ void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t
   }
 }
 
-template void make_edges<float>(float*, float*, const TractionShape&, std::size_t, double, double);
+template void make_edges<float>(float*, float*, const TractionShape&, std::size_t, double, double,
+                                double);
 template void make_edges<double>(double*, double*, const TractionShape&, std::size_t, double,
-                                 double);
+                                 double, double);
 
 } // namespace wrc

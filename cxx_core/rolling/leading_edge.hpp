@@ -42,9 +42,10 @@ double edge_traction_ratio(double covered);
 /// that in y behind all of them, and multiplies its bound by f. An element behind another one
 /// begins its strip as far as the one ahead is not covered, so that nothing steps where an edge
 /// enters the next element. Fields as TractionConvolution has them; `aspect`: an element's width
-/// over its length.
+/// over its length. In a step of time the differences along x have the fraction `upstream` of the
+/// weights, and so have compliances and what f is above 1.
 template <typename Real>
 void make_edges(Real* bound, Real* edge, const TractionShape& shape, std::size_t pitch,
-                double aspect, double poisson);
+                double aspect, double poisson, double upstream = 1.0);
 
 } // namespace wrc

@@ -34,16 +34,24 @@ public:
         LinePlans& plans)
       : problem_(problem), scaled_(scaled), solved_(solved), kept_share_(2 * solved.size()),
         slip_(2 * solved.size()), by_aspect_(2 * solved.size()) {
-    const std::size_t size = solved.size();
-    const Real* q = solved.traction();
-    const TractionConvolution<Real> convolution(
-        solved.shape(), solved.pitch(), problem.poisson, difference_of(problem).weights,
-        table_by_aspect(scaled.aspect(), solved.shape()), plans);
-    ConvolutionWorkspace<Real> workspace;
-    for (AlignedArray<Real>* field : {&kept_share_, &slip_, &by_aspect_}) {
-      std::fill_n(field->data(), 2 * size, Real{0}); // also beyond the columns
+    for (AlignedArray<Real>* field : {&kept_share_, &slip_}) {
+      std::fill_n(field->data(), field->size(), Real{0}); // also beyond the columns
     }
-    convolution.apply(q, q + size, by_aspect_.data(), by_aspect_.data() + size, workspace);
+    fill(by_aspect_, scaled.difference().weights, table_by_aspect(scaled.aspect(), solved.shape()),
+         plans);
+    if (problem.step_length > 0.0) {
+      const double upstream = scaled.difference().upstream;
+      by_length_ = AlignedArray<Real>(2 * solved.size());
+      fill(by_length_, {0.0, 1.0 - upstream, 0.0, 0.0}, scaled.table(), plans);
+      RollingProblem steady = problem;
+      steady.step_length = 0.0;
+      by_share_ = AlignedArray<Real>(2 * solved.size());
+      fill(by_share_, difference_of(steady).weights, scaled.table(), plans);
+      for (std::size_t i = 0; upstream > 0.0 && i < by_share_.size(); ++i) {
+        by_share_.data()[i] +=
+            static_cast<Real>(solved.edge()[i] / upstream) * solved.traction()[i];
+      }
+    }
   }
 
   std::array<double, 4> forces_by(const ProblemRate& rate) {
@@ -63,6 +71,11 @@ public:
     const double longitudinal = rate.longitudinal_step / grid.longitudinal_step;
     const double lateral = rate.lateral_step / grid.lateral_step;
     add_scaled(slip, lateral - longitudinal, by_aspect_.data(), 2 * size);
+    if (problem_.step_length > 0.0) {
+      add_scaled(slip, longitudinal, by_length_.data(), 2 * size);
+      add_scaled(slip, rate.rolling_share * problem_unit() / scaled_.slip_scale(), by_share_.data(),
+                 2 * size);
+    }
     const double spin = problem_.creepages.spin / scaled_.slip_scale();
     const double ahead = difference_of(problem_).place * rate.longitudinal_step;
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
@@ -104,6 +117,21 @@ public:
   }
 
 private:
+  /// What the tractions displace with these weights and coefficients.
+  void fill(AlignedArray<Real>& field, const DifferenceWeights& weights, const TractionTable& table,
+            LinePlans& plans) {
+    const std::size_t size = solved_.size();
+    const Real* q = solved_.traction();
+    const TractionConvolution<Real> convolution(solved_.shape(), solved_.pitch(), problem_.poisson,
+                                                weights, table, plans);
+    ConvolutionWorkspace<Real> workspace;
+    std::fill_n(field.data(), 2 * size, Real{0});
+    convolution.apply(q, q + size, field.data(), field.data() + size, workspace);
+  }
+
+  /// Unit of the slips that tractions without units cause.
+  [[nodiscard]] double problem_unit() const { return scaled_.bound() / problem_.shear_modulus; }
+
   /// Whether a strip begins with an element and its edge moves.
   [[nodiscard]] bool has_moving_edge(const ProblemRate& rate, std::size_t at) const {
     return !rate.covered.empty() && scaled_.has_edges() &&
@@ -114,22 +142,25 @@ private:
   [[nodiscard]] double ratio_growth(const ProblemRate& rate, std::size_t at,
                                     std::size_t index) const {
     const bool moves = has_moving_edge(rate, at) && problem_.covered[index] > min_edge_share;
-    return moves ? -0.5 * rate.covered[index] / problem_.covered[index] : 0.0;
+    return moves ? -0.5 * scaled_.difference().upstream * rate.covered[index] /
+                       problem_.covered[index]
+                 : 0.0;
   }
 
   /// What leading edges that move within their elements add to slips.
   void add_moving_edges(const ProblemRate& rate, Real* slip) const {
     const std::size_t size = solved_.size();
     const Real* q = solved_.traction();
+    const double upstream = scaled_.difference().upstream;
     for_each_element(rate, [&](std::size_t at, const MovingElement& element) {
-      if (has_moving_edge(rate, at)) {
+      if (has_moving_edge(rate, at) && upstream > 0.0) {
         const auto add = [&](std::size_t i, double unit) {
           const double compliance = static_cast<double>(solved_.edge()[i]) / unit;
           const double by = edge_compliance_rate(compliance, problem_.covered[element.index]);
           slip[i] += static_cast<Real>(unit * by * rate.covered[element.index]) * q[i];
         };
-        add(at, 1.0 - problem_.poisson);
-        add(size + at, 1.0);
+        add(at, upstream * (1.0 - problem_.poisson));
+        add(size + at, upstream);
       }
     });
   }
@@ -161,6 +192,9 @@ private:
   AlignedArray<Real> kept_share_; ///< q'
   AlignedArray<Real> slip_;
   AlignedArray<Real> by_aspect_; ///< what q displaces, by the ratio of the steps
+  /// Likewise in a step of time, by the logarithm of their length and by the share of rolling.
+  AlignedArray<Real> by_length_;
+  AlignedArray<Real> by_share_;
 };
 
 } // namespace

@@ -88,8 +88,7 @@ public:
     double times = 1.0;
     while (true) {
       levels_.push_back(std::make_unique<TractionNewton<Real>>(
-          grid, problem.poisson, difference_of(problem, times).weights, problem.motion, table,
-          plans));
+          grid, problem.poisson, difference_of(problem, times), table, plans));
       if (std::min(grid.shape.rows, grid.shape.columns) < 2 * min_cascade_side) {
         break;
       }
@@ -111,7 +110,7 @@ public:
     for (auto& level : levels_) {
       if (scaled.has_edges()) {
         make_edges(level->bound(), level->edge(), level->shape(), level->pitch(), scaled.aspect(),
-                   problem.poisson);
+                   problem.poisson, level->upstream());
       }
     }
     NewtonOutcome all;
@@ -140,9 +139,26 @@ private:
   std::vector<std::unique_ptr<TractionNewton<Real>>> levels_;
 };
 
+/// Of a step of time, without the columns beyond the contact.
+template <typename Real>
+void take_displacement(TractionNewton<Real>& level, const ScaledTractions& scaled, LinePlans& plans,
+                       RollingSolution& solution) {
+  const TractionShape& shape = level.shape();
+  const auto packed = [&](const Real* field, std::size_t rows) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const Real* from = field + row * level.pitch();
+      values.insert(values.end(), from, from + shape.columns);
+    }
+    return values;
+  };
+  scaled.displace(packed(level.traction(), 2 * shape.rows), packed(level.bound(), shape.rows),
+                  packed(level.edge(), 2 * shape.rows), plans, solution);
+}
+
 /// What a cascade was made for.
 using CascadeKey =
-    std::tuple<std::size_t, std::size_t, double, double, TangentialMotion, SlipDifference>;
+    std::tuple<std::size_t, std::size_t, double, double, TangentialMotion, SlipDifference, double>;
 
 } // namespace
 
@@ -161,6 +177,9 @@ struct RollingSolver::State {
     const NewtonOutcome outcome = cascade->solve(scaled, problem);
     TractionNewton<Real>& level = cascade->finest();
     scaled.read_back(level.traction(), level.slip(), level.bound(), level.pitch(), solution);
+    if (problem.step_length > 0.0) {
+      take_displacement(level, scaled, *plans, solution);
+    }
     for (std::size_t creepage = 0; problem.derivatives && creepage < 3; ++creepage) {
       scaled.fill_slip_rate(creepage, level.rigid_slip(), level.pitch());
       const std::array<double, 4> rates =
@@ -195,9 +214,13 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     solution.by_rate.resize(problem.rates.size());
     return solution;
   }
-  const CascadeKey key{scaled.box().shape.rows, scaled.box().shape.columns,
-                       scaled.aspect(),         problem.poisson,
-                       problem.motion,          problem.difference};
+  const CascadeKey key{scaled.box().shape.rows,
+                       scaled.box().shape.columns,
+                       scaled.aspect(),
+                       problem.poisson,
+                       problem.motion,
+                       problem.difference,
+                       scaled.difference().upstream};
   if (key != state_->key) {
     state_->coarse.reset();
     state_->accurate.reset();

@@ -8,6 +8,10 @@
 /// (Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, ch. 1 and 5). A step of
 /// transient rolling, by one element h, has s = w + (u(x) - u'(x + h))/h with u' the displacement
 /// before the step, and a shift s = w + u - u' with w in mm (xi and eta in mm, phi in rad).
+/// A step of time (`step_length` d above 0) has s = w - f du/dx + (u - u')/d, with f the speed of
+/// rolling and 1/d the rate of steps over the speed that slips are over, and u' at the same place
+/// of the contact: an implicit step, which is steady rolling for long steps and a shift at
+/// standstill.
 /// Frame: x rolling direction, y to the left; the leading edge is at large x. Creepages are wheel
 /// minus rail, forces act on the wheel. Units mm, N, MPa, rad.
 /// Unlike bodies (Kalker's difference parameter K is not 0) displace across as well: pressures add
@@ -53,6 +57,7 @@ struct ProblemRate {
   std::vector<double> pressure{}; ///< MPa per element; without effect where there is none
   std::vector<double>
       covered{}; ///< covered fraction per element; empty: the edge stays in its element
+  double rolling_share = 0.0;
   std::vector<double> slip_x{}; ///< of the slip given for each element; empty: it stays
   std::vector<double> slip_y{};
   std::vector<double> weight_x{}; ///< of the weights of each element; empty: they stay
@@ -80,6 +85,9 @@ struct RollingProblem {
   /// Weights of each element in RollingSolution::weighted_force; empty: none.
   std::span<const double> weight_x;
   std::span<const double> weight_y;
+  /// Of a step of time, mm, and f, 0 to 1; 0: none. -u'/d is part of the slip of each element.
+  double step_length = 0.0;
+  double rolling_share = 1.0;
   /// Tractions before a step or a shift, MPa per element of the same grid, which moves with the
   /// contact; empty: none.
   std::span<const double> previous_x;
@@ -98,6 +106,10 @@ struct RollingSolution {
   std::vector<double> traction_y;
   std::vector<double> slip_x; ///< s per element in contact, over the speed (a shift: mm); 0 outside
   std::vector<double> slip_y;
+  /// u after a step of time, mm per element: the u' of the next one. In adhesion less s h/(f +
+  /// h/d), so that the next step makes up for the slip that the iteration leaves. Else empty.
+  std::vector<double> displacement_x;
+  std::vector<double> displacement_y;
   /// What the tractions open the gap by, mm per element; empty for like bodies.
   std::vector<double> normal_displacement;
   double longitudinal_force = 0.0; ///< N

@@ -11,6 +11,10 @@
 
 namespace wrc {
 
+double step_rate(const RollingProblem& problem) {
+  return problem.rolling_share + problem.grid.longitudinal_step / problem.step_length;
+}
+
 SlipDifferenceWeights difference_of(const RollingProblem& problem, double times) {
   // origin: derived: 5/16 of the backward difference of second order and 11/16 of the
   // upstream-biased one of third order; the leading edge is then at the end of a whole first
@@ -19,20 +23,30 @@ SlipDifferenceWeights difference_of(const RollingProblem& problem, double times)
   // origin: published: CONTACT (Vollebregt), which takes spin a sixth of an element ahead.
   constexpr double first_order_place = 1.0 / 6.0;
   if (problem.motion != TangentialMotion::rolling) {
-    return {{0.0, times, 0.0, 0.0}, 0.0};
+    return {{0.0, times, 0.0, 0.0}, 0.0, 0.0};
   }
-  return problem.difference == SlipDifference::biased
-             ? SlipDifferenceWeights{biased, 0.0}
-             : SlipDifferenceWeights{{0.0, 1.0, -1.0, 0.0}, first_order_place};
+  SlipDifferenceWeights result =
+      problem.difference == SlipDifference::biased
+          ? SlipDifferenceWeights{biased, 0.0}
+          : SlipDifferenceWeights{{0.0, 1.0, -1.0, 0.0}, first_order_place};
+  if (problem.step_length > 0.0) {
+    const double upstream = problem.rolling_share / step_rate(problem);
+    for (double& weight : result.weights) {
+      weight *= upstream;
+    }
+    const double own = (1.0 - upstream) * times;
+    result.weights[1] += own;
+    result.upstream = upstream / (upstream + own);
+  }
+  return result;
 }
 
 double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
-                       TangentialMotion motion) {
+                       double upstream) {
   // A shift displaces the whole contact at once: its operator's largest eigenvalue grows with the
   // number of elements across.
-  const double gain = motion == TangentialMotion::rolling
-                          ? 1.0
-                          : 0.5 * static_cast<double>(std::min(shape.rows, shape.columns) + 1);
+  const double of_shift = 0.5 * static_cast<double>(std::min(shape.rows, shape.columns) + 1);
+  const double gain = upstream + (1.0 - upstream) * of_shift;
   return natural_step / (std::sqrt(self_influence[0] * self_influence[1]) * gain);
 }
 
@@ -47,6 +61,8 @@ ScaledTractions::ScaledTractions(const RollingProblem& problem, LinePlans& plans
   slip_scale_ = bound_ / problem.shear_modulus;
   if (problem.motion == TangentialMotion::shift) {
     slip_scale_ *= problem.grid.longitudinal_step;
+  } else if (problem.step_length > 0.0) {
+    slip_scale_ *= step_rate(problem);
   }
   find_box();
   if (!problem.previous_x.empty() && problem.motion != TangentialMotion::rolling) {
@@ -395,8 +411,7 @@ void sum_up(const RollingProblem& problem, double pressure_power, RollingSolutio
         solution.weighted_force += area * (qx * problem.weight_x[at] + qy * problem.weight_y[at]);
       }
       ++contacts;
-      // The last cut leaves what slips on its bound to rounding, and nothing else near it.
-      constexpr double on_bound = 1.0 - 1e-6;
+      constexpr double on_bound = 1.0 - off_bound;
       slipping += qx * qx + qy * qy >= on_bound * on_bound * bound * bound ? 1 : 0;
     }
   }
@@ -407,7 +422,8 @@ void sum_up(const RollingProblem& problem, double pressure_power, RollingSolutio
   solution.friction_power = pressure_power + given_power -
                             (solution.longitudinal_force * w.longitudinal +
                              solution.lateral_force * w.lateral + solution.spin_moment * w.spin);
-  if (problem.motion == TangentialMotion::rolling && solution.friction_power > 0.0) {
+  if (problem.motion == TangentialMotion::rolling && !(problem.step_length > 0.0) &&
+      solution.friction_power > 0.0) {
     solution.numerical_loss = 1.0 - dissipation / solution.friction_power;
   }
 }

@@ -17,18 +17,25 @@
 
 namespace wrc {
 
-/// Weights of -d/dx in elements and where their derivative is, in elements upstream of the centre.
+/// Weights of displacements in slips, without units, and where their derivative is, in
+/// elements upstream of the centre.
 struct SlipDifferenceWeights {
   DifferenceWeights weights{};
   double place = 0.0;
+  /// Fraction of them that differences along x have: 1 in rolling, 0 in a shift; of a step of time
+  /// f/(f + h/d).
+  double upstream = 1.0;
 };
 
 /// On grids of elements `times` as long as the problem's.
 SlipDifferenceWeights difference_of(const RollingProblem& problem, double times = 1.0);
 
+/// f + h/d, by which a step of time divides its equation.
+double step_rate(const RollingProblem& problem);
+
 /// r of the natural residual for elements of this influence on themselves.
 double natural_step_of(const TractionShape& shape, std::array<double, 2> self_influence,
-                       TangentialMotion motion);
+                       double upstream);
 
 /// Lever of a strip's longitudinal tractions about the origin, on a grid with this first position
 /// and step. A strip stands for its middle, and sums of middles exceed the moment by h^2/24 of the
@@ -61,6 +68,8 @@ public:
   [[nodiscard]] bool has_edges() const {
     return !problem_.covered.empty() && problem_.motion == TangentialMotion::rolling;
   }
+  /// That of the problem's own grid.
+  [[nodiscard]] const SlipDifferenceWeights& difference() const { return difference_; }
   [[nodiscard]] double aspect() const { return aspect_; }
   [[nodiscard]] double bound() const { return bound_; }
   [[nodiscard]] double slip_scale() const { return slip_scale_; }
@@ -89,6 +98,10 @@ public:
   template <typename Real>
   [[nodiscard]] std::array<double, 4> force_rates(std::size_t creepage, const Real* rate,
                                                   const Real* bound, std::size_t pitch) const;
+  /// Fills in RollingSolution::displacement_x and -y from tractions without units and edges as
+  /// make_edges has them.
+  void displace(std::span<const double> traction, std::span<const double> bound,
+                std::span<const double> edge, LinePlans& plans, RollingSolution& solution) const;
   /// The problem's tractions without units, x components first.
   void read_tractions(std::span<const double> x, std::span<const double> y, double* traction,
                       std::size_t pitch) const;
@@ -113,7 +126,7 @@ private:
   Box box_;
   double aspect_ = 1.0;
   double bound_ = 0.0;      ///< mu times the largest pressure, MPa: a traction without units of 1
-  double slip_scale_ = 0.0; ///< likewise of slips
+  double slip_scale_ = 0.0; ///< likewise of slips; of a step of time f + h/d times that
   SlipDifferenceWeights difference_;
   /// Slip given for each element, from previous tractions or from pressures, without units; empty:
   /// none.

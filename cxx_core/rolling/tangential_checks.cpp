@@ -65,7 +65,8 @@ void check_problem(const RollingProblem& problem) {
     throw_invalid_argument("difference_parameter", problem.difference_parameter,
                            "must be from -0.5 to 0.5");
   }
-  if (problem.difference_parameter != 0.0 && problem.motion != TangentialMotion::rolling) {
+  if (problem.difference_parameter != 0.0 &&
+      (problem.motion != TangentialMotion::rolling || problem.step_length > 0.0)) {
     throw_invalid_argument("difference_parameter", problem.difference_parameter,
                            "must be 0 unless the contact rolls steadily");
   }
@@ -84,6 +85,12 @@ void check_problem(const RollingProblem& problem) {
     if (!values.empty() && !all_finite(values.data(), values.size())) {
       throw_invalid_argument(name, "a value that is not finite", "all must be finite");
     }
+  }
+  if (!(problem.step_length >= 0.0) || !std::isfinite(problem.step_length)) {
+    throw_invalid_argument("step_length", problem.step_length, "must be finite and not negative");
+  }
+  if (!(problem.rolling_share >= 0.0 && problem.rolling_share <= 1.0)) {
+    throw_invalid_argument("rolling_share", problem.rolling_share, "must be from 0 to 1");
   }
   check_finite("longitudinal_creepage", problem.creepages.longitudinal);
   check_finite("lateral_creepage", problem.creepages.lateral);
@@ -109,7 +116,8 @@ std::vector<double> take_in_edges(const ScaledTractions& scaled, double poisson,
     return edge;
   }
   scaled.fill_covered(edge.data(), shape.columns);
-  make_edges(bound.data(), edge.data(), shape, shape.columns, scaled.aspect(), poisson);
+  make_edges(bound.data(), edge.data(), shape, shape.columns, scaled.aspect(), poisson,
+             scaled.difference().upstream);
   for (std::size_t i = 0; i < count; ++i) {
     if (bound[i] > 0.0) {
       const double share =
@@ -135,8 +143,8 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   const TractionShape& shape = scaled.box().shape;
   const std::size_t pitch = shape.columns;
   const std::size_t count = shape.rows * pitch;
-  const TractionConvolution<double> convolution(
-      shape, pitch, problem.poisson, difference_of(problem).weights, scaled.table(), plans);
+  const TractionConvolution<double> convolution(shape, pitch, problem.poisson,
+                                                scaled.difference().weights, scaled.table(), plans);
   std::vector<double> bound(count);
   std::vector<double> rigid(2 * count);
   std::vector<double> q(2 * count);
@@ -153,7 +161,8 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   if (scaled.has_edges()) {
     add_edges(edge.data(), q.data(), s.data(), count);
   }
-  const double step = natural_step_of(shape, convolution.self_influence(), problem.motion);
+  const double step =
+      natural_step_of(shape, convolution.self_influence(), scaled.difference().upstream);
   const ResidualSums sums =
       natural_residual(q.data(), s.data(), bound.data(), edge.data(), step, count);
   double whole_q = 0.0;

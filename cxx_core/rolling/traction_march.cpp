@@ -95,7 +95,7 @@ WRC_VECTOR_CLONES void march(const MarchTerms<double>& terms, const LinearisedEl
 
 template <typename Real>
 TractionMarch<Real>::TractionMarch(std::size_t rows, std::size_t pitch, double step_over_width,
-                                   bool rolling)
+                                   double upstream)
     : rows_(rows), pitch_(pitch), state_((2 * march_terms + 2) * pitch) {
   const double rho = std::exp(-march_decay * step_over_width);
   decay_ = static_cast<Real>(rho);
@@ -104,8 +104,7 @@ TractionMarch<Real>::TractionMarch(std::size_t rows, std::size_t pitch, double s
                                  (4.0 * static_cast<double>(march_terms)));
     const double factor = rho * root * root;
     factors_[k] = static_cast<Real>(factor);
-    memories_[k] =
-        static_cast<Real>((rolling ? factor - 1.0 : factor) / static_cast<double>(march_terms));
+    memories_[k] = static_cast<Real>((factor - upstream) / static_cast<double>(march_terms));
   }
   // The product of both factors has sum_m l_m f_m on its diagonal.
   double diagonal = 1.0;
@@ -113,7 +112,7 @@ TractionMarch<Real>::TractionMarch(std::size_t rows, std::size_t pitch, double s
   for (std::size_t m = 1; m < rows; ++m) {
     const double before = f;
     f *= rho * (static_cast<double>(m) - 0.5) / static_cast<double>(m);
-    diagonal += (rolling ? f - before : f) * f;
+    diagonal += (f - upstream * before) * f;
   }
   diagonal_ = march_scale / diagonal;
 }

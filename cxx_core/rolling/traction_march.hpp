@@ -8,7 +8,7 @@
 /// The downstream factor is inverted by a sweep from the trailing edge, the upstream one by a march
 /// from the leading edge that knows whether each element sticks or slips:
 ///   y = (1 - rho/E)^1/2 r,   z_i = M_i (y_i - D sum_{m >= 1} l_m z_{i-m}),
-///   l(E) = (1 - E)(1 - rho E)^-1/2 in rolling, (1 - rho E)^-1/2 in a shift.
+///   l(E) = (1 - k E)(1 - rho E)^-1/2,  k = 1 in rolling, 0 in a shift, between them in a step.
 /// The fractional power is a mean of exponentials (Gauss-Chebyshev):
 ///   (1 - rho E)^-1/2 = mean_k 1/(1 - rho t_k E),  t_k = cos^2((2k - 1) pi/(4 K)),
 /// so that an element costs the same on any grid. Kalker's FASTSIM is the limit of large decay.
@@ -27,7 +27,8 @@ template <typename Real> class TractionMarch {
 public:
   TractionMarch() = default;
   /// `step_over_width`: element length along x over half the contact's width.
-  TractionMarch(std::size_t rows, std::size_t pitch, double step_over_width, bool rolling);
+  /// `upstream`: k.
+  TractionMarch(std::size_t rows, std::size_t pitch, double step_over_width, double upstream);
 
   /// What the march's diagonal is for a self-influence of 1.
   [[nodiscard]] double diagonal() const { return diagonal_; }

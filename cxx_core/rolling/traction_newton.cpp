@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "rolling/constants.hpp"
-#include "rolling/scaled_tractions.hpp"
 
 namespace wrc {
 
@@ -66,17 +65,17 @@ private:
 
 template <typename Real>
 TractionNewton<Real>::TractionNewton(const TractionGrid& grid, double poisson,
-                                     const DifferenceWeights& weights, TangentialMotion motion,
+                                     const SlipDifferenceWeights& difference,
                                      const TractionTable& table, LinePlans& plans)
-    : shape_(grid.shape), pitch_(aligned_pitch<Real>(grid.shape.columns)),
-      count_(grid.shape.rows * pitch_),
-      convolution_(grid.shape, pitch_, poisson, weights, table, plans),
-      march_(grid.shape.rows, pitch_, grid.step_over_width, motion == TangentialMotion::rolling),
+    : shape_(grid.shape), upstream_(difference.upstream),
+      pitch_(aligned_pitch<Real>(grid.shape.columns)), count_(grid.shape.rows * pitch_),
+      convolution_(grid.shape, pitch_, poisson, difference.weights, table, plans),
+      march_(grid.shape.rows, pitch_, grid.step_over_width, difference.upstream),
       fields_((3 + 2 * vector_count + element_fields) * count_), elements_{} {
   std::fill_n(fields_.data(), fields_.size(), Real{0});
   const auto self = convolution_.self_influence();
   self_influence_ = std::sqrt(self[0] * self[1]);
-  scales_ = {natural_step_of(shape_, self, motion), march_.diagonal() * self[0],
+  scales_ = {natural_step_of(shape_, self, difference.upstream), march_.diagonal() * self[0],
              march_.diagonal() * self[1], 0.0};
   Real* scalars = vector(vector_count);
   elements_ = {scalars,

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "half_space/traction_convolution.hpp"
-#include "rolling/rolling_problem.hpp"
+#include "rolling/scaled_tractions.hpp"
 #include "rolling/traction_loops.hpp"
 #include "rolling/traction_march.hpp"
 
@@ -42,12 +42,13 @@ struct NewtonOutcome {
 
 template <typename Real> class TractionNewton {
 public:
-  TractionNewton(const TractionGrid& grid, double poisson, const DifferenceWeights& weights,
-                 TangentialMotion motion, const TractionTable& table, LinePlans& plans);
+  TractionNewton(const TractionGrid& grid, double poisson, const SlipDifferenceWeights& difference,
+                 const TractionTable& table, LinePlans& plans);
 
   [[nodiscard]] const TractionShape& shape() const { return shape_; }
   [[nodiscard]] std::size_t pitch() const { return pitch_; }
   [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] double upstream() const { return upstream_; }
   /// The bound g of each element; 0 outside the contact and beyond the columns.
   [[nodiscard]] Real* bound() { return fields_.data(); }
   /// What a leading edge within the element adds to its influence on itself, in x and in y
@@ -88,6 +89,7 @@ private:
   void take_step(double residual, const Real* step, const Real* step_slip);
 
   TractionShape shape_;
+  double upstream_; ///< of SlipDifferenceWeights
   std::size_t pitch_;
   std::size_t count_;
   TractionConvolution<Real> convolution_;

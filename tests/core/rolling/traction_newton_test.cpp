@@ -17,7 +17,8 @@ constexpr std::size_t rows = 16; ///< along
 constexpr std::size_t columns = 14;
 constexpr double aspect = 1.1;
 constexpr double poisson = 0.28;
-constexpr DifferenceWeights displacement{0.0, 1.0, 0.0, 0.0}; ///< a shift: no derivative
+/// A shift: no derivative.
+constexpr SlipDifferenceWeights displacement{{0.0, 1.0, 0.0, 0.0}, 0.0, 0.0};
 constexpr double tolerance = 1e-6;
 
 /// A shift of a semi-ellipsoid of bounds by (x, y).
@@ -25,8 +26,7 @@ class ShiftedContact {
 public:
   ShiftedContact(double x, double y)
       : newton_({{rows, columns}, 2.0 / (aspect * columns)}, poisson, displacement,
-                TangentialMotion::shift, traction_table(aspect, columns, rows + difference_reach),
-                plans_) {
+                traction_table(aspect, columns, rows + difference_reach), plans_) {
     for (std::size_t i = 0; i < rows; ++i) {
       for (std::size_t j = 0; j < columns; ++j) {
         const double u = (2.0 * static_cast<double>(i) - 15.0) / 14.0;
