@@ -48,6 +48,12 @@ struct SolverObject {
   std::string error;
 };
 
+struct HistoryObject {
+  std::shared_ptr<const ContactHistory> accepted = std::make_shared<const ContactHistory>();
+  std::shared_ptr<const ContactHistory> after; ///< the last step since; none: there was none
+  std::string error;
+};
+
 struct ProfileObject {
   std::optional<Profile> profile;
   ReadResult read; ///< of a profile that was read, without the profile itself
@@ -116,6 +122,10 @@ template <> struct ObjectOf<wrc_scene> {
 template <> struct ObjectOf<wrc_solver> {
   using type = SolverObject;
   static constexpr const char* missing = "solver = NULL: a handle must be given";
+};
+template <> struct ObjectOf<wrc_history> {
+  using type = HistoryObject;
+  static constexpr const char* missing = "history = NULL: a handle must be given";
 };
 template <> struct ObjectOf<wrc_profile> {
   using type = ProfileObject;

@@ -74,6 +74,7 @@ struct StepArrays {
     if (optional.friction != nullptr) {
       state.friction = numbers(optional.friction, std::array<double, 2>{});
     }
+    state.time_step = optional.time_step;
     state.derivatives = optional.by_position != nullptr || optional.by_velocity != nullptr ||
                         optional.by_rail != nullptr || optional.by_rail_velocity != nullptr;
     return state;
@@ -103,22 +104,82 @@ private:
   }
 };
 
-/// One step; on failure scene and arrays stay as they were.
+/// One step; on failure scene, history and arrays stay as they were.
 wrc_status step(wrc::SolverObject& solver, wrc::SceneObject& scene, const StepArrays& arrays,
-                std::size_t wheelset) {
-  const wrc::VehicleState state = arrays.state(wheelset);
+                wrc::HistoryObject* history, std::size_t wheelset) {
+  wrc::VehicleState state = arrays.state(wheelset);
+  if (history != nullptr) {
+    state.history = history->accepted;
+  }
   wrc::Scene posed = wrc::scene_at(scene.scene, state);
   wrc::SceneResult result = solver.solver.solve(posed);
   const auto forces = wrc::wheel_forces(result, posed.convention, state.derivatives);
+  const auto after = history != nullptr ? wrc::history_after(result) : nullptr;
   const wrc_status status = scene.take_result(std::move(result));
   arrays.put(wheelset, forces);
+  if (history != nullptr) {
+    history->after = after;
+    posed.history = nullptr; // of this step alone
+    posed.time_step = 0.0;
+  }
   scene.scene = std::move(posed);
   return status;
+}
+
+/// The histories of a batch; none if there are none.
+wrc_status take_histories(const wrc_step_arguments& arguments, int64_t count,
+                          wrc::HandlesInUse<wrc_history>& taken) {
+  return arguments.histories != nullptr ? wrc::take_all(arguments.histories, count, taken) : WRC_OK;
 }
 
 } // namespace
 
 extern "C" {
+
+wrc_status wrc_history_create(wrc_history** history) {
+  return wrc::create(history);
+}
+
+void wrc_history_destroy(wrc_history* history) {
+  wrc::destroy(history);
+}
+
+const char* wrc_history_error(const wrc_history* history) {
+  return wrc::error_of(history);
+}
+
+wrc_status wrc_history_accept(wrc_history* history) {
+  return wrc::guard(history, [](wrc::HistoryObject& object) {
+    if (object.after) {
+      object.accepted = std::move(object.after);
+      object.after = nullptr;
+    }
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_history_clear(wrc_history* history) {
+  return wrc::guard(history, [](wrc::HistoryObject& object) {
+    object = wrc::HistoryObject();
+    return WRC_OK;
+  });
+}
+
+wrc_status wrc_history_copy(wrc_history* history, wrc_history* from) {
+  return wrc::guard(history, [&](wrc::HistoryObject& object) -> wrc_status {
+    if (history == from) {
+      return WRC_OK;
+    }
+    const auto used = wrc::use(from);
+    if (!used.held()) {
+      object.error = std::string("from: ") + wrc::reason_of(used);
+      return used.exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+    }
+    object.accepted = used.object().accepted;
+    object.after = used.object().after;
+    return WRC_OK;
+  });
+}
 
 wrc_status wrc_solver_step_with(wrc_solver* solver, wrc_scene* scene, const double* position,
                                 const double* velocity, const wrc_step_arguments* arguments,
@@ -128,7 +189,15 @@ wrc_status wrc_solver_step_with(wrc_solver* solver, wrc_scene* scene, const doub
       wrc::require_pointer(position, "position");
       wrc::require_pointer(velocity, "velocity");
       wrc::require_pointer(force, "force");
-      return step(object, posed, {position, velocity, force, known_part(arguments)}, 0);
+      const StepArrays arrays{position, velocity, force, known_part(arguments)};
+      wrc::HandlesInUse<wrc_history> histories;
+      if (const wrc_status status = take_histories(arrays.optional, 1, histories);
+          status != WRC_OK) {
+        posed.error = std::string("history: ") + wrc::reason_of(*histories.front());
+        return status;
+      }
+      return step(object, posed, arrays, histories.empty() ? nullptr : &histories.front()->object(),
+                  0);
     });
   });
 }
@@ -172,10 +241,16 @@ wrc_status wrc_step_batch_with(wrc_solver* const* solvers, wrc_scene* const* sce
     if (const wrc_status status = wrc::take_all(scenes, count, taken); status != WRC_OK) {
       return status;
     }
+    wrc::HandlesInUse<wrc_history> histories;
+    if (const wrc_status status = take_histories(arrays.optional, count, histories);
+        status != WRC_OK) {
+      return status;
+    }
     return wrc::run_all(taken.size(), threads, statuses, [&] {
       return [&](std::size_t i) {
         wrc::SceneObject& scene = taken[i]->object();
-        return wrc::run(scene, [&] { return step(with[i]->object(), scene, arrays, i); });
+        wrc::HistoryObject* history = histories.empty() ? nullptr : &histories[i]->object();
+        return wrc::run(scene, [&] { return step(with[i]->object(), scene, arrays, history, i); });
       };
     });
   } catch (...) {
@@ -196,6 +271,9 @@ wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t 
         wrc::throw_invalid_argument("kind", kind, "WRC_LOADS_OF_WHEELS or WRC_LOAD_OF_AXLE");
       }
       const StepArrays arrays{position, velocity, force, known_part(arguments)};
+      if (arrays.optional.histories != nullptr) {
+        wrc::throw_invalid_argument("histories", "given", "an equilibrium has none");
+      }
       const wrc::VehicleState state = arrays.state(0);
       const wrc::StaticLoads carried{kind == WRC_LOAD_OF_AXLE ? wrc::LoadsOf::axle
                                                               : wrc::LoadsOf::wheels,

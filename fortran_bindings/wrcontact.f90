@@ -65,7 +65,7 @@ module wrcontact
   integer, parameter, public :: wrc_points_dropped = 1
 
   integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4, &
-    rolling_kind = 5
+    rolling_kind = 5, history_kind = 6
 
   !> Shared by variables that were assigned to each other.
   type :: shared_handle
@@ -195,9 +195,9 @@ module wrcontact
     !> solve(scene): as scene%solve(), faster: it keeps profiles, tables and plans.
     procedure :: solve => solver_solve
     !> step(scene, q, v, f, stat, errmsg, dfdq, dfdv, rails, patches, patch_count, states,
-    !> rail_velocities, curvature, friction, dfdr, dfdrv): one evaluation of a wheelset; positions q(6)
-    !> and velocities v(6) in, forces f(6, 2) of the left and the right wheel out; see
-    !> wrc_solver_step_with in wrcontact.h.
+    !> rail_velocities, curvature, friction, dfdr, dfdrv, history, time_step): one evaluation of a
+    !> wheelset; positions q(6) and velocities v(6) in, forces f(6, 2) of the left and the right wheel
+    !> out; see wrc_solver_step_with in wrcontact.h.
     procedure :: step => solver_step
     !> equilibrium(scene, kind, loads, q, f, v, ...): height and roll, q(3) and q(4), at which a
     !> wheelset carries loads(2); see wrc_solver_equilibrium in wrcontact.h. The others as in step.
@@ -211,6 +211,25 @@ module wrcontact
     procedure, private :: share => solver_share
     final :: solver_release
   end type contact_solver
+
+  !> What the contacts of a wheelset remember from one step of time to the next; see wrc_history in
+  !> wrcontact.h. Variables assigned to each other share it; copy makes another one.
+  type, public :: contact_history
+    private
+    type(shared_handle), pointer :: shared => null()
+  contains
+    !> One without displacements; an earlier one is released.
+    procedure :: create => history_create
+    !> Later steps start from the state after the last one.
+    procedure :: accept => history_accept
+    !> Back to no displacements.
+    procedure :: clear => history_clear
+    !> copy(from): takes over the state of another one.
+    procedure :: copy => history_copy
+    generic :: assignment(=) => share
+    procedure, private :: share => history_share
+    final :: history_release
+  end type contact_history
 
   !> Normal contact of a gap given by the caller; keys and names of results in
   !> wrcontact_grid.h.
@@ -291,6 +310,7 @@ contains
   include 'wrcontact_scene.inc'
   include 'wrcontact_solver.inc'
   include 'wrcontact_vehicle.inc'
+  include 'wrcontact_history.inc'
   include 'wrcontact_normal.inc'
   include 'wrcontact_rolling.inc'
   include 'wrcontact_profile.inc'
@@ -317,6 +337,7 @@ contains
       case (profile_kind); status = wrc_profile_create(fresh%handle)
       case (normal_kind); status = wrc_normal_create(fresh%handle)
       case (rolling_kind); status = wrc_rolling_create(fresh%handle)
+      case (history_kind); status = wrc_history_create(fresh%handle)
       end select
       if (status == wrc_ok) then
         fresh%kind = kind
@@ -353,6 +374,7 @@ contains
       case (profile_kind); call wrc_profile_destroy(shared%handle)
       case (normal_kind); call wrc_normal_destroy(shared%handle)
       case (rolling_kind); call wrc_rolling_destroy(shared%handle)
+      case (history_kind); call wrc_history_destroy(shared%handle)
       end select
       deallocate (shared)
     end if
@@ -405,6 +427,8 @@ contains
       call report(status, fortran_text(wrc_normal_error(address(shared))), stat, errmsg)
     case (rolling_kind)
       call report(status, fortran_text(wrc_rolling_error(address(shared))), stat, errmsg)
+    case (history_kind)
+      call report(status, fortran_text(wrc_history_error(address(shared))), stat, errmsg)
     end select
   end subroutine report_of
 

@@ -52,7 +52,7 @@ of_header() {
       line = $3; sub(/^wrc_(read_|step_)?/, "", line)
       sub(/^[^{]*\{/, ""); sub(/\}.*/, ""); n = split($0, member, ";")
       for (i = 1; i <= n; ++i) if (member[i] ~ /[a-z]/) line = line " " pair(member[i], 1)
-      gsub(/:(const_)?(real|int32)\*/, ":address", line) # an array that a member points to
+      gsub(/:(const_)?(real|int32|address)\*/, ":address", line) # an array that a member points to
       print line; next
     }
     {
@@ -110,7 +110,7 @@ of_fortran() {
     $0 == "end interface" { within = 0; next }
     /^type, bind\(c\)(, public)? :: / { within_type = 1; line = $NF; sub(/.*_/, "", line); next }
     within_type && /^end type/ { within_type = 0; print line; next }
-    within_type { n = split($0, part, " :: "); sub(/ = 0$/, "", part[2]); if (n != 2) stop($0); line = line " " part[2] ":" kind_of(part[1], 0); next }
+    within_type { n = split($0, part, " :: "); sub(/ = (0|c_null_ptr)$/, "", part[2]); if (n != 2) stop($0); line = line " " part[2] ":" kind_of(part[1], 0); next }
     !within { next }
     /^import/ { next }
     /^(function|subroutine) / {
@@ -156,7 +156,7 @@ diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/paramet
 
 # Every function bound is called, except those that others of the same name with more arguments cover.
 grep -ohE '[a-z_0-9]+\(' "$folder/wrcontact.f90" \
-  "$folder"/wrcontact_{library,scene,solver,vehicle,normal,rolling,profile,namelist}.inc | tr -d '(' | sort -u >"$work/called"
+  "$folder"/wrcontact_{library,scene,solver,vehicle,history,normal,rolling,profile,namelist}.inc | tr -d '(' | sort -u >"$work/called"
 never=$(awk '$1 == "function" { print $2 }' "$work/module" | sort | comm -23 - "$work/called" |
   grep -vxE 'wrc_solver_step|wrc_step_batch' || true)
 [ -z "$never" ] || fail "the module binds and never calls: $never"

@@ -266,6 +266,29 @@ WRC_API wrc_status wrc_step_batch(wrc_solver* const* solvers, wrc_scene* const* 
                                   wrc_status* statuses);
 
 /**
+ * What the contacts of a wheelset remember from one step of time to the next: the displacements
+ * under their tractions. A new one has none. A step with a history (wrc_step_arguments.histories)
+ * starts from the state last accepted and keeps the state after it beside that; so it may be
+ * repeated, and rejected by not accepting it. It serves one thread at a time.
+ */
+typedef struct wrc_history wrc_history;
+
+/** Creates a handle without displacements; destroys it; its error text. Since 0.3. */
+WRC_API wrc_status wrc_history_create(wrc_history** history);
+WRC_API void wrc_history_destroy(wrc_history* history);
+WRC_API const char* wrc_history_error(const wrc_history* history);
+/**
+ * Lets later steps start from the state after the last step that did not fail: once for each step
+ * of time that the program keeps. Does nothing if there was none since the last call. Since 0.3.
+ */
+WRC_API wrc_status wrc_history_accept(wrc_history* history);
+/** Back to the state of a new handle. Since 0.3. */
+WRC_API wrc_status wrc_history_clear(wrc_history* history);
+/** Makes the state of `history` that of another one, for a later return to it. WRC_BUSY,
+ * WRC_INVALID_ARGUMENT. Since 0.3. */
+WRC_API wrc_status wrc_history_copy(wrc_history* history, wrc_history* from);
+
+/**
  * Further arguments of a step, each NULL if it is not used. Set struct_size to
  * sizeof(wrc_step_arguments) and zero the rest. Inputs stay in force for later steps; NULL: as in
  * the scene. In a batch each array holds the numbers of all wheelsets, one after the other.
@@ -284,6 +307,11 @@ typedef struct wrc_step_arguments {
   double* by_rail;
   double* by_rail_velocity; /**< 36, by their rates */
   int32_t* states;          /**< 2, as in wrc_solver_step */
+  /** 1, a handle for each wheelset: creep forces of a step of time from its history, instead of
+   * steady rolling. Does not stay in force. Derivatives by velocities then include what adhesion
+   * resists over the step. */
+  wrc_history* const* histories;
+  double time_step; /**< s, from the state accepted last, 1e-9 to 1e9; 0 without histories */
 } wrc_step_arguments;
 
 /** wrc_solver_step with further arguments; `arguments` may be NULL. Since 0.3. */

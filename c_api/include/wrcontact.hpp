@@ -363,6 +363,19 @@ struct Step {
   std::array<std::int32_t, 2> states{};
 };
 
+/// What the contacts of a wheelset remember from one step of time to the next (wrc_history). Since
+/// 0.3.
+class History : public detail::Owner<wrc_history, wrc_history_create, wrc_history_destroy,
+                                     wrc_history_error> {
+public:
+  /// Later steps start from the state after the last one.
+  void accept() { check(wrc_history_accept(handle())); }
+  /// Back to no displacements.
+  void clear() { check(wrc_history_clear(handle())); }
+  /// Takes over the state of another one.
+  void copy(const History& from) { check(wrc_history_copy(handle(), from.handle())); }
+};
+
 /// Further arguments and results of a step (wrc_step_arguments); inputs that are not set stay as in
 /// the scene. Since 0.3.
 struct StepArguments {
@@ -370,6 +383,8 @@ struct StepArguments {
   std::optional<std::array<double, 6>> rail_velocities;
   std::optional<double> curvature;
   std::optional<std::array<double, 2>> friction;
+  const History* history = nullptr; ///< creep forces of a step of time from it; none: steady
+  double time_step = 0.0;           ///< s, with a history
   bool derivatives = false;
   std::array<double, 36> by_rail{}; ///< zeros unless derivatives are requested
   std::array<double, 36> by_rail_velocity{};
@@ -398,7 +413,11 @@ public:
   /// The same with further arguments (wrc_solver_step_with). Since 0.3.
   bool step(Scene& scene, const std::array<double, 6>& position,
             const std::array<double, 6>& velocity, Step& result, StepArguments& arguments) {
-    const wrc_step_arguments passed = passed_on(arguments, result);
+    wrc_step_arguments passed = passed_on(arguments, result);
+    wrc_history* const history =
+        arguments.history != nullptr ? arguments.history->handle() : nullptr;
+    passed.histories = history != nullptr ? &history : nullptr;
+    passed.time_step = arguments.time_step;
     return scene.converged(wrc_solver_step_with(handle(), scene.handle(), position.data(),
                                                 velocity.data(), &passed, result.force.data()));
   }

@@ -8,6 +8,7 @@
 #include "accuracy/constants.hpp"
 #include "creep/constants.hpp"
 #include "creep/creep_elements.hpp"
+#include "creep/elastic_history.hpp"
 #include "pressure/smooth_pressure.hpp"
 
 namespace wrc {
@@ -40,6 +41,15 @@ PatchFields turned(PatchFields patch, const RollingFrame& frame) {
            frame.turned(std::move(fields.weights))}};
 }
 
+/// What a step of time starts from, in a plane that may have moved.
+void add_displacements(const PatchTask& task, const ContactFrame& frame, const Grid& grid,
+                       SlipField& slip) {
+  if (task.motion.step_length > 0.0 && task.request.history != nullptr) {
+    add_history(*task.request.history, *task.wheel.details.rail, frame, grid,
+                task.motion.step_length, slip);
+  }
+}
+
 /// By position; `now`: in the rolling frame, on `grid` of the patch's plane.
 std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
                                        const RollingProblem& now) {
@@ -54,13 +64,14 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
     PatchFields ahead{moved_around_contact(grid, smooth), {}};
     ahead.fields.pressure =
         pressures_on(ahead.grid, smooth, moved.normal_force, ahead.fields.covered);
+    const MovedContact contact(task.wheel, patch, *task.rates, position, step);
     if (task.motion.twist) {
-      const MovedContact contact(task.wheel, patch, *task.rates, position, step);
       const SlipGeometry geometry = contact.geometry(around, moved.pressure, task.request.slip);
       const std::vector<SlipRow> rows = contact.rows(ahead.grid, task.request.slip);
       ahead.fields.slip = slip_beyond(geometry, rows, ahead.grid, contact.twist());
       ahead.fields.weights = slip_beyond(geometry, rows, ahead.grid, along_the_normal);
     }
+    add_displacements(task, contact.frame(), ahead.grid, ahead.fields.slip);
     ahead = turned(std::move(ahead), task.motion.frame);
     result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
   }
@@ -95,6 +106,9 @@ void take_derivatives(const RollingSolution& solution, CreepDerivatives& derivat
     derivatives.by_slip = solution.by_rate[next];
     derivatives.by_normal_velocity = solution.by_rate[next + 1];
   }
+  if (!solution.displacement_x.empty()) {
+    derivatives.by_rolling_share = solution.by_rate.back();
+  }
 }
 
 void take_facts(const RollingSolution& solution, CreepResult& creep) {
@@ -122,16 +136,21 @@ void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const
 }
 
 /// The rates that derivatives need: by positions where they are known and bodies are alike, by the
-/// slip beyond creepages and by a velocity along the normal.
+/// slip beyond creepages and by a velocity along the normal, in a step of time by the share of
+/// rolling.
 std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
                                    const RollingProblem& problem) {
   std::vector<ProblemRate> rates;
   if (task.rates != nullptr && !unlike_bodies(task.request)) {
     rates = problem_rates(task, grid, problem);
   }
-  if (task.motion.twist) {
+  if (task.motion.twist || !problem.slip_x.empty()) {
     rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
     rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
+  }
+  if (problem.step_length > 0.0) {
+    rates.push_back(rate_by(problem, {}, {}));
+    rates.back().rolling_share = 1.0;
   }
   return rates;
 }
@@ -153,6 +172,7 @@ CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(ta
       now.fields.weights = slip_beyond(*patch.slip, rows_, grid_, along_the_normal);
     }
   }
+  add_displacements(task, patch.frame, grid_, now.fields.slip);
   creep.pressure = now.fields.pressure;
   now = turned(std::move(now), motion.frame);
   fields_ = std::move(now.fields);
@@ -167,10 +187,12 @@ CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(ta
   problem_.shear_modulus = request.material.modulus;
   problem_.poisson = request.material.poisson;
   problem_.creepages = motion.frame.turned(motion.creepages);
+  problem_.step_length = motion.step_length;
+  problem_.rolling_share = motion.rolling_share;
   error_of_elements_ = creep_error_of_one_column / (chosen.columns * chosen.columns);
   // An iteration beyond what fewer elements than the accuracy needs can show would be in vain.
   problem_.tolerance =
-      creep_iteration_share *
+      (motion.step_length > 0.0 ? step_iteration_share : creep_iteration_share) *
       (chosen.limited ? std::max(request.accuracy, std::min(error_of_elements_, coarsest_accuracy))
                       : request.accuracy);
   problem_.derivatives = request.derivatives;
@@ -194,6 +216,8 @@ CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) con
   }
   creep.traction_x = std::move(solution.traction_x);
   creep.traction_y = std::move(solution.traction_y);
+  creep.displacement_x = std::move(solution.displacement_x);
+  creep.displacement_y = std::move(solution.displacement_y);
   creep.slip_x = std::move(solution.slip_x);
   creep.slip_y = std::move(solution.slip_y);
   return {solution.longitudinal_force, solution.lateral_force, solution.spin_moment};

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "accuracy/constants.hpp"
+#include "creep/elastic_history.hpp"
 #include "creep/friction.hpp"
 #include "creep/kinematics.hpp"
 #include "creep/rigid_slip.hpp"
@@ -27,6 +28,9 @@ struct CreepRequest {
   double nominal_radius = 0.0;    ///< mm, for the motion
   RailDisplacement rail_velocity; ///< mm/s and rad/s, for the motion, track frame
   SlipChoice slip;                ///< from the motion
+  /// A step of time from these displacements, s, of the full theory from the motion; 0: steady.
+  double time_step = 0.0;
+  const WheelHistory* history = nullptr; ///< none: no tractions before
   FrictionLaw friction;
   double accuracy = 1e-3;     ///< error of forces, and of the moment over sqrt(a b), over mu N
   double speed = 0.0;         ///< mm/s, for the power of given creepages

@@ -98,7 +98,7 @@ RatedSlip rated_slip(const WheelsetMotion& wheelset, const MovingFrame& frame) {
       wheelset,
       {frame.longitudinal, frame.lateral, frame.normal, frame.place, frame.centre,
        frame.reference_y});
-  return {slip.twist, slip.slip_speed};
+  return {slip.twist, slip.reference_speed, slip.slip_speed};
 }
 
 } // namespace wrc

@@ -55,7 +55,7 @@ struct MovingFrame {
 /// Slip of a patch, with its derivatives.
 struct RatedSlip {
   std::array<RatedByState, twist_count> twist;
-  RatedByState slip_speed; ///< as RigidSlip
+  RatedByState reference_speed, slip_speed; ///< as RigidSlip
 };
 
 RatedSlip rated_slip(const WheelsetMotion& wheelset, const MovingFrame& frame);

@@ -77,6 +77,10 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
       motion.creepages = fitted_creepages(*patch.slip, slip.twist);
       motion.twist = slip.twist;
     }
+    motion.step_length = request.time_step * slip.slip_speed;
+    if (motion.step_length > 0.0) {
+      motion.rolling_share = std::abs(slip.reference_speed) / slip.slip_speed;
+    }
   } else {
     const Vector3 apart = patch.frame.origin - whole.frame.origin;
     const RollingFrame frame(mirror);
@@ -87,6 +91,10 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
   motion.friction = friction_of(
       request.friction, patch.reference.s_wheel,
       motion.slip_speed * std::hypot(motion.creepages.longitudinal, motion.creepages.lateral));
+  if (motion.friction < least_friction) { // which displaces nothing
+    motion.step_length = 0.0;
+    motion.rolling_share = 1.0;
+  }
   return motion;
 }
 

@@ -28,6 +28,8 @@ struct PatchMotion {
   double friction = 0.0;   ///< coefficient
   /// If slip varies within the patch as the wheelset moves.
   std::optional<Twist> twist{};
+  double step_length = 0.0; ///< of a step of time (rolling_problem.hpp); 0: steady rolling
+  double rolling_share = 1.0;
 };
 
 /// Creepages at a point of a patch's plane from those at its reference.
@@ -57,6 +59,7 @@ public:
                                       const SlipChoice& choice) const;
   [[nodiscard]] std::vector<SlipRow> rows(const Grid& grid, const SlipChoice& choice) const;
   [[nodiscard]] Twist twist() const;
+  [[nodiscard]] const ContactFrame& frame() const { return frame_; }
 
 private:
   [[nodiscard]] PosedPair pair() const;

@@ -148,8 +148,8 @@ RollingSolution RollingFrame::turned(RollingSolution solution) const {
   if (!backwards()) {
     return solution;
   }
-  for (auto* field :
-       {&solution.traction_x, &solution.traction_y, &solution.slip_x, &solution.slip_y}) {
+  for (auto* field : {&solution.traction_x, &solution.traction_y, &solution.slip_x,
+                      &solution.slip_y, &solution.displacement_x, &solution.displacement_y}) {
     *field = turned_components(std::move(*field));
   }
   solution.normal_displacement = turned_numbers(std::move(solution.normal_displacement));

@@ -58,6 +58,7 @@ struct CreepState {
   std::array<RatedByState, 3> creepages;
   RatedByState friction;
   RatedByState normal_velocity; ///< over that of slip
+  RatedByState rolling_share;   ///< of a step of time
 };
 
 /// The geometry of slip with its derivatives by positions; of planar slip that of the reference.
@@ -85,8 +86,17 @@ CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
   std::array<RatedByState, 3> creepages{constant.longitudinal, constant.lateral, constant.spin};
   RatedByState slip_speed = creep.slip_speed;
   RatedByState normal_velocity;
+  RatedByState rolling_share;
   if (details.motion) {
-    const RatedSlip slip = rated_slip(*details.motion, frame);
+    RatedSlip slip = rated_slip(*details.motion, frame);
+    if (creep.derivatives->by_rolling_share) { // the speed that slips are over is but a unit there
+      const double unit = slip.slip_speed.value;
+      for (RatedByState& velocity : slip.twist) {
+        velocity = velocity * slip.slip_speed / unit;
+      }
+      rolling_share = slip.reference_speed * (slip.reference_speed.value < 0.0 ? -1.0 : 1.0) / unit;
+      slip.slip_speed = unit;
+    }
     slip_speed = slip.slip_speed;
     normal_velocity = slip.twist[2];
     for (std::size_t creepage = 0; creepage < creepages.size(); ++creepage) {
@@ -98,7 +108,8 @@ CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
   }
   const auto& [longitudinal, lateral, spin] = creepages;
   const RatedByState speed = slip_speed * sqrt(longitudinal * longitudinal + lateral * lateral);
-  return {creepages, friction_of(details.friction, frame.s_wheel, speed), normal_velocity};
+  return {creepages, friction_of(details.friction, frame.s_wheel, speed), normal_velocity,
+          rolling_share};
 }
 
 /// Derivatives of a patch's longitudinal and lateral creep force, its spin moment and the force
@@ -121,6 +132,9 @@ std::array<RatedByState, 4> rated_creep_forces(const CreepResult& creep, const R
       rate = beyond ? 0.0 : derivatives.by_friction[row] * state.friction.rates[i];
       for (std::size_t c = 0; c < state.creepages.size(); ++c) {
         rate += by_creepage[c] * state.creepages[c].rates[i];
+      }
+      if (derivatives.by_rolling_share) {
+        rate += (*derivatives.by_rolling_share)[row] * state.rolling_share.rates[i];
       }
       if (i >= position_count) {
         rate += derivatives.by_normal_velocity[row] * state.normal_velocity.rates[i];

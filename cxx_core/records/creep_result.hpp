@@ -39,6 +39,9 @@ struct CreepDerivatives {
   /// velocities are left out: they act through the creepages, and a thousand times less through
   /// this.
   std::array<double, 4> by_normal_velocity{};
+  /// The same by the share of rolling, of a step of time (rolling_problem.hpp); these are at fixed
+  /// velocities of slip, instead of creepages.
+  std::optional<std::array<double, 4>> by_rolling_share;
   /// Derivatives of that force along the normal, left-hand frame.
   std::array<double, 3> normal_by_creepage{};
   std::array<double, position_count> normal_by_position{};
@@ -83,6 +86,8 @@ struct CreepResult {
   std::vector<double> traction_y;
   std::vector<double> slip_x; ///< over the speed
   std::vector<double> slip_y;
+  std::vector<double> displacement_x; ///< after a step of time (RollingSolution), mm; else empty
+  std::vector<double> displacement_y;
 };
 
 } // namespace wrc

@@ -97,6 +97,9 @@ struct Scene : WheelOptions {
   bool derivatives = false;   ///< of creep forces, whether they are kept for a Jacobian
   SlipVariation slip = SlipVariation::by_element; ///< of creep forces from a motion
   SlipSurface slip_surface = SlipSurface::wheel;
+  /// A step of time of creep forces from the motion, s, and what it starts from; 0: steady rolling.
+  double time_step = 0.0;
+  std::shared_ptr<const ContactHistory> history;
   std::optional<CreepModel> creep; ///< automatic if not set: full where there are creepages
 
   SideChoice side = SideChoice::both;

@@ -79,6 +79,10 @@ CreepRequest creep_request_of(const Scene& scene, const SceneSide& side) {
     request.motion->standstill_speed = scene.standstill_speed;
     request.nominal_radius = scene.nominal_radius();
     request.rail_velocity = side.velocity;
+    request.time_step = scene.time_step;
+    if (scene.history) {
+      request.history = &scene.history->wheels[&side == &scene.right ? 1 : 0];
+    }
   }
   return request;
 }

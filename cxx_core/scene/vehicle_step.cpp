@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "creep/elastic_history.hpp"
 #include "derivatives/rail_jacobian.hpp"
 #include "scene/model_choice.hpp"
 #include "scene/number_tables.hpp"
@@ -84,6 +85,30 @@ WheelForces forces_of(SceneWheel& wheel, const Convention& convention, bool deri
   return result;
 }
 
+/// Throws unless a step of time can be solved.
+void check_history(const Scene& scene, double time_step) {
+  if (!(time_step >= least_time_step && time_step <= most_time_step)) {
+    throw_invalid_argument("time_step", time_step, "allowed with a history is 1e-9 to 1e9 s");
+  }
+  if (scene.creep.value_or(CreepModel::full) != CreepModel::full) {
+    throw_invalid_argument("solve.creep", "an approximate model",
+                           "allowed with a history are \"auto\" and \"full\"");
+  }
+  if (scene.has_creepages()) {
+    throw_invalid_argument("creepages", "given", "with a history they follow from the motion");
+  }
+  if (scene.pitch_is_free) {
+    throw_invalid_argument("motion.pitch", "free", "allowed with a history is a number");
+  }
+  const double difference =
+      shear_constants(scene.wheel_material, scene.rail_material).difference_parameter;
+  if (difference != 0.0) {
+    throw_invalid_argument("history", "wheel and rail of unlike materials",
+                           "allowed are materials whose difference parameter is 0, not " +
+                               short_text_of(difference));
+  }
+}
+
 } // namespace
 
 Scene scene_at(const Scene& scene, const VehicleState& state) {
@@ -127,7 +152,24 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
     set_number(posed, "friction.right", (*state.friction)[1]);
   }
   posed.derivatives = state.derivatives;
+  if (state.history) {
+    check_history(posed, state.time_step);
+    posed.history = state.history;
+    posed.time_step = state.time_step;
+  } else if (state.time_step != 0.0) {
+    throw_invalid_argument("time_step", state.time_step, "allowed is 0 without a history");
+  }
   return posed;
+}
+
+std::shared_ptr<const ContactHistory> history_after(const SceneResult& result) {
+  ContactHistory history;
+  for (std::size_t i = 0; i < history.wheels.size(); ++i) {
+    if (const auto& wheel = i == 0 ? result.left : result.right) {
+      history.wheels[i] = history_of(*wheel);
+    }
+  }
+  return std::make_shared<const ContactHistory>(std::move(history));
 }
 
 std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& convention,

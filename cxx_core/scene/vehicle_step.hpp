@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,14 @@ struct VehicleState {
   std::optional<double> curvature;               ///< of the track; likewise
   std::optional<std::array<double, 2>> friction; ///< of the left and the right wheel; likewise
   bool derivatives = false;                      ///< whether Jacobians are wanted
+  /// A step of time from this history, s; none: steady rolling.
+  std::shared_ptr<const ContactHistory> history;
+  double time_step = 0.0;
 };
+
+/// Permitted steps of time, s.
+/// origin: bound: displacements over them are numbers; beyond, rolling is steady.
+inline constexpr double least_time_step = 1e-9, most_time_step = 1e9;
 
 /// Forces of one wheel; zeros without contact.
 struct WheelForces {
@@ -53,6 +61,8 @@ struct PatchCreep {
 /// The scene at this state. Throws Error(invalid_argument) that names the key whose range a number
 /// is out of, or one that has no forces, or with derivatives no derivatives.
 Scene scene_at(const Scene& scene, const VehicleState& state);
+/// What the next step of time starts from, of the result of one.
+std::shared_ptr<const ContactHistory> history_after(const SceneResult& result);
 /// Left and right.
 std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& convention,
                                         bool derivatives);

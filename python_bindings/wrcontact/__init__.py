@@ -18,12 +18,12 @@ from .grid import NormalContact, RollingContact
 from .profile import Profile, ProfilePoint, standard_profiles
 from .result import Group, Result
 from .scene import Key, Scene, key_of, keys, solve
-from .solver import Equilibrium, Solver, Step, solve_batch
+from .solver import Equilibrium, History, Solver, Step, solve_batch
 from .study import study
 
 __version__: str = _string(_lib.wrc_version())
 __all__ = [
-    "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "Group", "InternalError",
+    "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
     "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",

@@ -41,6 +41,29 @@ class Equilibrium(NamedTuple):
     step: Step
 
 
+class History(Handle):
+    """What the contacts of a wheelset remember from one step of time to the next (wrc_history).
+
+    Each step with it starts from the state last accepted, and may be repeated or left.
+    """
+
+    _kind = "history"
+
+    def accept(self) -> None:
+        """Lets later steps start from the state after the last one."""
+        self._check(lib.wrc_history_accept(self._handle))
+
+    def clear(self) -> None:
+        """Back to a contact without displacements, as a new history has it."""
+        self._check(lib.wrc_history_clear(self._handle))
+
+    def copy(self) -> History:
+        """Another one with the same state."""
+        other = History()
+        other._check(lib.wrc_history_copy(other._handle, self._handle))
+        return other
+
+
 def _numbers(values: ArrayLike, name: str, count: int) -> Array:
     numbers = doubles(values)
     if numbers.size != count:
@@ -99,17 +122,23 @@ class Solver(Handle):
     def step(self, scene: Scene, position: ArrayLike, velocity: ArrayLike, *,
              rails: ArrayLike | None = None, derivatives: bool = False,
              rail_velocities: ArrayLike | None = None, curvature: float | None = None,
-             friction: ArrayLike | None = None) -> Step:
+             friction: ArrayLike | None = None, history: History | None = None,
+             dt: float = 0.0) -> Step:
         """One evaluation of a wheelset: forces of both wheels at its position and velocity.
 
         position: x, y, z, roll, pitch angle, yaw of its centre, z above the rail tops; velocity:
         their rates. rails, rail_velocities: lateral, vertical, roll of the left and of the right rail,
         and their rates; curvature of the track; friction of the left and of the right wheel; each
-        stays as in the scene if it is None. In the scene's convention (docs/vehicle.md). Does not
+        stays as in the scene if it is None. history, dt: creep forces of a step of this time, s, from
+        the history, instead of steady rolling. In the scene's convention (docs/vehicle.md). Does not
         warn; scene.result.warnings has what it would. NotConverged, NoContact.
         """
         q, v = _numbers(position, "position", 6), _numbers(velocity, "velocity", 6)
         arguments = _Arguments(derivatives, rails, rail_velocities, curvature, friction)
+        arguments.passed.time_step = dt
+        if history is not None:
+            handles = ffi.new("wrc_history *[]", [history._handle])  # kept during the call
+            arguments.passed.histories = handles
         scene._solved(lib.wrc_solver_step_with(
             self._handle, scene._handle, pointer(q), pointer(v), arguments.passed,
             pointer(arguments.force)), warns=False)

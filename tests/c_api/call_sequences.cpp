@@ -66,6 +66,7 @@ private:
 Pool<wrc_scene> scenes(wrc_scene_create, wrc_scene_destroy);
 Pool<wrc_solver> solvers(wrc_solver_create, wrc_solver_destroy);
 Pool<wrc_profile> profiles(wrc_profile_create, wrc_profile_destroy);
+Pool<wrc_history> histories(wrc_history_create, wrc_history_destroy);
 Pool<wrc_normal> normals(wrc_normal_create, wrc_normal_destroy);
 Pool<wrc_rolling> rollings(wrc_rolling_create, wrc_rolling_destroy);
 
@@ -187,6 +188,24 @@ void fill_position(double* position) {
   }
 }
 
+wrc_status call_history() {
+  wrc_history* history = histories.any();
+  switch (below(6)) {
+  case 0:
+    histories.make();
+    return WRC_OK;
+  case 1:
+    histories.destroy_one();
+    return WRC_OK;
+  case 2:
+    return wrc_history_clear(history);
+  case 3:
+    return wrc_history_copy(history, histories.any());
+  default:
+    return wrc_history_accept(history);
+  }
+}
+
 wrc_status call_vehicle() {
   thread_local double positions[64], velocities[12], forces[24], by_positions[144],
       by_velocities[144];
@@ -199,7 +218,19 @@ wrc_status call_vehicle() {
     fill_position(positions + 6 * wheelset);
     fill_position(velocities + 6 * wheelset);
   }
-  switch (below(5)) {
+  switch (below(7)) {
+  case 5:
+    return call_history();
+  case 6: {
+    wrc_history* history = histories.any();
+    wrc_step_arguments arguments{};
+    arguments.struct_size = sizeof arguments;
+    arguments.histories = below(8) == 0 ? nullptr : &history;
+    arguments.time_step = below(8) == 0 ? any_number() : 1e-3;
+    arguments.by_velocity = maybe(by_velocities);
+    bound_cost(scene);
+    return wrc_solver_step_with(solver, scene, positions, velocities, &arguments, forces);
+  }
   case 0:
     bound_cost(scene);
     return wrc_solver_step(solver, scene, maybe(positions), maybe(velocities),
@@ -407,6 +438,7 @@ wrc_status any_call() {
 void make_handles() {
   scenes.make_all();
   solvers.make_all();
+  histories.make_all();
   profiles.make_all();
   normals.make_all();
   rollings.make_all();
@@ -415,6 +447,7 @@ void make_handles() {
 void destroy_handles() {
   scenes.destroy_all();
   solvers.destroy_all();
+  histories.destroy_all();
   profiles.destroy_all();
   normals.destroy_all();
   rollings.destroy_all();

@@ -2,6 +2,7 @@
 /// tables; against what keys, solve and results by name do.
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -124,7 +125,8 @@ TEST(StepArguments, OfAnotherSizeAreRefused) {
   std::array<double, 12> force{};
   wrc_step_arguments arguments{};
   for (const std::uint64_t size :
-       {std::uint64_t{0}, std::uint64_t{sizeof arguments - 8}, std::uint64_t{1} << 40}) {
+       {std::uint64_t{0}, std::uint64_t{offsetof(wrc_step_arguments, histories) - 8},
+        std::uint64_t{1} << 40}) {
     arguments.struct_size = size;
     EXPECT_EQ(wrc_solver_step_with(solver.handle(), scene.handle(), position.data(),
                                    velocity.data(), &arguments, force.data()),
@@ -135,6 +137,11 @@ TEST(StepArguments, OfAnotherSizeAreRefused) {
                                   &arguments, force.data(), nullptr),
               WRC_INVALID_ARGUMENT);
   }
+  // That of programs compiled before there were histories is not.
+  arguments.struct_size = offsetof(wrc_step_arguments, histories);
+  EXPECT_EQ(wrc_solver_step_with(solver.handle(), scene.handle(), position.data(), velocity.data(),
+                                 &arguments, force.data()),
+            WRC_OK);
   EXPECT_EQ(wrc_solver_step_with(solver.handle(), scene.handle(), position.data(), velocity.data(),
                                  nullptr, force.data()),
             WRC_OK);

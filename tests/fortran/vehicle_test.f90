@@ -12,6 +12,7 @@ program vehicle_test
   call steps_give_forces_patches_and_derivatives()
   call steps_of_many_wheelsets()
   call steps_take_further_arguments()
+  call steps_of_time_with_histories()
   call wheelsets_in_equilibrium()
   call creep_forces_of_own_creepages()
   call tables_over_keys()
@@ -51,6 +52,46 @@ contains
     call expect(stat == wrc_invalid_argument .and. index(errmsg, 'wheelset 2: friction.right') == 1, &
       'the message names the wheelset')
   end subroutine steps_take_further_arguments
+
+  subroutine steps_of_time_with_histories()
+    type(contact_scene) :: scenes(2)
+    type(contact_solver) :: solvers(2)
+    type(contact_history) :: histories(2), other, none
+    real(real64), parameter :: h = 1.0e-3_real64
+    real(real64) :: f(6, 2), g(6, 2), many(6, 2, 2), slow(6), at_rest(6)
+    integer :: stat, i
+    character(200) :: errmsg
+    do i = 1, 2
+      call make(scenes(i))
+      call scenes(i)%set('solve.creep', 'full')
+      call solvers(i)%create()
+      call histories(i)%create()
+    end do
+    slow = [1.0_real64, 0.5_real64, 0.0_real64, 0.0_real64, 0.0_real64, 0.0_real64]
+    at_rest = 0
+    call solvers(1)%step(scenes(1), q, slow, f, history=histories(1), time_step=h)
+    call solvers(1)%step(scenes(1), q, slow, g, history=histories(1), time_step=h)
+    call expect(all(same(f, g)), 'a step that was not accepted is repeated')
+    call expect(sum(f(1, :)) < -1.0e3_real64, 'adhesion resists')
+    call histories(1)%accept()
+    call other%create()
+    call other%copy(histories(1))
+    call solvers(1)%step(scenes(1), q, at_rest, g, history=other, time_step=h)
+    call expect(abs(sum(g(1, :)) - sum(f(1, :))) < 1.0e-2_real64*abs(sum(f(1, :))), &
+      'and holds when the wheelset has stopped')
+    call other%clear()
+    call solvers(1)%step(scenes(1), q, at_rest, g, history=other, time_step=h)
+    call expect(abs(sum(g(1, :))) < 1.0_real64, 'a cleared history has no tractions')
+    call step_batch(solvers, scenes, spread(q, 2, 2), spread(slow, 2, 2), many, 2, &
+      histories=histories, time_step=h)
+    call expect(all(same(many(:, :, 2), f)), 'in a batch as alone')
+    call solvers(1)%step(scenes(1), q, slow, g, stat, errmsg, history=other)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'time_step = 0') == 1, 'no step of time')
+    call solvers(1)%step(scenes(1), q, slow, g, stat, errmsg, history=none, time_step=h)
+    call expect(stat == wrc_invalid_argument .and. index(errmsg, 'history') == 1, 'a history not created')
+    call none%accept(stat)
+    call expect(stat == wrc_invalid_argument, 'nor accepted')
+  end subroutine steps_of_time_with_histories
 
   subroutine wheelsets_in_equilibrium()
     type(contact_scene) :: scene

@@ -178,6 +178,23 @@ def test_a_step_takes_rails_curvature_and_friction():
         solver.step(scene, position, velocity, friction=[0.3])
 
 
+def test_a_step_with_a_history_holds_what_adhesion_holds():
+    solver, scene, history = wrcontact.Solver(), wrcontact.Scene(accuracy_of="forces"), wrcontact.History()
+    position, slow, at_rest = [0, 3.0, 459.815, 1.8e-4, 0, 1e-3], [1.0, 0.5, 0, 0, 0, 0], [0.0] * 6
+    first = solver.step(scene, position, slow, history=history, dt=1e-3)
+    again = solver.step(scene, position, slow, history=history, dt=1e-3)
+    assert np.array_equal(first.force, again.force) and first.force[:, 0].sum() < -1e3
+    history.accept()
+    kept = history.copy()
+    held = solver.step(scene, position, at_rest, history=history, dt=1e-3)
+    assert np.isclose(held.force[:, 0].sum(), first.force[:, 0].sum(), rtol=1e-2)
+    history.clear()
+    assert abs(solver.step(scene, position, at_rest, history=history, dt=1e-3).force[:, 0].sum()) < 1.0
+    assert np.array_equal(solver.step(scene, position, at_rest, history=kept, dt=1e-3).force, held.force)
+    with pytest.raises(wrcontact.InvalidArgument, match="time_step = 0"):
+        solver.step(scene, position, slow, history=history)
+
+
 def test_equilibrium_finds_height_and_roll():
     solver, scene = wrcontact.Solver(), wrcontact.Scene(accuracy_of="forces", accuracy=1e-3)
     found = solver.equilibrium(scene, [0, 3.0, 0, 0, 0, 0], axle=[1.4e5, 2e6])
