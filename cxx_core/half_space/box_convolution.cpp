@@ -1,7 +1,9 @@
 #include "half_space/box_convolution.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <functional>
 
 #include "base/vector_clones.hpp"
 
@@ -129,14 +131,46 @@ std::size_t line_length(std::size_t in, std::size_t out, std::ptrdiff_t offset) 
   return fast_line_length(2 * reach + 1);
 }
 
+bool is_plane(const RowAngles& angles) {
+  const auto is_first = [&angles](double angle) { return angle == angles.in.front(); };
+  return angles.in.empty() ||
+         (std::ranges::all_of(angles.in, is_first) && std::ranges::all_of(angles.out, is_first));
+}
+
+template <typename Real>
+std::vector<Real> factors_of(std::span<const double> angles, double (*function)(double)) {
+  std::vector<Real> factors(angles.size());
+  std::ranges::transform(angles, factors.begin(),
+                         [&](double angle) { return static_cast<Real>(function(angle)); });
+  return factors;
+}
+
+template <typename Real>
+void multiply_rows(const std::vector<Real>& factors, std::size_t columns, const Real* from,
+                   Real* to) {
+  for (const Real factor : factors) {
+    std::transform(from, from + columns, to, [factor](Real value) { return factor * value; });
+    from += columns;
+    to += columns;
+  }
+}
+
 } // namespace
 
 template <typename Real>
 BoxConvolution<Real> BoxConvolution<Real>::linear(const ConvolutionShape& shape,
                                                   const InfluenceKernel& kernel,
-                                                  InfluenceCache& cache) {
+                                                  InfluenceCache& cache, const RowAngles& angles) {
   BoxConvolution result;
   result.shape_ = shape;
+  if (!is_plane(angles)) {
+    const auto add = [&](double (*function)(double)) {
+      result.factors_.push_back(
+          {factors_of<Real>(angles.in, function), factors_of<Real>(angles.out, function)});
+    };
+    add([](double angle) { return std::cos(angle); });
+    add([](double angle) { return std::sin(angle); });
+  }
   const std::size_t rows = line_length(shape.rows_in, shape.rows_out, shape.row_offset);
   const std::size_t columns = line_length(shape.columns_in, shape.columns_out, shape.column_offset);
   result.spectrum_ = cache.spectrum<Real>(kernel, rows, columns);
@@ -174,6 +208,28 @@ template <typename Real> struct BoxConvolution<Real>::Lines {
 template <typename Real>
 void BoxConvolution<Real>::apply(const Real* in, Real* out,
                                  ConvolutionWorkspace<Real>& workspace) const {
+  if (factors_.empty()) {
+    convolve(in, out, workspace);
+    return;
+  }
+  const std::size_t count = shape_.rows_out * shape_.columns_out;
+  provide(workspace.turned, std::max(shape_.rows_in * shape_.columns_in, count));
+  provide(workspace.sum, count);
+  Real* turned = workspace.turned.data();
+  Real* sum = workspace.sum.data();
+  std::fill_n(sum, count, Real{0});
+  for (const RowFactors& factors : factors_) {
+    multiply_rows(factors.in, shape_.columns_in, in, turned);
+    convolve(turned, turned, workspace);
+    multiply_rows(factors.out, shape_.columns_out, turned, turned);
+    std::transform(sum, sum + count, turned, sum, std::plus<>());
+  }
+  std::copy_n(sum, count, out);
+}
+
+template <typename Real>
+void BoxConvolution<Real>::convolve(const Real* in, Real* out,
+                                    ConvolutionWorkspace<Real>& workspace) const {
   const std::size_t length = spectrum_->columns;
   const std::size_t spectral_length = length / 2 + 1;
   const std::size_t line_pitch = aligned_pitch<Complex>(length);

@@ -16,6 +16,18 @@ void check_positive(const std::string& argument, double value) {
   }
 }
 
+void check_angles(std::span<const double> angles, const Grid& grid) {
+  if (!angles.empty() && angles.size() != grid.lateral_count) {
+    throw_invalid_argument("angles.size", static_cast<double>(angles.size()),
+                           "must be the grid's " + std::to_string(grid.lateral_count) + " rows");
+  }
+  for (const double angle : angles) {
+    if (!std::isfinite(angle)) {
+      throw_invalid_argument("angles", angle, "must be finite");
+    }
+  }
+}
+
 const Grid& checked(const Grid& grid) {
   if (grid.lateral_count < 1) {
     throw_invalid_argument("grid.lateral_count", 0.0, "must be at least 1");
@@ -31,15 +43,16 @@ const Grid& checked(const Grid& grid) {
 } // namespace
 
 DisplacementOperator::DisplacementOperator(const Grid& grid, double combined_modulus,
-                                           Elements elements)
+                                           Elements elements, std::span<const double> angles)
     : lateral_count_(checked(grid).lateral_count), longitudinal_count_(grid.longitudinal_count),
       scale_(grid.longitudinal_step / (std::numbers::pi * combined_modulus)) {
   check_positive("combined_modulus", combined_modulus);
+  check_angles(angles, grid);
   // Lengths in units of the longitudinal step, so that no scale of the grid can over- or underflow.
   InfluenceCache cache;
   convolution_ = BoxConvolution<double>::linear(
       {lateral_count_, longitudinal_count_, lateral_count_, longitudinal_count_},
-      {grid.lateral_step / grid.longitudinal_step, elements}, cache);
+      {grid.lateral_step / grid.longitudinal_step, elements}, cache, {angles, angles});
 }
 
 void DisplacementOperator::apply(std::span<const double> pressure, std::span<double> displacement) {

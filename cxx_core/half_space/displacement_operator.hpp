@@ -2,7 +2,8 @@
 ///
 ///   u[i, j] = sum_{k, l} K[i - k, j - l] p[k, l]
 /// with K the influence coefficients (influence_coefficients.hpp), as an exact linear convolution
-/// of the whole grid (box_convolution.hpp). Units mm, MPa; fields in the order of base/grid.hpp.
+/// of the whole grid (box_convolution.hpp); with inclinations of the rows, along a curve.
+/// Units mm, MPa; fields in the order of base/grid.hpp.
 /// Does not handle gaps or contact. Thread rule: holds work buffers, so one object serves one
 /// thread at a time.
 #pragma once
@@ -18,9 +19,10 @@ namespace wrc {
 
 class DisplacementOperator {
 public:
-  /// Any size from 1 x 1 and any element aspect ratio; steps and modulus > 0.
+  /// Any size from 1 x 1 and any element aspect ratio; steps and modulus > 0. `angles`: of the
+  /// rows, or none.
   DisplacementOperator(const Grid& grid, double combined_modulus,
-                       Elements elements = Elements::constant);
+                       Elements elements = Elements::constant, std::span<const double> angles = {});
 
   /// Displacement in mm from pressure in MPa, one value per element; the spans may be the same.
   void apply(std::span<const double> pressure, std::span<double> displacement);

@@ -84,6 +84,15 @@ void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
   }
 }
 
+void coarsen_angles(std::span<const double> angles, std::vector<double>& coarse) {
+  coarse.clear();
+  for (std::size_t row = 0; row < angles.size(); row += 2) {
+    const bool has_partner = row + 1 < angles.size();
+    const double partner = has_partner ? angles[row + 1] : 2.0 * angles[row] - angles[row - 1];
+    coarse.push_back(0.5 * (angles[row] + partner));
+  }
+}
+
 void coarsen_pressure(const LevelSize& fine, std::span<const double> pressure,
                       std::vector<double>& coarse) {
   coarsen_distance(fine, pressure, coarse);

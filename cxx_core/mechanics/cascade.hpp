@@ -26,6 +26,9 @@ LevelSize coarser_size(const LevelSize& size);
 void coarsen_distance(const LevelSize& fine, std::span<const double> distance,
                       std::vector<double>& coarse);
 
+/// Means of two rows, of two or more; a last one without partner as for distances.
+void coarsen_angles(std::span<const double> angles, std::vector<double>& coarse);
+
 /// Means over 2 x 2 elements; none is negative.
 void coarsen_pressure(const LevelSize& fine, std::span<const double> pressure,
                       std::vector<double>& coarse);

@@ -20,6 +20,7 @@ struct SolvedPatch {
   Grid grid;
   std::span<const double> pressure;
   Elements elements = Elements::constant;
+  std::span<const double> angles = {}; ///< of rows along a curve
 };
 
 /// What patches do to each other, if anything. One field a patch, in the order of its grid.

@@ -24,7 +24,9 @@ std::vector<double> displacement_on(const PatchCascade& cascade, const ElementBo
       {box.rows(), box.columns(), rectangle.rows(), rectangle.columns(),
        -static_cast<std::ptrdiff_t>(box.first_row - rectangle.first_row),
        -static_cast<std::ptrdiff_t>(box.first_column - rectangle.first_column)},
-      cascade.kernel, cache);
+      cascade.kernel, cache,
+      {angles_of(cascade.finest(), box.first_row, box.rows()),
+       angles_of(cascade.finest(), rectangle.first_row, rectangle.rows())});
   const std::vector<Real> in(cascade.box_pressure.begin(), cascade.box_pressure.end());
   std::vector<Real> out(rectangle.rows() * rectangle.columns());
   convolution.apply(in.data(), out.data(), workspace);

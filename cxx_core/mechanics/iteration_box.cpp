@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/reductions.hpp"
 #include "mechanics/constants.hpp"
@@ -61,8 +62,12 @@ void clip_one_by_one(const IterationBox& box, BoxFields<Real>& fields, Influence
       kernels[c] =
           fields.mirrored.data() + offset * (2 * box.columns - 1) + (box.columns - 1 - cut.column);
     }
+    std::array<Real, max_single_cuts> acting = pressures;
+    for (std::size_t c = 0; c < cut_count && !box.angles.empty(); ++c) {
+      acting[c] *= static_cast<Real>(std::cos(box.angles[i] - box.angles[cuts[c].row]));
+    }
     take_out(fields.displacement.data() + i * box.columns, fields.response.data(), kernels.data(),
-             pressures.data(), cut_count, box.columns);
+             acting.data(), cut_count, box.columns);
   }
 }
 

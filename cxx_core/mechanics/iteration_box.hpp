@@ -29,6 +29,7 @@ struct IterationBox {
   std::span<double> pressure; ///< start in, answer out
   std::span<const double> distance;
   std::span<const double> shares; ///< s of each element
+  std::span<const double> angles; ///< of rows along a curve
 
   [[nodiscard]] std::size_t count() const { return rows * columns; }
 };

@@ -98,6 +98,16 @@ void check_shares(std::span<const double> shares, const Grid& grid) {
   }
 }
 
+void check_angles(std::span<const double> angles, const Grid& grid) {
+  check_entries("angles", angles.size(), grid.lateral_count);
+  const auto wrong =
+      std::ranges::find_if(angles, [](double angle) { return !std::isfinite(angle); });
+  if (wrong != angles.end()) {
+    throw_invalid_argument("angles[" + std::to_string(wrong - angles.begin()) + "]", *wrong,
+                           "must be finite");
+  }
+}
+
 void check_interaction(const PatchInteraction& interaction, std::size_t count) {
   check_entries("interaction.places", interaction.places.size(), count);
   check_entries("interaction.coupling_weight", interaction.coupling_weight.size(), count * count);
@@ -123,6 +133,9 @@ void check_problem(const NormalProblem& problem) {
     }
     if (!patch.shares.empty()) {
       check_shares(patch.shares, patch.grid);
+    }
+    if (!patch.angles.empty()) {
+      check_angles(patch.angles, patch.grid);
     }
   }
   check_scale("combined_modulus", problem.combined_modulus);
@@ -163,7 +176,7 @@ Residuals compute_residuals(const NormalProblem& problem, std::span<const double
                             double approach) {
   const PatchGap& patch = single_patch(problem);
   std::vector<double> displacement(patch.grid.element_count());
-  DisplacementOperator(patch.grid, problem.combined_modulus, problem.elements)
+  DisplacementOperator(patch.grid, problem.combined_modulus, problem.elements, patch.angles)
       .apply(pressure, displacement);
   return compute_residuals(problem, pressure, displacement, approach);
 }

@@ -9,7 +9,8 @@
 /// angle, or one for each element where the surface turns within it. If delta is the vertical
 /// approach, F is the vertical load. The conditions are those of least energy, so the shares in gap
 /// and load are the same.
-/// Patches are half-spaces of their own, u = A_k p (influence_coefficients.hpp). With `interaction`
+/// Patches are half-spaces of their own, u = A_k p (influence_coefficients.hpp); rows with angles
+/// lie along a curve, and influence each other less (box_convolution.hpp). With `interaction`
 /// they also lie in one mean plane, and u_k gains coupling_weight[k, l] times what the pressures of
 /// patch l cause there (patch_coupling.hpp).
 /// Units mm, N, MPa. Pressures are positive in compression, distances positive when apart.
@@ -34,6 +35,7 @@ struct PatchGap {
   double approach_cosine = 1.0;        ///< s of all elements, in (0, 1]
   std::span<const double> start = {};  ///< pressures to start from, MPa; none: by itself
   std::span<const double> shares = {}; ///< s of each element, positive; none: of all the same
+  std::span<const double> angles = {}; ///< of rows along a curve, rad; none: a plane
 
   [[nodiscard]] double share(std::size_t element) const {
     return shares.empty() ? approach_cosine : shares[element];

@@ -55,6 +55,7 @@ IterationBox iteration_box(PatchCascade& cascade, const Level& level) {
   request.pressure = cascade.box_pressure;
   request.distance = cascade.box_distance;
   request.shares = cascade.box_shares;
+  request.angles = angles_of(level, box.first_row, box.rows());
   return request;
 }
 

@@ -40,9 +40,10 @@ struct DimensionlessProblem {
   std::vector<double> shares; ///< of the approach, by element
   bool load_prescribed;
   Elements elements;
-  double load = 0.0;           ///< sum of share times pressure, found when it is prescribed
-  double approach = 0.0;       ///< given when it is prescribed
-  double pressure_scale = 0.0; ///< MPa for pressure 1
+  std::span<const double> angles; ///< of rows along a curve
+  double load = 0.0;              ///< sum of share times pressure, found when it is prescribed
+  double approach = 0.0;          ///< given when it is prescribed
+  double pressure_scale = 0.0;    ///< MPa for pressure 1
 };
 
 struct DimensionlessResult {
@@ -110,7 +111,7 @@ double first_touch(const PatchGap& patch) {
 class ActiveSetIteration {
 public:
   ActiveSetIteration(const DimensionlessProblem& problem, std::vector<double> start)
-      : problem_(problem), operator_(problem.grid, 1.0, problem.elements),
+      : problem_(problem), operator_(problem.grid, 1.0, problem.elements, problem.angles),
         pressure_(std::move(start)), gap_(pressure_.size()), direction_(pressure_.size(), 0.0),
         response_(pressure_.size()) {}
 
@@ -300,7 +301,8 @@ DimensionlessProblem scale_problem(const NormalProblem& problem, double touch) {
       std::vector<double>(distances.size()),
       shares_of(patch),
       problem.load.has_value(),
-      problem.elements};
+      problem.elements,
+      {}};
   // Where the load is given, one element that carries it all has pressure 1; lengths follow from
   // u ~ p step / E*. Where the approach is given, it is the unit of normal distances.
   double normal_scale = 0.0;
@@ -317,6 +319,7 @@ DimensionlessProblem scale_problem(const NormalProblem& problem, double touch) {
                  [=](double distance, double share) {
                    return (distance - touch * patch.approach_cosine * share) / normal_scale;
                  });
+  scaled.angles = patch.angles;
   return scaled;
 }
 
@@ -330,7 +333,8 @@ std::vector<double> start_pressures(const DimensionlessProblem& scaled) {
   } else {
     // The multiple of the shape with the least energy.
     std::vector<double> displacement(pressure.size());
-    DisplacementOperator(scaled.grid, 1.0, scaled.elements).apply(pressure, displacement);
+    DisplacementOperator(scaled.grid, 1.0, scaled.elements, scaled.angles)
+        .apply(pressure, displacement);
     double work = 0.0;
     double energy = 0.0;
     for (std::size_t index = 0; index < pressure.size(); ++index) {
@@ -351,7 +355,7 @@ Residuals finish_solution(const NormalProblem& problem, NormalSolution& solution
   const std::span<const double> distance = patch.undeformed_distance;
   const std::vector<double>& pressure = solution.patches.front().pressure;
   std::vector<double> displacement(pressure.size());
-  DisplacementOperator(patch.grid, problem.combined_modulus, problem.elements)
+  DisplacementOperator(patch.grid, problem.combined_modulus, problem.elements, patch.angles)
       .apply(pressure, displacement);
   if (problem.approach) {
     solution.approach = *problem.approach;

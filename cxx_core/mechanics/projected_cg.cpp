@@ -22,8 +22,9 @@ void scale_pressures(std::span<const IterationBox> boxes, double factor) {
 } // namespace
 
 template <typename Real> void ProjectedCg<Real>::prepare(const IterationBox& box, Fields& fields) {
-  fields.convolution = BoxConvolution<Real>::linear(
-      {box.rows, box.columns, box.rows, box.columns, 0, 0}, box.kernel, cache_);
+  fields.convolution =
+      BoxConvolution<Real>::linear({box.rows, box.columns, box.rows, box.columns, 0, 0}, box.kernel,
+                                   cache_, {box.angles, box.angles});
   fields.preconditioner =
       BoxConvolution<Real>::inverse_periodic(box.rows, box.columns, box.kernel, cache_);
   fields.has_mirrored = false;
@@ -50,7 +51,7 @@ template <typename Real> void ProjectedCg<Real>::refresh_displacement(bool in_do
     Fields& fields = *fields_[k];
     if (in_double) {
       BoxConvolution<double>::linear({box.rows, box.columns, box.rows, box.columns, 0, 0},
-                                     box.kernel, cache_)
+                                     box.kernel, cache_, {box.angles, box.angles})
           .apply(box.pressure.data(), fields.displacement.data(), double_workspace_);
     } else {
       std::transform(box.pressure.begin(), box.pressure.end(), fields.response.data(),

@@ -124,6 +124,7 @@ void ScaledProblem::set_scales(const NormalProblem& problem) {
     finest.shares.assign(patch.grid.element_count(), finest.share);
     std::transform(patch.shares.begin(), patch.shares.end(), finest.shares.begin(),
                    [unit](double share) { return unit * share; });
+    finest.angles.assign(patch.angles.begin(), patch.angles.end());
     finest.weight = (patch.grid.element_area() / area) * (patch.grid.longitudinal_step / step);
     elements += finest.weight * sum_of(finest.shares);
   }
@@ -176,6 +177,7 @@ void ScaledProblem::set_levels(const NormalProblem& problem, double farthest) {
       level.weight = finer.weight * 8.0;
       coarsen_distance(finer.size, finer.distance, level.distance);
       coarsen_distance(finer.size, finer.shares, level.shares);
+      coarsen_angles(finer.angles, level.angles);
     }
   }
 }

@@ -24,10 +24,17 @@ struct Level {
   std::vector<double> distance;
   std::vector<double> pressure;
   std::vector<double> shares; ///< of the approach, by element, in this level's unit
+  std::vector<double> angles; ///< of rows along a curve
   double share = 1.0;         ///< a typical one of these
   double weight = 1.0; ///< element area times unit of length, relative to the first patch's grid
   [[nodiscard]] double load_weight() const { return share * weight; }
 };
+
+/// Angles of some of a grid's rows; none of a plane.
+inline std::span<const double> angles_of(const Level& level, std::size_t first, std::size_t count) {
+  return level.angles.empty() ? std::span<const double>()
+                              : std::span<const double>(level.angles).subspan(first, count);
+}
 
 /// Grids of one patch, finest first, and the box worked on.
 struct PatchCascade {

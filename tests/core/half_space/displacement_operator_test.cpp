@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -135,6 +136,106 @@ TEST(DisplacementOperator, RefusesBadInput) {
   std::vector<double> five(5);
   EXPECT_THROW(displacement.apply(five, four), Error);
   EXPECT_THROW(displacement.apply(four, five), Error);
+}
+
+/// From one direction to another by `turn`, faster in the middle as on a gauge corner.
+std::vector<double> angles_of(std::size_t rows, double first, double turn) {
+  std::vector<double> angles(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double t = (static_cast<double>(row) + 0.5) / static_cast<double>(rows);
+    angles[row] = first + turn * t * t * (3.0 - 2.0 * t);
+  }
+  return angles;
+}
+
+std::vector<double> displaced(const Grid& grid, const std::vector<double>& angles,
+                              const std::vector<double>& pressure) {
+  std::vector<double> displacement(pressure.size());
+  DisplacementOperator(grid, modulus, Elements::smooth, angles).apply(pressure, displacement);
+  return displacement;
+}
+
+double dot(const std::vector<double>& one, const std::vector<double>& other) {
+  return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
+}
+
+void expect_near(const std::vector<double>& found, const std::vector<double>& expected,
+                 double turn) {
+  const double size = std::sqrt(dot(expected, expected));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], expected[i], relative_tolerance * size) << turn << ", " << i;
+  }
+}
+
+TEST(DisplacementOperatorAlongACurve, EqualsTheDenseSum) {
+  for (const double turn : {0.1, 1.2, 3.0}) {
+    const Grid grid{17, 9, 0.1, 0.25, -3.0, 4.0};
+    const std::vector<double> angles = angles_of(17, 0.4, turn);
+    const std::vector<double> pressure = random_pressure(grid.element_count());
+    std::vector<double> expected(pressure.size());
+    for (std::size_t to = 0; to < pressure.size(); ++to) {
+      for (std::size_t from = 0; from < pressure.size(); ++from) {
+        const double rows = static_cast<double>(to / 9) - static_cast<double>(from / 9);
+        const double columns = static_cast<double>(to % 9) - static_cast<double>(from % 9);
+        expected[to] +=
+            std::cos(angles[to / 9] - angles[from / 9]) * pressure[from] *
+            influence_coefficient(columns * 0.25, rows * 0.1, 0.25, 0.1, modulus, Elements::smooth);
+      }
+    }
+    expect_near(displaced(grid, angles, pressure), expected, turn);
+  }
+}
+
+TEST(DisplacementOperatorAlongACurve, OfRowsWithOneAngleIsThatOfAPlaneBitForBit) {
+  const Grid grid{24, 13, 0.1, 0.3, 0.0, 0.0};
+  const std::vector<double> pressure = random_pressure(grid.element_count());
+  for (const double angle : {0.0, 0.7, -1.2}) {
+    EXPECT_EQ(displaced(grid, std::vector<double>(24, angle), pressure),
+              displaced(grid, {}, pressure))
+        << angle;
+  }
+}
+
+/// Also where cosines and sines have zeros and change sign: rows that face each other.
+TEST(DisplacementOperatorAlongACurve, IsSymmetricAndPositiveDefinite) {
+  const Grid grid{32, 12, 0.05, 0.2, 0.0, 0.0};
+  std::mt19937_64 generator(3);
+  const auto draw = [&generator, &grid] {
+    std::vector<double> field(grid.element_count());
+    for (double& value : field) {
+      value = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
+    }
+    return field;
+  };
+  for (const double turn : {0.02, 1.4, 6.0}) {
+    const std::vector<double> angles = angles_of(32, -0.3, turn);
+    for (int i = 0; i < 20; ++i) {
+      const std::vector<double> one = draw();
+      const std::vector<double> other = draw();
+      const std::vector<double> of_one = displaced(grid, angles, one);
+      const std::vector<double> of_other = displaced(grid, angles, other);
+      const double energy = dot(one, of_one);
+      EXPECT_GT(energy, 0.0) << turn;
+      EXPECT_NEAR(dot(other, of_one), dot(one, of_other),
+                  relative_tolerance * std::sqrt(energy * dot(other, of_other)))
+          << turn;
+    }
+  }
+}
+
+TEST(DisplacementOperatorAlongACurve, ATurnOfAllRowsChangesNothing) {
+  const Grid grid{20, 8, 0.1, 0.2, 0.0, 0.0};
+  const std::vector<double> pressure = random_pressure(grid.element_count());
+  expect_near(displaced(grid, angles_of(20, 0.9, 0.5), pressure),
+              displaced(grid, angles_of(20, 0.0, 0.5), pressure), 0.5);
+}
+
+TEST(DisplacementOperatorAlongACurve, RefusesOtherNumbersOfAnglesAndWhatIsNotFinite) {
+  const Grid grid{4, 3, 0.1, 0.2, 0.0, 0.0};
+  const std::vector<double> few(3, 0.0);
+  const std::vector<double> broken{0.0, 0.0, std::nan(""), 0.0};
+  EXPECT_THROW(DisplacementOperator(grid, modulus, Elements::smooth, few), Error);
+  EXPECT_THROW(DisplacementOperator(grid, modulus, Elements::smooth, broken), Error);
 }
 
 } // namespace

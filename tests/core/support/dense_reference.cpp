@@ -14,7 +14,9 @@ namespace wrc::test {
 
 namespace {
 
-std::vector<double> influence_matrix(const Grid& grid, double combined_modulus, Elements elements) {
+std::vector<double> influence_matrix(const PatchGap& patch, double combined_modulus,
+                                     Elements elements) {
+  const Grid& grid = patch.grid;
   const std::size_t count = grid.element_count();
   const std::size_t columns = grid.longitudinal_count;
   std::vector<double> matrix(count * count);
@@ -24,6 +26,10 @@ std::vector<double> influence_matrix(const Grid& grid, double combined_modulus, 
           grid.longitudinal(to % columns) - grid.longitudinal(from % columns),
           grid.lateral(to / columns) - grid.lateral(from / columns), grid.longitudinal_step,
           grid.lateral_step, combined_modulus, elements);
+      if (!patch.angles.empty()) {
+        matrix[to * count + from] *=
+            std::cos(patch.angles[to / columns] - patch.angles[from / columns]);
+      }
     }
   }
   return matrix;
@@ -73,7 +79,7 @@ DenseSolution solve_on(const std::vector<std::size_t>& active, const PatchProble
 DenseSolution solve_densely(const PatchProblem& problem) {
   const std::size_t count = problem.patch.grid.element_count();
   const std::vector<double> matrix =
-      influence_matrix(problem.patch.grid, problem.combined_modulus, problem.elements);
+      influence_matrix(problem.patch, problem.combined_modulus, problem.elements);
   const std::span<const double> distance = problem.patch.undeformed_distance;
   const double least = *std::min_element(distance.begin(), distance.end());
   std::vector<bool> active(count);
