@@ -21,8 +21,13 @@ SurfaceTurn combined_turn(const SurfaceTurn& one, const SurfaceTurn& other) {
     const double apart = turn.mean - middle;
     return turn.deviation * turn.deviation + apart * apart;
   };
-  return {weight, middle, std::sqrt(mean(square(one), square(other))),
-          std::min(one.first, other.first), std::max(one.last, other.last)};
+  return {weight,
+          middle,
+          std::sqrt(mean(square(one), square(other))),
+          std::min(one.first, other.first),
+          std::max(one.last, other.last),
+          std::min(one.curve_first, other.curve_first),
+          std::max(one.curve_last, other.curve_last)};
 }
 
 double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
@@ -32,11 +37,28 @@ double force_error_of_plane(const SurfaceTurn& turn, double plane_angle) {
 }
 
 double depth_error_of_plane(const SurfaceTurn& turn) {
-  return depth_error_by_turn * turn.range() * turn.range();
+  return depth_error_by_turn * turn.from_rows() * turn.from_rows() +
+         depth_error_on_curve * turn.of_rows() * turn.of_rows();
 }
 
 double pressure_error_of_plane(const SurfaceTurn& turn) {
-  return pressure_error_by_turn * turn.range() * turn.range();
+  return pressure_error_by_turn * turn.from_rows() * turn.from_rows() +
+         pressure_error_on_curve * turn.of_rows() * turn.of_rows();
+}
+
+double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
+                   bool position_is_prescribed) {
+  const double error = (accuracy_of == AccuracyOf::pressures ? pressure_error_by_turn
+                        : position_is_prescribed             ? force_by_depth * depth_error_by_turn
+                                                             : depth_error_by_turn) *
+                       turn * turn;
+  const double t = std::clamp((error / accuracy - curve_begins) / (1.0 - curve_begins), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+double angle_of_reference(const ContactFrame& frame) {
+  const Vector3 across = frame.row_at(0.0).lateral;
+  return std::atan2(across.z, across.y);
 }
 
 double interaction_error(const GridSolution& solution, double combined_modulus) {
@@ -52,8 +74,14 @@ double interaction_error(const GridSolution& solution, double combined_modulus) 
     for (std::size_t l = 0; l < count; ++l) {
       const Patch& other = solution.patches[l];
       if (l != k && !other.no_contact()) {
-        const double included =
+        const double weight =
             solution.interaction ? solution.interaction->coupling_weight[k * count + l] : 0.0;
+        const double of_curves = angle_of_reference(patch.frame) - angle_of_reference(other.frame);
+        const double of_planes = patch.frame.angle() - other.frame.angle();
+        const double included =
+            patch.frame.curve && other.frame.curve && weight > 0.0
+                ? std::min(1.0, weight * std::cos(of_planes) / std::cos(of_curves))
+                : weight;
         missing +=
             (1.0 - included) * other.normal_force /
             (std::numbers::pi * combined_modulus * norm(patch.frame.origin - other.frame.origin));

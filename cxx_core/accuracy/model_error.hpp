@@ -8,11 +8,15 @@
 /// over force and semi-axis
 ///   ddepth / depth <= 0.03 t^2,  dpmax / pmax <= 0.07 t^2.
 /// At a prescribed position the force is off instead of the depth, by 1.5 times as much (Hertz).
+/// Along a curve beta is the inclination to its rows, and t by how much the rail turns more or less
+/// than they do. The rows' own turn T leaves 0.01 T^2 of the depth and 0.02 T^2 of the pressure,
+/// the difference between half-spaces along an arc and bodies (finite elements, CONTACT's example).
 /// What inclined rows would add is in the solution (remesh/row_scales.hpp).
 /// Units rad. Thread rule: pure functions.
 /// An interaction of weight w (patches/contact_patches.hpp) leaves out (1 - w) F / (pi E* r) of the
 /// displacement u at a distance r from a patch that carries F. A patch of overlap d then carries
-/// too much by 1.5 u / d (Hertz). Not known here: bodies that are no half-spaces.
+/// too much by 1.5 u / d (Hertz). Patches on one curve leave out nothing by that: their angle is
+/// part of T. Not known here: bodies that are no half-spaces.
 #pragma once
 
 #include "accuracy/accuracy_of.hpp"
@@ -30,9 +34,17 @@ double depth_error_of_plane(const SurfaceTurn& turn);
 /// Error of the largest pressure of a patch, relative.
 double pressure_error_of_plane(const SurfaceTurn& turn);
 
+/// Inclination of the row through a patch's reference: of its plane, or of its curve there.
+double angle_of_reference(const ContactFrame& frame);
+
 /// Error of the force from displacements that the interaction of patches leaves out: mean of the
 /// patches, weighted with their forces; each 1 at most.
 double interaction_error(const GridSolution& solution, double combined_modulus);
+
+/// How much of its curve a contact takes whose rail turns so over the contact: nothing where a
+/// plane leaves no more than half of the accuracy, all from the accuracy on, smooth in between.
+double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
+                   bool position_is_prescribed);
 
 /// Sets Patch::plane_error, patches of one plane alike: the greatest of those that the accuracy
 /// applies to. Returns the error of planes of the wheel.

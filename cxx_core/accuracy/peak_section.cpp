@@ -77,12 +77,16 @@ double ridge_under(const Patch& patch, const PosedPair& pair) {
   const IndexBox& box = patch.contact.box;
   const double across = std::cos(pair.pose.yaw) * patch.frame.lateral.y / std::cos(pair.pose.roll);
   const double along = -std::sin(pair.pose.yaw) / std::cos(pair.pose.roll);
+  const auto in_plane = [&frame = patch.frame](double lateral) {
+    return frame.curve ? frame.curve->at(lateral).lateral : lateral;
+  };
   double s_first = std::numeric_limits<double>::infinity();
   double s_last = -s_first;
   for (std::size_t row = box.lateral_first; row <= box.lateral_last; ++row) {
     for (std::size_t column = box.longitudinal_first; column <= box.longitudinal_last; ++column) {
       if (patch.pressure[row * grid.longitudinal_count + column] > 0.0) {
-        const double s = across * grid.lateral(row) + along * grid.longitudinal(column);
+        const double lateral = in_plane(grid.lateral(row));
+        const double s = across * lateral + along * grid.longitudinal(column);
         s_first = std::min(s_first, s);
         s_last = std::max(s_last, s);
       }
@@ -90,7 +94,7 @@ double ridge_under(const Patch& patch, const PosedPair& pair) {
   }
   const double room = rows * grid.lateral_step;
   const auto y = [&](double lateral) {
-    return patch.frame.origin.y + patch.frame.lateral.y * lateral;
+    return patch.frame.origin.y + patch.frame.row_at(lateral).place.y;
   };
   const double s_middle = patch.penetration.mean_s;
   return std::max(

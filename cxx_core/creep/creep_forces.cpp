@@ -214,7 +214,7 @@ CreepResult creep_of_patch(const WheelResult& wheel, const PatchResult& patch,
                                        solver));
     const double weight = part.normal_force / patch.normal_force;
     const double along = dot(apart, patch.frame.longitudinal);
-    const double across = motion.frame.mirrored_lateral(dot(apart, patch.frame.lateral));
+    const double across = motion.frame.mirrored_lateral(patch.frame.lateral_of(apart));
     add_part(whole, creep, weight, along, across);
     const Creepages at_whole = creepages_at(creep.creepages, -along, -across);
     mean.longitudinal += weight * at_whole.longitudinal;

@@ -59,7 +59,8 @@ void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {
       const Vector3 apart = part.frame.origin - patch.frame.origin;
       for (const LoadedRow& row : part.slip->rows) {
         rows.push_back(moved_row(row, dot(apart, patch.frame.longitudinal),
-                                 dot(apart, patch.frame.lateral), dot(apart, patch.frame.normal)));
+                                 dot(apart, patch.frame.lateral), dot(apart, patch.frame.normal),
+                                 patch.frame.lateral_of(apart)));
       }
     }
     patch.slip = slip_geometry(std::move(rows), patch.approach);
@@ -85,7 +86,7 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
     const Vector3 apart = patch.frame.origin - whole.frame.origin;
     const RollingFrame frame(mirror);
     motion = {creepages_at(frame.mirrored(request.creepages), dot(apart, whole.frame.longitudinal),
-                           dot(apart, whole.frame.lateral)),
+                           whole.frame.lateral_of(apart)),
               frame, request.speed};
   }
   motion.friction = friction_of(
@@ -110,7 +111,8 @@ MovedContact::MovedContact(const WheelResult& wheel, const PatchResult& patch,
   const std::array<double*, position_count> moved{&pose_.lateral, &height_, &pose_.roll,
                                                   &pose_.yaw};
   *moved[position] += step;
-  frame_.origin = frame_.origin + step * rates.reference[position];
+  // A curve stays where it is, seen from an origin that moves.
+  frame_ = patch.frame.seen_from(patch.frame.origin + step * rates.reference[position]);
   const double angle = step * rates.angle[position];
   frame_.lateral = std::cos(angle) * patch.frame.lateral + std::sin(angle) * patch.frame.normal;
   frame_.normal = std::cos(angle) * patch.frame.normal - std::sin(angle) * patch.frame.lateral;

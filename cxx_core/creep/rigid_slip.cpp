@@ -7,7 +7,14 @@ namespace wrc {
 namespace {
 
 /// Along its tangent.
-SlipRow continued(SlipRow row, double lateral) {
+SlipRow continued(SlipRow row, double lateral, bool on_curve) {
+  if (on_curve) {
+    const double apart = lateral - row.on_grid();
+    row.lateral += row.cosine * apart;
+    row.height += row.sine * apart;
+    row.excess = lateral - row.lateral;
+    return row;
+  }
   row.height += row.sine / row.cosine * (lateral - row.lateral);
   row.lateral = lateral;
   return row;
@@ -18,8 +25,9 @@ class SlipRowSampler {
 public:
   SlipRowSampler(const PosedPair& pair, const ContactFrame& frame, const SlipChoice& choice)
       : pair_(pair), rotation_(pair.pose), choice_(choice),
-        lateral_(rotation_.to_body(frame.lateral)), frame_(frame), rail_(pair.rail, frame),
-        wheel_(pair, frame), first_height_(wheel_.height()) {}
+        lateral_(rotation_.to_body(frame.lateral)), normal_(rotation_.to_body(frame.normal)),
+        frame_(frame), rail_(pair.rail, frame), wheel_(pair, frame),
+        first_height_(wheel_.height()) {}
 
   /// Back to the plane's origin, to go the other way.
   void restart() {
@@ -31,10 +39,13 @@ public:
     const auto on_rail = rail_.solve(0.0, lateral);
     const auto on_wheel = wheel_.solve(0.0, lateral);
     if (!on_rail || !on_wheel) {
-      return continued(before, lateral);
+      return continued(before, lateral, frame_.curve != nullptr);
     }
     const double height =
         choice_.surface == SlipSurface::wheel ? *on_wheel : 0.5 * (*on_rail + *on_wheel);
+    if (frame_.curve) {
+      return along_curve(lateral, height);
+    }
     if (choice_.variation == SlipVariation::plane_axes) {
       return {lateral, height};
     }
@@ -46,20 +57,29 @@ public:
   }
 
 private:
+  /// The curve is midway between both surfaces, so its tangent is that of the deformed one.
+  [[nodiscard]] SlipRow along_curve(double arc, double height) const {
+    const ContactFrame::Row row = frame_.row_at(arc);
+    const Vector3 place = row.place + height * row.normal;
+    const double lateral = dot(place, frame_.lateral);
+    return {lateral, dot(place, frame_.normal), dot(row.lateral, frame_.normal),
+            dot(row.lateral, frame_.lateral), arc - lateral};
+  }
+
   /// Across the plane, from the gradient of the surface of revolution.
   [[nodiscard]] double wheel_slope(double position, double lateral) const {
-    const Vector3 normal = wheel_.normal();
-    const Vector3 place = wheel_.base(0.0, lateral) + position * normal;
+    const Vector3 place = wheel_.base(0.0, lateral) + position * normal_;
     const HeightPoint profile = pair_.wheel.graph().heights().at(place.y);
     const double rho = pair_.wheel.radius() + profile.height;
     const Vector3 gradient{place.x, -rho * profile.slope, place.z};
-    return -dot(gradient, lateral_) / dot(gradient, normal);
+    return -dot(gradient, lateral_) / dot(gradient, normal_);
   }
 
   const PosedPair& pair_;
   const Rotation rotation_;
   const SlipChoice choice_;
   const Vector3 lateral_; ///< of the plane, in the wheelset frame
+  const Vector3 normal_;
   const ContactFrame& frame_;
   RailRay rail_;
   WheelRay wheel_;
@@ -113,7 +133,7 @@ std::vector<SlipRow> slip_rows(const PosedPair& pair, const ContactFrame& frame,
     if (is_loaded(row)) {
       before = sampler.sample(grid.lateral(row), before);
     }
-    rows[row] = continued(before, grid.lateral(row));
+    rows[row] = continued(before, grid.lateral(row), frame.curve != nullptr);
   };
   SlipRow before;
   for (std::size_t row = middle; row < grid.lateral_count; ++row) {
@@ -159,11 +179,13 @@ std::vector<LoadedRow> loaded_rows(const std::vector<SlipRow>& rows, const Grid&
   return result;
 }
 
-LoadedRow moved_row(LoadedRow row, double longitudinal, double lateral, double height) {
+LoadedRow moved_row(LoadedRow row, double longitudinal, double lateral, double height,
+                    double on_grid) {
   row.second += longitudinal * (2.0 * row.first + longitudinal * row.force);
   row.first += longitudinal * row.force;
   row.lateral += lateral;
   row.height += height;
+  row.excess += on_grid - lateral;
   return row;
 }
 
@@ -180,12 +202,12 @@ SlipGeometry slip_geometry(std::vector<LoadedRow> rows, double approach) {
     const RowByTwist by = by_twist(row, approach);
     force += row.force;
     x += row.first;
-    y += row.force * row.lateral;
-    squares += row.second + row.force * row.lateral * row.lateral + row.across;
+    y += row.force * row.on_grid();
+    squares += row.second + row.force * row.on_grid() * row.on_grid() + row.across;
     accumulate(along, row.force, by.along);
     accumulate(across, row.force, by.across);
     accumulate(across, row.first, by.turning);
-    accumulate(moment, -row.force * row.lateral, by.along);
+    accumulate(moment, -row.force * row.on_grid(), by.along);
     accumulate(moment, row.first, by.across);
     accumulate(moment, row.second + row.across, by.turning);
   }
@@ -216,7 +238,7 @@ double slip_variation(const SlipGeometry& geometry, const Twist& twist,
   double force = 0.0;
   for (const LoadedRow& row : geometry.rows) {
     const SlipOfRow slip = slip_of_row(row, twist, geometry.approach);
-    const double along = slip.along - creepages.longitudinal + creepages.spin * row.lateral;
+    const double along = slip.along - creepages.longitudinal + creepages.spin * row.on_grid();
     const double across = slip.across - creepages.lateral;
     const double turning = slip.turning - creepages.spin;
     squares += row.force * (along * along + across * across) +
@@ -235,7 +257,7 @@ SlipField slip_beyond(const SlipGeometry& geometry, const std::vector<SlipRow>& 
   field.y.reserve(grid.element_count());
   for (const SlipRow& row : rows) {
     const SlipOfRow slip = slip_of_row(row, twist, approach);
-    const double along = slip.along - creepages.longitudinal + creepages.spin * row.lateral;
+    const double along = slip.along - creepages.longitudinal + creepages.spin * row.on_grid();
     const double across = slip.across - creepages.lateral;
     const double turning = slip.turning - creepages.spin;
     for (std::size_t i = 0; i < grid.longitudinal_count; ++i) {
@@ -275,7 +297,7 @@ Wrench wrench_beyond(const SlipGeometry& geometry, const std::vector<SlipRow>& r
     accumulate(wrench, moment, by.turning);
     sums[0] += along;
     sums[1] += across;
-    sums[2] += moment - row.lateral * along;
+    sums[2] += moment - row.on_grid() * along;
   }
   accumulate(wrench, -1.0, wrench_of(geometry.creepages_by_twist, sums));
   for (double& component : wrench) {

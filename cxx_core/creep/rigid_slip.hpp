@@ -12,6 +12,10 @@
 /// rail and wheel. The height is that of the wheel before it deforms, whose rolling radius it gives
 /// row by row, or of the mean surface (SlipSurface; docs/creep.md says which and why).
 ///
+/// Rows along a curve (patches/contact_curve.hpp) have the same formulas, with y, h and b where
+/// their rays meet the surface; its tangent is the curve's. The creepages' spin counts with the arc
+/// there, as the grid does.
+///
 /// The three creepages are the least-squares fit weighted with the pressures,
 ///
 ///   sum p |w - (xi - phi y, eta + phi x)|^2 = min,
@@ -70,8 +74,10 @@ Creepages fitted_creepages(const SlipGeometry& geometry, const Twist& twist);
 double slip_variation(const SlipGeometry& geometry, const Twist& twist, const Creepages& creepages);
 std::vector<LoadedRow> loaded_rows(const std::vector<SlipRow>& rows, const Grid& grid,
                                    std::span<const double> pressure);
-/// Rows that are given from another origin of the same plane, moved.
-LoadedRow moved_row(LoadedRow row, double longitudinal, double lateral, double height);
+/// Rows that are given from another origin of the same plane, moved; on the grid by `on_grid`,
+/// which is `lateral` unless they lie along a curve.
+LoadedRow moved_row(LoadedRow row, double longitudinal, double lateral, double height,
+                    double on_grid);
 
 /// The slip of each element less that of the creepages that fit it best.
 struct SlipField {

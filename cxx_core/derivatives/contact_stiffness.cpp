@@ -68,6 +68,9 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
   for (const SolvedPatch& patch : patches) {
     check_grid(patch.grid);
     check_size("pressure", patch.pressure.size(), patch.grid.element_count());
+    if (!patch.angles.empty()) {
+      check_size("angles", patch.angles.size(), patch.grid.lateral_count);
+    }
   }
   // Without dimensions: displacements in mm, forces in E* pi s mm, s the first patch's step. From
   // u = s_k / (pi E*) K p and p = force / (a b) follows each patch's unit.
@@ -88,8 +91,9 @@ void ContactStiffness::set_contact(std::span<const SolvedPatch> patches, double 
           shared_aspect(solved.grid.lateral_step / solved.grid.longitudinal_step), solved.elements};
       const std::size_t rows = patch.box.rows();
       const std::size_t columns = patch.box.columns();
-      patch.convolution =
-          BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0}, kernel, cache_);
+      patch.angles.assign(solved.angles.begin(), solved.angles.end());
+      patch.convolution = BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0},
+                                                         kernel, cache_, patch.angles_of_box());
       patch.preconditioner =
           BoxConvolution<double>::inverse_periodic(rows, columns, kernel, cache_);
     }
@@ -154,7 +158,9 @@ void ContactStiffness::displace(const Group& group, const double* force, double*
 ContactStiffness::Displacements
 ContactStiffness::displacements_of(std::size_t patch_index, std::span<const double> pressure) {
   const Patch& patch = patches_[patch_index];
-  Displacements result{std::vector<double>(pressure.size()), std::vector<double>(pressure.size())};
+  Displacements result;
+  result.displacement.resize(pressure.size());
+  result.by_lateral_step.resize(pressure.size());
   if (!patch.in_contact) {
     return result;
   }
@@ -163,24 +169,54 @@ ContactStiffness::displacements_of(std::size_t patch_index, std::span<const doub
   copy_box(patch.size(), patch.box, pressure, in_box_);
   const double unit = patch.unit * patch.grid.element_area() / force_unit_;
   const double aspect = patch.grid.lateral_step / patch.grid.longitudinal_step;
-  const auto displaced = [&](double factor) {
-    const auto convolution =
-        BoxConvolution<double>::linear({rows, columns, rows, columns, 0, 0},
-                                       {shared_aspect(factor * aspect), patch.elements}, cache_);
+  const auto displaced = [&](double factor, const RowAngles& angles) {
+    const auto convolution = BoxConvolution<double>::linear(
+        {rows, columns, rows, columns, 0, 0}, {shared_aspect(factor * aspect), patch.elements},
+        cache_, angles);
     std::vector<double> values(patch.count());
     convolution.apply(in_box_.data(), values.data(), workspace_);
     return values;
   };
-  std::vector<double> here = displaced(1.0);
-  std::vector<double> by_step = displaced(1.0 + aspect_step);
-  const std::vector<double> narrower = displaced(1.0 - aspect_step);
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    here[i] *= unit;
-    by_step[i] = unit * (by_step[i] - narrower[i]) / (2.0 * aspect_step);
+  // A central difference over aspect_step to both sides.
+  const auto put_rate = [&](std::vector<double> above, const std::vector<double>& below,
+                            std::vector<double>& rate) {
+    std::ranges::transform(above, below, above.begin(), [unit](double one, double other) {
+      return unit * (one - other) / (2.0 * aspect_step);
+    });
+    put_box(patch.size(), patch.box, above, rate);
+  };
+  const RowAngles angles = patch.angles_of_box();
+  std::vector<double> here = displaced(1.0, angles);
+  put_rate(displaced(1.0 + aspect_step, angles), displaced(1.0 - aspect_step, angles),
+           result.by_lateral_step);
+  for (double& value : here) {
+    value *= unit;
   }
   put_box(patch.size(), patch.box, here, result.displacement);
-  put_box(patch.size(), patch.box, by_step, result.by_lateral_step);
+  if (patch.angles.empty()) {
+    return result;
+  }
+  const auto turned = [&](double by_place, double by_spread) {
+    std::vector<double> rows_turned(angles.in.begin(), angles.in.end());
+    for (std::size_t i = 0; i < rows; ++i) {
+      const std::size_t row = patch.box.first_row + i;
+      rows_turned[i] += (by_place + by_spread * patch.grid.lateral(row)) * patch.curvature(row);
+    }
+    return displaced(1.0, {rows_turned, rows_turned});
+  };
+  result.by_place.resize(pressure.size());
+  result.by_spread.resize(pressure.size());
+  put_rate(turned(aspect_step, 0.0), turned(-aspect_step, 0.0), result.by_place);
+  put_rate(turned(0.0, aspect_step), turned(0.0, -aspect_step), result.by_spread);
   return result;
+}
+
+double ContactStiffness::Patch::curvature(std::size_t row) const {
+  const std::size_t before = row - std::min<std::size_t>(row, 1);
+  const std::size_t after = std::min(row + 1, angles.size() - 1);
+  return after > before ? (angles[after] - angles[before]) /
+                              (grid.lateral_step * static_cast<double>(after - before))
+                        : 0.0;
 }
 
 /// Forces within the box as pressures on the grid, MPa.

@@ -65,6 +65,10 @@ public:
   struct Displacements {
     std::vector<double> displacement;
     std::vector<double> by_lateral_step;
+    /// Along a curve, per mm by which its elements move to the field side, and per unit by which
+    /// they grow across: their rows turn. Empty in a plane.
+    std::vector<double> by_place;
+    std::vector<double> by_spread;
   };
   Displacements displacements_of(std::size_t patch, std::span<const double> pressure);
 
@@ -74,11 +78,20 @@ private:
     Elements elements = Elements::constant;
     bool in_contact = false;
     ElementBox box;
-    std::size_t begin = 0; ///< of the box's elements among those of all boxes
-    double unit = 1.0;     ///< displacement = unit * K * force
+    std::size_t begin = 0;      ///< of the box's elements among those of all boxes
+    double unit = 1.0;          ///< displacement = unit * K * force
+    std::vector<double> angles; ///< of all rows of the grid, along a curve
     BoxConvolution<double> convolution;
     BoxConvolution<double> preconditioner;
 
+    [[nodiscard]] RowAngles angles_of_box() const {
+      const std::span<const double> rows =
+          angles.empty() ? std::span<const double>()
+                         : std::span(angles).subspan(box.first_row, box.rows());
+      return {rows, rows};
+    }
+    /// Of the curve at a row, rad/mm.
+    [[nodiscard]] double curvature(std::size_t row) const;
     [[nodiscard]] std::size_t count() const { return in_contact ? box.count() : 0; }
     [[nodiscard]] LevelSize size() const { return {grid.lateral_count, grid.longitudinal_count}; }
     /// Its part of a field over all boxes.

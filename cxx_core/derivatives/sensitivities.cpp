@@ -62,6 +62,10 @@ void add_motion_of_elements(const LoadedPatch& patch, const ByMotion<ElementMoti
           (of.across + of.lateral_growth * grid.lateral(row)) * across +
           of.longitudinal_growth * displacements.displacement[element] +
           (of.lateral_growth - of.longitudinal_growth) * displacements.by_lateral_step[element];
+      if (!displacements.by_place.empty()) {
+        gap_rates[motion][element] += of.across * displacements.by_place[element] +
+                                      of.lateral_growth * displacements.by_spread[element];
+      }
     }
   }
 }
@@ -100,11 +104,16 @@ ContactForce rate_of_force(const LoadedPatch& patch, const RailNormals& rail,
     const double p = patch.pressure[element];
     const Vector3& direction = rail.direction(row, column);
     const Vector3 arm = rail.arm(row, column);
+    const double across = motion.across + motion.lateral_growth * grid.lateral(row);
+    // A row that moves along a curve turns, too.
+    const double turning =
+        patch.frame.curve ? across * patch.frame.curve->curvature(grid.lateral(row)) : angle_rate;
+    const double height =
+        patch.frame.curve ? rail.height(row, column) : dot(arm, patch.frame.normal);
     const RailNormals::Rates moved = rail.rates(
         row, column, motion.along + motion.longitudinal_growth * grid.longitudinal(column),
-        motion.across + motion.lateral_growth * grid.lateral(row) -
-            angle_rate * dot(arm, patch.frame.normal));
-    const double turned = angle_rate * dot(direction, patch.frame.lateral);
+        across - turning * height);
+    const double turned = turning * dot(direction, rail.row(row).lateral);
     const Vector3 force =
         (pressure_rate[element] + (growth + turned) * p) * direction + p * moved.direction;
     rate.force = rate.force + force;
@@ -355,8 +364,12 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
                                        const SensitivityRequest& request,
                                        ContactStiffness& solver) {
   std::vector<SolvedPatch> solved;
+  std::vector<std::vector<double>> angles;
   for (const LoadedPatch& patch : patches) {
-    solved.push_back({patch.grid, patch.pressure, request.elements});
+    angles.push_back(row_angles(patch.frame, patch.grid));
+  }
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    solved.push_back({patches[k].grid, patches[k].pressure, request.elements, angles[k]});
   }
   solver.set_contact(solved, request.combined_modulus, request.influence);
 
@@ -369,7 +382,9 @@ WheelSensitivity compute_sensitivities(const PosedPair& pair, std::span<const Lo
     compute_gap_rates(pair, patches[k].frame, patches[k].grid, patches[k].pressure, motions,
                       gap_rates[k]);
     const RailNormals& rail = rails.emplace_back(pair.rail, patches[k].frame, patches[k].grid);
-    add_turning_plane(patches[k], rail, gap_rates[k]);
+    if (!patches[k].frame.curve) {
+      add_turning_plane(patches[k], rail, gap_rates[k]);
+    }
     scales.emplace_back(patches[k], rail, motions, centre);
   }
   add_influence_rates(patches, request, gap_rates);

@@ -14,6 +14,9 @@
 /// is the caller's knowledge (derivatives/plane_rates.hpp). The derivative of M includes that r_c
 /// moves.
 ///
+/// Rows along a curve (patches/contact_curve.hpp) stay on it where elements move, and turn with it;
+/// the curve itself stays in the track, since it counts to second order only.
+///
 /// The position is that of the pair, at which the pressures have the approach 0.
 /// At constant vertical load the height follows: dz/dq = -(dF_z/dq) / (dF_z/dz), and
 ///   dF_y/dq at constant load = dF_y/dq + dF_y/dz dz/dq.
@@ -45,8 +48,9 @@ ForceRates operator+(const ForceRates& a, const ForceRates& b);
 struct LoadedPatch {
   ContactFrame frame;
   Grid grid;
-  std::span<const double> pressure;  ///< MPa
-  ByMotion<double> angle_rates = {}; ///< of the plane, which turns about the frame's origin
+  std::span<const double> pressure; ///< MPa
+  /// Of the plane, which turns about the frame's origin; 0 along a curve.
+  ByMotion<double> angle_rates = {};
   /// How fast the contact moves along the rail, mm/mm and mm/rad, and the undeformed distance, mm,
   /// so that elements can follow the contact; without it they stay.
   ByMotion<double> along_rates = {};

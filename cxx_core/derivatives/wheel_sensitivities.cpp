@@ -95,7 +95,14 @@ ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penet
     return first + 0.5 * step * static_cast<double>(count - 1);
   };
   const auto across = [&](double y, const ByMotion<double>& rate) {
-    return rate[motion] * (patch.frame.lateral.y + patch.frame.lateral.z * rail.at(y).slope);
+    const ContactFrame& frame = patch.frame;
+    const HeightPoint point = rail.at(y);
+    const double over_plane = rate[motion] * (frame.lateral.y + frame.lateral.z * point.slope);
+    if (!frame.curve) {
+      return over_plane;
+    }
+    const double place = frame.lateral_of(Vector3{0.0, y, point.height} - frame.origin);
+    return over_plane / frame.curve->at(place).cosine;
   };
   ElementMotion result;
   follow(middle(grid.longitudinal_first, grid.longitudinal_step, grid.longitudinal_count),
@@ -161,8 +168,12 @@ ByMotion<double> least_gap_rates(const PosedPair& pair, const Patch& patch) {
   });
 }
 
-/// Planes of vertical gaps turn with the wheelset.
-ByMotion<double> angle_rates_of(const PlaneRates& plane, GapConvention gap) {
+/// Planes of vertical gaps turn with the wheelset; curves stay.
+ByMotion<double> angle_rates_of(const ContactFrame& frame, const PlaneRates& plane,
+                                GapConvention gap) {
+  if (frame.curve) {
+    return {};
+  }
   return gap == GapConvention::vertical ? ByMotion<double>{0.0, 0.0, 1.0, 0.0} : plane.angle;
 }
 
@@ -177,13 +188,13 @@ WheelRates compute_rates(const WheelResult& side) {
     const PatchResult& patch = *patches[k];
     const ByMotion<Vector3>& reference = references.emplace_back(reference_rates(
         patch.frame, planes.moving.rates[planes.index[k]], details.rail->graph().heights()));
-    loaded.push_back({patch.frame, patch.grid, patch.pressure,
-                      angle_rates_of(planes.moving.rates[planes.index[k]], details.gap),
-                      by_motion([&](std::size_t motion) {
-                        return dot(reference[motion], patch.frame.longitudinal);
-                      }),
-                      patch.undeformed_distance, patch.row_scales,
-                      motion_of_grid(patch, planes.moving, details)});
+    loaded.push_back(
+        {patch.frame, patch.grid, patch.pressure,
+         angle_rates_of(patch.frame, planes.moving.rates[planes.index[k]], details.gap),
+         by_motion(
+             [&](std::size_t motion) { return dot(reference[motion], patch.frame.longitudinal); }),
+         patch.undeformed_distance, patch.row_scales,
+         motion_of_grid(patch, planes.moving, details)});
     solved.push_back({patch.grid, patch.pressure, details.elements});
   }
   SensitivityRequest request;

@@ -6,8 +6,47 @@ namespace wrc {
 
 Vector3 ContactFrame::to_track(double longitudinal_position, double lateral_position,
                                double normal_position) const {
+  if (curve) {
+    const Row row = row_at(lateral_position);
+    return origin + longitudinal_position * longitudinal + row.place + normal_position * row.normal;
+  }
   return origin + longitudinal_position * longitudinal + lateral_position * lateral +
          normal_position * normal;
+}
+
+ContactFrame::Row ContactFrame::row_at(double lateral_position) const {
+  if (!curve) {
+    return {lateral_position * lateral, lateral, normal};
+  }
+  const ContactCurve::Point point = curve->at(lateral_position);
+  return {point.lateral * lateral + point.height * normal,
+          point.cosine * lateral + point.sine * normal,
+          point.cosine * normal - point.sine * lateral};
+}
+
+double ContactFrame::lateral_of(const Vector3& from_origin) const {
+  const double across = dot(from_origin, lateral);
+  return curve ? curve->arc_over(across) : across;
+}
+
+ContactFrame ContactFrame::seen_from(const Vector3& new_origin) const {
+  ContactFrame frame = *this;
+  const Vector3 moved = new_origin - origin;
+  frame.origin = new_origin;
+  if (curve) {
+    frame.curve = std::make_shared<const ContactCurve>(
+        curve->seen_from(dot(moved, lateral), dot(moved, normal)));
+  }
+  return frame;
+}
+
+std::vector<double> row_angles(const ContactFrame& frame, const Grid& grid) {
+  std::vector<double> angles;
+  for (std::size_t row = 0; frame.curve && row < grid.lateral_count; ++row) {
+    const ContactCurve::Point point = frame.curve->at(grid.lateral(row));
+    angles.push_back(std::atan2(point.sine, point.cosine));
+  }
+  return angles;
 }
 
 double ContactFrame::angle() const {

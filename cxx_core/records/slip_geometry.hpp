@@ -16,6 +16,10 @@ struct SlipRow {
   double height = 0.0;  ///< over the plane
   double sine = 0.0;    ///< of the angle by which it rises against the plane
   double cosine = 1.0;
+  double excess = 0.0; ///< of rows along a curve: by how much its arc is longer than `lateral`
+
+  /// Lateral position on the grid, for which the creepages' spin counts.
+  [[nodiscard]] double on_grid() const { return lateral + excess; }
 };
 
 /// A row with its pressures: their sum and moments about the origin.

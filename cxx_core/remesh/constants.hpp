@@ -54,4 +54,8 @@ inline constexpr double kink_sine = 1e-6;
 /// origin: derived: see row_scales.hpp.
 inline constexpr double scale_by_inclination = 0.75;
 
+/// Points of the curve of a patch (mean_curve.hpp).
+/// origin: reasoned: the number of rows that expected_contact.hpp takes, more than a solution has.
+inline constexpr std::size_t curve_nodes = 65;
+
 } // namespace wrc

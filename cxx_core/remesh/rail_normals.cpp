@@ -18,18 +18,17 @@ RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, con
   RailRay ray(rail, frame);
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const double lateral = grid.lateral(row);
+    const ContactFrame::Row& at = rows_.emplace_back(frame.row_at(lateral));
     for (std::size_t column = 0; column < columns; ++column) {
       const auto position = ray.solve(by_row_ ? 0.0 : grid.longitudinal(column), lateral);
-      Place place{position.has_value(), lateral * frame.lateral,
-                  frame.normal,         frame.lateral,
-                  frame.normal,         {}};
+      Place place{position.has_value(), at.place, at.normal, at.lateral, at.normal, {}};
       if (position) {
         const CurvePoint& point = ray.point();
-        place.foot = place.foot + *position * frame.normal;
+        place.foot = place.foot + *position * at.normal;
         place.tangent = {0.0, point.tangent_lateral, point.tangent_height};
         place.normal = {0.0, -point.tangent_height, point.tangent_lateral};
         place.normal_rate = {0.0, -point.second_height, point.second_lateral};
-        place.direction = (1.0 / dot(frame.normal, place.normal)) * place.normal;
+        place.direction = (1.0 / dot(at.normal, place.normal)) * place.normal;
       }
       places_.push_back(place);
     }
@@ -38,21 +37,28 @@ RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, con
 
 std::optional<double> RailNormals::position(std::size_t row) const {
   const Place& place = places_[row];
-  return place.met ? std::optional(dot(place.foot, frame_.normal)) : std::nullopt;
+  return place.met ? std::optional(height(row, 0)) : std::nullopt;
 }
 
 void RailNormals::shift(const Vector3& by) {
   const double along = dot(by, frame_.longitudinal);
-  const double across = dot(by, frame_.lateral);
-  const double up = dot(by, frame_.normal);
   const std::size_t columns = by_row_ ? 1 : grid_.longitudinal_count;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     Place& place = places_[i];
+    const ContactFrame::Row& at = rows_[i / columns];
+    const double across = dot(by, at.lateral);
+    const double up = dot(by, at.normal);
     const Rates moved = rates(i / columns, i % columns, along, across);
     place.direction = place.direction + moved.direction;
     // From an origin that goes along.
-    place.foot = place.foot + (dot(moved.arm, frame_.normal) - up) * frame_.normal;
+    place.foot = place.foot + (dot(moved.arm, at.normal) - up) * at.normal;
   }
+}
+
+double RailNormals::height(std::size_t row, std::size_t column) const {
+  const Vector3& foot = places_[index(row, column)].foot;
+  const ContactFrame::Row& at = rows_[row];
+  return frame_.curve ? dot(foot - at.place, at.normal) : dot(foot, at.normal);
 }
 
 Vector3 RailNormals::arm(std::size_t row, std::size_t column) const {
@@ -62,11 +68,12 @@ Vector3 RailNormals::arm(std::size_t row, std::size_t column) const {
 RailNormals::Rates RailNormals::rates(std::size_t row, std::size_t column, double along,
                                       double across) const {
   const Place& place = places_[index(row, column)];
-  const Vector3 in_plane = along * frame_.longitudinal + across * frame_.lateral;
-  const double facing = 1.0 / dot(frame_.normal, place.normal);
-  const Vector3 arm = in_plane - (dot(place.normal, in_plane) * facing) * frame_.normal;
+  const ContactFrame::Row& at = rows_[row];
+  const Vector3 in_plane = along * frame_.longitudinal + across * at.lateral;
+  const double facing = 1.0 / dot(at.normal, place.normal);
+  const Vector3 arm = in_plane - (dot(place.normal, in_plane) * facing) * at.normal;
   const Vector3 turned = (dot(place.tangent, arm) * facing) * place.normal_rate;
-  return {turned - dot(frame_.normal, turned) * place.direction, arm};
+  return {turned - dot(at.normal, turned) * place.direction, arm};
 }
 
 std::vector<double> RailNormals::shares(const Vector3& up) const {
@@ -107,25 +114,32 @@ SurfaceTurn RailNormals::turn(std::span<const double> pressure) const {
   double sum = 0.0;
   double first = 0.0;
   double second = 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  SurfaceTurn turn{0.0, 0.0, 0.0, infinite, -infinite, infinite, -infinite};
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const double pressures = sum_of(pressure.data() + i * together, together);
     if (pressures > 0.0) {
-      const double inclination = -dot(places_[i].direction, frame_.lateral);
+      const ContactFrame::Row& at = rows_[i * together / grid_.longitudinal_count];
+      const double inclination = -dot(places_[i].direction, at.lateral);
       sum += pressures;
       first += pressures * inclination;
       second += pressures * inclination * inclination;
-      least = std::min(least, inclination);
-      most = std::max(most, inclination);
+      const double of_row =
+          frame_.curve ? std::atan2(dot(at.lateral, frame_.normal), dot(at.lateral, frame_.lateral))
+                       : 0.0;
+      turn.curve_first = std::min(turn.curve_first, of_row);
+      turn.curve_last = std::max(turn.curve_last, of_row);
+      turn.first = std::min(turn.first, of_row + std::atan(inclination));
+      turn.last = std::max(turn.last, of_row + std::atan(inclination));
     }
   }
   if (!(sum > 0.0)) {
     return {};
   }
-  const double mean = first / sum;
-  return {grid_.element_area() * sum, mean, std::sqrt(std::max(0.0, second / sum - mean * mean)),
-          std::atan(least), std::atan(most)};
+  turn.weight = grid_.element_area() * sum;
+  turn.mean = first / sum;
+  turn.deviation = std::sqrt(std::max(0.0, second / sum - turn.mean * turn.mean));
+  return turn;
 }
 
 } // namespace wrc

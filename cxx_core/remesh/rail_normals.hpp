@@ -7,12 +7,14 @@
 /// n_r the normal of the rail's surface at the ray's end (the plane then goes with the wheel; with
 /// the wheel's normal it stays in the track, and the sums are the same except for the
 /// discretisation, since sum p dh/ds vanishes along the plane). A pressure on dA so pushes with p f
-/// dA at that end. With the surface inclined by beta to the plane f = n - tan(beta) t, t the
-/// plane's lateral axis: the plane's own direction counts to second order only. A prismatic rail
-/// takes no force along itself. Units mm, N, MPa; track frame, left-hand side
-/// (geometry/frames.hpp). Thread rule: pure functions. Not known here: friction.
+/// dA at that end. Rows along a curve have the normals of the curve. With the surface inclined by
+/// beta to the plane f = n - tan(beta) t, t the plane's lateral axis: the plane's own direction
+/// counts to second order only. A prismatic rail takes no force along itself. Units mm, N, MPa;
+/// track frame, left-hand side (geometry/frames.hpp). Thread rule: pure functions. Not known here:
+/// friction.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -32,13 +34,19 @@ struct ContactForce {
 
 /// How the rail's surface lies to the plane of a patch, over its pressures.
 struct SurfaceTurn {
-  double weight = 0.0;    ///< sum of the pressures times the area of an element, N
-  double mean = 0.0;      ///< of the tangent of its inclination, weighted with the pressures
-  double deviation = 0.0; ///< its standard deviation, likewise
-  double first = 0.0;     ///< least inclination, rad
-  double last = 0.0;      ///< greatest one
+  double weight = 0.0;      ///< sum of the pressures times the area of an element, N
+  double mean = 0.0;        ///< of the tangent of its inclination to the rows, by the pressures
+  double deviation = 0.0;   ///< its standard deviation, likewise
+  double first = 0.0;       ///< least inclination to the plane, rad
+  double last = 0.0;        ///< greatest one
+  double curve_first = 0.0; ///< of the rows themselves, along a curve
+  double curve_last = 0.0;
 
   [[nodiscard]] double range() const { return last - first; }
+  /// Turn of the rows themselves: none in a plane.
+  [[nodiscard]] double of_rows() const { return curve_last - curve_first; }
+  /// By how much the rail turns more or less.
+  [[nodiscard]] double from_rows() const { return std::abs(range() - of_rows()); }
 };
 
 class RailNormals {
@@ -55,10 +63,14 @@ public:
   [[nodiscard]] const Vector3& direction(std::size_t row, std::size_t column) const {
     return places_[index(row, column)].direction;
   }
-  /// Tangent of the rail's angle to the plane in the first column of a row.
+  /// Tangent of the rail's angle to a row, in its first column.
   [[nodiscard]] double inclination(std::size_t row) const {
-    return -dot(direction(row, 0), frame_.lateral);
+    return -dot(direction(row, 0), rows_[row].lateral);
   }
+  /// Where its ray meets the rail, along the row's normal.
+  [[nodiscard]] double height(std::size_t row, std::size_t column) const;
+  /// The row itself.
+  [[nodiscard]] const ContactFrame::Row& row(std::size_t index) const { return rows_[index]; }
   /// The end of its ray, from the frame's origin.
   [[nodiscard]] Vector3 arm(std::size_t row, std::size_t column) const;
 
@@ -92,6 +104,7 @@ private:
   ContactFrame frame_;
   Grid grid_;
   bool by_row_;
+  std::vector<ContactFrame::Row> rows_;
   std::vector<Place> places_;
 };
 

@@ -15,8 +15,9 @@
 /// rail and wheel move along each other. Solvers see h/S, p S and K: the same problem in other
 /// variables.
 /// Units: none. Thread rule: pure functions.
-/// Not known here: distances along the wheelset's axis (vertical convention), whose rows stay as
-/// they are.
+/// Along a curve beta is the inclination to its rows. To the mean curve (mean_curve.hpp) both
+/// bodies are inclined to opposite sides, so c is 1. Not known here: distances along the wheelset's
+/// axis (vertical convention), whose rows stay as they are.
 #pragma once
 
 #include <span>

@@ -33,8 +33,9 @@ CurvePoint RailRay::at(double arc) {
 
 std::optional<double> RailRay::solve(double longitudinal, double lateral) {
   const Vector3 base = frame_.to_track(longitudinal, lateral, 0.0);
-  const double ny = frame_.normal.y;
-  const double nz = frame_.normal.z;
+  const Vector3 normal = frame_.curve ? frame_.row_at(lateral).normal : frame_.normal;
+  const double ny = normal.y;
+  const double nz = normal.z;
   double arc = arc_;
   double largest_step = first_ray_step;
   for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
@@ -82,6 +83,9 @@ Vector3 WheelRay::base(double longitudinal, double lateral) const {
 
 std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
   const Vector3 from = base(longitudinal, lateral);
+  if (frame_.curve) {
+    normal_ = rotation_.to_body(frame_.row_at(lateral).normal);
+  }
   // Start: where the ray enters the cylinder of the radius last met.
   const double radius = wheel_.radius() + height_;
   const double a = normal_.x * normal_.x + normal_.z * normal_.z;

@@ -1,4 +1,5 @@
-/// Where a single ray along a contact frame's normal meets the rail and the wheel.
+/// Where a single ray along a contact frame's normal meets the rail and the wheel; of a frame with
+/// a curve, along the normal of the ray's row.
 ///
 /// The rail is a plane curve, so its ray is solved on the profile's arc length, overhanging parts
 /// included. The wheel's ray meets the surface of revolution X^2 + Z^2 = rho(Y)^2 in the wheelset
@@ -71,6 +72,7 @@ public:
   [[nodiscard]] Vector3 base(double longitudinal, double lateral) const;
   /// Directions of the frame in the wheelset frame.
   [[nodiscard]] Vector3 longitudinal() const { return longitudinal_; }
+  /// On a curve that of the row whose ray was met last.
   [[nodiscard]] Vector3 normal() const { return normal_; }
 
 private:
@@ -79,7 +81,7 @@ private:
   const ContactFrame& frame_;
   const Vector3 centre_;
   const Vector3 longitudinal_;
-  const Vector3 normal_;
+  Vector3 normal_;
   double lateral_;
   double height_;
 };

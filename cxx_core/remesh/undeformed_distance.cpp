@@ -82,8 +82,9 @@ private:
       rail_row_.meet_none(longitudinal_.size());
       return false;
     }
-    return rail_row_.meet({frame_.to_track(0.0, lateral, 0.0), frame_.longitudinal, frame_.normal,
-                           longitudinal_.data(), longitudinal_.size()},
+    return rail_row_.meet({frame_.to_track(0.0, lateral, 0.0), frame_.longitudinal,
+                           frame_.row_at(lateral).normal, longitudinal_.data(),
+                           longitudinal_.size()},
                           rail_.point().lateral);
   }
 

@@ -379,6 +379,13 @@ std::vector<Key> method_keys() {
       {"solve.gap", "\"tangent\"", "\"tangent\" or \"vertical\"",
        "direction in which the gap is measured; vertical as in the paper"},
       {{"tangent", GapConvention::tangent}, {"vertical", GapConvention::vertical}}, &Scene::gap));
+  keys.push_back(word_key<CurvedChoice>(
+      {"solve.curved", "\"no\"", "\"no\", \"yes\" or \"auto\"",
+       "whether contacts of the half-space are solved along the mean curve of wheel and rail, not "
+       "in "
+       "a plane; auto: where the error of a plane would come near solve.accuracy"},
+      {{"no", CurvedChoice::no}, {"yes", CurvedChoice::yes}, {"auto", CurvedChoice::by_accuracy}},
+      &Scene::curved));
   keys.push_back(word_key<ModelRequest>(
       {"solve.model", "\"auto\"", "\"auto\", \"half-space\", \"hertz\" or \"kik-piotrowski\"",
        "contact model; auto chooses the half-space"},

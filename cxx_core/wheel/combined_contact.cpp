@@ -84,7 +84,7 @@ struct Shift {
 
 Shift shift_of(const ContactFrame& part, const ContactFrame& whole) {
   const Vector3 from_origin = part.origin - whole.origin;
-  return {dot(from_origin, whole.lateral), dot(from_origin, whole.longitudinal)};
+  return {whole.lateral_of(from_origin), dot(from_origin, whole.longitudinal)};
 }
 
 /// The pressures of a part as means over the elements of the whole.
@@ -196,8 +196,8 @@ Patch combined(std::span<const Patch> parts, const RailSurface& rail) {
     whole.approach = std::max(whole.approach, part.approach);
   }
   mean = (1.0 / weight) * mean;
-  whole.frame = parts.front().frame;
-  whole.frame.origin = {mean.x, mean.y, rail.graph().at_lateral(mean.y).height};
+  whole.frame =
+      parts.front().frame.seen_from({mean.x, mean.y, rail.graph().at_lateral(mean.y).height});
   for (const Patch& part : parts) {
     const Vector3 arm = part.frame.origin - whole.frame.origin;
     whole.contact_force.moment = whole.contact_force.moment + part.contact_force.moment +
@@ -223,7 +223,8 @@ std::vector<double> combined_pressure(const PatchResult& whole) {
 
 std::vector<double> displacement_of(const PatchResult& patch, const WheelDetails& side) {
   std::vector<double> values(patch.grid.element_count());
-  DisplacementOperator(patch.grid, side.combined_modulus, side.elements)
+  DisplacementOperator(patch.grid, side.combined_modulus, side.elements,
+                       row_angles(patch.frame, patch.grid))
       .apply(over_scales(patch.grid, patch.row_scales, patch.pressure), values);
   return over_scales(patch.grid, patch.row_scales, values);
 }
@@ -239,7 +240,8 @@ std::vector<double> combined_distance(const PatchResult& whole, const WheelDetai
 
 std::vector<double> combined_displacement(const PatchResult& whole, const WheelDetails& side) {
   const Grid& grid = whole.grid;
-  DisplacementOperator displace(grid, side.combined_modulus, side.elements);
+  DisplacementOperator displace(grid, side.combined_modulus, side.elements,
+                                row_angles(whole.frame, grid));
   std::vector<Values> by_part;
   std::vector<Cells> rows;
   for (const PatchResult& part : whole.parts) {

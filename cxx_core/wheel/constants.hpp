@@ -25,6 +25,10 @@ inline constexpr int max_attempts = 20;
 /// origin: reasoned: keeps a first depth far too large from a step to below the first touch.
 inline constexpr double min_depth_ratio = 0.1;
 
+/// Width of a contact over that of its penetration, whose ends move without jumps.
+/// origin: derived: of Hertz's contact the square root of a half.
+inline constexpr double contact_over_penetration = 0.7071;
+
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 /// origin: derived: they are longer than normal ones by 1 - cos = 1 % there.
 inline constexpr double vertical_convention_limit = 0.15;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
+#include "accuracy/model_error.hpp"
 #include "base/error.hpp"
 #include "patches/constants.hpp"
+#include "remesh/mean_curve.hpp"
 #include "wheel/constants.hpp"
 
 namespace wrc {
@@ -87,6 +90,77 @@ PlaneArea potential_area(const Patch& patch, const RailSurface& rail) {
   return within_limits(area, patch.penetration, rail, patch.frame);
 }
 
+/// Patches interact over the arc between them, and by the cosine of the angle between them, as the
+/// rows of one patch do.
+void lay_along_arcs(PatchInteraction& interaction, std::span<Patch> patches, Interaction which) {
+  double across = 0.0;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const ContactFrame& frame = patches[k].frame;
+    patches[k].coupling_weight = 0.0;
+    if (k > 0) {
+      const Vector3 step = frame.origin - patches[k - 1].frame.origin;
+      const double half =
+          0.5 * (angle_of_reference(frame) - angle_of_reference(patches[k - 1].frame));
+      const double over_chord = half != 0.0 ? half / std::sin(half) : 1.0;
+      across += over_chord * std::hypot(step.y, step.z);
+    }
+    interaction.places[k].lateral = across;
+    for (std::size_t l = 0; l < patches.size(); ++l) {
+      const double angle = angle_of_reference(frame) - angle_of_reference(patches[l].frame);
+      double& weight = interaction.coupling_weight[k * patches.size() + l];
+      weight = (which == Interaction::all ? 1.0 : weight) * std::max(0.0, std::cos(angle));
+      if (l != k) {
+        patches[k].coupling_weight = std::max(patches[k].coupling_weight, weight);
+      }
+    }
+  }
+}
+
+/// Of each patch, how much of its curve is taken. Patches that are close take the greater one in
+/// proportion to their links, so that they have the same when they become one.
+std::vector<double> curve_shares(const GridSolution& solution, const RailSurface& rail,
+                                 const WheelRequest& request) {
+  const std::vector<Patch>& patches = solution.patches;
+  std::vector<double> turns;
+  for (const Patch& patch : patches) {
+    const auto from_plane = [&](double y) {
+      const CurvePoint end = rail.graph().at_lateral(y);
+      return std::abs(std::atan2(end.tangent_height, end.tangent_lateral) - patch.frame.angle());
+    };
+    turns.push_back(
+        2.0 * contact_over_penetration *
+        std::max(from_plane(patch.penetration.y_first), from_plane(patch.penetration.y_last)));
+  }
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    double turn = turns[k];
+    double close = 1.0;
+    for (std::size_t l = k; l > 0; --l) {
+      close *= solution.links[l - 1];
+      turn = std::max(turn, close * turns[l - 1]);
+    }
+    close = 1.0;
+    for (std::size_t l = k + 1; l < patches.size(); ++l) {
+      close *= solution.links[l - 1];
+      turn = std::max(turn, close * turns[l]);
+    }
+    shares.push_back(request.curved == CurvedChoice::yes
+                         ? 1.0
+                         : curve_share(turn, request.accuracy, request.accuracy_of,
+                                       request.position_is_prescribed()));
+  }
+  return shares;
+}
+
+/// A stretch of the plane as one of the rows.
+PlaneArea along_rows(PlaneArea area, const ContactFrame& frame) {
+  if (frame.curve) {
+    area.lateral_first = frame.curve->arc_over(area.lateral_first);
+    area.lateral_last = frame.curve->arc_over(area.lateral_last);
+  }
+  return area;
+}
+
 } // namespace
 
 const PatchElements& GridChoice::nearest(const ContactPatch& penetration) const {
@@ -153,11 +227,43 @@ std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, cons
   return contacts;
 }
 
+void set_curves(GridSolution& solution, const PosedPair& pair, const WheelRequest& request) {
+  std::vector<Patch>& patches = solution.patches;
+  const std::vector<double> shares = curve_shares(solution, pair.rail, request);
+  for (std::size_t first = 0, last = 0; first < patches.size(); first = last) {
+    last = first + 1;
+    while (last < patches.size() && patches[last].penetration.shares_plane_with_previous) {
+      ++last;
+    }
+    for (std::size_t k = first; k < last; ++k) {
+      ContactFrame& frame = patches[k].frame;
+      PlaneArea all = PlaneArea::empty();
+      for (std::size_t l = first; l < last; ++l) {
+        PlaneArea area = potential_area(patches[l], pair.rail);
+        const double apart = dot(patches[l].frame.origin - frame.origin, frame.lateral);
+        area.lateral_first += apart;
+        area.lateral_last += apart;
+        all.include(area);
+      }
+      const MeanCurve found =
+          mean_curve(pair, frame, all.lateral_first, all.lateral_last, shares[k]);
+      if (!found.refusal.empty() && request.curved == CurvedChoice::yes) {
+        throw_invalid_argument("solve.curved", "\"yes\"",
+                               found.refusal + "; allowed here is \"no\" or \"auto\"");
+      }
+      frame.curve = found.curve;
+    }
+  }
+  if (solution.interaction) {
+    lay_along_arcs(*solution.interaction, patches, request.interaction);
+  }
+}
+
 double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoice& grids,
                  double limit) {
   std::vector<PlaneArea> areas;
   for (const Patch& patch : solution.patches) {
-    areas.push_back(potential_area(patch, rail));
+    areas.push_back(along_rows(potential_area(patch, rail), patch.frame));
   }
   const auto count_of = [&](const GridChoice& choice) {
     double count = 0.0;

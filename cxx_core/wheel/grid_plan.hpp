@@ -2,9 +2,9 @@
 ///
 /// The planes are those of the patches of penetration (patches/contact_patches.hpp). A grid spans a
 /// patch's penetration with a little room, within its lateral limits: contact cannot leave the
-/// penetration, whose ends the scan knows by parabolas between its nodes. In the vertical
-/// convention all patches near the main one have one plane and grid. Units mm and rad; left-hand
-/// frame of the side. Thread rule: pure functions.
+/// penetration, whose ends the scan knows by parabolas between its nodes. Along a curve its width
+/// is that of the arc. In the vertical convention all patches near the main one have one plane and
+/// grid. Units mm and rad; left-hand frame of the side. Thread rule: pure functions.
 #pragma once
 
 #include <string>
@@ -49,6 +49,10 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
 /// What contacts patches with planes lead to.
 std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
                                                const ContactScan& scan);
+
+/// Curves in place of the planes (remesh/mean_curve.hpp), one for all patches of a plane; as far as
+/// the request's accuracy needs them (accuracy/model_error.hpp).
+void set_curves(GridSolution& solution, const PosedPair& pair, const WheelRequest& request);
 
 /// Their grids. Nothing is sampled or solved yet. Elements that follow from an accuracy are as much
 /// larger in all patches as makes them `limit` together at most; returned is how many they would be

@@ -42,7 +42,8 @@ Residuals residuals_of(const WheelResult& side) {
   for (const PatchResult* patch : patches) {
     const std::vector<double> pressure =
         over_scales(patch->grid, patch->row_scales, patch->pressure);
-    DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements)
+    DisplacementOperator(patch->grid, side.details.combined_modulus, side.details.elements,
+                         row_angles(patch->frame, patch->grid))
         .apply(pressure, displacements.emplace_back(pressure.size()));
   }
   if (side.details.interaction) {

@@ -18,6 +18,10 @@ namespace wrc {
 
 enum class SolverChoice { standard, paper };
 
+/// Which contacts are solved along the mean curve of both bodies: none, all, or those that a plane
+/// leaves too much of the accuracy's error in.
+enum class CurvedChoice { no, yes, by_accuracy };
+
 /// How the wheels of a scene are solved, each alike.
 struct WheelOptions {
   GapConvention gap = GapConvention::tangent;
@@ -27,6 +31,7 @@ struct WheelOptions {
   std::optional<std::array<std::size_t, 2>> grid; ///< [lateral, longitudinal], instead of accuracy
   double tolerance = 1e-5;                        ///< of the pressures, relative; with a grid given
   SolverChoice solver = SolverChoice::standard;
+  CurvedChoice curved = CurvedChoice::no;
   Interaction interaction = Interaction::all;
   /// Patches closer than twice this distance, mm, have a common plane
   /// (patches/contact_patches.hpp).

@@ -46,6 +46,7 @@ struct ScaledPatch {
   std::vector<double> distance;
   std::vector<double> approach_shares;
   std::vector<double> pressure;
+  std::vector<double> angles;
 };
 
 class WheelSolver {
@@ -139,9 +140,12 @@ GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
 GridSolution WheelSolver::sample(double depth, const GridChoice& grids) {
   const Stopwatch watch;
   GridSolution solution = patches_at(depth);
+  const PosedPair pair = posed(depth);
+  if (request_.curved != CurvedChoice::no && request_.gap == GapConvention::tangent) {
+    set_curves(solution, pair, request_);
+  }
   const double wanted = set_grids(solution, rail_, grids, request_.element_limit);
   elements_wanted_ = std::max(elements_wanted_, wanted);
-  const PosedPair pair = posed(depth);
   rail_normals_.clear();
   for (Patch& patch : solution.patches) {
     const RailNormals& rail = rail_normals_.emplace_back(rail_, patch.frame, patch.grid);
@@ -227,9 +231,10 @@ GridSolution WheelSolver::solve_at(double depth, const GridChoice& grids, double
     }
     scaled[k] = {times_scales(patch.grid, patch.row_scales, patch.undeformed_distance),
                  times_scales(patch.grid, patch.row_scales, patch.approach_shares),
-                 over_scales(patch.grid, patch.row_scales, patch.pressure)};
+                 over_scales(patch.grid, patch.row_scales, patch.pressure),
+                 row_angles(patch.frame, patch.grid)};
     gaps.push_back({patch.grid, scaled[k].distance, patch.frame.normal.z, scaled[k].pressure,
-                    scaled[k].approach_shares});
+                    scaled[k].approach_shares, scaled[k].angles});
   }
   NormalProblem problem;
   problem.patches = gaps;
@@ -407,6 +412,10 @@ GridSolution WheelSolver::sample_only(double depth) {
 WheelSolution WheelSolver::solve() {
   result_.solved = request_.until == Module::mechanics;
   result_.vertical = equilibrium_.vertical;
+  if (request_.curved == CurvedChoice::yes && request_.gap == GapConvention::vertical) {
+    throw_invalid_argument("solve.curved", "\"yes\"",
+                           "allowed with solve.gap = \"vertical\" is \"no\" or \"auto\"");
+  }
   if (request_.until == Module::geometry) {
     return std::move(result_);
   }

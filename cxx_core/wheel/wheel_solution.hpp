@@ -16,6 +16,8 @@
 /// grows as the wheel is lifted (remesh/rail_normals.hpp): a step in depth is right to first order,
 /// planes and grids go with the wheel. Forces are sums over elements with the same directions, so
 /// they are derivatives of an energy, and the direction of a plane counts to second order only.
+/// With `curved` the rows of a patch lie along the mean curve of both bodies in place of its plane
+/// (remesh/mean_curve.hpp), with distances, shares and forces along its normals.
 /// Exceptions cost another solution each: loads that the rail's turn under the same pressures
 /// changes by more than the iteration may leave; with pressures, a patch just born whose contact
 /// outgrows its penetration, and a crest that the section has not resolved. `solutions` counts them
@@ -27,8 +29,7 @@
 /// also stop after the geometry (no patches), or after the remesh: the patches of penetration at
 /// the depth estimated or prescribed, their grids and undeformed distances. Units mm, N, MPa, rad;
 /// left-hand frame of the side (geometry/frames.hpp). Thread rule: a solver serves one thread at a
-/// time; otherwise a pure function. Not known here: friction; forces between the wheels; patches
-/// that are not plane.
+/// time; otherwise a pure function. Not known here: friction; forces between the wheels.
 #pragma once
 
 #include "geometry/wheelset_equilibrium.hpp"

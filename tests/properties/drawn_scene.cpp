@@ -171,6 +171,8 @@ void DrawnScene::draw_solution() {
   if (chance(0.2)) {
     set("solve.joining_distance", chance(0.5) ? 0.0 : between(0.0, 20.0));
   }
+  choose("solve.curved", 0.1, "yes");
+  choose("solve.curved", 0.1, "auto");
   choose("solve.slip", 0.1, "planar");
   choose("solve.slip_surface", 0.1, "mean");
   choose("solve.solver", 0.02, "paper");

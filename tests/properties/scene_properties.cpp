@@ -126,7 +126,8 @@ double force_along_normal(const Outcome& outcome, const std::string& patch, doub
 
 /// A patch or a part of one. `across`: share of the plane's normal across the rail that is across
 /// it.
-std::string check_patch(const Outcome& outcome, const std::string& patch, double across) {
+std::string check_patch(const Outcome& outcome, const std::string& patch, double across,
+                        bool is_curved) {
   const std::vector<double>& pressure = outcome.pressures.at(patch);
   const double element = outcome.at(patch + ".element_size.lateral") *
                          outcome.at(patch + ".element_size.longitudinal");
@@ -140,10 +141,12 @@ std::string check_patch(const Outcome& outcome, const std::string& patch, double
     largest = std::max(largest, p);
   }
   // Whatever the inclination of the rail's surface, along the plane's normal pressures add up to
-  // the force.
+  // the force; those along a curve do but for the turn of their normals.
   const bool has_plane = outcome.has(patch + ".plane_error");
   const double along = force_along_normal(outcome, patch, across);
-  if (!near(sum, has_plane ? along : outcome.at(patch + ".normal_force"), summation)) {
+  const double turn = has_plane && is_curved ? outcome.at(patch + ".turn") : 0.0;
+  if (!near(sum, has_plane ? along : outcome.at(patch + ".normal_force"),
+            summation + turn * turn)) {
     return differ(patch + ", sum of pressures and force", sum, along);
   }
   // Fields of a whole are means over its elements.
@@ -213,7 +216,8 @@ std::string check_equilibrium(const DrawnScene& scene, const Outcome& outcome) {
       }
       patches += outcome.has(first_part(patch) + ".pmax") ? 0 : 1;
       if (is_half_space(scene)) {
-        if (std::string wrong = check_patch(outcome, patch, across); !wrong.empty()) {
+        const bool is_curved = scene.text_or("solve.curved", "no") != "no";
+        if (std::string wrong = check_patch(outcome, patch, across, is_curved); !wrong.empty()) {
           return wrong;
         }
       }

@@ -137,7 +137,7 @@ TEST(RigidSlip, OfRowsFromAnotherOrigin) {
   const Patch patch;
   std::vector<LoadedRow> moved;
   for (const LoadedRow& row : patch.geometry().rows) {
-    moved.push_back(moved_row(row, 2.0, -3.0, 0.1));
+    moved.push_back(moved_row(row, 2.0, -3.0, 0.1, -3.0));
   }
   // The same motion with its velocities at the new origin.
   Twist there = moving;

@@ -32,6 +32,7 @@ struct Case {
   double of_positions = position_tolerance;
   double of_velocities = velocity_tolerance;
   FrictionLaw friction{};
+  CurvedChoice curved = CurvedChoice::no;
 };
 
 /// Halved at a slip of 60 mm/s, as creepages of 0.3 % have here.
@@ -51,6 +52,7 @@ Scene scene_of(const Case& c) {
   scene.accuracy = 6e-4;
   scene.accuracy_of = AccuracyOf::forces;
   scene.creep = c.model;
+  scene.curved = c.curved;
   scene.left.friction = scene.right.friction = c.friction;
   const SceneResult under_load = solve_scene(scene);
   scene.roll = under_load.roll;
@@ -104,7 +106,25 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"friction_falls", -2.0, 0.004, CreepModel::polach, 2e4, ellipse_tolerance,
                          velocity_tolerance, falling},
                     Case{"friction_by_place", 3.0, 0.004, CreepModel::polach, 2e4,
-                         ellipse_tolerance, velocity_tolerance, by_place}),
+                         ellipse_tolerance, velocity_tolerance, by_place},
+                    Case{"curved_tread",
+                         -2.0,
+                         0.004,
+                         CreepModel::full,
+                         2e4,
+                         position_tolerance,
+                         velocity_tolerance,
+                         {},
+                         CurvedChoice::yes},
+                    Case{"curved_flange_root",
+                         5.0,
+                         0.002,
+                         CreepModel::full,
+                         2e4,
+                         position_tolerance,
+                         velocity_tolerance,
+                         {},
+                         CurvedChoice::yes}),
     [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
 /// Slip by element changes the force along the normals of two lobes, with unlike bodies as well.

@@ -1,0 +1,117 @@
+/// Slip and tractions of rows along a curve, against velocities and sums in space.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "creep/kinematics.hpp"
+#include "creep/patch_motion.hpp"
+#include "creep/rigid_slip.hpp"
+#include "creep/total_force.hpp"
+#include "scene/solve_scene.hpp"
+
+namespace wrc::test::curved_slip_test {
+namespace {
+
+/// Two lobes at the gauge corner, which turn by 0.28 rad.
+Scene rolling(CurvedChoice curved) {
+  Scene scene;
+  scene.left.rail.name = scene.right.rail.name = "UIC60-Manchester";
+  scene.lateral = 5.0;
+  scene.yaw = 2e-3;
+  scene.side = SideChoice::left;
+  scene.curved = curved;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.motion = Motion{.speed = 2e4};
+  return scene;
+}
+
+TEST(CurvedSlip, IsTheVelocityOfTheElementAlongItsTangent) {
+  const SceneResult result = solve_scene(rolling(CurvedChoice::yes));
+  const PatchResult& patch = result.left->patches.at(0);
+  ASSERT_TRUE(patch.frame.curve);
+  const ContactFrame& frame = patch.frame;
+  const Twist twist = rigid_slip(*result.left->details.motion, frame, patch.approach).twist;
+  const Vector3 velocity =
+      twist[0] * frame.longitudinal + twist[1] * frame.lateral + twist[2] * frame.normal;
+  const Vector3 turning =
+      twist[3] * frame.longitudinal + twist[4] * frame.lateral + twist[5] * frame.normal;
+  const Vector3 origin = frame.origin - patch.approach * frame.normal;
+  const Grid& grid = patch.creep->grid;
+  const std::vector<SlipRow> rows = rows_on(*result.left, patch, grid, SlipChoice{});
+  ASSERT_EQ(rows.size(), grid.lateral_count);
+  const SlipField beyond = slip_beyond(*patch.slip, rows, grid, twist);
+  const Creepages fitted = fitted_creepages(*patch.slip, twist);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const SurfacePlace place =
+        surfaces_at(result.left->details.pair(), frame, 0.0, grid.lateral(row));
+    if (!place.on_wheel || !place.on_rail) {
+      continue;
+    }
+    const Vector3 tangent = frame.row_at(grid.lateral(row)).lateral;
+    for (const std::size_t column : {std::size_t{0}, grid.longitudinal_count - 1}) {
+      const double x = grid.longitudinal(column);
+      // The height is that of the wheel at x = 0.
+      const Vector3 here = place.wheel + x * frame.longitudinal;
+      const Vector3 moves = velocity + cross(turning, here - origin);
+      const double y = grid.lateral(row);
+      const std::size_t at = row * grid.longitudinal_count + column;
+      EXPECT_NEAR(beyond.x[at] + fitted.longitudinal - fitted.spin * y,
+                  dot(moves, frame.longitudinal), 1e-12)
+          << row;
+      EXPECT_NEAR(beyond.y[at] + fitted.lateral + fitted.spin * x, dot(moves, tangent), 1e-12)
+          << row;
+    }
+  }
+}
+
+TEST(CurvedSlip, ForcesAreThoseOfTractionsAlongTheTangents) {
+  const SceneResult result = solve_scene(rolling(CurvedChoice::yes));
+  const PatchResult& patch = result.left->patches.at(0);
+  ASSERT_TRUE(patch.parts.empty());
+  const CreepResult& creep = *patch.creep;
+  const Grid& grid = creep.grid;
+  Vector3 sum;
+  for (std::size_t row = 0; row < grid.lateral_count; ++row) {
+    const Vector3 tangent = patch.frame.row_at(grid.lateral(row)).lateral;
+    for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
+      const std::size_t at = row * grid.longitudinal_count + column;
+      sum = sum + creep.traction_x[at] * patch.frame.longitudinal + creep.traction_y[at] * tangent;
+    }
+  }
+  sum = grid.element_area() * sum;
+  const Vector3 of_creep = patch.total_force - patch.force;
+  // Sums of the solver and of the fields differ by single precision.
+  EXPECT_LT(norm(sum - of_creep), 1e-5 * norm(sum));
+  // Along the plane they would be others.
+  const Vector3 planar = creep.longitudinal_force * patch.frame.longitudinal +
+                         creep.lateral_force * patch.frame.lateral;
+  EXPECT_GT(norm(planar - of_creep), 1e-3 * norm(sum));
+}
+
+/// The power of the force and moment on the wheel's motion over the rail is what friction takes.
+TEST(CurvedSlip, ForceTimesMotionIsTheDissipation) {
+  for (const CurvedChoice curved : {CurvedChoice::no, CurvedChoice::yes}) {
+    const SceneResult result = solve_scene(rolling(curved));
+    const PatchResult& patch = result.left->patches.at(0);
+    const CreepResult& creep = *patch.creep;
+    const RigidSlip slip = rigid_slip(*result.left->details.motion, patch.frame, patch.approach);
+    const Wrench fitted =
+        wrench_of(patch.slip->creepages_by_twist,
+                  {creep.longitudinal_force, creep.lateral_force, creep.spin_moment});
+    double power = 0.0;
+    for (std::size_t i = 0; i < twist_count; ++i) {
+      power -= slip.twist[i] * (fitted[i] + creep.beyond_creepages[i]);
+    }
+    EXPECT_GT(power, 0.0);
+    EXPECT_NEAR(power, creep.power_per_speed, 1e-9 * power);
+    // Slip times traction of the elements shows it but for the discretisation.
+    double work = 0.0;
+    for (std::size_t i = 0; i < creep.traction_x.size(); ++i) {
+      work -= creep.traction_x[i] * creep.slip_x[i] + creep.traction_y[i] * creep.slip_y[i];
+    }
+    EXPECT_NEAR(creep.grid.element_area() * work, power, 0.05 * power);
+  }
+}
+
+} // namespace
+} // namespace wrc::test::curved_slip_test
