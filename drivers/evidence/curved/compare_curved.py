@@ -53,13 +53,14 @@ def place_of(wheel: Any) -> str:
     return next((name for name, (low, high) in PLACES.items() if low <= angle < high), "none")
 
 
-def library_figures(keys: dict[str, Any], accuracy_of: str, accuracy: float) -> tuple[Any, Any]:
+def library_figures(keys: dict[str, Any], accuracy_of: str, accuracy: float,
+                    curved: str = "no") -> tuple[Any, Any]:
     import wrcontact
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", wrcontact.ContactWarning)
         result = wrcontact.solve(**keys, side="left", accuracy_of=accuracy_of, accuracy=accuracy,
-                                 poisson=POISSON, youngs_modulus=YOUNG)
+                                 poisson=POISSON, youngs_modulus=YOUNG, curved=curved)
         return result, result.left
 
 
@@ -132,12 +133,12 @@ def true_scene(keys: dict[str, Any], accuracy: float) -> dict[str, Any]:
     return {"keys": keys, "place": place_of(left), "truth": truth, "grid": errors(coarse, truth)}
 
 
-def judge(scene: dict[str, Any], accuracy: float) -> None:
+def judge(scene: dict[str, Any], accuracy: float, curved: str = "no") -> None:
     """Adds what the library finds and states, by kind of accuracy."""
     keys, truth = scene["keys"], scene["truth"]
     for kind, of, sought in (("forces", "forces", accuracy), ("pressures", "pressures", accuracy),
                              ("planes", "pressures", min(accuracy, PLANE_ACCURACY))):
-        _, left = library_figures(keys, of, sought)
+        _, left = library_figures(keys, of, sought, curved)
         first = left.patches[0]
         arm = [first.y - truth["about"][0], first.z - truth["about"][1]]
         force = left.pressure_force
@@ -249,6 +250,8 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=50)
     parser.add_argument("--accuracy", type=float, default=1e-3)
     parser.add_argument("--write", type=Path, help="file for the scenes and their truths, JSON")
+    parser.add_argument("--curved", choices=("no", "yes", "auto"), default="no",
+                        help="how the library solves the scenes (solve.curved)")
     parser.add_argument("--truth", type=Path, help="such a file, instead of solving along curves")
     options = parser.parse_args()
     if options.truth:
@@ -259,7 +262,7 @@ def main() -> int:
         options.write.write_text(text_of(scenes))
     for scene in scenes:
         if "failed" not in scene:
-            judge(scene, options.accuracy)
+            judge(scene, options.accuracy, options.curved)
     print(table_of(scenes))
     return 0
 
