@@ -18,8 +18,8 @@ template <class... Objects> struct Tables {
   static void unlock() { (HandleTable<Objects>::instance().unlock(), ...); }
   static void renew_locks() { (HandleTable<Objects>::instance().renew_lock(), ...); }
 };
-using AllTables =
-    Tables<SceneObject, SolverObject, HistoryObject, ProfileObject, NormalObject, RollingObject>;
+using AllTables = Tables<SceneObject, SolverObject, HistoryObject, ProfileObject, NormalObject,
+                         RollingObject, TableObject>;
 
 void before_fork() noexcept {
   try {

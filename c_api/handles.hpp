@@ -22,6 +22,7 @@
 #include "rolling/rolling_contact.hpp"
 #include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"
+#include "table/contact_table.hpp"
 #include "wrcontact.h"
 
 namespace wrc {
@@ -113,6 +114,11 @@ struct RollingObject {
   std::string error;
 };
 
+struct TableObject {
+  std::shared_ptr<const ContactTable> table; ///< none until built, loaded or shared
+  std::string error;
+};
+
 /// From the kind of a handle to the kind of object it stands for, and the table of these.
 template <class Handle> struct ObjectOf;
 template <> struct ObjectOf<wrc_scene> {
@@ -138,6 +144,11 @@ template <> struct ObjectOf<wrc_normal> {
 template <> struct ObjectOf<wrc_rolling> {
   using type = RollingObject;
   static constexpr const char* missing = "rolling = NULL: a handle must be given";
+};
+
+template <> struct ObjectOf<wrc_table> {
+  using type = TableObject;
+  static constexpr const char* missing = "table = NULL: a handle must be given";
 };
 
 template <class Handle> using Object = typename ObjectOf<std::remove_const_t<Handle>>::type;

@@ -6,6 +6,7 @@
 #include "scene/patch_summary.hpp"
 #include "scene/static_equilibrium.hpp"
 #include "scene/vehicle_step.hpp"
+#include "table/table_step.hpp"
 
 namespace {
 
@@ -294,6 +295,42 @@ wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t 
       posed.scene = std::move(found.scene);
       return status;
     });
+  });
+}
+
+wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene,
+                          const double* position, const double* velocity,
+                          const wrc_step_arguments* arguments, double* force, double* error) {
+  return wrc::guard(table, [&](wrc::TableObject& object) -> wrc_status {
+    wrc::require_pointer(position, "position");
+    wrc::require_pointer(velocity, "velocity");
+    wrc::require_pointer(force, "force");
+    if (!object.table) {
+      object.error = "there is no table yet: build or load one";
+      return WRC_NO_RESULT;
+    }
+    const StepArrays arrays{position, velocity, force, known_part(arguments)};
+    const auto put = [&](const wrc::TableStep& step) {
+      arrays.put(0, step.wheels);
+      if (error != nullptr) {
+        std::copy(step.errors.begin(), step.errors.end(), error);
+      }
+      return WRC_OK;
+    };
+    if (solver == nullptr && scene == nullptr) {
+      return put(wrc::step_in_table(*object.table, arrays.state(0), nullptr));
+    }
+    const auto with = wrc::use(solver);
+    const auto posed = wrc::use(scene);
+    if (!with.held() || !posed.held()) {
+      const bool is_solver = !with.held();
+      const bool busy = is_solver ? with.exists() : posed.exists();
+      object.error = is_solver ? std::string("solver: ") + wrc::reason_of(with)
+                               : std::string("scene: ") + wrc::reason_of(posed);
+      return busy ? WRC_BUSY : WRC_INVALID_ARGUMENT;
+    }
+    const wrc::ExactAnswer exact{posed.object().scene, with.object().solver};
+    return put(wrc::step_in_table(*object.table, arrays.state(0), &exact));
   });
 }
 

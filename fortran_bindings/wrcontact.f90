@@ -24,7 +24,7 @@
 !> compiler and version.
 module wrcontact
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funptr, &
-    c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    c_int32_t, c_int64_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t, c_sizeof
   use, intrinsic :: iso_fortran_env, only: real64
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   implicit none
@@ -51,6 +51,7 @@ module wrcontact
   integer, parameter, public :: wrc_on_flange_tip = 2
   integer, parameter, public :: wrc_on_chamfer = 4
   integer, parameter, public :: wrc_beyond_yield = 8
+  integer, parameter, public :: wrc_solved_exactly = 16
   !> Kinds of profiles.
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1
@@ -65,7 +66,7 @@ module wrcontact
   integer, parameter, public :: wrc_points_dropped = 1
 
   integer, parameter :: scene_kind = 1, solver_kind = 2, profile_kind = 3, normal_kind = 4, &
-    rolling_kind = 5, history_kind = 6
+    rolling_kind = 5, history_kind = 6, table_kind = 7
 
   !> Shared by variables that were assigned to each other.
   type :: shared_handle
@@ -231,6 +232,30 @@ module wrcontact
     final :: history_release
   end type contact_history
 
+  !> Contact forces of a wheelset from a table, which says how far they may be off. Variables that are
+  !> assigned to each other are one handle; threads each take one of their own, by share.
+  type, public :: contact_table
+    private
+    type(shared_handle), pointer :: shared => null()
+  contains
+    !> build(scene, stat, errmsg, lateral, roll, yaw, load, tolerance, fineness, threads, progress,
+    !> context): takes minutes; see wrc_table_build in wrcontact.h.
+    procedure :: build => table_build
+    procedure :: save => table_save
+    procedure :: load => table_load
+    !> share(other): `other` gets a handle of its own to the same table.
+    procedure :: share => table_share
+    !> facts(known): its ranges and its errors in held-out random states.
+    procedure :: facts => table_get_facts
+    !> step(q, v, f, error, stat, errmsg, solver, scene, dfdq, dfdv, rails, states, rail_velocities,
+    !> curvature, friction, dfdr, dfdrv): as step of contact_solver, with error(2), how far the force
+    !> of each wheel may be off over its load; see wrc_table_step in wrcontact.h.
+    procedure :: step => table_step
+    generic :: assignment(=) => assign
+    procedure, private :: assign => table_assign
+    final :: table_release
+  end type contact_table
+
   !> Normal contact of a gap given by the caller; keys and names of results in
   !> wrcontact_grid.h.
   type, public :: normal_contact
@@ -311,6 +336,7 @@ contains
   include 'wrcontact_solver.inc'
   include 'wrcontact_vehicle.inc'
   include 'wrcontact_history.inc'
+  include 'wrcontact_table.inc'
   include 'wrcontact_normal.inc'
   include 'wrcontact_rolling.inc'
   include 'wrcontact_profile.inc'
@@ -338,6 +364,7 @@ contains
       case (normal_kind); status = wrc_normal_create(fresh%handle)
       case (rolling_kind); status = wrc_rolling_create(fresh%handle)
       case (history_kind); status = wrc_history_create(fresh%handle)
+      case (table_kind); status = wrc_table_create(fresh%handle)
       end select
       if (status == wrc_ok) then
         fresh%kind = kind
@@ -375,6 +402,7 @@ contains
       case (normal_kind); call wrc_normal_destroy(shared%handle)
       case (rolling_kind); call wrc_rolling_destroy(shared%handle)
       case (history_kind); call wrc_history_destroy(shared%handle)
+      case (table_kind); call wrc_table_destroy(shared%handle)
       end select
       deallocate (shared)
     end if
@@ -429,6 +457,8 @@ contains
       call report(status, fortran_text(wrc_rolling_error(address(shared))), stat, errmsg)
     case (history_kind)
       call report(status, fortran_text(wrc_history_error(address(shared))), stat, errmsg)
+    case (table_kind)
+      call report(status, fortran_text(wrc_table_error(address(shared))), stat, errmsg)
     end select
   end subroutine report_of
 

@@ -193,11 +193,13 @@ def module_rows():
     folder = PROJECT / "fortran_bindings"
     main = (folder / "wrcontact.f90").read_text(encoding="utf-8")
     whole = main + "".join((folder / f"wrcontact_{part}.inc").read_text(encoding="utf-8")
-                           for part in ("library", "scene", "solver", "vehicle", "history", "normal", "rolling",
-                                        "profile", "namelist"))
+                           for part in ("library", "scene", "solver", "vehicle", "history", "table",
+                                        "normal", "rolling", "profile", "namelist"))
     procedures = procedures_of(whole)
     rows, used = {}, []
-    variables = {"contact_scene": "scene", "contact_solver": "solver", "contact_history": "history", "contact_profile": "profile",
+    variables = {"contact_scene": "scene", "contact_solver": "solver", "contact_history": "history",
+                 "contact_table": "table",
+                 "contact_profile": "profile",
                  "normal_contact": "normal", "rolling_contact": "rolling"}
 
     def add(table, name, procedure, variable=""):

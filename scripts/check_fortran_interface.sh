@@ -38,6 +38,8 @@ of_header() {
       if (type == "const int64_t*") return "const_int64*"
       if (type == "const wrc_read_options*") return "const_options*"
       if (type == "const wrc_step_arguments*") return "const_arguments*"
+      if (type == "const wrc_table_options*") return "const_table_options*"
+      if (type == "wrc_table_facts*") return "table_facts*"
       if (type == "wrc_patch*") return "patch*"
       if (type ~ /^wrc_[a-z]+\*const\*$/) return "const_address*"
       if (type == "const char**" || type ~ /^wrc_[a-z]+\*\*$/) return "address*"
@@ -49,7 +51,7 @@ of_header() {
       return name ":" kind_of(substr(text, 1, length(text) - length(name)), returned)
     }
     /^typedef/ {
-      line = $3; sub(/^wrc_(read_|step_)?/, "", line)
+      line = $3; sub(/^wrc_(read_|step_|table_)?/, "", line)
       sub(/^[^{]*\{/, ""); sub(/\}.*/, ""); n = split($0, member, ";")
       for (i = 1; i <= n; ++i) if (member[i] ~ /[a-z]/) line = line " " pair(member[i], 1)
       gsub(/:(const_)?(real|int32|address)\*/, ":address", line) # an array that a member points to
@@ -58,6 +60,7 @@ of_header() {
     {
       sub(/^WRC_API /, ""); sub(/;.*/, "")
       gsub(/void \(\*lock\)\(void\* context\)/, "@ lock"); gsub(/void \(\*unlock\)\(void\* context\)/, "@ unlock")
+      gsub(/int32_t \(\*progress\)\(void\* context, double fraction\)/, "@ progress")
       open = index($0, "("); front = substr($0, 1, open - 1)
       inner = substr($0, open + 1); sub(/\) *$/, "", inner)
       name = front; sub(/.*[ *]/, "", name)
@@ -100,6 +103,8 @@ of_fortran() {
       if (type == "integer(c_int64_t), intent(in)" && array) return "const_int64*"
       if (type == "type(wrc_read_options), intent(in)") return "const_options*"
       if (type == "type(wrc_step_arguments), intent(in)") return "const_arguments*"
+      if (type == "type(wrc_table_options), intent(in)") return "const_table_options*"
+      if (type == "type(table_facts), intent(inout)") return "table_facts*"
       if (type == "type(contact_patch), intent(inout)") return "patch*"
       if (type == "type(c_ptr), intent(in)" && array) return "const_address*"
       if (type == "type(c_ptr), intent(inout)") return "address*"
@@ -156,7 +161,7 @@ diff -u --label wrcontact.h --label wrcontact.f90 "$work/defines" "$work/paramet
 
 # Every function bound is called, except those that others of the same name with more arguments cover.
 grep -ohE '[a-z_0-9]+\(' "$folder/wrcontact.f90" \
-  "$folder"/wrcontact_{library,scene,solver,vehicle,history,normal,rolling,profile,namelist}.inc | tr -d '(' | sort -u >"$work/called"
+  "$folder"/wrcontact_{library,scene,solver,vehicle,history,table,normal,rolling,profile,namelist}.inc | tr -d '(' | sort -u >"$work/called"
 never=$(awk '$1 == "function" { print $2 }' "$work/module" | sort | comm -23 - "$work/called" |
   grep -vxE 'wrc_solver_step|wrc_step_batch' || true)
 [ -z "$never" ] || fail "the module binds and never calls: $never"

@@ -45,7 +45,8 @@ room creep base half_space pressure damage geometry patches remesh mechanics rol
 room wheel base half_space pressure damage geometry patches remesh mechanics models accuracy records
 room derivatives base half_space pressure geometry patches remesh mechanics records creep
 room scene base profile half_space pressure damage geometry patches mechanics rolling accuracy records creep wheel derivatives
-check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid)?\.h'
+room table base profile half_space geometry patches rolling records scene derivatives wheel
+check c_api 'base/|profile/|half_space/|pressure/|mechanics/|rolling/|scene/|table/|(batch|handles|handle_table|grid_contact|floating_point)\.hpp|wrcontact(_grid|_table)?\.h'
 check octave_bindings 'wrc_mex\.h'
 # Evidence about the core sees the core, and draws its cases as the tests of the core do.
 check drivers/evidence/core 'base/|profile/|damage/|mechanics/|rolling/|records/|creep/|derivatives/|scene/|wheel/|core/|support/(energy_pairs|no_slip_samples|patch_problem|random_wheels|state_differences)\.hpp'

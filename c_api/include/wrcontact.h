@@ -221,10 +221,11 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 /* ---- Vehicle simulations ------------------------------------------------------------------- */
 
 /** Flags of the result left.state (right.state), and of a step. Since 0.3. */
-#define WRC_LIFTED 1        /**< no contact */
-#define WRC_ON_FLANGE_TIP 2 /**< a patch beyond the steepest point of the flange: derailing */
-#define WRC_ON_CHAMFER 4    /**< a patch beyond the tread, on the field side */
-#define WRC_BEYOND_YIELD 8  /**< largest pressure above material.yield_pressure */
+#define WRC_LIFTED 1          /**< no contact */
+#define WRC_ON_FLANGE_TIP 2   /**< a patch beyond the steepest point of the flange: derailing */
+#define WRC_ON_CHAMFER 4      /**< a patch beyond the tread, on the field side */
+#define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
+#define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
 
 /**
  * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys
@@ -443,6 +444,98 @@ WRC_API wrc_status wrc_solver_creep(wrc_solver* solver, wrc_scene* scene, int64_
 WRC_API wrc_status wrc_scene_tabulate(wrc_scene* scene, const char* keys, const double* values,
                                       const int64_t* counts, const char* results, int32_t threads,
                                       const char* path, double* table);
+
+/* ---- Tables that state their error ----------------------------------------------------------- */
+
+/**
+ * Contact forces of a wheelset from a table, for real time: made by the library for one pair of
+ * profiles, it answers in microseconds with all derivatives and says how far it may be off
+ * (docs/table.md). Several threads each use a handle of their own to one table
+ * (wrc_table_share). Since 0.3.
+ */
+typedef struct wrc_table wrc_table;
+
+/** What a table reaches and how fine it is. Set struct_size to sizeof(wrc_table_options) and zero
+ * the rest: zeros stand for the defaults. Lengths and angles against the rail, in the scene's
+ * convention. Since 0.3. */
+typedef struct wrc_table_options {
+  uint64_t struct_size;
+  double lateral; /**< from minus to plus this, of each wheel; 10 mm */
+  double roll;    /**< likewise, 0.01 rad */
+  double yaw;     /**< likewise, 0.02 rad */
+  double load;    /**< largest vertical force of a wheel, 150 kN */
+  /** Error over load beyond which a step with a solver takes the exact solution; 0: only outside
+   * the table. */
+  double tolerance;
+  double fineness; /**< of the nodes, 0.2 to 4; 1. Time and memory grow with its cube. */
+  int64_t threads; /**< 1 to 1024; 1. The same bits for any number. */
+} wrc_table_options;
+
+/** What a table is and what held-out random states say of it: errors of a wheel's force over its
+ * vertical force, or over half of `load` if that is more. Since 0.3. */
+typedef struct wrc_table_facts {
+  uint64_t struct_size; /**< sizeof(wrc_table_facts), set by the caller */
+  double lateral;       /**< as in wrc_table_options */
+  double roll;
+  double yaw;
+  double load;
+  double tolerance;
+  double states;         /**< number of random states after the table was finished */
+  double beyond;         /**< of them those that err by more than the error returned with them */
+  double beyond_at_most; /**< fraction of all states that do, at most, with 95 % certainty */
+  double median_error;
+  double error_99; /**< that 99 in 100 do not exceed */
+  double worst_error;
+  double
+      exact_share; /**< fraction of the table in which the tolerance asks for the exact solution */
+  double bytes;    /**< of memory */
+} wrc_table_facts;
+
+/** An empty handle, which keeps the error text of its calls. Since 0.3. */
+WRC_API wrc_status wrc_table_create(wrc_table** table);
+WRC_API void wrc_table_destroy(wrc_table* table);
+WRC_API const char* wrc_table_error(const wrc_table* table);
+
+/**
+ * Makes a table of a scene's profiles, track and materials, which must be the same for both wheels.
+ * The scene's position, loads, motion and accuracy do not matter; its friction and
+ * motion.standstill_speed are those of steps. `options` may be NULL. Takes minutes; `progress`, if
+ * it is not NULL, is called now and then by the calling thread with `context` and the finished
+ * fraction, must not throw, and ends the build by any result but 0. On failure the handle keeps the
+ * table that it had. WRC_INVALID_ARGUMENT, WRC_NO_CONTACT where the range of `lateral` reaches
+ * beyond the rail, WRC_NO_RESULT if `progress` stops it. Since 0.3.
+ */
+WRC_API wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene,
+                                   const wrc_table_options* options,
+                                   int32_t (*progress)(void* context, double fraction),
+                                   void* context);
+/** A file for other programs of the same version of the format, tens of MB. Files are checked when
+ * they are read. WRC_NO_RESULT, WRC_FILE_UNREADABLE, WRC_FILE_MALFORMED. Since 0.3. */
+WRC_API wrc_status wrc_table_save(wrc_table* table, const char* path);
+WRC_API wrc_status wrc_table_load(wrc_table* table, const char* path);
+/** Lets another handle use the same table, in the same memory. WRC_NO_RESULT. Since 0.3. */
+WRC_API wrc_status wrc_table_share(wrc_table* table, wrc_table* other);
+/** WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3. */
+WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts);
+
+/**
+ * Forces on both wheels as wrc_solver_step_with gives them, from the table. Arguments that are NULL
+ * are 0 here, and friction is that of the table. The flags of `states` are WRC_LIFTED and
+ * WRC_SOLVED_EXACTLY only, with the others where a wheel was solved.
+ *
+ * solver, scene: those of wrc_solver_step_with, of the scene that the table was made of, or both
+ *              NULL. They take the exact solution outside the table and where its error exceeds
+ *              the table's tolerance, blended with a continuous slope. Without them a step outside
+ *              is WRC_INVALID_ARGUMENT, and the text says which wheel is where. The scene keeps its
+ *              keys and results.
+ * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
+ *              force, or over half of the table's largest load if that is more.
+ * On failure the arrays keep their values; the table holds the error text. Since 0.3.
+ */
+WRC_API wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene,
+                                  const double* position, const double* velocity,
+                                  const wrc_step_arguments* arguments, double* force,
+                                  double* error);
 
 /* ---- Profiles ------------------------------------------------------------------------------ */
 

@@ -444,6 +444,7 @@ public:
   }
 
 private:
+  friend class Table;
   static wrc_step_arguments passed_on(StepArguments& arguments, Step& result) {
     wrc_step_arguments passed{};
     passed.struct_size = sizeof passed;
@@ -480,6 +481,7 @@ inline std::vector<wrc_status> solve_batch(const std::vector<Scene*>& scenes,
 
 } // namespace wrcontact
 
-#include "wrcontact_grid.hpp" // IWYU pragma: export
+#include "wrcontact_grid.hpp"  // IWYU pragma: export
+#include "wrcontact_table.hpp" // IWYU pragma: export
 
 #endif

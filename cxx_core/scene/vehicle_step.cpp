@@ -66,24 +66,41 @@ std::array<SixNumbers, 6> derivatives_of(const ForceJacobian& jacobian, const Co
 }
 
 WheelForces forces_of(SceneWheel& wheel, const Convention& convention, bool derivatives) {
-  WheelForces result;
-  result.state = wheel.state.value_or(0);
   const WheelForce total = wheel.total.value_or(WheelForce{});
+  WheelForces result;
+  if (const ForceJacobian* jacobian = derivatives ? wheel.jacobian() : nullptr) {
+    const RailJacobian by_rail = rail_jacobian_of(wheel, *jacobian);
+    result = forces_to_caller(total, jacobian, &by_rail, convention);
+  } else {
+    result = forces_to_caller(total, nullptr, nullptr, convention);
+  }
+  result.state = wheel.state.value_or(0);
+  return result;
+}
+
+} // namespace
+
+WheelForces forces_to_caller(const WheelForce& total, const ForceJacobian* jacobian,
+                             const RailJacobian* by_rail, const Convention& convention) {
+  WheelForces result;
   result.force = {to_caller(total.force.x, convention, pure),
                   to_caller(total.force.y, convention, turning_force),
                   to_caller(total.force.z, convention, turning_force),
                   to_caller(total.moment.x, convention, moment),
                   to_caller(total.moment.y, convention, turning_moment),
                   to_caller(total.moment.z, convention, turning_moment)};
-  if (const ForceJacobian* jacobian = derivatives ? wheel.jacobian() : nullptr) {
+  if (jacobian != nullptr) {
     result.by_position = derivatives_of(*jacobian, position_columns, convention);
     result.by_velocity = derivatives_of(*jacobian, velocity_columns, convention);
-    const RailJacobian by_rail = rail_jacobian_of(wheel, *jacobian);
-    result.by_rail = derivatives_of(by_rail, 0, rail_columns, convention);
-    result.by_rail_velocity = derivatives_of(by_rail, 3, rail_rate_columns, convention);
+  }
+  if (by_rail != nullptr) {
+    result.by_rail = derivatives_of(*by_rail, 0, rail_columns, convention);
+    result.by_rail_velocity = derivatives_of(*by_rail, 3, rail_rate_columns, convention);
   }
   return result;
 }
+
+namespace {
 
 /// Throws unless a step of time can be solved.
 void check_history(const Scene& scene, double time_step) {

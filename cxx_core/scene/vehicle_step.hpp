@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "derivatives/rail_jacobian.hpp"
 #include "scene/solve_scene.hpp"
 
 namespace wrc {
@@ -63,6 +64,9 @@ struct PatchCreep {
 Scene scene_at(const Scene& scene, const VehicleState& state);
 /// What the next step of time starts from, of the result of one.
 std::shared_ptr<const ContactHistory> history_after(const SceneResult& result);
+/// From inside, with derivatives where they are given.
+WheelForces forces_to_caller(const WheelForce& total, const ForceJacobian* jacobian,
+                             const RailJacobian* by_rail, const Convention& convention);
 /// Left and right.
 std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& convention,
                                         bool derivatives);

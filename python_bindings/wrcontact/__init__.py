@@ -20,12 +20,13 @@ from .result import Group, Result
 from .scene import Key, Scene, key_of, keys, solve
 from .solver import Equilibrium, History, Solver, Step, solve_batch
 from .study import study
+from .table import Table, TableFacts
 
 __version__: str = _string(_lib.wrc_version())
 __all__ = [
     "Busy", "ContactWarning", "Equilibrium", "Error", "FileMalformed", "FileUnreadable", "Group", "History", "InternalError",
     "InvalidArgument", "Key", "NoContact", "NoResult", "NormalContact", "NotConverged",
     "OutOfMemory", "Profile", "ProfilePoint", "Result", "RollingContact", "Scene", "Solver", "Step",
-    "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",
+    "Table", "TableFacts", "TooSmall", "UnknownName", "key_of", "keys", "solve", "solve_batch", "standard_profiles",
     "study",
 ]

@@ -1,0 +1,61 @@
+/// Constants of behaviour of this room: tables of contact forces.
+///
+/// Each with its origin: published (with author) or derived, bound, measured (with the program that
+/// measures it) or reasoned. `scripts/list_constants.sh` prints them all.
+#pragma once
+
+namespace wrc {
+
+/// Tolerance of the tangential iteration in the creep law's nodes.
+/// origin: reasoned: a tenth of the error of the law's spline.
+inline constexpr double creep_law_tolerance = 1e-3;
+
+/// Largest linear force of spin over mu N that is solved for the creep law, in place of spin
+/// without end. origin: reasoned: tractions are off by a hundredth where the slip turns, in a
+/// hundredth of it.
+inline constexpr double largest_spin_node = 100.0;
+
+/// Largest ln(a/b) of the creep law's nodes, to both sides.
+/// origin: reasoned: 12 to 1, beyond which wheels are on no rail that is new.
+inline constexpr double largest_log_ratio = 2.5;
+
+/// Accuracy of normal contact in the table's nodes.
+/// origin: reasoned: a tenth of the error that the spline itself has.
+inline constexpr double table_accuracy = 1e-3;
+
+/// Accuracy of Kalker's coefficients there, and of the solutions that the table is compared with.
+/// origin: reasoned: likewise, of creep forces.
+inline constexpr double table_creep_accuracy = 1e-2;
+
+/// Slope of first touch, height over lateral position, that tells where the flange begins.
+/// origin: measured (trial of tables of S1002 on 60E1): halfway up the jump from 0.4 to 2.7.
+inline constexpr double flange_slope = 0.9;
+
+/// Distances before that place, mm, between which the table begins to follow it.
+/// origin: measured (likewise): the worst error of Fy falls from 0.42 to 0.027 of the load.
+inline constexpr double alignment_begins = 4.0;
+inline constexpr double alignment_ends = 1.0;
+
+/// Least yaw, in the largest, at which what vanishes without yaw is taken over it.
+/// origin: reasoned: rounding of contact forces is 1e-5 of them there.
+inline constexpr double least_yaw_node = 0.05;
+
+/// Friction below which a table has no creep forces.
+/// origin: bound: far below any that shows beside normal forces; linear forces over it are numbers
+/// for all velocities permitted.
+inline constexpr double least_table_friction = 1e-9;
+
+/// How far above first touch, in depths at the largest load, the exact solution is still asked.
+/// origin: reasoned: several times the error of the spline of first touch.
+inline constexpr double lift_margin = 0.1;
+
+/// Load below which errors are still over this fraction of the largest load.
+/// origin: reasoned: a wheel's load in a train, where the largest is twice that.
+inline constexpr double least_load_share = 0.5;
+
+/// Fraction of the states that may err by more than the error returned with them, as the factor of
+/// the map is set.
+/// origin: reasoned: a quarter of the share that the documentation promises.
+inline constexpr double calibrated_share = 5e-4;
+
+} // namespace wrc

@@ -1,0 +1,252 @@
+#include "table/table_step.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "table/table_nodes.hpp"
+#include "wheel/wheel_state.hpp"
+
+namespace wrc {
+namespace {
+
+using namespace dimensions;
+
+struct Input {
+  const char* name;
+  double limit; ///< inside, that of the key of the same meaning
+  Dimension dimension;
+};
+/// Not a tuning constant: permitted ranges.
+constexpr std::array<Input, 6> positions{{{"x", 1e300, length},
+                                          {"y", 1e4, turning_length},
+                                          {"z", 2e4, turning_length},
+                                          {"roll", 0.2, angle},
+                                          {"pitch angle", 1e300, angle},
+                                          {"yaw", 0.2, turning_angle}}};
+constexpr std::array<Input, 6> velocities{{{"speed", 1e6, length},
+                                           {"lateral velocity", 1e6, turning_length},
+                                           {"vertical velocity", 1e6, turning_length},
+                                           {"roll rate", 1e3, angle},
+                                           {"pitch rate", 1e5, angle},
+                                           {"yaw rate", 1e3, turning_angle}}};
+constexpr std::array<Input, 3> displacements{
+    {{"lateral displacement of a rail", 1e4, turning_length},
+     {"vertical displacement of a rail", 1e4, turning_length},
+     {"roll of a rail", 0.2, angle}}};
+constexpr std::array<Input, 3> rail_rates{{{"lateral velocity of a rail", 1e6, turning_length},
+                                           {"vertical velocity of a rail", 1e6, turning_length},
+                                           {"roll rate of a rail", 1e3, angle}}};
+
+double number_of(double given, const Input& input, const Convention& convention) {
+  const double inside = from_caller(given, convention, input.dimension);
+  if (!(std::abs(inside) <= input.limit)) {
+    throw_invalid_argument(input.name, given,
+                           "allowed is a number of at most " + text_of(input.limit) +
+                               " (mm, s, rad) to both sides");
+  }
+  return inside;
+}
+
+template <std::size_t count>
+std::array<double, count> numbers_of(const double* given, const std::array<Input, count>& inputs,
+                                     const Convention& convention) {
+  std::array<double, count> numbers{};
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers[i] = number_of(given[i], inputs[i], convention);
+  }
+  return numbers;
+}
+
+/// Seen in the mirror y -> -y: of positions, velocities, rails. Not a tuning constant.
+constexpr std::array<double, 6> signs_of_six{1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
+constexpr std::array<double, 3> signs_of_rail{-1.0, 1.0, -1.0};
+constexpr std::array<double, table_rate_count> signs_of_columns{
+    -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0};
+
+template <std::size_t count>
+void turn(std::array<double, count>& numbers, const std::array<double, count>& signs) {
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers[i] *= signs[i];
+  }
+}
+
+/// A wheel's state in its left-hand frame.
+TableState state_of_wheel(const ContactTable& table, const VehicleState& state, bool right) {
+  const Convention& convention = table.convention;
+  TableState result;
+  result.position = numbers_of(state.position.data(), positions, convention);
+  if (state.velocity) {
+    result.velocity = numbers_of(state.velocity->data(), velocities, convention);
+  }
+  const std::size_t first = right ? 3 : 0;
+  if (state.rails) {
+    result.rail = numbers_of(state.rails->data() + first, displacements, convention);
+  }
+  if (state.rail_velocities) {
+    result.rail_velocity =
+        numbers_of(state.rail_velocities->data() + first, rail_rates, convention);
+  }
+  result.curvature =
+      number_of(state.curvature.value_or(0.0), {"curvature", 1e-3, turning_curvature}, convention);
+  result.friction = state.friction ? (*state.friction)[right ? 1 : 0] : table.friction;
+  if (!(result.friction >= 0.0 && result.friction <= 10.0)) {
+    throw_invalid_argument("friction", result.friction, "allowed is 0 to 10");
+  }
+  if (right) {
+    turn(result.position, signs_of_six);
+    turn(result.velocity, signs_of_six);
+    turn(result.rail, signs_of_rail);
+    turn(result.rail_velocity, signs_of_rail);
+    result.curvature = -result.curvature;
+  }
+  return result;
+}
+
+/// Back in the track frame.
+void turn_contact(TableContact& contact) {
+  turn(contact.force, signs_of_six);
+  turn(contact.weight_rates, signs_of_columns);
+  for (std::size_t row = 0; row < contact.rates.size(); ++row) {
+    for (std::size_t column = 0; column < table_rate_count; ++column) {
+      contact.rates[row][column] *= signs_of_six[row] * signs_of_columns[column];
+    }
+  }
+}
+
+[[noreturn]] void refuse_place(const ContactTable& table, const TableContact& contact, bool right) {
+  const std::string wheel = right ? "right wheel: " : "left wheel: ";
+  const TableRanges& ranges = table.ranges;
+  const auto refuse = [&wheel](const char* name, double value, double limit) {
+    throw_invalid_argument(wheel + name, value,
+                           "the table reaches from " + text_of(-limit) + " to " + text_of(limit));
+  };
+  if (!(std::abs(contact.roll) <= ranges.roll)) {
+    refuse("roll against the rail", contact.roll, ranges.roll);
+  }
+  if (!(std::abs(contact.yaw) <= ranges.yaw)) {
+    refuse("yaw against the rail", contact.yaw, ranges.yaw);
+  }
+  if (!(std::abs(contact.lateral) <= ranges.lateral)) {
+    refuse("lateral position against the rail, mm, positive towards the flange", contact.lateral,
+           ranges.lateral);
+  }
+  throw_invalid_argument(wheel + "depth over that at the largest load", contact.depth,
+                         "the table reaches to 1, at a load of " + text_of(ranges.load) + " N");
+}
+
+/// The share of the exact solution in a wheel's forces.
+double share_of(const TableContact& contact) {
+  return contact.inside ? contact.weight.value : 1.0;
+}
+
+void check_scene(const ContactTable& table, const Scene& scene) {
+  TableIdentity identity = identity_of_table(scene);
+  identity.profiles = table.identity.profiles;
+  if (!(identity == table.identity) || !(scene.left.wheel == scene.right.wheel) ||
+      !(scene.left.rail == scene.right.rail) || !(scene.convention == table.convention)) {
+    throw_invalid_argument("scene", identity.wheel + " on " + identity.rail,
+                           "the table is of " + table.identity.wheel + " on " +
+                               table.identity.rail +
+                               ", and of its dimensions, materials, units and frame");
+  }
+}
+
+/// Adds the share of the exact solution to forces and derivatives of a wheel.
+void blend(SceneWheel& exact, bool derivatives, TableContact& contact) {
+  const double share = share_of(contact);
+  const WheelForce total = exact.total.value_or(WheelForce{});
+  const std::array<double, 6> forces{total.force.x,  total.force.y,  total.force.z,
+                                     total.moment.x, total.moment.y, total.moment.z};
+  if (derivatives) {
+    const ForceJacobian* jacobian = exact.jacobian();
+    RailJacobian by_rail{};
+    if (jacobian != nullptr) {
+      by_rail = rail_jacobian_of(exact, *jacobian);
+    }
+    for (std::size_t row = 0; row < forces.size(); ++row) {
+      for (std::size_t column = 0; column < table_rate_count; ++column) {
+        const double rate = jacobian == nullptr    ? 0.0
+                            : column < state_count ? (*jacobian)[row][column]
+                                                   : by_rail[row][column - state_count];
+        contact.rates[row][column] =
+            (1.0 - share) * contact.rates[row][column] + share * rate +
+            (forces[row] - contact.force[row]) * contact.weight_rates[column];
+      }
+    }
+  }
+  for (std::size_t row = 0; row < forces.size(); ++row) {
+    contact.force[row] = (1.0 - share) * contact.force[row] + share * forces[row];
+  }
+}
+
+WheelForces forces_of(const TableContact& contact, bool derivatives, const Convention& convention) {
+  const auto& f = contact.force;
+  const WheelForce total{{f[0], f[1], f[2]}, {f[3], f[4], f[5]}};
+  if (!derivatives) {
+    return forces_to_caller(total, nullptr, nullptr, convention);
+  }
+  ForceJacobian jacobian;
+  RailJacobian by_rail;
+  for (std::size_t row = 0; row < f.size(); ++row) {
+    for (std::size_t column = 0; column < table_rate_count; ++column) {
+      (column < state_count ? jacobian[row][column] : by_rail[row][column - state_count]) =
+          contact.rates[row][column];
+    }
+  }
+  return forces_to_caller(total, &jacobian, &by_rail, convention);
+}
+
+} // namespace
+
+TableStep step_in_table(const ContactTable& table, const VehicleState& state,
+                        const ExactAnswer* exact) {
+  if (state.history) {
+    throw_invalid_argument("history", "given", "a table has no steps of time");
+  }
+  std::array<TableContact, 2> contacts;
+  std::array<bool, 2> asks{};
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const bool right = i == 1;
+    contacts[i] = contact_in_table(table, state_of_wheel(table, state, right), state.derivatives);
+    if (!contacts[i].inside && exact == nullptr) {
+      refuse_place(table, contacts[i], right);
+    }
+    asks[i] = exact != nullptr && share_of(contacts[i]) > 0.0;
+    if (right) {
+      turn_contact(contacts[i]);
+    }
+  }
+  SceneResult result;
+  if (asks[0] || asks[1]) {
+    check_scene(table, exact->scene);
+    VehicleState whole = state;
+    whole.velocity = state.velocity.value_or(SixNumbers{});
+    whole.rails = state.rails.value_or(SixNumbers{});
+    whole.rail_velocities = state.rail_velocities.value_or(SixNumbers{});
+    whole.curvature = state.curvature.value_or(0.0);
+    whole.friction = state.friction.value_or(std::array{table.friction, table.friction});
+    Scene scene = scene_at(exact->scene, whole);
+    scene.standstill_speed = table.standstill_speed;
+    scene.side = asks[0] && asks[1] ? SideChoice::both
+                 : asks[0]          ? SideChoice::left
+                                    : SideChoice::right;
+    result = exact->solver.solve(scene);
+  }
+  TableStep step;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::optional<SceneWheel>& wheel = i == 0 ? result.left : result.right;
+    int flags = contacts[i].lifted ? lifted : 0;
+    if (asks[i] && wheel) {
+      blend(*wheel, state.derivatives, contacts[i]);
+      flags = wheel->state.value_or(0) | exact_solution;
+    }
+    step.wheels[i] = forces_of(contacts[i], state.derivatives, table.convention);
+    step.wheels[i].state = flags;
+    step.errors[i] =
+        asks[i] ? (1.0 - share_of(contacts[i])) * contacts[i].error : contacts[i].error;
+  }
+  return step;
+}
+
+} // namespace wrc

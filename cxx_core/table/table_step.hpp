@@ -1,0 +1,37 @@
+/// A step of a vehicle simulation by a table, and by the exact solution where the table errs.
+///
+/// Where the map of errors exceeds the table's tolerance, and outside the table, a solver answers
+/// if there is one; over one cell its forces go over into those of the table with a continuous
+/// slope. Numbers in the convention of the scene that the table was made of. Thread rule: as the
+/// solver's; without one a pure function that allocates nothing.
+#pragma once
+
+#include <array>
+
+#include "scene/vehicle_step.hpp"
+#include "table/contact_table.hpp"
+
+namespace wrc {
+
+/// Flag of a wheel, beside those of wheel/wheel_state.hpp, in whose forces the exact solution has a
+/// part.
+inline constexpr int exact_solution = 16; // not a tuning constant
+
+struct TableStep {
+  std::array<WheelForces, 2> wheels;
+  /// Of the force that comes from the table, over the load as in TableErrors.
+  std::array<double, 2> errors{};
+};
+
+/// Who answers where the table does not.
+struct ExactAnswer {
+  const Scene& scene; ///< of the same pair and convention
+  SceneSolver& solver;
+};
+
+/// What a state does not give is 0, friction and speed of standstill those of the table. Throws
+/// Error(invalid_argument) that names what is outside, and what the solver throws.
+TableStep step_in_table(const ContactTable& table, const VehicleState& state,
+                        const ExactAnswer* exact);
+
+} // namespace wrc

@@ -1,0 +1,115 @@
+// wrc_table: makes a table of contact forces for real time, or says what one holds.
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+
+#include "support/output_file.hpp"
+#include "support/program.hpp"
+#include "support/scene_file.hpp"
+
+namespace {
+
+constexpr const char* purpose =
+    "Makes a table of the contact forces of a wheel on its rail, which a vehicle simulation\n"
+    "evaluates in microseconds (wrc_table_step, docs/table.md), and measures its error.\n"
+    "Without a scene file the table is of S1002 on 60E1.";
+
+constexpr const char* explanation =
+    "\nA table is of one wheel profile on one rail profile, with the radius, gauge, cant and\n"
+    "materials of the scene; left and right wheels share it. It reaches over lateral position, "
+    "load,\n"
+    "roll and yaw against the rail; friction, velocities, curvature and track irregularities are\n"
+    "free. The error that comes with each evaluation is the largest of random states nearby.\n"
+    "\nExamples:\n"
+    "  wrc_table s1002.table --threads 2\n"
+    "  wrc_table lma.table --set wheelset.wheel=LMA track.rail=CHN60 track.gauge_height=16\n"
+    "  wrc_table coarse.table --fineness 0.4 --lateral 5      about a tenth of the time\n"
+    "  wrc_table blend.table --tolerance 0.03                 exact solution where it errs more\n"
+    "  wrc_table s1002.table --show                           what a file holds\n";
+
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::setprecision(3) << 100.0 * share << " %";
+  return text.str();
+}
+
+void print_facts(const wrc_table_facts& facts) {
+  std::cout << "reaches to     lateral " << facts.lateral << ", roll " << facts.roll << " rad, yaw "
+            << facts.yaw << " rad, load " << facts.load << " N\n"
+            << "memory         " << std::setprecision(3) << facts.bytes / 1e6 << " MB\n"
+            << "error of the force over the load, in " << std::setprecision(6) << facts.states
+            << " random states\n"
+            << "  median       " << percent(facts.median_error) << '\n'
+            << "  99 %         " << percent(facts.error_99) << '\n'
+            << "  worst        " << percent(facts.worst_error) << '\n'
+            << "  beyond the error returned with them: " << facts.beyond
+            << " (in all, with 95 % certainty, at most " << percent(facts.beyond_at_most) << ")\n";
+  if (facts.tolerance > 0.0) {
+    std::cout << "exact solution beyond " << percent(facts.tolerance) << ", in "
+              << percent(facts.exact_share) << " of the table\n";
+  }
+}
+
+/// One line that grows, on a terminal and in a file alike.
+class Tenths {
+public:
+  bool operator()(double fraction) {
+    const int tenths = static_cast<int>(std::floor(10.0 * fraction + 1e-9));
+    for (; shown_ < tenths; ++shown_) {
+      std::cerr << 10 * (shown_ + 1) << (shown_ == 9 ? " %\n" : " % ") << std::flush;
+    }
+    return true;
+  }
+
+private:
+  int shown_ = 0;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(purpose, "wrc_table");
+  std::string path;
+  std::string scene_file;
+  std::vector<std::string> assignments;
+  wrc_table_options options{};
+  bool show = false;
+  app.add_option("TABLE", path, "the file of the table")->required();
+  app.add_option("--scene", scene_file, "scene file in TOML")->type_name("FILE");
+  app.add_option("--set", assignments, "set keys of the scene, as in wrc_case")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--lateral", options.lateral, "reach in lateral position, to both sides [10 mm]");
+  app.add_option("--roll", options.roll, "reach in roll against the rail [0.01 rad]");
+  app.add_option("--yaw", options.yaw, "reach in yaw [0.02 rad]");
+  app.add_option("--load", options.load, "largest load of a wheel [150000 N]");
+  app.add_option("--tolerance", options.tolerance,
+                 "error over load beyond which steps with a solver take the exact solution [none]");
+  app.add_option("--fineness", options.fineness, "of the nodes, 0.2 to 4 [1]");
+  app.add_option("--threads", options.threads, "threads [1]");
+  app.add_flag("--show", show, "print what the file holds, and make nothing");
+  app.footer(explanation);
+  return driver::run_program(app, argc, argv, [&] {
+    wrcontact::Table table;
+    if (show) {
+      table.load(path);
+      print_facts(table.facts());
+      return 0;
+    }
+    driver::Scene scene;
+    if (!scene_file.empty()) {
+      driver::apply_scene_file(scene, scene_file);
+    }
+    driver::apply_assignments(scene, assignments);
+    driver::refuse_overwriting({path}, {scene_file});
+    const auto start = std::chrono::steady_clock::now();
+    table.build(scene, options, Tenths());
+    table.save(path);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    print_facts(table.facts());
+    std::cout << "made in " << std::setprecision(3) << time.count() << " s\n";
+    return 0;
+  });
+}

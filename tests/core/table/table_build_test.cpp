@@ -1,0 +1,73 @@
+#include "table/table_build.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "table/small_table.hpp"
+#include "table/table_nodes.hpp"
+
+namespace wrc::test {
+namespace {
+
+TEST(TableBuild, ThreadsDoNotChangeABit) {
+  TableOptions options = options_of_small_table();
+  options.threads = 3;
+  double last = 0.0;
+  bool falls = false;
+  options.progress = [&](double share) {
+    falls = falls || share < last;
+    last = share;
+  };
+  const ContactTable table = build_table(scene_of_small_table(), options, SceneSolver());
+  EXPECT_EQ(table.contact.coefficients(), small_table().contact.coefficients());
+  EXPECT_EQ(table.errors.cells(), small_table().errors.cells());
+  EXPECT_EQ(table.told.worst, small_table().told.worst);
+  EXPECT_FALSE(falls);
+  EXPECT_GT(last, 0.9);
+}
+
+/// The promise: at most 2 in 1000 fresh states err by more than the error returned with them.
+TEST(TableBuild, FreshStatesKeepWithinTheErrorReturned) {
+  ContactTable table = small_table();
+  TableNodes nodes(scene_of_small_table(), SceneSolver(), table);
+  const std::size_t cells = table.errors.cells().size();
+  constexpr std::size_t count = 1500;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TableState state = random_state(table, i % cells, (7ULL << 40U) + i / cells);
+    const TableContact found = contact_in_table(table, state, false);
+    const Vector3 exact = nodes.exact_force(state);
+    const Vector3 force{found.force[0], found.force[1], found.force[2]};
+    const double load = std::max(exact.z, 0.5 * table.ranges.load);
+    beyond += norm(force - exact) > found.error * load ? 1 : 0;
+  }
+  EXPECT_LE(beyond, count / 500);
+}
+
+TEST(TableBuild, RefusesWhatATableCannotHave) {
+  const auto message_of = [](Scene scene, const TableOptions& options) -> std::string {
+    try {
+      build_table(scene, options, SceneSolver());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const TableOptions options = options_of_small_table();
+  Scene scene = scene_of_small_table();
+  scene.left.friction.places = {{0.0, 0.3}};
+  EXPECT_NE(message_of(scene, options).find("friction.left = 0.3"), std::string::npos);
+  scene = scene_of_small_table();
+  scene.model = ModelRequest::hertz;
+  EXPECT_NE(message_of(scene, options).find("solve.model = hertz"), std::string::npos);
+  scene = scene_of_small_table();
+  scene.right.radius = 459.0;
+  EXPECT_NE(message_of(scene, options).find("both sides"), std::string::npos);
+  TableOptions wrong = options;
+  wrong.fineness = 7.0;
+  EXPECT_NE(message_of(scene_of_small_table(), wrong).find("fineness = 7: allowed is 0.2 to 4"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace wrc::test

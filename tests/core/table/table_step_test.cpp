@@ -1,0 +1,203 @@
+#include "table/table_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "table/small_table.hpp"
+#include "wheel/wheel_state.hpp"
+
+namespace wrc::test {
+namespace {
+
+/// Pressed down by 70 um from first touch.
+VehicleState running_state() {
+  static const SceneResult touch = [] {
+    Scene scene = scene_of_small_table();
+    scene.lateral = 0.2;
+    scene.yaw = 0.003;
+    scene.until = Module::geometry;
+    return solve_scene(scene);
+  }();
+  VehicleState state;
+  state.position = {0.0, 0.2, touch.vertical - 0.07, touch.roll, 0.0, 0.003};
+  state.velocity = SixNumbers{2e4, 15.0, 0.0, 0.0, 43.5, 0.01};
+  state.derivatives = true;
+  return state;
+}
+
+TEST(TableStep, BothWheelsAreMirrorImagesToTheBit) {
+  VehicleState state = running_state();
+  state.position[2] += 0.02;
+  state.rails = SixNumbers{0.1, 0.02, 0.0002, -0.05, -0.03, 0.0001};
+  state.rail_velocities = SixNumbers{3.0, 1.0, 0.001, -2.0, 0.5, 0.002};
+  state.curvature = 1e-6;
+  state.friction = {0.3, 0.2};
+  VehicleState mirrored = state;
+  constexpr SixNumbers signs{1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
+  for (std::size_t i = 0; i < 6; ++i) {
+    mirrored.position[i] *= signs[i];
+    (*mirrored.velocity)[i] *= signs[i];
+    (*mirrored.rails)[i] = (i % 3 == 1 ? 1.0 : -1.0) * (*state.rails)[(i + 3) % 6];
+    (*mirrored.rail_velocities)[i] =
+        (i % 3 == 1 ? 1.0 : -1.0) * (*state.rail_velocities)[(i + 3) % 6];
+  }
+  mirrored.curvature = -1e-6;
+  mirrored.friction = {0.2, 0.3};
+  const TableStep step = step_in_table(small_table(), state, nullptr);
+  const TableStep other = step_in_table(small_table(), mirrored, nullptr);
+  EXPECT_GT(step.wheels[0].force[2], 1e4);
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    EXPECT_EQ(step.errors[wheel], other.errors[1 - wheel]);
+    for (std::size_t row = 0; row < 6; ++row) {
+      const double sign = row == 1 || row == 3 || row == 5 ? -1.0 : 1.0;
+      EXPECT_EQ(step.wheels[wheel].force[row], sign * other.wheels[1 - wheel].force[row]);
+      for (std::size_t column = 0; column < 6; ++column) {
+        EXPECT_EQ(step.wheels[wheel].by_position[column][row],
+                  sign * signs[column] * other.wheels[1 - wheel].by_position[column][row]);
+      }
+    }
+  }
+}
+
+/// With the same numbers as a step, within the error that comes with them.
+TEST(TableStep, IsTheExactStepWithinItsError) {
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  VehicleState state = running_state();
+  for (const double speed : {2e4, -2e4}) {
+    (*state.velocity)[0] = speed;
+    (*state.velocity)[4] = 43.5 * speed / 2e4;
+    const TableStep found = step_in_table(small_table(), state, nullptr);
+    SceneResult result = solver.solve(scene_at(scene, state));
+    const auto exact = wheel_forces(result, scene.convention, true);
+    EXPECT_GT(exact[0].force[2], 3e4);
+    for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+      const double load = 0.5 * small_table().ranges.load;
+      for (std::size_t row = 0; row < 3; ++row) {
+        EXPECT_NEAR(found.wheels[wheel].force[row], exact[wheel].force[row],
+                    found.errors[wheel] * load);
+      }
+      for (std::size_t row = 3; row < 6; ++row) { // arms of up to 750 mm
+        EXPECT_NEAR(found.wheels[wheel].force[row], exact[wheel].force[row],
+                    750.0 * found.errors[wheel] * load);
+      }
+      const double stiffness = exact[wheel].by_position[2][2];
+      EXPECT_NEAR(found.wheels[wheel].by_position[2][2], stiffness, 0.1 * std::abs(stiffness));
+      const double by_rail = exact[wheel].by_rail[1][2];
+      EXPECT_NEAR(found.wheels[wheel].by_rail[1][2], by_rail, 0.1 * std::abs(by_rail));
+    }
+  }
+}
+
+TEST(TableStep, OutsideItNamesThePlaceOrSolves) {
+  VehicleState state = running_state();
+  state.position[1] = 2.5;
+  try {
+    step_in_table(small_table(), state, nullptr);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+    EXPECT_NE(std::string(error.what()).find("left wheel: lateral position"), std::string::npos)
+        << error.what();
+  }
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  const TableStep found = step_in_table(small_table(), state, &exact);
+  SceneResult result = solver.solve(scene_at(scene, state));
+  const auto forces = wheel_forces(result, scene.convention, true);
+  EXPECT_EQ(found.wheels[0].force, forces[0].force);
+  EXPECT_EQ(found.wheels[0].by_velocity, forces[0].by_velocity);
+  EXPECT_EQ(found.wheels[0].state, exact_solution);
+  EXPECT_EQ(found.errors[0], 0.0);
+  Scene other = scene;
+  other.track.gauge = 1434.0;
+  const ExactAnswer of_other{other, solver};
+  EXPECT_THROW(step_in_table(small_table(), state, &of_other), Error);
+}
+
+/// Between exact cells and others, forces go over with a continuous slope.
+TEST(TableStep, BlendsTheExactSolutionIn) {
+  ContactTable table = small_table();
+  std::vector<double> cells = table.errors.cells();
+  const std::size_t half = cells.size() / 2; // of the lateral positions
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = i < half ? 0.01 : 0.5;
+  }
+  table.errors = ErrorMap(table.errors.ranges(), table.errors.counts(), cells);
+  table.tolerance = 0.1;
+  table.errors.set_tolerance(table.tolerance);
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  VehicleState state = running_state();
+  const auto step_at = [&](double lateral) {
+    state.position[1] = lateral;
+    return step_in_table(table, state, &exact).wheels[0];
+  };
+  EXPECT_EQ(step_at(-0.8).state & exact_solution, 0);
+  EXPECT_EQ(step_at(0.6).state & exact_solution, exact_solution);
+  constexpr double step = 1e-3;
+  for (double lateral = -0.3; lateral < 0.0; lateral += 0.06) {
+    const WheelForces at = step_at(lateral);
+    EXPECT_EQ(at.state & exact_solution, exact_solution);
+    const WheelForces ahead = step_at(lateral + step);
+    const WheelForces behind = step_at(lateral - step);
+    for (const std::size_t row : {1U, 2U}) {
+      const double difference = (ahead.force[row] - behind.force[row]) / (2.0 * step);
+      // Of the exact solution at an accuracy of 1e-2: 5 % of the stiffest derivative.
+      EXPECT_NEAR(at.by_position[1][row], difference, 0.05 * std::abs(at.by_position[2][2]));
+    }
+  }
+}
+
+TEST(TableStep, LiftedWheelsHaveNoForces) {
+  VehicleState state = running_state();
+  state.position[2] = 462.0;
+  const TableStep found = step_in_table(small_table(), state, nullptr);
+  for (const WheelForces& wheel : found.wheels) {
+    EXPECT_EQ(wheel.force, SixNumbers{});
+    EXPECT_EQ(wheel.state, lifted);
+  }
+}
+
+TEST(TableStep, RefusesNumbersOutOfRange) {
+  const auto refuses = [](auto change) {
+    VehicleState state = running_state();
+    change(state);
+    EXPECT_THROW(step_in_table(small_table(), state, nullptr), Error);
+  };
+  refuses([](VehicleState& s) { s.position[2] = std::nan(""); });
+  refuses([](VehicleState& s) { s.position[1] = 1e300; });
+  refuses([](VehicleState& s) { (*s.velocity)[4] = std::nan(""); });
+  refuses([](VehicleState& s) { s.friction = {0.3, -1.0}; });
+  refuses([](VehicleState& s) { s.curvature = 1.0; });
+  VehicleState state = running_state();
+  state.friction = {0.0, 1e-300};
+  state.velocity = SixNumbers{1e6, -1e6, 1e6, 1e3, -1e5, 1e3};
+  for (const WheelForces& wheel : step_in_table(small_table(), state, nullptr).wheels) {
+    for (const double number : wheel.force) {
+      EXPECT_TRUE(std::isfinite(number));
+    }
+  }
+}
+
+TEST(TableStep, ConvertsUnitsAndFrame) {
+  ContactTable table = small_table();
+  const TableStep found = step_in_table(table, running_state(), nullptr);
+  table.convention = {Units::si, TrackFrame::right_down};
+  VehicleState state = running_state();
+  for (const std::size_t length : {0U, 1U, 2U}) {
+    state.position[length] *= length == 0 ? 1e-3 : -1e-3;
+    (*state.velocity)[length] *= length == 0 ? 1e-3 : -1e-3;
+  }
+  state.position[5] = -state.position[5];
+  (*state.velocity)[5] = -(*state.velocity)[5];
+  const TableStep turned = step_in_table(table, state, nullptr);
+  EXPECT_NEAR(turned.wheels[0].force[2], -found.wheels[0].force[2], 1e-6);
+  EXPECT_NEAR(turned.wheels[0].force[3], 1e-3 * found.wheels[0].force[3], 1e-6);
+  EXPECT_NEAR(turned.wheels[0].by_position[2][2], 1e3 * found.wheels[0].by_position[2][2], 1.0);
+}
+
+} // namespace
+} // namespace wrc::test

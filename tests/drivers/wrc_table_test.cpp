@@ -1,0 +1,29 @@
+/// wrc_table as a process: what it makes is what it shows.
+#include "run_driver.hpp"
+
+namespace wrc_table_test {
+namespace {
+
+class WrcTable : public Driver {
+protected:
+  WrcTable() : Driver(WRC_TABLE_PROGRAM) {}
+};
+
+TEST_F(WrcTable, ShowsTheTableThatItMakes) {
+  const Outcome made = run(
+      "small.table --lateral 1 --roll 0.003 --yaw 0.01 --load 1.2e5 --fineness 0.2 --threads 2");
+  ASSERT_EQ(made.exit_code, 0) << made.error;
+  EXPECT_NE(made.error.find("50 %"), std::string::npos) << made.error;
+  EXPECT_NE(made.out.find("beyond the error returned with them"), std::string::npos) << made.out;
+  const Outcome shown = run("small.table --show");
+  ASSERT_EQ(shown.exit_code, 0) << shown.error;
+  EXPECT_EQ(shown.out, made.out.substr(0, made.out.find("made in")));
+}
+
+TEST_F(WrcTable, RefusesMistakes) {
+  run("a.table --fineness 9").expect_refusal({"fineness = 9", "0.2 to 4"});
+  run("none.table --show").expect_refusal({"none.table"});
+}
+
+} // namespace
+} // namespace wrc_table_test
