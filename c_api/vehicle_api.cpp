@@ -310,6 +310,9 @@ wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene
       return WRC_NO_RESULT;
     }
     const StepArrays arrays{position, velocity, force, known_part(arguments)};
+    if (arrays.optional.histories != nullptr) {
+      wrc::throw_invalid_argument("histories", "given", "a table has no steps of time");
+    }
     const auto put = [&](const wrc::TableStep& step) {
       arrays.put(0, step.wheels);
       if (error != nullptr) {
