@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Influence coefficients of a prismatic elastic body by finite elements, one wave number along it at a time.
 
 The body has the cross-section Omega in the (y, z) plane and is infinite along x. Loads and displacements are
