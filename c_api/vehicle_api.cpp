@@ -318,6 +318,10 @@ wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene
       if (error != nullptr) {
         std::copy(step.errors.begin(), step.errors.end(), error);
       }
+      if (!step.converged) {
+        object.error = "not converged: the exact solution";
+        return WRC_NOT_CONVERGED;
+      }
       return WRC_OK;
     };
     if (solver == nullptr && scene == nullptr) {

@@ -486,9 +486,9 @@ typedef struct wrc_table_facts {
   double median_error;
   double error_99; /**< that 99 in 100 do not exceed */
   double worst_error;
-  double
-      exact_share; /**< fraction of the table in which the tolerance asks for the exact solution */
-  double bytes;    /**< of memory */
+  double exact_share; /**< fraction of cells that err by more than the tolerance; steps beside such
+                       * cells have a part of the exact solution, too */
+  double bytes;       /**< of memory */
 } wrc_table_facts;
 
 /** An empty handle, which keeps the error text of its calls. Since 0.3. */
@@ -530,7 +530,10 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  *              keys and results.
  * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
  *              force, or over half of the table's largest load if that is more.
- * On failure the arrays keep their values; the table holds the error text. Since 0.3.
+ * The error is that of random states with friction of 0.1 to 0.6 at 20 m/s forwards without turning
+ * of the track; with more friction it is that much larger. WRC_NOT_CONVERGED, with all results: the
+ * exact solution. On other failures the arrays keep their values; the table holds the error text.
+ * Since 0.3.
  */
 WRC_API wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene,
                                   const double* position, const double* velocity,

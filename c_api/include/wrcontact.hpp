@@ -413,11 +413,8 @@ public:
   /// The same with further arguments (wrc_solver_step_with). Since 0.3.
   bool step(Scene& scene, const std::array<double, 6>& position,
             const std::array<double, 6>& velocity, Step& result, StepArguments& arguments) {
-    wrc_step_arguments passed = passed_on(arguments, result);
-    wrc_history* const history =
-        arguments.history != nullptr ? arguments.history->handle() : nullptr;
-    passed.histories = history != nullptr ? &history : nullptr;
-    passed.time_step = arguments.time_step;
+    wrc_history* history = nullptr;
+    const wrc_step_arguments passed = passed_on(arguments, result, history);
     return scene.converged(wrc_solver_step_with(handle(), scene.handle(), position.data(),
                                                 velocity.data(), &passed, result.force.data()));
   }
@@ -427,7 +424,8 @@ public:
   bool equilibrium(Scene& scene, std::int32_t kind, const std::array<double, 2>& loads,
                    std::array<double, 6>& position, Step& result, StepArguments& arguments,
                    const std::array<double, 6>* velocity = nullptr) {
-    const wrc_step_arguments passed = passed_on(arguments, result);
+    wrc_history* history = nullptr;
+    const wrc_step_arguments passed = passed_on(arguments, result, history);
     return scene.converged(wrc_solver_equilibrium(handle(), scene.handle(), kind, loads.data(),
                                                   velocity != nullptr ? velocity->data() : nullptr,
                                                   &passed, position.data(), result.force.data()));
@@ -445,7 +443,9 @@ public:
 
 private:
   friend class Table;
-  static wrc_step_arguments passed_on(StepArguments& arguments, Step& result) {
+  /// `history` holds the handle as long as the arguments are used.
+  static wrc_step_arguments passed_on(StepArguments& arguments, Step& result,
+                                      wrc_history*& history) {
     wrc_step_arguments passed{};
     passed.struct_size = sizeof passed;
     passed.rails = arguments.rails ? arguments.rails->data() : nullptr;
@@ -454,6 +454,9 @@ private:
     passed.curvature = arguments.curvature ? &*arguments.curvature : nullptr;
     passed.friction = arguments.friction ? arguments.friction->data() : nullptr;
     passed.states = result.states.data();
+    history = arguments.history != nullptr ? arguments.history->handle() : nullptr;
+    passed.histories = history != nullptr ? &history : nullptr;
+    passed.time_step = arguments.time_step;
     if (arguments.derivatives) {
       passed.by_position = result.by_position.data();
       passed.by_velocity = result.by_velocity.data();

@@ -44,7 +44,8 @@ public:
                              const std::array<double, 6>& velocity, Step& result,
                              StepArguments& arguments, Solver* solver = nullptr,
                              Scene* scene = nullptr) {
-    const wrc_step_arguments passed = Solver::passed_on(arguments, result);
+    wrc_history* history = nullptr;
+    const wrc_step_arguments passed = Solver::passed_on(arguments, result, history);
     std::array<double, 2> error{};
     check(wrc_table_step(handle(), solver != nullptr ? solver->handle() : nullptr,
                          scene != nullptr ? scene->handle() : nullptr, position.data(),

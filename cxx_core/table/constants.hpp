@@ -58,4 +58,17 @@ inline constexpr double least_load_share = 0.5;
 /// origin: reasoned: a quarter of the share that the documentation promises.
 inline constexpr double calibrated_share = 5e-4;
 
+/// Friction of the random states that measure errors.
+/// origin: bound: that of dry rails.
+inline constexpr double least_drawn_friction = 0.1;
+inline constexpr double largest_drawn_friction = 0.6;
+
+/// Error of a state without an answer.
+/// origin: bound: far beyond any other.
+inline constexpr double error_without_answer = 1e3;
+
+/// Memory of a table's spline of contact, bytes.
+/// origin: bound: table_file.cpp reads no larger files.
+inline constexpr double largest_spline = 1e9;
+
 } // namespace wrc

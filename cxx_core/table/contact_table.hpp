@@ -60,8 +60,9 @@ static_assert(table_part_count == static_cast<std::size_t>(TablePart::none) + 1)
 /// What a table is of. Lengths mm, moduli MPa.
 struct TableIdentity {
   std::string wheel, rail;          ///< names of the profiles
-  std::array<double, 10> numbers{}; ///< radius, back to back, taping line, gauge, its height, cant,
-                                    ///< E and nu of wheel and rail
+  std::array<double, 13> numbers{}; ///< radius, back to back, taping line, gauge, its height, cant,
+                                    ///< E and nu of wheel and rail, and how patches are found:
+                                    ///< interaction, gap, joining distance
   std::uint64_t profiles = 0;       ///< checksum of the curves
   bool operator==(const TableIdentity&) const = default;
 };

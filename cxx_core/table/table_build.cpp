@@ -46,7 +46,8 @@ Counts counts_of(const TableOptions& options) {
 void check_options(const TableOptions& options) {
   const auto check = [](const char* name, double value, double least, double most) {
     if (!(value >= least && value <= most)) {
-      throw_invalid_argument(name, value, "allowed is " + text_of(least) + " to " + text_of(most));
+      throw_invalid_argument(
+          name, value, "allowed is " + text_of(least) + " to " + text_of(most) + " (mm, N, rad)");
     }
   };
   check("lateral", options.ranges.lateral, 0.5, 30.0);
@@ -56,6 +57,15 @@ void check_options(const TableOptions& options) {
   check("tolerance", options.tolerance, 0.0, 1.0);
   check("fineness", options.fineness, 0.2, 4.0);
   check("threads", options.threads, 1.0, 1024.0);
+  const Counts counts = counts_of(options);
+  const double bytes = 4.0 * table_part_count * static_cast<double>(counts.lateral) *
+                       static_cast<double>(counts.roll) * static_cast<double>(counts.yaw) *
+                       static_cast<double>(counts.depth);
+  if (bytes > largest_spline) {
+    throw_invalid_argument("fineness", options.fineness,
+                           "with these ranges the table would take " +
+                               text_of(std::round(bytes / 1e6)) + " MB, allowed are 1000");
+  }
 }
 
 /// Yaw at a node of its square.
@@ -66,17 +76,20 @@ double yaw_of(const SplineAxis& squares, std::size_t node) {
 /// Numbers between 0 and 1 that look random (Steele, Lea & Flood 2014, splitmix64).
 class RandomNumbers {
 public:
-  explicit RandomNumbers(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ULL) {}
+  explicit RandomNumbers(std::uint64_t seed) : state_(mixed(seed)) {}
   double next() {
     state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
+    return static_cast<double>(mixed(state_) >> 11U) * 0x1.0p-53;
   }
   double between(double low, double high) { return low + (high - low) * next(); }
 
 private:
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31U);
+  }
+
   std::uint64_t state_;
 };
 
@@ -86,8 +99,9 @@ double error_of(const ContactTable& table, const TableState& state, TableNodes& 
   const TableContact found = contact_in_table(table, state, false);
   const Vector3 exact = nodes.exact_force(state);
   returned = found.error;
-  return norm(Vector3{found.force[0], found.force[1], found.force[2]} - exact) /
-         std::max(exact.z, least_load_share * table.ranges.load);
+  const double error = norm(Vector3{found.force[0], found.force[1], found.force[2]} - exact) /
+                       std::max(exact.z, least_load_share * table.ranges.load);
+  return error < error_without_answer ? error : error_without_answer; // nor a NaN
 }
 
 class TableBuilder {
@@ -304,6 +318,12 @@ ContactTable build_table(const Scene& scene, const TableOptions& options,
                          const SceneSolver& solver) {
   check_options(options);
   check_scene_of_table(scene);
+  if (scene.left.friction.coefficient != scene.right.friction.coefficient) {
+    throw_invalid_argument("friction.right", scene.right.friction.coefficient,
+                           "a table has the friction of both wheels: that of the left one is " +
+                               text_of(scene.left.friction.coefficient) +
+                               "; steps may have others");
+  }
   return TableBuilder(scene, options, solver).build();
 }
 
@@ -320,7 +340,7 @@ TableState random_state(const ContactTable& table, std::size_t cell, std::uint64
                                               touch.value[0] - s * std::exp(touch.value[1]), roll);
   TableState state;
   state.position = {0.0, pose.lateral, pose.vertical, roll, 0.0, yaw};
-  state.friction = random.between(0.1, 0.6);
+  state.friction = random.between(least_drawn_friction, largest_drawn_friction);
 
   TensorSpline<4, table_part_count, float>::Values found;
   table.contact.evaluate({u, roll, yaw * yaw, s}, found);

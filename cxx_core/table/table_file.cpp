@@ -201,6 +201,10 @@ template <class Stream> void whole(Stream& stream, ContactTable& table) {
   spline(stream, law);
   table.law = CreepLaw(std::move(law));
   map(stream, table.errors, table.tolerance);
+  if (!(table.told.states > 0 && table.told.factor >= 1.0 && table.tolerance >= 0.0 &&
+        table.friction >= 0.0 && table.friction <= 10.0 && table.ranges.load > 0.0)) {
+    refuse("numbers that no table has");
+  }
 }
 
 } // namespace

@@ -75,6 +75,9 @@ void check_scene_of_table(const Scene& scene) {
     throw_invalid_argument("solve.model", model.name,
                            "allowed in a table are \"auto\" and \"half-space\"");
   }
+  if (scene.curved != CurvedChoice::no) {
+    throw_invalid_argument("solve.curved", "not \"no\"", "contact in a table is in planes");
+  }
   for (const auto& [side, key] :
        {std::pair(&scene.left, "friction.left"), std::pair(&scene.right, "friction.right")}) {
     if (side->friction.falls() || !side->friction.places.empty()) {
@@ -105,8 +108,22 @@ TableIdentity identity_of_table(const Scene& scene) {
                       scene.wheel_material.youngs_modulus,
                       scene.wheel_material.poisson,
                       scene.rail_material.youngs_modulus,
-                      scene.rail_material.poisson};
+                      scene.rail_material.poisson,
+                      static_cast<double>(scene.interaction),
+                      static_cast<double>(scene.gap),
+                      scene.joining_distance};
   return identity;
+}
+
+std::uint64_t checksum_of_profiles(const WheelSurface& wheel, const RailSurface& rail) {
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  for (const CurveGraph* graph : {&wheel.graph(), &rail.graph()}) {
+    for (const double start : graph->curve().starts()) {
+      const CurvePoint point = graph->curve().at(start);
+      sum = add_to_checksum(add_to_checksum(sum, point.lateral), point.height);
+    }
+  }
+  return sum;
 }
 
 TableNodes::TableNodes(const Scene& scene, SceneSolver solver, ContactTable& table)
@@ -160,14 +177,7 @@ void TableNodes::measure() {
   table_.radius = wheel_->radius();
   table_.rail_y = rail_->origin_y();
   table_.rail_z = rail_->origin_z();
-  std::uint64_t sum = 0xcbf29ce484222325ULL;
-  for (const CurveGraph* graph : {&wheel_->graph(), &rail_->graph()}) {
-    for (const double start : graph->curve().starts()) {
-      const CurvePoint point = graph->curve().at(start);
-      sum = add_to_checksum(add_to_checksum(sum, point.lateral), point.height);
-    }
-  }
-  table_.identity.profiles = sum;
+  table_.identity.profiles = checksum_of_profiles(*wheel_, *rail_);
 }
 
 double TableNodes::touch_height(double lateral, double roll, double yaw) {

@@ -15,6 +15,8 @@ namespace wrc {
 void check_scene_of_table(const Scene& scene);
 /// Of its left wheel; both must be alike.
 TableIdentity identity_of_table(const Scene& scene);
+/// FNV-1a over the curves as they are used: shifted, turned, smoothed.
+std::uint64_t checksum_of_profiles(const WheelSurface& wheel, const RailSurface& rail);
 
 class TableNodes {
 public:

@@ -1,9 +1,11 @@
 #include "table/table_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "base/error.hpp"
+#include "table/constants.hpp"
 #include "table/table_nodes.hpp"
 #include "wheel/wheel_state.hpp"
 
@@ -140,15 +142,32 @@ double share_of(const TableContact& contact) {
   return contact.inside ? contact.weight.value : 1.0;
 }
 
+[[noreturn]] void refuse_scene(const ContactTable& table, const std::string& found,
+                               const std::string& and_its) {
+  throw_invalid_argument("scene", found,
+                         "the table is of " + table.identity.wheel + " on " + table.identity.rail +
+                             ", and of its " + and_its);
+}
+
+/// As far as it can be seen before it is solved.
 void check_scene(const ContactTable& table, const Scene& scene) {
+  check_scene_of_table(scene);
   TableIdentity identity = identity_of_table(scene);
   identity.profiles = table.identity.profiles;
-  if (!(identity == table.identity) || !(scene.left.wheel == scene.right.wheel) ||
-      !(scene.left.rail == scene.right.rail) || !(scene.convention == table.convention)) {
-    throw_invalid_argument("scene", identity.wheel + " on " + identity.rail,
-                           "the table is of " + table.identity.wheel + " on " +
-                               table.identity.rail +
-                               ", and of its dimensions, materials, units and frame");
+  if (!(identity == table.identity) || !(scene.convention == table.convention)) {
+    refuse_scene(table, identity.wheel + " on " + identity.rail,
+                 "dimensions, materials, interaction, units and frame");
+  }
+  if (scene.has_creepages() || scene.creep.value_or(CreepModel::full) != CreepModel::full) {
+    throw_invalid_argument("scene", "creepages of its own, or solve.creep",
+                           "the exact solution takes the full theory at the step's velocities");
+  }
+}
+
+/// Profiles of the same name may differ.
+void check_profiles(const ContactTable& table, const SceneWheel& wheel) {
+  if (checksum_of_profiles(*wheel.details.wheel, *wheel.details.rail) != table.identity.profiles) {
+    refuse_scene(table, "other profiles of these names", "curves as they were then");
   }
 }
 
@@ -204,6 +223,9 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
   if (state.history) {
     throw_invalid_argument("history", "given", "a table has no steps of time");
   }
+  if (exact != nullptr) {
+    check_scene(table, exact->scene);
+  }
   std::array<TableContact, 2> contacts;
   std::array<bool, 2> asks{};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -219,7 +241,6 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
   }
   SceneResult result;
   if (asks[0] || asks[1]) {
-    check_scene(table, exact->scene);
     VehicleState whole = state;
     whole.velocity = state.velocity.value_or(SixNumbers{});
     whole.rails = state.rails.value_or(SixNumbers{});
@@ -238,13 +259,19 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
     std::optional<SceneWheel>& wheel = i == 0 ? result.left : result.right;
     int flags = contacts[i].lifted ? lifted : 0;
     if (asks[i] && wheel) {
+      check_profiles(table, *wheel);
+      step.converged = step.converged && wheel->stop_reason == StopReason::tolerance_met;
       blend(*wheel, state.derivatives, contacts[i]);
-      flags = wheel->state.value_or(0) | exact_solution;
+      const int seen = wheel->state.value_or(0);
+      const bool flies = share_of(contacts[i]) == 1.0 || contacts[i].lifted;
+      flags = (flies ? seen : seen & ~lifted) | exact_solution;
     }
     step.wheels[i] = forces_of(contacts[i], state.derivatives, table.convention);
     step.wheels[i].state = flags;
-    step.errors[i] =
-        asks[i] ? (1.0 - share_of(contacts[i])) * contacts[i].error : contacts[i].error;
+    // Creep forces err in proportion to friction, beyond what the random states had.
+    const double friction = state.friction ? (*state.friction)[i] : table.friction;
+    step.errors[i] = (asks[i] ? 1.0 - share_of(contacts[i]) : 1.0) * contacts[i].error *
+                     std::max(1.0, friction / largest_drawn_friction);
   }
   return step;
 }

@@ -2,8 +2,8 @@
 ///
 /// Where the map of errors exceeds the table's tolerance, and outside the table, a solver answers
 /// if there is one; over one cell its forces go over into those of the table with a continuous
-/// slope. Numbers in the convention of the scene that the table was made of. Thread rule: as the
-/// solver's; without one a pure function that allocates nothing.
+/// slope, but not at the border of the table. Numbers in the convention of the scene that the table
+/// was made of. Thread rule: as the solver's; without one a pure function that allocates nothing.
 #pragma once
 
 #include <array>
@@ -21,6 +21,7 @@ struct TableStep {
   std::array<WheelForces, 2> wheels;
   /// Of the force that comes from the table, over the load as in TableErrors.
   std::array<double, 2> errors{};
+  bool converged = true; ///< what the solver found
 };
 
 /// Who answers where the table does not.

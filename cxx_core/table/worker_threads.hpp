@@ -57,6 +57,9 @@ void run_tasks(std::size_t count, int threads, const Progress& progress,
   if (reason) {
     std::rethrow_exception(reason);
   }
+  if (progress) {
+    progress(1.0);
+  }
 }
 
 } // namespace wrc

@@ -63,6 +63,13 @@ TEST(TableBuild, RefusesWhatATableCannotHave) {
   scene = scene_of_small_table();
   scene.right.radius = 459.0;
   EXPECT_NE(message_of(scene, options).find("both sides"), std::string::npos);
+  scene = scene_of_small_table();
+  scene.right.friction.coefficient = 0.1;
+  EXPECT_NE(message_of(scene, options).find("friction.right = 0.1"), std::string::npos);
+  TableOptions large = options;
+  large.ranges.lateral = 30.0;
+  large.fineness = 4.0;
+  EXPECT_NE(message_of(scene_of_small_table(), large).find("MB"), std::string::npos);
   TableOptions wrong = options;
   wrong.fineness = 7.0;
   EXPECT_NE(message_of(scene_of_small_table(), wrong).find("fineness = 7: allowed is 0.2 to 4"),

@@ -116,6 +116,49 @@ TEST(TableStep, OutsideItNamesThePlaceOrSolves) {
   EXPECT_THROW(step_in_table(small_table(), state, &of_other), Error);
 }
 
+/// What the exact solution would not be of: the table's wheels, or the full theory at the
+/// velocities of the step.
+TEST(TableStep, RefusesAScenePartlyUnlikeTheTables) {
+  const auto message_of = [](void (*change)(Scene&), double lateral) -> std::string {
+    Scene scene = scene_of_small_table();
+    change(scene);
+    SceneSolver solver;
+    const ExactAnswer exact{scene, solver};
+    VehicleState state = running_state();
+    state.position[1] = lateral;
+    try {
+      step_in_table(small_table(), state, &exact);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  constexpr double inside = 0.2; // of the table: before anybody asks for the exact solution
+  EXPECT_EQ(message_of([](Scene&) {}, inside), "");
+  EXPECT_NE(message_of([](Scene& scene) { scene.left.creepages = Creepages{}; }, inside), "");
+  EXPECT_NE(message_of([](Scene& scene) { scene.creep = CreepModel::fastsim; }, inside), "");
+  EXPECT_NE(message_of([](Scene& scene) { scene.curved = CurvedChoice::yes; }, inside), "");
+  EXPECT_NE(message_of([](Scene& scene) { scene.interaction = Interaction::near; }, inside), "");
+  ContactTable measured_again = small_table();
+  ++measured_again.identity.profiles;
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  VehicleState state = running_state();
+  state.position[1] = 2.5;
+  EXPECT_THROW(step_in_table(measured_again, state, &exact), Error);
+}
+
+TEST(TableStep, ErrorsGrowWithFrictionBeyondThatOfTheRandomStates) {
+  VehicleState state = running_state();
+  state.friction = {0.3, 1.2};
+  const TableStep step = step_in_table(small_table(), state, nullptr);
+  state.friction = {0.3, 0.3};
+  const TableStep usual = step_in_table(small_table(), state, nullptr);
+  EXPECT_EQ(step.errors[0], usual.errors[0]);
+  EXPECT_NEAR(step.errors[1], 2.0 * usual.errors[1], 1e-15);
+}
+
 /// Between exact cells and others, forces go over with a continuous slope.
 TEST(TableStep, BlendsTheExactSolutionIn) {
   ContactTable table = small_table();
