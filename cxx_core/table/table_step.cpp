@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/reductions.hpp"
 #include "table/constants.hpp"
 #include "table/table_nodes.hpp"
 #include "wheel/wheel_state.hpp"
@@ -235,6 +236,9 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
       refuse_place(table, contacts[i], right);
     }
     asks[i] = exact != nullptr && share_of(contacts[i]) > 0.0;
+    if (!std::isfinite(sum_of(contacts[i].force.data(), contacts[i].force.size()))) {
+      throw Error(ErrorCode::file_malformed, "the table's numbers give no finite force");
+    }
     if (right) {
       turn_contact(contacts[i]);
     }
@@ -270,8 +274,8 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
     step.wheels[i].state = flags;
     // Creep forces err in proportion to friction, beyond what the random states had.
     const double friction = state.friction ? (*state.friction)[i] : table.friction;
-    step.errors[i] = (asks[i] ? 1.0 - share_of(contacts[i]) : 1.0) * contacts[i].error *
-                     std::max(1.0, friction / largest_drawn_friction);
+    step.errors[i] = (asks[i] ? std::max(0.0, 1.0 - share_of(contacts[i])) : 1.0) *
+                     contacts[i].error * std::max(1.0, friction / largest_drawn_friction);
   }
   return step;
 }

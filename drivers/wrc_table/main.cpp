@@ -2,8 +2,12 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
 
 #include "support/output_file.hpp"
 #include "support/program.hpp"
@@ -67,6 +71,31 @@ private:
   int shown_ = 0;
 };
 
+/// Throws if a table cannot be written there: before minutes of work, and before another file is
+/// replaced.
+void check_path(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr std::string_view first_words = "wrcontact table";
+  const auto refuse = [&path](const char* reason) {
+    throw std::runtime_error("TABLE = " + path + ": " + reason);
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    refuse("is a folder");
+  }
+  if (const fs::path folder = fs::path(path).parent_path();
+      !folder.empty() && !fs::is_directory(folder, ignored)) {
+    refuse("there is no such folder");
+  }
+  if (fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) > 0) {
+    std::string start(first_words.size(), '\0');
+    std::ifstream(path, std::ios::binary).read(start.data(), first_words.size());
+    if (start != first_words) {
+      refuse("exists and is no table; a scene file comes after --scene");
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -104,6 +133,7 @@ int main(int argc, char** argv) {
     }
     driver::apply_assignments(scene, assignments);
     driver::refuse_overwriting({path}, {scene_file});
+    check_path(path);
     const auto start = std::chrono::steady_clock::now();
     table.build(scene, options, Tenths());
     table.save(path);

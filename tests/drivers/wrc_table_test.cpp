@@ -23,6 +23,10 @@ TEST_F(WrcTable, ShowsTheTableThatItMakes) {
 TEST_F(WrcTable, RefusesMistakes) {
   run("a.table --fineness 9").expect_refusal({"fineness = 9", "0.2 to 4"});
   run("none.table --show").expect_refusal({"none.table"});
+  write("scene.toml", "[pose]\nyaw = 0.001\n");
+  run("scene.toml").expect_refusal({"scene.toml", "is no table", "--scene"});
+  EXPECT_EQ(read("scene.toml"), "[pose]\nyaw = 0.001\n");
+  run("nowhere/a.table").expect_refusal({"nowhere/a.table", "no such folder"});
 }
 
 } // namespace
