@@ -525,14 +525,16 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  *
  * solver, scene: those of wrc_solver_step_with, of the scene that the table was made of, or both
  *              NULL. They take the exact solution outside the table and where its error exceeds
- *              the table's tolerance, there blended with a continuous slope. Without them a step
- * outside is WRC_INVALID_ARGUMENT, and the text says which wheel is where. The scene keeps its keys
- * and results. error:       2 numbers, or NULL: how far the force of each wheel may be off, over
- * its vertical force, or over half of the table's largest load if that is more. The error is that
- * of random states with friction of 0.1 to 0.6 at 20 m/s forwards without turning of the track;
- * with more friction it is that much larger. WRC_NOT_CONVERGED, with all results: the exact
- * solution. On other failures the arrays keep their values; the table holds the error text. Since
- * 0.3.
+ *              the table's tolerance, and blend it there with a continuous slope. Without them a
+ *              step outside is WRC_INVALID_ARGUMENT, and the text says which wheel is where. The
+ *              scene keeps its keys and results.
+ * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
+ *              force, or over half of the table's largest load if that is more. It is that of
+ *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction
+ *              it is larger in proportion.
+ *
+ * WRC_NOT_CONVERGED, with all results: the exact solution. On other failures the arrays keep their
+ * values; the table holds the error text. Since 0.3.
  */
 WRC_API wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene,
                                   const double* position, const double* velocity,
