@@ -206,7 +206,8 @@ TEST(History, BrakesToRestAndStays) {
   wheelset.v[0] = 1e3;
   const double stop = 1e3 / (friction * gravity); // s
   wheelset.run(0.5 * stop, 2e-3);
-  EXPECT_NEAR(wheelset.v[0], 1e3 - friction * gravity * 2e-3 * std::lround(0.5 * stop / 2e-3),
+  EXPECT_NEAR(wheelset.v[0],
+              1e3 - friction * gravity * 2e-3 * static_cast<double>(std::lround(0.5 * stop / 2e-3)),
               20.0);
   wheelset.run(0.8 * stop, 2e-3);
   const double stopped = wheelset.q[0];
