@@ -4,11 +4,10 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
-#include <thread>
 #include <vector>
 
+#include "base/worker_threads.hpp"
 #include "handles.hpp"
 
 namespace wrc {
@@ -49,27 +48,9 @@ wrc_status run_all(std::size_t count, int32_t threads, wrc_status* statuses,
   const DefaultFloatingPoint floating_point; // for the threads too
   std::vector<wrc_status> own(statuses == nullptr ? count : 0);
   wrc_status* results = statuses == nullptr ? own.data() : statuses;
-  std::atomic<std::size_t> next{0};
-  const auto work = [&]() noexcept {
-    auto worker = make_worker();
-    for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
-      results[i] = worker(i);
-    }
-  };
-  const std::size_t most = std::min(static_cast<std::size_t>(threads), count);
-  std::vector<std::thread> others;
-  others.reserve(std::max<std::size_t>(most, 1));
-  try {
-    for (std::size_t i = 1; i < most; ++i) {
-      others.emplace_back(work);
-    }
-  } catch (...) {
-    // Fewer threads than requested: the same results, later.
-  }
-  work();
-  for (std::thread& other : others) {
-    other.join();
-  }
+  run_tasks(count, threads, {}, [&] {
+    return [results, worker = make_worker()](std::size_t i) mutable { results[i] = worker(i); };
+  });
   const auto* failed =
       std::find_if(results, results + count, [](wrc_status status) { return status != WRC_OK; });
   return failed == results + count ? WRC_OK : *failed;

@@ -143,7 +143,7 @@ wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts) {
                                   "sizeof(wrc_table_facts)");
     }
     const wrc::ContactTable& found = *object.table;
-    const wrc::TableErrors& told = found.told;
+    const wrc::TableErrors& measured = found.measured;
     const wrc_table_facts known{
         facts->struct_size,
         wrc::to_caller(found.ranges.lateral, found.convention, wrc::dimensions::length),
@@ -151,12 +151,12 @@ wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts) {
         found.ranges.yaw,
         found.ranges.load,
         found.tolerance,
-        static_cast<double>(told.states),
-        static_cast<double>(told.beyond),
-        told.beyond_at_most(),
-        told.median,
-        told.percentile_99,
-        told.worst,
+        static_cast<double>(measured.states),
+        static_cast<double>(measured.beyond),
+        measured.beyond_at_most(),
+        measured.median,
+        measured.percentile_99,
+        measured.worst,
         found.tolerance > 0.0 ? found.errors.share_beyond(found.tolerance) : 0.0,
         static_cast<double>(found.bytes())};
     std::memcpy(facts, &known, std::min<std::size_t>(facts->struct_size, sizeof known));

@@ -88,7 +88,9 @@ double interaction_error(const GridSolution& solution, double combined_modulus) 
       }
     }
     forces += patch.normal_force;
-    weighted += patch.normal_force * std::min(1.0, force_by_depth * missing / patch.overlap());
+    if (missing > 0.0) {
+      weighted += patch.normal_force * std::min(1.0, force_by_depth * missing / patch.overlap());
+    }
   }
   return forces > 0.0 ? weighted / forces : 0.0;
 }

@@ -12,6 +12,11 @@
 
 namespace wrc {
 
+/// That of a plain number, as of one with rates.
+inline double value_of(double number) {
+  return number;
+}
+
 template <std::size_t count> struct WithRates {
   double value = 0.0;
   std::array<double, count> rates{};

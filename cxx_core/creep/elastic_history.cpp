@@ -22,7 +22,7 @@ struct PlanePosition {
 PlanePosition position_in(const ContactFrame& other, const ContactFrame& frame, double x,
                           double y) {
   const Vector3 apart = frame.to_track(x, y, 0.0) - other.origin;
-  return {dot(apart, other.longitudinal), dot(apart, other.lateral)};
+  return {dot(apart, other.longitudinal), other.lateral_of(apart)};
 }
 
 double middle(double first, double step, std::size_t count) {

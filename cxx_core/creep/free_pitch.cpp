@@ -134,8 +134,9 @@ private:
     RootBracket bracket(last_, ahead, RootBracket::End::other);
     Point found = ahead;
     int left = pitch_evaluations;
-    // Forces that jump with their elements may balance nowhere. Rates so close that a sum as steep
-    // as between the first two would balance enclose such a jump.
+    // Forces that jump with their elements may balance nowhere. The bracket holds such a jump once
+    // it is too narrow for a sum with the slope between the first two points to be off by more
+    // than the tolerance.
     const double slope = std::abs((ahead.value - last_.value) / (ahead.place - last_.place));
     bracket.narrow(tolerance_ / slope, [&](double rate) -> std::optional<double> {
       found = function(rate);

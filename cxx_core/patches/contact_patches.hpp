@@ -16,31 +16,31 @@
 /// Separation of two neighbours, without dimension:
 ///   D = gap / larger width                                 if they are apart,
 ///   D = -(least penetration between) / (deepest of the shallower one)      if they are connected.
-/// Coupling weight w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall
+/// Closeness w = 1 for D <= D_join, 0 for D >= D_apart, smooth in between; both limits fall
 /// as the planes of the two differ more. w = 1: joined, on one grid. 0 < w < 1: planes turned
 /// towards each other by the fraction w, so that nothing jumps as two patches become one.
 ///
 /// Where planes differ little, the distance d of the penetrations in the cross-section counts, too,
 /// with a joining distance d_j in mm, as in CONTACT (Vollebregt, User guide for CONTACT, where d_j,
 /// 2 d_j and 3 d_j are D_COMB, D_SEP and D_TURN): planes turn towards each other from 3 d_j on and
-/// are one from 2 d_j on; patches interact from 2 d_j on, in full from d_j on, all linearly.
-/// Two in one plane are one contact, on grids of their own until they are joined. The greater
-/// fraction counts, by width or by distance.
+/// are one from 2 d_j on; w grows from 2 d_j on and is 1 from d_j on, all linearly. Two in one
+/// plane are one contact, on grids of their own until they are joined. The greater fraction counts,
+/// by width or by distance.
 ///
 /// Which pressures displace which patches is another question than which planes are one. All
 /// patches press on the same two bodies, so a patch displaces every other one as a half-space does
 /// along its normal at their distance, times the cosine between both normals: along the tangent
-/// like bodies move by the same amount. This is C A C + S A S with the cosines and
-/// sines of their angles, positive definite. On a convex rail the true displacement is larger, on a
+/// like bodies move by the same amount. This is C A C + S A S with the cosines and sines of their
+/// angles, positive definite. On a convex rail the true displacement is larger, on a
 /// concave wheel smaller; together they are within 4 % at 8 mm (docs/evidence/half-space.md).
 /// Interaction::near takes w instead, as CONTACT does, which leaves patches beyond 2 d_j uncoupled.
 /// In its case extreme-160, two patches 10.5 mm apart in planes 0.04 rad apart, the small one then
 /// carries 64 % more. Patches further on are as close as the weakest link between: such an
 /// (ultrametric) matrix has no negative eigenvalue.
 ///
-/// The angle of a plane is the mean over all levels between 0 and 1 of the
-/// plane of the patches that turn at least that far towards each other, which for two is
-/// angle = own + turn (mean of both - own).
+/// The angle of a plane is the mean over all levels between 0 and 1 of the plane of the patches
+/// that turn at least that far towards each other, which for two is angle = own + turn (mean of
+/// both - own).
 ///
 /// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
 /// elsewhere with the curvature of the nodes around. The top is the candidate of the scan that lies

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/value_with_rates.hpp"
 #include "geometry/contact_search.hpp"
 #include "patches/constants.hpp"
 
@@ -23,10 +24,6 @@ using std::atan2;
 using std::cos;
 using std::lerp;
 using std::sqrt;
-
-inline double value_of(double value) {
-  return value;
-}
 
 /// A sample of the locus.
 template <class Real> struct LocusSample {

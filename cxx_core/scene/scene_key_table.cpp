@@ -381,9 +381,8 @@ std::vector<Key> method_keys() {
       {{"tangent", GapConvention::tangent}, {"vertical", GapConvention::vertical}}, &Scene::gap));
   keys.push_back(word_key<CurvedChoice>(
       {"solve.curved", "\"no\"", "\"no\", \"yes\" or \"auto\"",
-       "whether contacts of the half-space are solved along the mean curve of wheel and rail, not "
-       "in "
-       "a plane; auto: where the error of a plane would come near solve.accuracy"},
+       "whether contacts of the half-space are solved along the mean curve of wheel and rail "
+       "instead of in a plane; auto: where the error of a plane would come near solve.accuracy"},
       {{"no", CurvedChoice::no}, {"yes", CurvedChoice::yes}, {"auto", CurvedChoice::by_accuracy}},
       &Scene::curved));
   keys.push_back(word_key<ModelRequest>(

@@ -9,29 +9,6 @@ namespace {
 
 using Rated = WithRates<table_rate_count>;
 
-double value_of(double number) {
-  return number;
-}
-
-/// Values of parts of a spline as numbers of its place.
-template <class Spline>
-double part_of(const typename Spline::Values& found, std::size_t part,
-               const std::array<double, std::tuple_size_v<typename Spline::Place>>&) {
-  return found.value[part];
-}
-template <class Spline>
-WRC_VECTOR_BODY Rated
-part_of(const typename Spline::Values& found, std::size_t part,
-        const std::array<Rated, std::tuple_size_v<typename Spline::Place>>& place) {
-  Rated result(found.value[part]);
-  for (std::size_t variable = 0; variable < place.size(); ++variable) {
-    for (std::size_t i = 0; i < table_rate_count; ++i) {
-      result.rates[i] += found.slope[variable][part] * place[variable].rates[i];
-    }
-  }
-  return result;
-}
-
 /// From 0 to 1 with two continuous derivatives, over the distances before the flange.
 template <class Real> Real alignment(const Real& lateral, double flange) {
   const double begin = flange - alignment_begins;
@@ -51,7 +28,7 @@ Real shift_of(const ContactTable& table, const Real& roll, const Real& square) {
   using Spline = TensorSpline<2, 1>;
   Spline::Values found;
   table.shift.evaluate({value_of(roll), value_of(square)}, found);
-  return part_of<Spline>(found, 0, std::array<Real, 2>{roll, square});
+  return part_of(found, 0, std::array<Real, 2>{roll, square});
 }
 
 /// Numbers that do or do not carry rates, by the columns.
@@ -154,7 +131,7 @@ WRC_VECTOR_BODY PlaceInTable<Real> place_of(const ContactTable& table,
   table.touch.evaluate(
       {value_of(place.aligned_lateral), value_of(place.roll), value_of(place.square)}, found);
   const std::array<Real, 3> at{place.aligned_lateral, place.roll, place.square};
-  place.depth = (part_of<Spline>(found, 0, at) - height) * exp(-part_of<Spline>(found, 1, at));
+  place.depth = (part_of(found, 0, at) - height) * exp(-part_of(found, 1, at));
   return place;
 }
 
@@ -264,8 +241,7 @@ WRC_VECTOR_BODY void find_contact(const ContactTable& table, const TableState& s
   const std::array<Real, 4> at{place.aligned_lateral, place.roll, place.square, place.depth};
   add_up<Real>(
       table, wheelset, place, state.friction,
-      [&](TablePart part) { return part_of<Spline>(found, static_cast<std::size_t>(part), at); },
-      to);
+      [&](TablePart part) { return part_of(found, static_cast<std::size_t>(part), at); }, to);
 }
 
 WRC_VECTOR_CLONES void find_forces(const ContactTable& table, const TableState& state,

@@ -112,7 +112,7 @@ struct ContactTable {
   TensorSpline<4, table_part_count, float> contact; ///< by u', roll, yaw^2, s
   CreepLaw law;
   ErrorMap errors; ///< by u', s, roll
-  TableErrors told;
+  TableErrors measured;
   double tolerance = 0.0; ///< beyond which the exact solution is asked; 0: never
 
   [[nodiscard]] std::size_t bytes() const;

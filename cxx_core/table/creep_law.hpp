@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "base/value_with_rates.hpp"
+#include "base/worker_threads.hpp"
 #include "table/tensor_spline.hpp"
-#include "table/worker_threads.hpp"
 
 namespace wrc {
 
@@ -59,7 +59,7 @@ public:
         {value_of(place[0]), value_of(place[1]), value_of(place[2]), value_of(place[3])}, found);
     std::array<Real, 3> forces;
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      forces[i] = chained(found, i, place);
+      forces[i] = part_of(found, i, place);
     }
     const Real factor = cubic_factor(fx, fy + fp);
     forces[0] = forces[0] - factor * fx;
@@ -78,26 +78,6 @@ public:
   [[nodiscard]] const Spline& spline() const { return spline_; }
 
 private:
-  static double value_of(double number) { return number; }
-  template <std::size_t count> static double value_of(const WithRates<count>& number) {
-    return number.value;
-  }
-  static double chained(const Spline::Values& found, std::size_t part,
-                        const std::array<double, 4>&) {
-    return found.value[part];
-  }
-  template <std::size_t count>
-  WRC_VECTOR_BODY static WithRates<count> chained(const Spline::Values& found, std::size_t part,
-                                                  const std::array<WithRates<count>, 4>& place) {
-    WithRates<count> result(found.value[part]);
-    for (std::size_t variable = 0; variable < place.size(); ++variable) {
-      for (std::size_t i = 0; i < count; ++i) {
-        result.rates[i] += found.slope[variable][part] * place[variable].rates[i];
-      }
-    }
-    return result;
-  }
-
   Spline spline_;
 };
 

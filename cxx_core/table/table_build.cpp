@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -73,24 +74,15 @@ double yaw_of(const SplineAxis& squares, std::size_t node) {
   return std::max(std::sqrt(squares.node(node)), least_yaw_node * std::sqrt(squares.last()));
 }
 
-/// Numbers between 0 and 1 that look random (Steele, Lea & Flood 2014, splitmix64).
+/// Numbers between 0 and 1, the same everywhere for a seed.
 class RandomNumbers {
 public:
-  explicit RandomNumbers(std::uint64_t seed) : state_(mixed(seed)) {}
-  double next() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    return static_cast<double>(mixed(state_) >> 11U) * 0x1.0p-53;
-  }
+  explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
+  double next() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
   double between(double low, double high) { return low + (high - low) * next(); }
 
 private:
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31U);
-  }
-
-  std::uint64_t state_;
+  std::mt19937_64 engine_;
 };
 
 /// Error of the force over the load.
@@ -275,8 +267,8 @@ void TableBuilder::measure_errors(const Progress& progress) {
     })
                     : Progress();
   };
-  table_.told.map_states = counts_.states_of_cell * cells;
-  const auto of_map = errors_of(0, table_.told.map_states, part(0.0, 0.6));
+  table_.measured.map_states = counts_.states_of_cell * cells;
+  const auto of_map = errors_of(0, table_.measured.map_states, part(0.0, 0.6));
   std::vector<double> largest(cells);
   for (std::size_t i = 0; i < of_map.size(); ++i) {
     largest[i % cells] = std::max(largest[i % cells], of_map[i].first);
@@ -295,21 +287,21 @@ void TableBuilder::measure_errors(const Progress& progress) {
   for (const auto& [error, returned] : errors_of(of_factor, count, part(0.6, 0.8))) {
     ratios.push_back(error / std::max(returned, std::numeric_limits<double>::min()));
   }
-  table_.told.factor = std::max(1.0, ratio_at(ratios, calibrated_share));
+  table_.measured.factor = std::max(1.0, ratio_at(ratios, calibrated_share));
   for (double& error : largest) {
-    error *= table_.told.factor;
+    error *= table_.measured.factor;
   }
   table_.errors = ErrorMap(box, counts_.cells, std::move(largest));
 
   std::vector<double> errors;
-  table_.told.states = count;
+  table_.measured.states = count;
   for (const auto& [error, returned] : errors_of(of_check, count, part(0.8, 1.0))) {
-    table_.told.beyond += error > returned ? 1 : 0;
+    table_.measured.beyond += error > returned ? 1 : 0;
     errors.push_back(error);
   }
-  table_.told.percentile_99 = ratio_at(errors, 0.01);
-  table_.told.median = errors[errors.size() / 2];
-  table_.told.worst = errors.back();
+  table_.measured.percentile_99 = ratio_at(errors, 0.01);
+  table_.measured.median = errors[errors.size() / 2];
+  table_.measured.worst = errors.back();
 }
 
 } // namespace

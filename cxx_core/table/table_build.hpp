@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/worker_threads.hpp"
 #include "scene/solve_scene.hpp"
 #include "table/contact_table.hpp"
-#include "table/worker_threads.hpp"
 
 namespace wrc {
 

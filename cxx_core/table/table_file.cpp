@@ -187,13 +187,13 @@ template <class Stream> void whole(Stream& stream, ContactTable& table) {
   for (double* number :
        {&ranges.lateral, &ranges.roll, &ranges.yaw, &ranges.load, &table.taping_line, &table.radius,
         &table.rail_y, &table.rail_z, &table.friction, &table.standstill_speed, &table.flange,
-        &table.tolerance, &table.told.median, &table.told.percentile_99, &table.told.worst,
-        &table.told.factor}) {
+        &table.tolerance, &table.measured.median, &table.measured.percentile_99,
+        &table.measured.worst, &table.measured.factor}) {
     stream.number(*number);
   }
-  stream.number(table.told.states);
-  stream.number(table.told.beyond);
-  stream.number(table.told.map_states);
+  stream.number(table.measured.states);
+  stream.number(table.measured.beyond);
+  stream.number(table.measured.map_states);
   spline(stream, table.shift);
   spline(stream, table.touch);
   spline(stream, table.contact);
@@ -201,7 +201,7 @@ template <class Stream> void whole(Stream& stream, ContactTable& table) {
   spline(stream, law);
   table.law = CreepLaw(std::move(law));
   map(stream, table.errors, table.tolerance);
-  if (!(table.told.states > 0 && table.told.factor >= 1.0 && table.tolerance >= 0.0 &&
+  if (!(table.measured.states > 0 && table.measured.factor >= 1.0 && table.tolerance >= 0.0 &&
         table.friction >= 0.0 && table.friction <= 10.0 && table.ranges.load > 0.0)) {
     refuse("numbers that no table has");
   }

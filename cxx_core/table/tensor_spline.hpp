@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/value_with_rates.hpp"
 #include "base/vector_clones.hpp"
 
 namespace wrc {
@@ -174,5 +175,22 @@ private:
   Axes axes_{};
   std::vector<Stored> coefficients_;
 };
+
+/// A part of the values at a place that `evaluate` found, with the rates of the place, if any.
+template <class Values, std::size_t variables>
+double part_of(const Values& found, std::size_t part, const std::array<double, variables>&) {
+  return found.value[part];
+}
+template <class Values, std::size_t variables, std::size_t count>
+WRC_VECTOR_BODY WithRates<count> part_of(const Values& found, std::size_t part,
+                                         const std::array<WithRates<count>, variables>& place) {
+  WithRates<count> result(found.value[part]);
+  for (std::size_t variable = 0; variable < variables; ++variable) {
+    for (std::size_t i = 0; i < count; ++i) {
+      result.rates[i] += found.slope[variable][part] * place[variable].rates[i];
+    }
+  }
+  return result;
+}
 
 } // namespace wrc

@@ -77,8 +77,8 @@ double ApproximateWheel::first_depth() const {
 
 void ApproximateWheel::find_patches(double depth) {
   WheelRequest near_only = request_;
-  near_only.interaction =
-      Interaction::near; // models do not couple patches, but lose validity beside others
+  // Models do not couple patches, but lose validity beside others.
+  near_only.interaction = Interaction::near;
   const auto counts = request_.grid.value_or(std::array{sampled_count, sampled_count});
   planned_ = plan_patches(rail_, equilibrium_, near_only, depth);
   set_grids(planned_, rail_, GridChoice(ElementCounts{counts[0], counts[1]}),

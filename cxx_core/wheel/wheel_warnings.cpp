@@ -45,7 +45,7 @@ void warn_of_accuracy(double accuracy, WheelSolution& result) {
   if (all) {
     text += ": estimated error " + short_text_of(*all);
     if (of_model > least_share_said * *all) {
-      text += " (patches as planes " + short_text_of(of_model) + ')';
+      text += " (model " + short_text_of(of_model) + ')';
     }
   }
   result.warnings.push_back({WarningClass::accuracy, text});

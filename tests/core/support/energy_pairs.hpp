@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "creep/total_force.hpp"
 #include "derivatives/wheel_sensitivities.hpp"
 #include "profile/profile.hpp"
@@ -27,6 +29,29 @@ namespace wrc::test {
 /// Along y, z and the roll; moments over this arm, N.
 inline constexpr double energy_arm = 750.0;
 using CoordinateForces = std::array<double, 3>;
+
+/// A case of force_direction.json: values of an independent solver of curved patches. Its file
+/// states a Poisson's ratio of 0.3; its heights are those of 0.28.
+inline Scene scene_of_direction(const nlohmann::json& entry) {
+  Scene scene;
+  scene.left.wheel.name = scene.right.wheel.name = entry.at("wheel");
+  scene.left.rail.name = scene.right.rail.name = entry.at("rail");
+  scene.wheel_material.poisson = scene.rail_material.poisson = 0.28;
+  scene.lateral = entry.at("lateral_mm");
+  scene.yaw = entry.at("yaw_rad");
+  scene.roll = entry.at("roll_rad").get<double>();
+  scene.left.load = scene.right.load = entry.at("vertical_load_N");
+  scene.side = SideChoice::left;
+  scene.accuracy = 3e-4;
+  return scene;
+}
+
+/// Prescribes the position that the load asks for.
+inline void stay_where_loaded(Scene& scene) {
+  const SceneResult under_load = solve_scene(scene);
+  scene.roll = under_load.roll;
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+}
 
 /// All built-in wheels and rails, tread to flange, 20 to 130 kN; every other one with yaw. The
 /// position is the one that this load asks for.
@@ -44,9 +69,7 @@ inline Scene frictionless_wheel(Draw& draw, int index) {
   scene.side = SideChoice::left;
   scene.accuracy_of = AccuracyOf::forces;
   scene.accuracy = 1e-4;
-  const SceneResult under_load = solve_scene(scene);
-  scene.roll = under_load.roll;
-  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  stay_where_loaded(scene);
   return scene;
 }
 

@@ -21,7 +21,7 @@ TEST(TableBuild, ThreadsDoNotChangeABit) {
   const ContactTable table = build_table(scene_of_small_table(), options, SceneSolver());
   EXPECT_EQ(table.contact.coefficients(), small_table().contact.coefficients());
   EXPECT_EQ(table.errors.cells(), small_table().errors.cells());
-  EXPECT_EQ(table.told.worst, small_table().told.worst);
+  EXPECT_EQ(table.measured.worst, small_table().measured.worst);
   EXPECT_FALSE(falls);
   EXPECT_GT(last, 0.9);
 }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 
 #include "half_space/material.hpp"
 #include "mechanics/normal_solver.hpp"
+#include "support/reference_data.hpp"
 #include "support/simple_profiles.hpp"
 #include "wheel/wheel_solution.hpp"
 
@@ -24,15 +24,10 @@ double modulus_of(double shear_modulus) {
   return combined_modulus(material, material);
 }
 
-nlohmann::json reference() {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/conformal_contact.json");
-  return nlohmann::json::parse(file);
-}
-
 /// The influence of a half-space to the last digit; that of turned normals to 1 %, since CONTACT's
 /// tractions act on it there, ours do not.
 TEST(ConformalContact, OfACurvedRailHasTheForceOfTurnedNormals) {
-  const nlohmann::json conformal = reference().at("conformal");
+  const nlohmann::json conformal = reference_data("conformal_contact.json").at("conformal");
   const Grid grid{39, 51, 0.4, 0.4, -7.6, -10.0};
   std::vector<double> distance;
   std::vector<double> angles;
@@ -113,7 +108,7 @@ Answer ball_in_groove(double radius, double load, CurvedChoice curved) {
 /// The pressures of turned normals are lower than ours, since tractions of mu 0.3 act on them;
 /// those of a half-space are higher, since all of its normals count in full.
 TEST(ConformalContact, OfBallsInGroovesLiesBetweenAHalfSpaceAndTurnedNormals) {
-  const nlohmann::json grooves = reference().at("grooves");
+  const nlohmann::json grooves = reference_data("conformal_contact.json").at("grooves");
   const std::array loads{9819.0, 9717.0, 9636.0};
   ASSERT_EQ(grooves.size(), loads.size());
   for (std::size_t i = 0; i < loads.size(); ++i) {

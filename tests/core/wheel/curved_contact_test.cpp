@@ -2,7 +2,6 @@
 /// of an elastic energy, which needs no reference.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "remesh/rail_normals.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "support/energy_pairs.hpp"
+#include "support/reference_data.hpp"
 #include "wheel/residuals.hpp"
 
 namespace wrc::test::curved_contact_test {
@@ -31,20 +31,12 @@ Scene left_wheel(const std::string& rail, double lateral) {
 
 /// Forces and depths to 1e-3, pressures to 2e-3: the reference states 1e-4 to 1e-3 for itself.
 TEST(CurvedContact, EqualsAnIndependentSolver) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/force_direction.json");
-  if (!file) {
-    GTEST_SKIP() << "no force_direction.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = reference_data("force_direction.json").at("cases");
   EXPECT_EQ(cases.size(), 23u);
   for (const auto& entry : cases) {
-    Scene scene = left_wheel(entry.at("rail"), entry.at("lateral_mm"));
-    scene.left.wheel.name = scene.right.wheel.name = entry.at("wheel");
-    scene.wheel_material.poisson = scene.rail_material.poisson = 0.28;
-    scene.roll = entry.at("roll_rad").get<double>();
-    const double load = entry.at("vertical_load_N");
-    scene.left.load = scene.right.load = load;
-    scene.accuracy = 3e-4;
+    Scene scene = scene_of_direction(entry);
+    scene.curved = CurvedChoice::yes;
+    const double load = scene.left.load;
     const SceneResult result = solve_scene(scene);
     const WheelResult& wheel = *result.left;
     const auto& curved = entry.at("curved");

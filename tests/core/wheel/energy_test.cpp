@@ -1,7 +1,5 @@
 /// Without friction forces of contact are derivatives of an elastic energy: tests of that need no
 /// reference.
-#include <fstream>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +8,7 @@
 #include "remesh/row_scales.hpp"
 #include "remesh/undeformed_distance.hpp"
 #include "support/energy_pairs.hpp"
+#include "support/reference_data.hpp"
 
 namespace wrc::test::energy_test {
 namespace {
@@ -47,11 +46,9 @@ TEST(Energy, OfTwoPatchesInPlanesFarApart) {
     scene.side = SideChoice::left;
     scene.accuracy_of = AccuracyOf::forces;
     scene.accuracy = 1e-4;
-    const SceneResult under_load = solve_scene(scene);
-    scene.roll = under_load.roll;
-    scene.vertical = under_load.left->vertical - under_load.left->depth;
-    ASSERT_EQ(under_load.left->patches.size(), 2u);
+    stay_where_loaded(scene);
     const EnergyErrors errors = energy_errors(scene);
+    ASSERT_EQ(errors.patches, 2u);
     EXPECT_LE(errors.energy, limit) << lateral;
     EXPECT_LE(errors.pairs, 5.0 * limit) << lateral;
     EXPECT_LE(errors.sensitivities, 5.0 * limit) << lateral;
@@ -101,28 +98,13 @@ TEST(Energy, TheDirectionOfAPlaneHardlyMatters) {
   }
 }
 
-/// Curved patches of an independent solver. Its file states a Poisson's ratio of 0.3; its heights,
-/// which this test holds to 1 um, are those of 0.28.
 TEST(Energy, TheLateralForceIsThatOfCurvedPatches) {
-  std::ifstream file(std::string(WRCONTACT_REFERENCE_DIR) + "/force_direction.json");
-  if (!file) {
-    GTEST_SKIP() << "no force_direction.json in " << WRCONTACT_REFERENCE_DIR;
-  }
-  const nlohmann::json cases = nlohmann::json::parse(file).at("cases");
+  const nlohmann::json cases = reference_data("force_direction.json").at("cases");
   EXPECT_EQ(cases.size(), 23u);
   for (const auto& entry : cases) {
-    Scene scene;
-    scene.left.wheel.name = scene.right.wheel.name = entry.at("wheel");
-    scene.left.rail.name = scene.right.rail.name = entry.at("rail");
-    scene.wheel_material.poisson = scene.rail_material.poisson = 0.28;
-    scene.lateral = entry.at("lateral_mm");
-    scene.yaw = entry.at("yaw_rad");
-    scene.roll = entry.at("roll_rad").get<double>();
-    const double load = entry.at("vertical_load_N");
-    scene.left.load = scene.right.load = load;
-    scene.side = SideChoice::left;
+    Scene scene = scene_of_direction(entry);
     scene.accuracy_of = AccuracyOf::forces;
-    scene.accuracy = 3e-4;
+    const double load = scene.left.load;
     const SceneResult result = solve_scene(scene);
     const auto& curved = entry.at("curved");
     EXPECT_NEAR(result.left->force.y, curved.at("Fy").get<double>(), 1e-3 * load)

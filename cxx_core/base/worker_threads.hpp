@@ -1,10 +1,11 @@
-/// Independent tasks on several threads, for the making of tables.
+/// Independent tasks on several threads.
 ///
 /// Each task writes a place of its own, so that results are the same for any number of threads. The
 /// first thing that a task throws ends all of it and is thrown again. Thread rule: starts the
 /// threads and waits for them.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -44,7 +45,8 @@ void run_tasks(std::size_t count, int threads, const Progress& progress,
   };
   std::vector<std::thread> others;
   try {
-    for (int i = 1; i < threads; ++i) {
+    const std::size_t most = std::min(static_cast<std::size_t>(threads), count);
+    for (std::size_t i = 1; i < most; ++i) {
       others.emplace_back(work, false);
     }
   } catch (...) {

@@ -1,4 +1,4 @@
-#include "table/worker_threads.hpp"
+#include "base/worker_threads.hpp"
 
 #include <stdexcept>
 
