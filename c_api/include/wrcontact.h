@@ -524,10 +524,11 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  * WRC_SOLVED_EXACTLY only, with the others where a wheel was solved.
  *
  * solver, scene: those of wrc_solver_step_with, of the scene that the table was made of, or both
- *              NULL. They take the exact solution outside the table and where its error exceeds
- *              the table's tolerance, and blend it there with a continuous slope. Without them a
- *              step outside is WRC_INVALID_ARGUMENT, and the text says which wheel is where. The
- *              scene keeps its keys and results.
+ *              NULL. With them a step is solved exactly outside the table, at whose border forces
+ *              jump by its error, and where the error exceeds the table's tolerance, which is
+ *              blended with a continuous slope. Without them a step outside is
+ *              WRC_INVALID_ARGUMENT, and the text says which wheel is where. The scene keeps its
+ *              keys and results.
  * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
  *              force, or over half of the table's largest load if that is more. It is that of
  *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction

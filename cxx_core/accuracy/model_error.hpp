@@ -1,4 +1,4 @@
-/// How far planes are off for contacts whose surface turns, and for their forces on each other.
+/// Error of taking contacts as planes, and of displacements between patches that are left out.
 ///
 /// Measured against curved patches (drivers/evidence/curved): with the inclination beta of the
 /// rail's surface to the plane, delta the mean of its tangent and s its standard deviation, both
@@ -41,8 +41,8 @@ double angle_of_reference(const ContactFrame& frame);
 /// patches, weighted with their forces; each 1 at most.
 double interaction_error(const GridSolution& solution, double combined_modulus);
 
-/// How much of its curve a contact takes whose rail turns so over the contact: nothing where a
-/// plane leaves no more than half of the accuracy, all from the accuracy on, smooth in between.
+/// Fraction of its curve that a contact follows if the rail turns by `turn` over it: 0 while the
+/// error of a plane is at most half of the accuracy, 1 from the accuracy on, smooth between.
 double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
                    bool position_is_prescribed);
 

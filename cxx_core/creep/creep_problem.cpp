@@ -144,7 +144,7 @@ std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
   if (task.rates != nullptr && !unlike_bodies(task.request)) {
     rates = problem_rates(task, grid, problem);
   }
-  if (task.motion.twist || !problem.slip_x.empty()) {
+  if (task.motion.twist || problem.step_length > 0.0) {
     rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
     rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
   }

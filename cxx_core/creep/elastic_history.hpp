@@ -4,8 +4,8 @@
 /// A step of time is solved with the slip that adhesion has not undone
 /// (rolling/rolling_problem.hpp),
 ///   s = w - f du/dx + (u - u')/d,   d = slip speed times the step, f = |V_ref|/slip speed,
-/// u' the displacement at the same place of rail and wheelset: laterally the elements keep their
-/// place on the rail, along the track that under the wheelset, since f du/dx is what travels. u' is
+/// u' the displacement at the same place: fixed to the rail laterally and to the wheelset along the
+/// track, since f du/dx accounts for rolling. u' is
 /// interpolated between elements, and beyond them taken from the nearest one. A patch continues the
 /// one whose rectangle holds its middle; a new one begins without displacement.
 /// Left-hand frame of the side, mm. Thread rule: plain values and pure functions.

@@ -92,7 +92,7 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
   motion.friction = friction_of(
       request.friction, patch.reference.s_wheel,
       motion.slip_speed * std::hypot(motion.creepages.longitudinal, motion.creepages.lateral));
-  if (motion.friction < least_friction) { // which displaces nothing
+  if (motion.friction < least_friction) { // no tractions, so no displacements to keep
     motion.step_length = 0.0;
     motion.rolling_share = 1.0;
   }

@@ -24,9 +24,7 @@ SlipRow continued(SlipRow row, double lateral, bool on_curve) {
 class SlipRowSampler {
 public:
   SlipRowSampler(const PosedPair& pair, const ContactFrame& frame, const SlipChoice& choice)
-      : pair_(pair), rotation_(pair.pose), choice_(choice),
-        lateral_(rotation_.to_body(frame.lateral)), normal_(rotation_.to_body(frame.normal)),
-        frame_(frame), rail_(pair.rail, frame), wheel_(pair, frame),
+      : choice_(choice), frame_(frame), rail_(pair.rail, frame), wheel_(pair, frame),
         first_height_(wheel_.height()) {}
 
   /// Back to the plane's origin, to go the other way.
@@ -43,43 +41,31 @@ public:
     }
     const double height =
         choice_.surface == SlipSurface::wheel ? *on_wheel : 0.5 * (*on_rail + *on_wheel);
-    if (frame_.curve) {
-      return along_curve(lateral, height);
-    }
-    if (choice_.variation == SlipVariation::plane_axes) {
-      return {lateral, height};
-    }
-    const Vector3 along_rail{0.0, rail_.point().tangent_lateral, rail_.point().tangent_height};
-    const double rail_slope = dot(along_rail, frame_.normal) / dot(along_rail, frame_.lateral);
-    const double slope = 0.5 * (rail_slope + wheel_slope(*on_wheel, lateral));
+    const ContactFrame::Row row = frame_.row_at(lateral);
+    const double slope =
+        choice_.variation == SlipVariation::plane_axes
+            ? 0.0
+            : 0.5 * (rail_slope(row) + wheel_.inclination(0.0, lateral, *on_wheel));
     const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
-    return {lateral, height, slope * cosine, cosine};
+    if (!frame_.curve) {
+      return {lateral, height, slope * cosine, cosine};
+    }
+    const Vector3 place = row.place + height * row.normal;
+    const Vector3 tangent = cosine * (row.lateral + slope * row.normal);
+    const double across = dot(place, frame_.lateral);
+    return {across, dot(place, frame_.normal), dot(tangent, frame_.normal),
+            dot(tangent, frame_.lateral), lateral - across};
   }
 
 private:
-  /// The curve is midway between both surfaces, so its tangent is that of the deformed one.
-  [[nodiscard]] SlipRow along_curve(double arc, double height) const {
-    const ContactFrame::Row row = frame_.row_at(arc);
-    const Vector3 place = row.place + height * row.normal;
-    const double lateral = dot(place, frame_.lateral);
-    return {lateral, dot(place, frame_.normal), dot(row.lateral, frame_.normal),
-            dot(row.lateral, frame_.lateral), arc - lateral};
+  /// To the row.
+  [[nodiscard]] double rail_slope(const ContactFrame::Row& row) const {
+    const CurvePoint& point = rail_.point();
+    const Vector3 along{0.0, point.tangent_lateral, point.tangent_height};
+    return dot(along, row.normal) / dot(along, row.lateral);
   }
 
-  /// Across the plane, from the gradient of the surface of revolution.
-  [[nodiscard]] double wheel_slope(double position, double lateral) const {
-    const Vector3 place = wheel_.base(0.0, lateral) + position * normal_;
-    const HeightPoint profile = pair_.wheel.graph().heights().at(place.y);
-    const double rho = pair_.wheel.radius() + profile.height;
-    const Vector3 gradient{place.x, -rho * profile.slope, place.z};
-    return -dot(gradient, lateral_) / dot(gradient, normal_);
-  }
-
-  const PosedPair& pair_;
-  const Rotation rotation_;
   const SlipChoice choice_;
-  const Vector3 lateral_; ///< of the plane, in the wheelset frame
-  const Vector3 normal_;
   const ContactFrame& frame_;
   RailRay rail_;
   WheelRay wheel_;

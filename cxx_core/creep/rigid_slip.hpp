@@ -13,7 +13,7 @@
 /// row by row, or of the mean surface (SlipSurface; docs/creep.md says which and why).
 ///
 /// Rows along a curve (patches/contact_curve.hpp) have the same formulas, with y, h and b where
-/// their rays meet the surface; its tangent is the curve's. The creepages' spin counts with the arc
+/// their rays meet the surface. The creepages' spin counts with the arc
 /// there, as the grid does.
 ///
 /// The three creepages are the least-squares fit weighted with the pressures,

@@ -89,7 +89,7 @@ CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
   RatedByState rolling_share;
   if (details.motion) {
     RatedSlip slip = rated_slip(*details.motion, frame);
-    if (creep.derivatives->by_rolling_share) { // the speed that slips are over is but a unit there
+    if (creep.derivatives->by_rolling_share) { // there the speed is only a unit of slip: hold it
       const double unit = slip.slip_speed.value;
       for (RatedByState& velocity : slip.twist) {
         velocity = velocity * slip.slip_speed / unit;

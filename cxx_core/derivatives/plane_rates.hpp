@@ -41,7 +41,7 @@ struct MovingPatches {
   std::vector<PlaneRates> rates;            ///< in the same order
   std::vector<ByMotion<double>> link_rates; ///< of `found.links`
 
-  /// Rate of found.coupling_weight(i, j, interaction).
+  /// Rate of found.coupling_weight(i, j, interaction); that of weights along curves is not known.
   [[nodiscard]] ByMotion<double> coupling_weight_rate(std::size_t i, std::size_t j,
                                                       Interaction interaction) const;
 };

@@ -45,7 +45,7 @@ Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> 
   return planes;
 }
 
-/// Whether some patches interact in part only: that part changes as they move.
+/// Whether any weight is below 1: it changes as planes turn or patches move.
 bool is_changing(const PatchInteraction& interaction) {
   return std::any_of(interaction.coupling_weight.begin(), interaction.coupling_weight.end(),
                      [](double coupling_weight) { return coupling_weight < 1.0; });

@@ -55,6 +55,7 @@ void clip_one_by_one(const IterationBox& box, BoxFields<Real>& fields, Influence
   if (!fields.has_mirrored) {
     mirror_influence(box, fields, cache);
   }
+  std::array<Real, max_single_cuts> along_normal; // of a row on a curve
   for (std::size_t i = 0; i < box.rows; ++i) {
     for (std::size_t c = 0; c < cut_count; ++c) {
       const Cut& cut = cuts[c];
@@ -62,12 +63,16 @@ void clip_one_by_one(const IterationBox& box, BoxFields<Real>& fields, Influence
       kernels[c] =
           fields.mirrored.data() + offset * (2 * box.columns - 1) + (box.columns - 1 - cut.column);
     }
-    std::array<Real, max_single_cuts> acting = pressures;
-    for (std::size_t c = 0; c < cut_count && !box.angles.empty(); ++c) {
-      acting[c] *= static_cast<Real>(std::cos(box.angles[i] - box.angles[cuts[c].row]));
+    const Real* acting = pressures.data();
+    if (!box.angles.empty()) {
+      for (std::size_t c = 0; c < cut_count; ++c) {
+        const double cosine = std::cos(box.angles[i] - box.angles[cuts[c].row]);
+        along_normal[c] = static_cast<Real>(cosine) * pressures[c];
+      }
+      acting = along_normal.data();
     }
     take_out(fields.displacement.data() + i * box.columns, fields.response.data(), kernels.data(),
-             acting.data(), cut_count, box.columns);
+             acting, cut_count, box.columns);
   }
 }
 

@@ -302,7 +302,7 @@ DimensionlessProblem scale_problem(const NormalProblem& problem, double touch) {
       shares_of(patch),
       problem.load.has_value(),
       problem.elements,
-      {}};
+      patch.angles};
   // Where the load is given, one element that carries it all has pressure 1; lengths follow from
   // u ~ p step / E*. Where the approach is given, it is the unit of normal distances.
   double normal_scale = 0.0;
@@ -319,7 +319,6 @@ DimensionlessProblem scale_problem(const NormalProblem& problem, double touch) {
                  [=](double distance, double share) {
                    return (distance - touch * patch.approach_cosine * share) / normal_scale;
                  });
-  scaled.angles = patch.angles;
   return scaled;
 }
 

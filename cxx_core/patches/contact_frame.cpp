@@ -6,12 +6,8 @@ namespace wrc {
 
 Vector3 ContactFrame::to_track(double longitudinal_position, double lateral_position,
                                double normal_position) const {
-  if (curve) {
-    const Row row = row_at(lateral_position);
-    return origin + longitudinal_position * longitudinal + row.place + normal_position * row.normal;
-  }
-  return origin + longitudinal_position * longitudinal + lateral_position * lateral +
-         normal_position * normal;
+  const Row row = row_at(lateral_position);
+  return origin + longitudinal_position * longitudinal + row.place + normal_position * row.normal;
 }
 
 ContactFrame::Row ContactFrame::row_at(double lateral_position) const {

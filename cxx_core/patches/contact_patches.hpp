@@ -27,16 +27,16 @@
 /// plane are one contact, on grids of their own until they are joined. The greater fraction counts,
 /// by width or by distance.
 ///
-/// Which pressures displace which patches is another question than which planes are one. All
-/// patches press on the same two bodies, so a patch displaces every other one as a half-space does
-/// along its normal at their distance, times the cosine between both normals: along the tangent
-/// like bodies move by the same amount. This is C A C + S A S with the cosines and sines of their
-/// angles, positive definite. On a convex rail the true displacement is larger, on a
-/// concave wheel smaller; together they are within 4 % at 8 mm (docs/evidence/half-space.md).
-/// Interaction::near takes w instead, as CONTACT does, which leaves patches beyond 2 d_j uncoupled.
-/// In its case extreme-160, two patches 10.5 mm apart in planes 0.04 rad apart, the small one then
-/// carries 64 % more. Patches further on are as close as the weakest link between: such an
-/// (ultrametric) matrix has no negative eigenvalue.
+/// Which patches displace each other does not depend on which share a plane. All patches press on
+/// the same two bodies, so a patch displaces every other one as a half-space does along its normal
+/// at their distance, times the cosine between both normals: along the tangent like bodies move by
+/// the same amount. This is C A C + S A S with the cosines and sines of their angles, positive
+/// definite. On a convex rail the true displacement is larger, on a concave wheel smaller; together
+/// they are within 4 % at 8 mm (docs/evidence/half-space.md). Interaction::near takes w instead, as
+/// CONTACT does, which leaves patches beyond 2 d_j uncoupled. In its case extreme-160, two
+/// patches 10.5 mm apart in planes 0.04 rad apart, the small one then carries 64 % more. Patches
+/// further on are as close as the weakest link between: such an (ultrametric) matrix has no
+/// negative eigenvalue.
 ///
 /// The angle of a plane is the mean over all levels between 0 and 1 of the plane of the patches
 /// that turn at least that far towards each other, which for two is angle = own + turn (mean of
@@ -45,7 +45,7 @@
 /// Between nodes of the scan penetration is a parabola: next to a local maximum with its top there,
 /// elsewhere with the curvature of the nodes around. The top is the candidate of the scan that lies
 /// there. Integrals by Simpson's rule. Everything is thus continuous in the depth, except for what
-/// a patch just born between two others changes in their coupling weight, and has a limit for depth
+/// a patch just born between two others changes in their closeness, and has a limit for depth
 /// -> 0. Units mm and rad; track frame, left-hand side (geometry/frames.hpp). Thread rule: pure
 /// functions. Not known here: elasticity.
 #pragma once

@@ -15,6 +15,7 @@ RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, con
       by_row_(frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0) {
   const std::size_t columns = by_row_ ? 1 : grid.longitudinal_count;
   places_.reserve(grid.lateral_count * columns);
+  rows_.reserve(grid.lateral_count);
   RailRay ray(rail, frame);
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
     const double lateral = grid.lateral(row);
@@ -129,8 +130,9 @@ SurfaceTurn RailNormals::turn(std::span<const double> pressure) const {
                        : 0.0;
       turn.curve_first = std::min(turn.curve_first, of_row);
       turn.curve_last = std::max(turn.curve_last, of_row);
-      turn.first = std::min(turn.first, of_row + std::atan(inclination));
-      turn.last = std::max(turn.last, of_row + std::atan(inclination));
+      const double angle = of_row + std::atan(inclination);
+      turn.first = std::min(turn.first, angle);
+      turn.last = std::max(turn.last, angle);
     }
   }
   if (!(sum > 0.0)) {

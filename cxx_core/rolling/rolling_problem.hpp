@@ -57,7 +57,7 @@ struct ProblemRate {
   std::vector<double> pressure{}; ///< MPa per element; without effect where there is none
   std::vector<double>
       covered{}; ///< covered fraction per element; empty: the edge stays in its element
-  double rolling_share = 0.0;
+  double rolling_share = 0.0;   ///< of f, in a step of time
   std::vector<double> slip_x{}; ///< of the slip given for each element; empty: it stays
   std::vector<double> slip_y{};
   std::vector<double> weight_x{}; ///< of the weights of each element; empty: they stay

@@ -32,9 +32,9 @@ struct VehicleState {
   std::optional<double> curvature;               ///< of the track; likewise
   std::optional<std::array<double, 2>> friction; ///< of the left and the right wheel; likewise
   bool derivatives = false;                      ///< whether Jacobians are wanted
-  /// A step of time from this history, s; none: steady rolling.
+  /// That a step of time starts from; none: steady rolling.
   std::shared_ptr<const ContactHistory> history;
-  double time_step = 0.0;
+  double time_step = 0.0; ///< s, with a history; else 0
 };
 
 /// Permitted steps of time, s.

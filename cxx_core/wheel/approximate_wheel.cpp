@@ -211,6 +211,10 @@ void ApproximateWheel::publish_patches() {
 }
 
 WheelSolution ApproximateWheel::solve() {
+  if (request_.curved == CurvedChoice::yes) {
+    throw_invalid_argument("solve.curved", "\"yes\"",
+                           "allowed with an approximate model is \"no\" or \"auto\"");
+  }
   result_.solved = true;
   const Stopwatch watch;
   result_.vertical = equilibrium_.vertical;

@@ -235,23 +235,26 @@ void set_curves(GridSolution& solution, const PosedPair& pair, const WheelReques
     while (last < patches.size() && patches[last].penetration.shares_plane_with_previous) {
       ++last;
     }
+    const ContactFrame frame = patches[first].frame;
+    PlaneArea all = PlaneArea::empty();
     for (std::size_t k = first; k < last; ++k) {
-      ContactFrame& frame = patches[k].frame;
-      PlaneArea all = PlaneArea::empty();
-      for (std::size_t l = first; l < last; ++l) {
-        PlaneArea area = potential_area(patches[l], pair.rail);
-        const double apart = dot(patches[l].frame.origin - frame.origin, frame.lateral);
-        area.lateral_first += apart;
-        area.lateral_last += apart;
-        all.include(area);
-      }
-      const MeanCurve found =
-          mean_curve(pair, frame, all.lateral_first, all.lateral_last, shares[k]);
-      if (!found.refusal.empty() && request.curved == CurvedChoice::yes) {
-        throw_invalid_argument("solve.curved", "\"yes\"",
-                               found.refusal + "; allowed here is \"no\" or \"auto\"");
-      }
-      frame.curve = found.curve;
+      PlaneArea area = potential_area(patches[k], pair.rail);
+      const double apart = dot(patches[k].frame.origin - frame.origin, frame.lateral);
+      area.lateral_first += apart;
+      area.lateral_last += apart;
+      all.include(area);
+    }
+    const double share = *std::max_element(shares.begin() + static_cast<std::ptrdiff_t>(first),
+                                           shares.begin() + static_cast<std::ptrdiff_t>(last));
+    const MeanCurve found = mean_curve(pair, frame, all.lateral_first, all.lateral_last, share);
+    if (!found.refusal.empty() && request.curved == CurvedChoice::yes) {
+      throw_invalid_argument("solve.curved", "\"yes\"",
+                             found.refusal + "; allowed here is \"no\" or \"auto\"");
+    }
+    ContactFrame curved = frame;
+    curved.curve = found.curve;
+    for (std::size_t k = first; k < last; ++k) {
+      patches[k].frame = curved.seen_from(patches[k].frame.origin);
     }
   }
   if (solution.interaction) {

@@ -18,8 +18,8 @@ namespace wrc {
 
 enum class SolverChoice { standard, paper };
 
-/// Which contacts are solved along the mean curve of both bodies: none, all, or those that a plane
-/// leaves too much of the accuracy's error in.
+/// Which contacts follow the mean curve of both bodies: none, all, or those where the error of a
+/// plane comes near the accuracy.
 enum class CurvedChoice { no, yes, by_accuracy };
 
 /// How the wheels of a scene are solved, each alike.

@@ -26,7 +26,7 @@ namespace {
 std::vector<double> pressure_at(const Patch& patch, const Patch& before) {
   const Vector3 moved = before.frame.origin - patch.frame.origin;
   Grid grid = before.grid;
-  grid.lateral_first += dot(moved, patch.frame.lateral);
+  grid.lateral_first += patch.frame.lateral_of(moved);
   grid.longitudinal_first += moved.x;
   std::vector<double> pressure;
   refine_pressure(grid, before.pressure, patch.grid, pressure);
@@ -95,6 +95,7 @@ private:
   std::optional<GridSolution> patches_;   ///< at the depth asked for last
   std::vector<RailNormals> rail_normals_; ///< of the grids sampled last
   ErrorEstimate error_;
+  double interaction_error_ = 0.0;
   double load_imbalance_ = 0.0;  ///< of the last solution, before its pressures were scaled
   double elements_wanted_ = 0.0; ///< most that grids would have without their limit
   WheelSolution result_;
@@ -341,9 +342,10 @@ GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution
     }
     error_ = estimate_error(solution, goal_);
     result_.discretisation_error = error_.total();
+    interaction_error_ = interaction_error(solution, request_.combined_modulus);
     result_.model_error = std::hypot(
         estimate_model_error(solution, request_.accuracy_of, goal_.position_is_prescribed),
-        interaction_error(solution, request_.combined_modulus));
+        interaction_error_);
     // Forces are kept: with a second grid they would not be continuous functions of the scene. The
     // limit of elements must not be exceeded.
     if (error_.reducible() <= request_.accuracy || request_.grid || finer || of_forces ||
@@ -433,7 +435,8 @@ WheelSolution WheelSolver::solve() {
     depth = next_depth(*coarse, depth);
   }
   GridSolution solution = solve_finally(depth, std::move(coarse));
-  warn_of_solution(solution, request_, wheel_.radius(), error_.ridge, result_);
+  warn_of_solution(solution, request_, wheel_.radius(), {error_.ridge, interaction_error_},
+                   result_);
   warn_of_limit();
   publish(std::move(solution));
   warn_of_patches(request_, result_);

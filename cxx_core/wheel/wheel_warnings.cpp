@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accuracy/model_error.hpp"
 #include "base/error.hpp"
 #include "patches/constants.hpp"
 #include "wheel/constants.hpp"
@@ -51,16 +50,14 @@ void warn_of_accuracy(double accuracy, WheelSolution& result) {
   result.warnings.push_back({WarningClass::accuracy, text});
 }
 
-void warn_of_interaction(const GridSolution& solution, const WheelRequest& request,
-                         Warnings& warnings) {
-  const double error = interaction_error(solution, request.combined_modulus);
+void warn_of_interaction(const WheelRequest& request, double error, Warnings& warnings) {
   if (!(error > request.accuracy)) {
     return;
   }
   const std::string cause =
       request.interaction == Interaction::near
           ? "solve.interaction = \"near\" leaves out what patches displace at each other"
-          : "patches lie in different planes, so what they displace at each other is known in part";
+          : "the patches lie in different planes, so their effect on each other is known in part";
   warnings.push_back(
       {WarningClass::no_interaction, cause + ": estimated error " + short_text_of(error)});
 }
@@ -76,7 +73,7 @@ bool reaches_neighbour(const Patch& patch) {
 }
 
 void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
-                      double wheel_radius, double ridge_error, WheelSolution& result) {
+                      double wheel_radius, const SolutionErrors& errors, WheelSolution& result) {
   Warnings& warnings = result.warnings;
   warn_of_rounding(solution, request, wheel_radius, warnings);
   if (solution.stop_reason != StopReason::tolerance_met) {
@@ -89,7 +86,7 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
                         "several patches: solved together by the default solver, "
                         "since solver paper solves one patch only"});
   }
-  if (ridge_error > request.accuracy) {
+  if (errors.ridge > request.accuracy) {
     warnings.push_back(
         {WarningClass::ridge,
          "a profile has a kink of " + short_text_of(solution.sharpest_ridge()) +
@@ -98,7 +95,7 @@ void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
   if (!request.grid) {
     warn_of_accuracy(request.accuracy, result);
   }
-  warn_of_interaction(solution, request, warnings);
+  warn_of_interaction(request, errors.interaction, warnings);
   if (solution.left_out_s) {
     warnings.push_back(
         {WarningClass::patch_left_out,

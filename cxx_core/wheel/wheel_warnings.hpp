@@ -16,9 +16,14 @@ namespace wrc {
 /// Contact on the last elements, which a neighbour is next to.
 bool reaches_neighbour(const Patch& patch);
 
-/// Warnings of all patches together. `ridge_error` is that of the error estimate.
+/// Parts of the error estimate that have a warning of their own.
+struct SolutionErrors {
+  double ridge = 0.0;
+  double interaction = 0.0;
+};
+/// Warnings of all patches together.
 void warn_of_solution(const GridSolution& solution, const WheelRequest& request,
-                      double wheel_radius, double ridge_error, WheelSolution& result);
+                      double wheel_radius, const SolutionErrors& errors, WheelSolution& result);
 /// Warns of single patches of a result, which are in their final order.
 void warn_of_patches(const WheelRequest& request, WheelSolution& result);
 /// Warns of a largest pressure that no steel of wheels and rails carries; none of stiffer bodies.

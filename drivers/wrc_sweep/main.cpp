@@ -57,8 +57,8 @@ A study is a scene file (wrc_case --help lists the keys) in which a key may have
 All combinations are solved; the first key varies slowest. NAME.csv and NAME.nc (NetCDF-4) hold
 one row per scene with its status and warnings; if a scene cannot be solved, its row says why. The
 files are identical to the last bit for any number of threads and ranks. Ctrl-C or a crash loses no
-finished scene: NAME.rows keeps them, and --resume continues. Exit codes: 0; 3, no scene has the
-status ok; 130, interrupted; others, nothing was solved.
+finished scene: NAME.rows keeps them, and --resume continues. Exit code: 0, or 3 if no scene
+has the status ok, 130 after an interruption, another one if the study could not be run.
 
 Examples:
   wrc_sweep --list-studies

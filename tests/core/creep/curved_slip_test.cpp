@@ -47,7 +47,8 @@ TEST(CurvedSlip, IsTheVelocityOfTheElementAlongItsTangent) {
     if (!place.on_wheel || !place.on_rail) {
       continue;
     }
-    const Vector3 tangent = frame.row_at(grid.lateral(row)).lateral;
+    const Vector3 tangent = rows[row].cosine * frame.lateral + rows[row].sine * frame.normal;
+    EXPECT_NEAR(dot(tangent, frame.row_at(grid.lateral(row)).lateral), 1.0, 1e-6) << row;
     for (const std::size_t column : {std::size_t{0}, grid.longitudinal_count - 1}) {
       const double x = grid.longitudinal(column);
       // The height is that of the wheel at x = 0.
@@ -70,9 +71,11 @@ TEST(CurvedSlip, ForcesAreThoseOfTractionsAlongTheTangents) {
   ASSERT_TRUE(patch.parts.empty());
   const CreepResult& creep = *patch.creep;
   const Grid& grid = creep.grid;
+  const std::vector<SlipRow> rows = rows_on(*result.left, patch, grid, SlipChoice{});
   Vector3 sum;
   for (std::size_t row = 0; row < grid.lateral_count; ++row) {
-    const Vector3 tangent = patch.frame.row_at(grid.lateral(row)).lateral;
+    const Vector3 tangent =
+        rows[row].cosine * patch.frame.lateral + rows[row].sine * patch.frame.normal;
     for (std::size_t column = 0; column < grid.longitudinal_count; ++column) {
       const std::size_t at = row * grid.longitudinal_count + column;
       sum = sum + creep.traction_x[at] * patch.frame.longitudinal + creep.traction_y[at] * tangent;

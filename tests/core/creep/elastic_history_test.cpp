@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -68,6 +69,24 @@ TEST_F(ElasticHistory, OnTheSameGridKeepsItsValues) {
   add_history(history_, rail_, frame_at(rail_, 0.0, 1.0), grid, length, slip);
   for (std::size_t at = 0; at < grid.element_count(); ++at) {
     EXPECT_NEAR(slip.x[at], -history_[0].x[at] / length, 1e-9);
+  }
+}
+
+/// Positions on a curve are arcs, not their projections on the plane.
+TEST_F(ElasticHistory, AlongACurveKeepsItsValuesOnTheSameGrid) {
+  std::vector<ContactCurve::Node> nodes; // the curvature is 0.2 per mm
+  for (int i = -32; i <= 32; ++i) {
+    const double y = 0.1 * i;
+    nodes.push_back({y, 0.1 * y * y, 0.2 * y});
+  }
+  const auto curve = std::make_shared<const ContactCurve>(nodes);
+  history_[0].frame.curve = curve;
+  ContactFrame frame = frame_at(rail_, 0.0, 1.0);
+  frame.curve = curve;
+  SlipField slip;
+  add_history(history_, rail_, frame, history_[0].grid, length, slip);
+  for (std::size_t at = 0; at < slip.x.size(); ++at) {
+    EXPECT_NEAR(slip.x[at], -history_[0].x[at] / length, 1e-6);
   }
 }
 
