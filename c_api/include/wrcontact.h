@@ -523,12 +523,13 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  * are 0 here, and friction is that of the table. The flags of `states` are WRC_LIFTED and
  * WRC_SOLVED_EXACTLY only, with the others where a wheel was solved.
  *
- * solver, scene: those of wrc_solver_step_with, of the scene that the table was made of, or both
- *              NULL. With them a step is solved exactly outside the table, at whose border forces
- *              jump by its error, and where the error exceeds the table's tolerance, which is
- *              blended with a continuous slope. Without them a step outside is
- *              WRC_INVALID_ARGUMENT, and the text says which wheel is where. The scene keeps its
- *              keys and results.
+ * solver, scene: those of wrc_solver_step_with, or both NULL. The scene has the profiles,
+ *              dimensions and materials of the table; all numbers are in its units and axes. A step
+ *              is solved exactly outside the table, and where its error exceeds its tolerance; both
+ *              begin with a continuous slope, the first over the last twentieth of each range. The
+ *              scene keeps its keys and results. Without them numbers are in the units and axes of
+ *              the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and
+ *              the text says which wheel is where.
  * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
  *              force, or over half of the table's largest load if that is more. It is that of
  *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction

@@ -51,7 +51,9 @@ RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& tr
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
   const double lateral_shift = 0.5 * track.gauge + (face ? -*face : axis_distance);
   CurveGraph graph(profile.curve.without_steps().moved(track.cant, lateral_shift, -top), top_arc);
-  RailSurface surface{std::move(graph), top_arc, track.cant, lateral_shift, -top};
+  auto nominal = std::make_shared<const Curve>(graph.curve());
+  RailSurface surface{std::move(graph), std::move(nominal), top_arc,
+                      track.cant,       lateral_shift,      -top};
   surface.is_placed_by_axis_ = !face;
   return surface;
 }
@@ -63,12 +65,20 @@ RailSurface RailSurface::displaced(const RailDisplacement& displacement) const {
   const double lateral_shift = lateral_shift_ + displacement.lateral;
   const double height_shift = height_shift_ + displacement.height;
   if (displacement.roll == 0.0) {
-    return {graph_.shifted(displacement.lateral, displacement.height), top_arc_, angle_,
-            lateral_shift, height_shift};
+    return {graph_.shifted(displacement.lateral, displacement.height),
+            nominal_,
+            top_arc_,
+            angle_,
+            lateral_shift,
+            height_shift};
   }
   const Curve about_origin = graph_.curve().moved(0.0, -lateral_shift_, -height_shift_);
   return {CurveGraph(about_origin.moved(displacement.roll, lateral_shift, height_shift), top_arc_),
-          top_arc_, angle_ + displacement.roll, lateral_shift, height_shift};
+          nominal_,
+          top_arc_,
+          angle_ + displacement.roll,
+          lateral_shift,
+          height_shift};
 }
 
 void RailSurface::to_profile_frame(double y, double z, double& lateral, double& height) const {

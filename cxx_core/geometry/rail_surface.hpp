@@ -11,6 +11,7 @@
 /// Units mm and rad. Thread rule: immutable, safe to share.
 #pragma once
 
+#include <memory>
 #include <utility>
 
 #include "geometry/curve_graph.hpp"
@@ -49,6 +50,8 @@ public:
 
   /// The part seen from above: lateral = y, height = z of the track frame.
   [[nodiscard]] const CurveGraph& graph() const { return graph_; }
+  /// The whole curve before any displacement.
+  [[nodiscard]] const Curve& nominal() const { return *nominal_; }
   /// The profile's origin in the track frame.
   [[nodiscard]] double origin_y() const { return lateral_shift_; }
   [[nodiscard]] double origin_z() const { return height_shift_; }
@@ -58,13 +61,14 @@ public:
   void to_profile_frame(double y, double z, double& lateral, double& height) const;
 
 private:
-  RailSurface(CurveGraph graph, double top_arc, double angle, double lateral_shift,
-              double height_shift)
-      : graph_(std::move(graph)), top_arc_(top_arc), angle_(angle), lateral_shift_(lateral_shift),
-        height_shift_(height_shift) {}
+  RailSurface(CurveGraph graph, std::shared_ptr<const Curve> nominal, double top_arc, double angle,
+              double lateral_shift, double height_shift)
+      : graph_(std::move(graph)), nominal_(std::move(nominal)), top_arc_(top_arc), angle_(angle),
+        lateral_shift_(lateral_shift), height_shift_(height_shift) {}
   static RailSurface place(const Profile& profile, const TrackDimensions& track);
 
   CurveGraph graph_;
+  std::shared_ptr<const Curve> nominal_;
   double top_arc_; ///< before the displacement
   double angle_;   ///< of the profile's frame in the track frame
   double lateral_shift_;

@@ -45,6 +45,10 @@ inline constexpr double least_yaw_node = 0.05;
 /// for all velocities permitted.
 inline constexpr double least_table_friction = 1e-9;
 
+/// Part of each range, before its end, over which the exact solution takes over.
+/// origin: reasoned: as a cell of the map of errors is of the lateral range.
+inline constexpr double border_share = 0.05;
+
 /// How far above first touch, in depths at the largest load, the exact solution is still asked.
 /// origin: reasoned: several times the error of the spline of first touch.
 inline constexpr double lift_margin = 0.1;

@@ -143,14 +143,45 @@ void put(const Rated& number, std::size_t row, TableContact& to) {
   to.rates[row] = number.rates;
 }
 
-void put_weight(const ErrorMap::Weight&, const PlaceInTable<double>&, TableContact&) {}
-void put_weight(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place,
-                TableContact& to) {
+double weight_of(const ErrorMap::Weight& weight, const PlaceInTable<double>&) {
+  return weight.value;
+}
+Rated weight_of(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place) {
+  Rated result(weight.value);
   for (std::size_t i = 0; i < table_rate_count; ++i) {
-    to.weight_rates[i] = weight.slope[0] * place.aligned_lateral.rates[i] +
-                         weight.slope[1] * place.depth.rates[i] +
-                         weight.slope[2] * place.roll.rates[i];
+    result.rates[i] = weight.slope[0] * place.aligned_lateral.rates[i] +
+                      weight.slope[1] * place.depth.rates[i] +
+                      weight.slope[2] * place.roll.rates[i];
   }
+  return result;
+}
+
+/// What is left to the table near its border: 1, and falling to 0 over the last part of each range.
+template <class Real>
+Real share_before_border(const TableRanges& ranges, const PlaceInTable<Real>& place) {
+  Real result(1.0);
+  const auto fall = [&result](const Real& value, double limit) {
+    const double side = value_of(value) < 0.0 ? -limit : limit;
+    const Real t = (value / side - Real(1.0 - border_share)) / Real(border_share);
+    if (value_of(t) > 0.0) {
+      result = result * (Real(1.0) - t * t * (Real(3.0) - Real(2.0) * t));
+    }
+  };
+  fall(place.aligned_lateral, ranges.lateral);
+  fall(place.roll, ranges.roll);
+  fall(place.yaw, ranges.yaw);
+  if (value_of(place.depth) > 0.0) {
+    fall(place.depth, 1.0);
+  }
+  return result;
+}
+
+void put_weight(double weight, TableContact& to) {
+  to.weight = weight;
+}
+void put_weight(const Rated& weight, TableContact& to) {
+  to.weight = weight.value;
+  to.weight_rates = weight.rates;
 }
 
 /// Forces, of parts that are read from the table.
@@ -227,9 +258,12 @@ WRC_VECTOR_BODY void find_contact(const ContactTable& table, const TableState& s
   }
   const ErrorMap::Place in_map{to.lateral, to.depth, to.roll};
   to.error = table.errors.error_at(in_map);
-  if (table.tolerance > 0.0 && to.depth > -lift_margin) {
-    to.weight = table.errors.weight_at(in_map);
-    put_weight(to.weight, place, to);
+  if (to.depth > -lift_margin) {
+    Real of_table = share_before_border(ranges, place);
+    if (table.tolerance > 0.0) {
+      of_table = of_table * (Real(1.0) - weight_of(table.errors.weight_at(in_map), place));
+    }
+    put_weight(Real(1.0) - of_table, to);
   }
   using Spline = TensorSpline<4, table_part_count, float>;
   Spline::Values found;

@@ -62,10 +62,25 @@ struct TableIdentity {
   std::string wheel, rail;          ///< names of the profiles
   std::array<double, 13> numbers{}; ///< radius, back to back, taping line, gauge, its height, cant,
                                     ///< E and nu of wheel and rail, and how patches are found:
-                                    ///< interaction, gap, joining distance
+                                    ///< interaction, gap, joining distance (identity_names)
   std::uint64_t profiles = 0;       ///< checksum of the curves
   bool operator==(const TableIdentity&) const = default;
 };
+
+/// Keys of `numbers`.
+inline constexpr std::array<const char*, 13> identity_names{"wheelset.radius",
+                                                            "wheelset.back_to_back",
+                                                            "wheelset.tape_offset",
+                                                            "track.gauge",
+                                                            "track.gauge_height",
+                                                            "track.cant",
+                                                            "material.wheel.youngs_modulus",
+                                                            "material.wheel.poisson",
+                                                            "material.rail.youngs_modulus",
+                                                            "material.rail.poisson",
+                                                            "solve.interaction",
+                                                            "solve.gap",
+                                                            "solve.joining_distance"};
 
 /// How far a table reaches: from minus each to each, and loads up to the largest.
 struct TableRanges {
@@ -141,8 +156,8 @@ struct TableContact {
   double yaw = 0.0;
   double depth = 0.0; ///< s
   bool inside = true;
-  double error = 0.0;        ///< of the force, over the load as in TableErrors
-  ErrorMap::Weight weight{}; ///< of the exact solution, with its derivatives ...
+  double error = 0.0;  ///< of the force, over the load as in TableErrors
+  double weight = 0.0; ///< of the exact solution, with its derivatives ...
   std::array<double, table_rate_count> weight_rates{}; ///< ... by the columns
 };
 

@@ -117,9 +117,9 @@ TableIdentity identity_of_table(const Scene& scene) {
 
 std::uint64_t checksum_of_profiles(const WheelSurface& wheel, const RailSurface& rail) {
   std::uint64_t sum = 0xcbf29ce484222325ULL;
-  for (const CurveGraph* graph : {&wheel.graph(), &rail.graph()}) {
-    for (const double start : graph->curve().starts()) {
-      const CurvePoint point = graph->curve().at(start);
+  for (const Curve* curve : {&wheel.graph().curve(), &rail.nominal()}) {
+    for (const double start : curve->starts()) {
+      const CurvePoint point = curve->at(start);
       sum = add_to_checksum(add_to_checksum(sum, point.lateral), point.height);
     }
   }

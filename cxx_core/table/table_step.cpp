@@ -75,8 +75,8 @@ void turn(std::array<double, count>& numbers, const std::array<double, count>& s
 }
 
 /// A wheel's state in its left-hand frame.
-TableState state_of_wheel(const ContactTable& table, const VehicleState& state, bool right) {
-  const Convention& convention = table.convention;
+TableState state_of_wheel(const ContactTable& table, const VehicleState& state, bool right,
+                          const Convention& convention) {
   TableState result;
   result.position = numbers_of(state.position.data(), positions, convention);
   if (state.velocity) {
@@ -140,24 +140,27 @@ void turn_contact(TableContact& contact) {
 
 /// The share of the exact solution in a wheel's forces.
 double share_of(const TableContact& contact) {
-  return contact.inside ? contact.weight.value : 1.0;
+  return contact.inside ? contact.weight : 1.0;
 }
 
-[[noreturn]] void refuse_scene(const ContactTable& table, const std::string& found,
-                               const std::string& and_its) {
+[[noreturn]] void refuse_pair(const ContactTable& table, const std::string& found) {
   throw_invalid_argument("scene", found,
-                         "the table is of " + table.identity.wheel + " on " + table.identity.rail +
-                             ", and of its " + and_its);
+                         "the table is of " + table.identity.wheel + " on " + table.identity.rail);
 }
 
 /// As far as it can be seen before it is solved.
 void check_scene(const ContactTable& table, const Scene& scene) {
   check_scene_of_table(scene);
-  TableIdentity identity = identity_of_table(scene);
-  identity.profiles = table.identity.profiles;
-  if (!(identity == table.identity) || !(scene.convention == table.convention)) {
-    refuse_scene(table, identity.wheel + " on " + identity.rail,
-                 "dimensions, materials, interaction, units and frame");
+  const TableIdentity identity = identity_of_table(scene);
+  if (identity.wheel != table.identity.wheel || identity.rail != table.identity.rail) {
+    refuse_pair(table, identity.wheel + " on " + identity.rail);
+  }
+  for (std::size_t i = 0; i < identity_names.size(); ++i) {
+    if (identity.numbers[i] != table.identity.numbers[i]) {
+      throw_invalid_argument(identity_names[i], identity.numbers[i],
+                             "the table was made with " + text_of(table.identity.numbers[i]) +
+                                 " (mm, N, rad)");
+    }
   }
   if (scene.has_creepages() || scene.creep.value_or(CreepModel::full) != CreepModel::full) {
     throw_invalid_argument("scene", "creepages of its own, or solve.creep",
@@ -168,7 +171,7 @@ void check_scene(const ContactTable& table, const Scene& scene) {
 /// Profiles of the same name may differ.
 void check_profiles(const ContactTable& table, const SceneWheel& wheel) {
   if (checksum_of_profiles(*wheel.details.wheel, *wheel.details.rail) != table.identity.profiles) {
-    refuse_scene(table, "other profiles of these names", "curves as they were then");
+    refuse_pair(table, "profiles of these names whose curves are others than the table's");
   }
 }
 
@@ -227,11 +230,13 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
   if (exact != nullptr) {
     check_scene(table, exact->scene);
   }
+  const Convention& convention = exact != nullptr ? exact->scene.convention : table.convention;
   std::array<TableContact, 2> contacts;
   std::array<bool, 2> asks{};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const bool right = i == 1;
-    contacts[i] = contact_in_table(table, state_of_wheel(table, state, right), state.derivatives);
+    contacts[i] =
+        contact_in_table(table, state_of_wheel(table, state, right, convention), state.derivatives);
     if (!contacts[i].inside && exact == nullptr) {
       refuse_place(table, contacts[i], right);
     }
@@ -270,7 +275,7 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
       const bool flies = share_of(contacts[i]) == 1.0 || contacts[i].lifted;
       flags = (flies ? seen : seen & ~lifted) | exact_solution;
     }
-    step.wheels[i] = forces_of(contacts[i], state.derivatives, table.convention);
+    step.wheels[i] = forces_of(contacts[i], state.derivatives, convention);
     step.wheels[i].state = flags;
     // Creep forces err in proportion to friction, beyond what the random states had.
     const double friction = state.friction ? (*state.friction)[i] : table.friction;

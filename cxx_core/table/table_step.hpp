@@ -1,9 +1,10 @@
 /// A step of a vehicle simulation by a table, and by the exact solution where the table errs.
 ///
 /// Where the map of errors exceeds the table's tolerance, and outside the table, a solver answers
-/// if there is one; over one cell its forces go over into those of the table with a continuous
-/// slope, but not at the border of the table. Numbers in the convention of the scene that the table
-/// was made of. Thread rule: as the solver's; without one a pure function that allocates nothing.
+/// if there is one; over one cell, and before the border, its forces go over into those of the
+/// table with a continuous slope. Numbers in the convention of the solver's scene; without one, of
+/// the scene that the table was made of. Thread rule: as the solver's; without one a pure function
+/// that allocates nothing.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ struct TableStep {
 
 /// Who answers where the table does not.
 struct ExactAnswer {
-  const Scene& scene; ///< of the same pair and convention
+  const Scene& scene; ///< of the same pair
   SceneSolver& solver;
 };
 

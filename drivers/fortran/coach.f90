@@ -9,6 +9,7 @@ program coach_program
   use coach_output, only: open_data, print_header, print_line, print_statistics, read_state, write_data, write_state
   use coach_runs, only: advance, begin, critical_speed, growth_in_time, history
   use coach_track, only: make_track
+  use wrcontact, only: wrc_ok
   implicit none
   integer, parameter :: n = position_count
   type(coach) :: vehicle
@@ -18,7 +19,7 @@ program coach_program
   real(real64) :: lateral = 0, lateral_speed = 0, roll = 0, standstill_speed = 1.0e-3_real64
   !> Since the beginning: work of contact forces, of friction, and what dampers take.
   real(real64) :: work(4) = 0, powers(4) = 0
-  character(200) :: creep = 'fastsim', data = '', save_to = '', restart = ''
+  character(200) :: creep = 'fastsim', table = '', data = '', save_to = '', restart = ''
   logical :: failed, with_energy = .false., critical = .false.
 
   vehicle%threads = 2
@@ -26,6 +27,7 @@ program coach_program
   if (critical) accuracy = critical_accuracy
   call make_track(vehicle%line)
   call make_coach(vehicle, accuracy, trim(creep), standstill_speed)
+  if (table /= '') call load_table()
   if (critical) then
     call print_critical_speed()
   else
@@ -54,6 +56,8 @@ contains
         'lists the options')
     end do
     if (vehicle%line%seed < 1) call stop_with('--seed: a positive integer')
+    if (table /= '' .and. creep /= 'full') call stop_with('--creep: a table has the forces of the full theory')
+    if (table /= '' .and. with_energy) call stop_with('--energy: a table does not say what friction takes')
   end subroutine read_options
 
   !> bad: 0 if the option is one of these and its value fits, positive if the value does not fit.
@@ -75,6 +79,10 @@ contains
       critical_accuracy = accuracy
     case ('--creep')
       creep = value
+      bad = 0
+    case ('--table')
+      table = value
+      creep = 'full'
       bad = 0
     case ('--threads')
       read (value, *, iostat=bad) vehicle%threads
@@ -152,6 +160,8 @@ contains
       '  --keep 20             steps that a Jacobian serves', &
       '  --accuracy 1e-2       solve.accuracy; default with --critical: 3e-4, since slopes of forces need more', &
       '  --creep fastsim       solve.creep', &
+      '  --table FILE          forces from a table by wrc_table, where it errs less than its tolerance; else by the full', &
+      '                        theory', &
       '  --threads 2           number of threads; results do not depend on it', &
       '  --jacobian library    library, or differences', &
       '  --radius 0            of the curve, m, positive to the left; 0: straight track', &
@@ -171,6 +181,13 @@ contains
       '  --critical yes        instead: find the critical speed by eigenvalues, and check it by runs of', &
       '                        --seconds from a disturbance of --lateral (default 5e-6)'
   end subroutine print_help
+
+  subroutine load_table()
+    integer :: stat
+    call vehicle%table%load(trim(table), stat, vehicle%message)
+    if (stat /= wrc_ok) call stop_with(trim(vehicle%message))
+    vehicle%by_table = .true.
+  end subroutine load_table
 
   subroutine stop_with(message)
     character(*), intent(in) :: message
@@ -247,6 +264,11 @@ contains
     print '(a, i0)', 'Newton iterations         ', past%iterations
     print '(a, i0)', 'Jacobians                 ', past%jacobians
     print '(a, i0)', 'evaluations               ', vehicle%evaluations
+    if (vehicle%by_table) then
+      print '(a, f0.4)', 'wheels solved exactly, share      ', real(vehicle%solved, real64)/vehicle%tabled
+      print '(a, f0.4)', 'mean error by the table           ', vehicle%error_sum/vehicle%tabled
+      print '(a, f0.4)', 'largest error by the table        ', vehicle%worst_error
+    end if
     print '(a, f0.1)', 'microseconds per step     ', 1.0e6_real64*taken/max(1, steps)
     print '(a, f0.3)', 'wall over simulated time  ', taken/(h*max(1, steps))
     print '(a, f0.3)', 'processor over simulated time ', processor/(h*max(1, steps))

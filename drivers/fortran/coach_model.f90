@@ -23,8 +23,8 @@ module coach_model
   use coach_suspension, only: add_product, first_of, lay, make_suspension, stop_energy, stop_force, stop_slope, &
     suspension
   use coach_track, only: point_at, rails_at, track, track_point
-  use wrcontact, only: contact_patch, contact_scene, contact_solver, step_batch, wrc_load_of_axle, &
-    wrc_loads_of_wheels, wrc_ok
+  use wrcontact, only: contact_patch, contact_scene, contact_solver, contact_table, step_batch, wrc_load_of_axle, &
+    wrc_loads_of_wheels, wrc_ok, wrc_solved_exactly
   implicit none
   private
   public :: coach, position_count, make_coach, accelerations, centred_state, displace, speed_at, distance_at, &
@@ -35,6 +35,10 @@ module coach_model
   type coach
     type(contact_scene) :: scenes(4)
     type(contact_solver) :: solvers(4)
+    type(contact_table) :: table
+    logical :: by_table = .false. !< forces are those of the table, by the solvers where it errs too much or ends
+    integer :: tabled = 0, solved = 0 !< wheels since the beginning, with a table
+    real(real64) :: error_sum = 0, worst_error = 0 !< errors that the table has returned, over the wheel's load
     type(track) :: line
     integer :: threads = 1
     real(real64) :: accuracy = 1.0e-2_real64 !< of contact forces; make_coach sets it
@@ -245,16 +249,12 @@ contains
       2.0e-6_real64, 1.0_real64, 1.0e-5_real64, 1.0e-4_real64, 1.0e-4_real64, 1.0e-4_real64, &
       1.0e-4_real64, 1.0e-4_real64, 1.0e-4_real64], [6, 2])
     real(real64) :: moved(6, 4, 2), other(6, 2, 4)
-    integer :: j, k, stat
-    self%evaluations = self%evaluations + 1
+    integer :: j, k
     if (allocated(dfdq) .and. .not. self%by_differences) then
-      call step_batch(self%solvers, self%scenes, q, dq, self%forces, self%threads, stat=stat, &
-        errmsg=self%message, dfdq=dfdq, dfdv=dfdv, rails=rails, curvature=curvatures)
+      call evaluate(self, q, dq, rails, curvatures, self%forces, failed, dfdq, dfdv)
     else
-      call step_batch(self%solvers, self%scenes, q, dq, self%forces, self%threads, stat=stat, &
-        errmsg=self%message, rails=rails, curvature=curvatures)
+      call evaluate(self, q, dq, rails, curvatures, self%forces, failed)
     end if
-    failed = stat /= wrc_ok
     if (failed .or. .not. allocated(dfdq) .or. .not. self%by_differences) return
     dfdq = 0
     do k = 1, 2
@@ -263,16 +263,45 @@ contains
         moved(:, :, 1) = q
         moved(:, :, 2) = dq
         moved(j, :, k) = moved(j, :, k) + steps(j, k)
-        self%evaluations = self%evaluations + 1
-        call step_batch(self%solvers, self%scenes, moved(:, :, 1), moved(:, :, 2), other, self%threads, &
-          stat=stat, errmsg=self%message, rails=rails, curvature=curvatures)
-        failed = stat /= wrc_ok
+        call evaluate(self, moved(:, :, 1), moved(:, :, 2), rails, curvatures, other, failed)
         if (failed) return
         if (k == 1) dfdq(:, j, :, :) = (other - self%forces)/steps(j, k)
         if (k == 2) dfdv(:, j, :, :) = (other - self%forces)/steps(j, k)
       end do
     end do
   end subroutine step_all
+
+  !> Forces on all wheelsets, by the solvers or by the table.
+  subroutine evaluate(self, q, dq, rails, curvatures, forces, failed, dfdq, dfdv)
+    type(coach), intent(inout) :: self
+    real(real64), intent(in) :: q(6, 4), dq(6, 4), rails(3, 2, 4), curvatures(4)
+    real(real64), intent(inout) :: forces(6, 2, 4)
+    logical, intent(out) :: failed
+    real(real64), intent(inout), optional :: dfdq(6, 6, 2, 4), dfdv(6, 6, 2, 4)
+    real(real64) :: errors(2)
+    integer :: i, stat, states(2)
+    self%evaluations = self%evaluations + 1
+    stat = wrc_ok
+    if (.not. self%by_table) then
+      call step_batch(self%solvers, self%scenes, q, dq, forces, self%threads, stat=stat, &
+        errmsg=self%message, dfdq=dfdq, dfdv=dfdv, rails=rails, curvature=curvatures)
+    end if
+    do i = 1, merge(4, 0, self%by_table)
+      if (present(dfdq)) then
+        call self%table%step(q(:, i), dq(:, i), forces(:, :, i), errors, stat, self%message, self%solvers(i), &
+          self%scenes(i), dfdq(:, :, :, i), dfdv(:, :, :, i), rails(:, :, i), states, curvature=curvatures(i))
+      else
+        call self%table%step(q(:, i), dq(:, i), forces(:, :, i), errors, stat, self%message, self%solvers(i), &
+          self%scenes(i), rails=rails(:, :, i), states=states, curvature=curvatures(i))
+      end if
+      if (stat /= wrc_ok) exit
+      self%tabled = self%tabled + 2
+      self%solved = self%solved + count(iand(states, wrc_solved_exactly) /= 0)
+      self%error_sum = self%error_sum + sum(errors)
+      self%worst_error = max(self%worst_error, maxval(errors))
+    end do
+    failed = stat /= wrc_ok
+  end subroutine evaluate
 
   !> From forces and moments to loads: moments about the axis of roll, the axle and the vertical.
   pure function work_per_motion(q) result(onto)

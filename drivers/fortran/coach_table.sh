@@ -1,22 +1,33 @@
 #!/usr/bin/env bash
 # What the coach costs with each integrator, creep law and accuracy, and how far its wheel forces are from those of
 # the full theory at 1e-3: a table for docs/coach.md. One thread, 4 s through a curve of 1000 m radius.
-# Usage: coach_table.sh COACH [SECONDS]
+# Usage: coach_table.sh COACH [SECONDS [TABLE...]], with tables by wrc_table as further models
 set -euo pipefail
 coach=$1
 seconds=${2:-4}
+tables=("${@:3}")
 files=$(mktemp -d)
 trap 'rm -r "$files"' EXIT
 line=(--threads 1 --speed 40 --radius 1000 --cant 0.12 --start 20 --transition 50 --circle 40 --seconds "$seconds")
 models=("fastsim 1e-1" "fastsim 1e-2" "full 1e-1" "full 1e-2")
 methods=("explicit" "implicit 1" "implicit 20")
 
-# run FILE CREEP ACCURACY METHOD [KEEP]
+# run FILE CREEP ACCURACY METHOD [KEEP]; forces from $table if that is not empty.
+table=
 run() {
-  "$coach" "${line[@]}" --creep "$2" --accuracy "$3" --method "$4" --keep "${5:-20}" >"$1"
+  "$coach" "${line[@]}" --creep "$2" --accuracy "$3" --method "$4" --keep "${5:-20}" ${table:+--table "$table"} >"$1"
 }
 # value FILE NAME: what follows the name.
 value() { awk -v name="$2" 'index($0, name) == 1 { print substr($0, length(name) + 1) }' "$1"; }
+
+# name_of METHOD
+name_of() {
+  case $1 in
+  explicit) echo "explicit" ;;
+  "implicit 1") echo "implicit" ;;
+  *) echo "implicit, Jacobian kept" ;;
+  esac
+}
 
 run "$files/reference" full 1e-3 implicit 20
 reference=$(value "$files/reference" "all wheels")
@@ -41,12 +52,14 @@ for model in "${models[@]}"; do
   for method in "${methods[@]}"; do
     # shellcheck disable=SC2086
     run "$files/run" $model $method
-    case $method in
-    explicit) name="explicit" ;;
-    "implicit 1") name="implicit" ;;
-    *) name="implicit, Jacobian kept" ;;
-    esac
-    row "\`${model% *}\`, ${model#* }" "$name"
+    row "\`${model% *}\`, ${model#* }" "$(name_of "$method")"
+  done
+done
+for table in ${tables[@]+"${tables[@]}"}; do
+  for method in "${methods[@]}"; do
+    # shellcheck disable=SC2086
+    run "$files/run" full 1e-2 $method
+    row "table \`${table##*/}\`" "$(name_of "$method")"
   done
 done
 cp "$files/reference" "$files/run"

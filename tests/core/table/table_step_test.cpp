@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "table/constants.hpp"
 #include "table/small_table.hpp"
 #include "wheel/wheel_state.hpp"
 
@@ -139,6 +140,9 @@ TEST(TableStep, RefusesAScenePartlyUnlikeTheTables) {
   EXPECT_NE(message_of([](Scene& scene) { scene.creep = CreepModel::fastsim; }, inside), "");
   EXPECT_NE(message_of([](Scene& scene) { scene.curved = CurvedChoice::yes; }, inside), "");
   EXPECT_NE(message_of([](Scene& scene) { scene.interaction = Interaction::near; }, inside), "");
+  EXPECT_NE(
+      message_of([](Scene& scene) { scene.track.gauge = 1440.0; }, inside).find("track.gauge"),
+      std::string::npos);
   ContactTable measured_again = small_table();
   ++measured_again.identity.profiles;
   const Scene scene = scene_of_small_table();
@@ -147,6 +151,55 @@ TEST(TableStep, RefusesAScenePartlyUnlikeTheTables) {
   VehicleState state = running_state();
   state.position[1] = 2.5;
   EXPECT_THROW(step_in_table(measured_again, state, &exact), Error);
+}
+
+TEST(TableStep, SolvesExactlyOnRailsThatAreDisplaced) {
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  VehicleState state = running_state();
+  state.position[1] = 2.5;
+  state.rails = SixNumbers{0.1, 0.02, 0.0002, -0.05, -0.03, 0.0001};
+  for (const WheelForces& wheel : step_in_table(small_table(), state, &exact).wheels) {
+    EXPECT_EQ(wheel.state & exact_solution, exact_solution);
+  }
+}
+
+/// Over the last part of its lateral range, to both sides: the exact solution comes in with its
+/// slope.
+TEST(TableStep, ForcesGoOverIntoTheExactOnesBeforeTheBorder) {
+  ContactTable table = small_table();
+  table.radius += 2e-3; // some per cent of the load off, so that a jump shows
+  const Scene scene = scene_of_small_table();
+  SceneSolver solver;
+  const ExactAnswer exact{scene, solver};
+  VehicleState state = running_state();
+  const auto step_at = [&](double lateral) {
+    state.position[1] = lateral;
+    return step_in_table(table, state, &exact).wheels[0];
+  };
+  const auto solved = [](const WheelForces& wheel) { return (wheel.state & exact_solution) != 0; };
+  EXPECT_FALSE(solved(step_at(0.0)));
+  for (const double side : {-1.0, 1.0}) {
+    double begin = 0.0; // where the exact solution begins, by bisection
+    double end = 2.0;
+    while (end - begin > 1e-9) {
+      const double middle = 0.5 * (begin + end);
+      (solved(step_at(side * middle)) ? end : begin) = middle;
+    }
+    EXPECT_GT(begin, 0.1);
+    const double border = begin + border_share; // of a range of 1 mm
+    constexpr double step = 1e-3;
+    for (const double place :
+         {begin, begin + 0.3 * border_share, begin + 0.7 * border_share, border}) {
+      const WheelForces at = step_at(side * place);
+      const WheelForces ahead = step_at(side * place + step);
+      const WheelForces behind = step_at(side * place - step);
+      const double difference = (ahead.force[2] - behind.force[2]) / (2.0 * step);
+      // Of the exact solution at an accuracy of 1e-2: 5 % of the stiffest derivative.
+      EXPECT_NEAR(at.by_position[1][2], difference, 0.05 * std::abs(at.by_position[2][2])) << place;
+    }
+  }
 }
 
 TEST(TableStep, ErrorsGrowWithFrictionBeyondThatOfTheRandomStates) {
