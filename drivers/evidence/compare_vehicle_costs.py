@@ -6,7 +6,7 @@ roll follow from static equilibrium, and velocities are those of a hunting wheel
 position by each model. The error of a wheel is that of its force, over the amount of the force or 60 kN, against the full
 theory at an accuracy of 1e-4. Time is processor time of a wheel, microseconds.
 
-Usage: compare_vehicle_costs.py [STATES] [SEED]; PYTHONPATH and WRCONTACT_BUILD as docs/python.md has them. Not covered:
+Usage: compare_vehicle_costs.py [STATES [SEED [TABLE]]], TABLE by wrc_table; PYTHONPATH and WRCONTACT_BUILD as docs/python.md has them. Not covered:
 derivatives, other profiles, forces under prescribed loads.
 """
 from __future__ import annotations
@@ -14,6 +14,7 @@ from __future__ import annotations
 import sys
 import time
 import warnings
+from collections.abc import Callable
 
 import numpy as np
 import wrcontact
@@ -24,6 +25,7 @@ CHOICES = [("fastsim", 1e-1), ("fastsim", 1e-2), ("fastsim", 1e-3),
            ("full", 1e-1), ("full", 3e-2), ("full", 1e-2), ("full", 1e-3)]
 
 State = tuple[np.ndarray, list[float]]
+Step = Callable[[np.ndarray, list[float]], wrcontact.Step]
 
 
 def drawn_states(count: int, seed: int) -> list[State]:
@@ -42,27 +44,39 @@ def drawn_states(count: int, seed: int) -> list[State]:
     return states
 
 
-def forces(states: list[State], creep: str, accuracy: float) -> tuple[np.ndarray, float]:
-    """[state, wheel, x y z] in N, and microseconds a wheel."""
+def solved_step(creep: str, accuracy: float) -> Step:
     solver = wrcontact.Solver()
     scene = wrcontact.Scene(accuracy_of="forces", accuracy=accuracy, creep=creep)
-    solver.step(scene, *states[0])
+    return lambda place, velocity: solver.step(scene, place, velocity)
+
+
+def tabled_step(path: str) -> Step:
+    table = wrcontact.Table()
+    table.load(path)
+    return lambda place, velocity: table.step(place, velocity)[0]
+
+
+def forces(states: list[State], step: Step) -> tuple[np.ndarray, float]:
+    """[state, wheel, x y z] in N, and microseconds a wheel."""
+    step(*states[0])
     begin = time.process_time()
-    found = [solver.step(scene, place, velocity).force[:, :3] for place, velocity in states]
+    found = [step(place, velocity).force[:, :3] for place, velocity in states]
     return np.array(found), (time.process_time() - begin) / len(states) / 2 * 1e6
 
 
 def main() -> None:
-    count, seed = (int(text) for text in (sys.argv[1:] + ["300", "5"][len(sys.argv) - 1:]))
+    count, seed = (int(text) for text in (sys.argv[1:3] + ["300", "5"][len(sys.argv[1:3]):]))
     warnings.simplefilter("ignore")
     states = drawn_states(count, seed)
-    truth, _ = forces(states, "full", 1e-4)
+    truth, _ = forces(states, solved_step("full", 1e-4))
     size = np.maximum(np.linalg.norm(truth, axis=2), LEAST_FORCE)
     print("creep    accuracy  us a wheel      rms    99 %   worst")
-    for creep, accuracy in CHOICES:
-        found, spent = forces(states, creep, accuracy)
+    choices = [(creep, f"{accuracy:g}", solved_step(creep, accuracy)) for creep, accuracy in CHOICES]
+    choices += [("table", "", tabled_step(path)) for path in sys.argv[3:]]
+    for creep, accuracy, step in choices:
+        found, spent = forces(states, step)
         error = np.linalg.norm(found - truth, axis=2) / size
-        print(f"{creep:8} {accuracy:8g} {spent:11.0f} {np.sqrt(np.mean(error ** 2)):8.4f}"
+        print(f"{creep:8} {accuracy:>8} {spent:11.0f} {np.sqrt(np.mean(error ** 2)):8.4f}"
               f"{np.quantile(error, 0.99):8.4f}{error.max():8.4f}")
 
 
