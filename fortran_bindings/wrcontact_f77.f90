@@ -4,7 +4,7 @@
 ! link with -lwrcontact; docs/fortran.md shows a complete program.
 !
 !   INTEGER*8 HANDLE         scene, solver, profile, normal or rolling
-!                            contact
+!                            contact, table or history
 !   REAL*8                   all numbers; mm, N, MPa, rad, y left, z up,
 !                            unless the scene's convention differs
 !   CHARACTER*(*)            keys and texts; trailing blanks do not
@@ -28,7 +28,8 @@
 !
 !   WRCOPN(HANDLE, WHAT, KIND(0), 1.0D0, IERR)   makes a 'scene',
 !                                          'solver', 'profile',
-!                                          'normal' or 'rolling'
+!                                          'normal', 'rolling', 'table'
+!                                          or 'history'
 !   WRCNEW(HANDLE, WHAT, KIND(0), IERR)    the same without looking at
 !                                          reals
 !   WRCDEL(HANDLE, IERR)                   destroys it, sets it to 0
@@ -68,6 +69,16 @@
 !        right wheel; IOPT(1) to IOPT(4) 1: uses them, 0: as in the
 !        scene; IOPT(5) 1: DFDQ, DFDV, and DFDR(6,3,2), DFDW(6,3,2), of
 !        F(I,K) by displacement J of rail K and by its rate
+!   WRCVHX(SOLVER, SCENE, HIST, DT, Q, V, IOPT, OPT, F, DFDQ, DFDV,
+!          DFDR, DFDW, ISTATE, IERR)
+!        WRCVEX over a time step of DT seconds from what the wheelset's
+!        history HIST accepted last, instead of steady rolling: for runs
+!        that stop, park or start
+!   WRCHAC(HIST, IERR)                     accepts what the last step
+!                                          found: once for each step that
+!                                          the program keeps
+!   WRCHCL(HIST, IERR)                     forgets everything
+!   WRCHCP(HIST, FROM, IERR)               makes it a copy of FROM
 !   WRCEQL(SOLVER, SCENE, IKIND, LOADS, IVEL, V, IOPT, OPT, Q, F, DFDQ,
 !          DFDV, DFDR, DFDW, ISTATE, IERR)
 !        static equilibrium: Q(3) and Q(4) at which the wheels carry
@@ -85,6 +96,23 @@
 !        a table over values of N keys, COUNTS(N) of each; KEYS and
 !        NAMES (of results) separated by blanks; NTHR threads; PATH: a
 !        file, or blank
+!
+!   Contact forces from a table that states its error (wrc_table_build
+!   and the calls below it in wrcontact.h, docs/table.md):
+!   WRCTMK(CTABLE, SCENE, RANGES, NTHR, IERR)
+!        makes one for a scene, in minutes; RANGES(6): lateral position,
+!        roll, yaw, largest load, tolerance, fineness; 0: the default
+!   WRCTLD(CTABLE, PATH, IERR)             reads one from a file
+!   WRCTSV(CTABLE, PATH, IERR)             writes it
+!   WRCTSH(CTABLE, OTHER, IERR)            lets handle OTHER use it too
+!   WRCTFA(CTABLE, FACTS, IERR)            FACTS(13): the members of
+!                                          wrc_table_facts after the first
+!   WRCTVX(CTABLE, SOLVER, SCENE, Q, V, IOPT, OPT, F, DFDQ, DFDV, DFDR,
+!          DFDW, ERRORS, ISTATE, IERR)
+!        WRCVEX from the table; what IOPT leaves out is 0, friction that
+!        of the table. SOLVER and SCENE for the exact solution, or both
+!        0; ERRORS(2): how far the force of each wheel may be off, over
+!        its vertical force; ISTATE(2): 16 solved exactly
 !
 !   WRCNUM(HANDLE, NAME, VALUE, IERR)      result of a scene or contact
 !   WRCTXT(HANDLE, NAME, TEXT, IERR)       a text of a scene, profile or
@@ -139,7 +167,8 @@ module wrcontact_f77_c
 
   integer, parameter :: scene_mark = 1, solver_mark = 2
   integer, parameter :: profile_mark = 4, normal_mark = 8
-  integer, parameter :: rolling_mark = 16, any_mark = 31
+  integer, parameter :: rolling_mark = 16, table_mark = 32
+  integer, parameter :: history_mark = 64, any_mark = 127
   integer, parameter :: contact_mark = normal_mark + rolling_mark
   ! Not a handle: marks a program whose reals WRCOPN has refused.
   integer(c_int64_t), parameter :: refused_reals = 28
@@ -179,17 +208,28 @@ contains
     end if
   end subroutine look
 
+  ! Address of another handle of a call; status 1 if its integers are of another width.
+  subroutine look_also(handle, mark, width, address, status)
+    integer(c_int64_t), intent(in) :: handle
+    integer, intent(in) :: mark, width
+    type(c_ptr), intent(out) :: address
+    integer(c_int32_t), intent(inout) :: status
+    integer :: kind, other
+    address = c_null_ptr
+    if (status .ne. 0) return
+    call look(handle, mark, address, kind, other, status)
+    if (other .ne. width) status = 1
+  end subroutine look_also
+
   ! Those of a solver and a scene.
   subroutine look_both(solver, scene, address, other, width, status)
     integer(c_int64_t), intent(in) :: solver, scene
     type(c_ptr), intent(out) :: address, other
     integer, intent(out) :: width
     integer(c_int32_t), intent(out) :: status
-    integer :: kind, width2
+    integer :: kind
     call look(solver, solver_mark, address, kind, width, status)
-    if (status .ne. 0) return
-    call look(scene, scene_mark, other, kind, width2, status)
-    if (width2 .ne. width) status = 1
+    call look_also(scene, scene_mark, width, other, status)
   end subroutine look_both
 
   ! Further arguments of a step: see WRCVEX.
@@ -333,123 +373,8 @@ contains
   end subroutine copy
 end module wrcontact_f77_c
 
-subroutine wrcnew(handle, what, kind0, ierr)
-  use wrcontact_f77_c
-  implicit none
-  integer*8 handle
-  character*(*) what
-  integer*4 kind0(*), ierr(*)
-  type(c_ptr) made
-  integer*4 status
-  integer width, mark
-  handle = 0
-  made = c_null_ptr
-  status = 1
-  mark = 0
-  !     KIND(0) is 4 in four bytes, or 8 in eight: the first four bytes
-  !     are 8, or 0 where the most significant ones come first.
-  width = 0
-  if (kind0(1) .eq. 4) width = 4
-  if (kind0(1) .eq. 8) width = 8
-  if (kind0(1) .eq. 0) then
-    if (kind0(2) .eq. 8) width = 8
-  end if
-  if (width .eq. 0) then
-    call finish(status, ierr, 4)
-    return
-  end if
-  if (what .eq. 'scene' .or. what .eq. 'SCENE') then
-    status = wrc_scene_create(made)
-  else if (what .eq. 'solver' .or. what .eq. 'SOLVER') then
-    mark = 1
-    status = wrc_solver_create(made)
-  else if (what .eq. 'profile' .or. what .eq. 'PROFILE') then
-    mark = 2
-    status = wrc_profile_create(made)
-  else if (what .eq. 'normal' .or. what .eq. 'NORMAL') then
-    mark = 3
-    status = wrc_normal_create(made)
-  else if (what .eq. 'rolling' .or. what .eq. 'ROLLING') then
-    mark = 4
-    status = wrc_rolling_create(made)
-  else
-    status = 2
-  end if
-  if (status .eq. 0) handle = transfer(made, handle) + 4*mark + width/4
-  call finish(status, ierr, width)
-end
-
-subroutine wrcopn(handle, what, kind0, one, ierr)
-  use wrcontact_f77_c
-  implicit none
-  integer*8 handle
-  character*(*) what
-  integer*4 kind0(*), ierr(*), status
-  real*8 one
-  integer width
-  call wrcnew(handle, what, kind0, ierr)
-  if (handle .eq. 0) return
-  !     The first half of another 1.0D0 is another number.
-  if (storage_size(one) .eq. 64 .and. abs(one - 1) .le. 0) return
-  width = 4*int(iand(handle, 3_8))
-  call wrcdel(handle, ierr)
-  handle = refused_reals + width/4
-  status = 1
-  call finish(status, ierr, width)
-end
-
-subroutine wrcdel(handle, ierr)
-  use wrcontact_f77_c
-  implicit none
-  integer*8 handle
-  integer*4 ierr(*), status
-  type(c_ptr) address
-  integer kind, width
-  call look(handle, any_mark, address, kind, width, status)
-  if (kind .eq. scene_mark) call wrc_scene_destroy(address)
-  if (kind .eq. solver_mark) call wrc_solver_destroy(address)
-  if (kind .eq. profile_mark) call wrc_profile_destroy(address)
-  if (kind .eq. normal_mark) call wrc_normal_destroy(address)
-  if (kind .eq. rolling_mark) call wrc_rolling_destroy(address)
-  handle = 0
-  call finish(status, ierr, width)
-end
-
-subroutine wrcerr(handle, text, ierr)
-  use wrcontact_f77_c
-  implicit none
-  integer*8 handle
-  character*(*) text
-  integer*4 ierr(*), status
-  type(c_ptr) address, found
-  integer kind, width
-  call look(handle, any_mark, address, kind, width, status)
-  if (handle .eq. refused_reals + width/4) then
-    text = 'REAL*8 and 1.0D0 must have 8 bytes: with '// &
-      '-fdefault-real-8 gfortran needs -fdefault-double-8 too'
-  else if (status .ne. 0) then
-    text = 'the handle was not made by WRCOPN or WRCNEW with '// 'KIND(0)'
-  else
-    found = c_null_ptr
-    if (kind .eq. scene_mark) found = wrc_scene_error(address)
-    if (kind .eq. solver_mark) found = wrc_solver_error(address)
-    if (kind .eq. profile_mark) found = wrc_profile_error(address)
-    if (kind .eq. normal_mark) found = wrc_normal_error(address)
-    if (kind .eq. rolling_mark) found = wrc_rolling_error(address)
-    call copy(found, text, status)
-  end if
-  call finish(status, ierr, width)
-end
-
-subroutine wrcver(text)
-  use wrcontact_f77_c
-  implicit none
-  character*(*) text
-  integer*4 status
-  status = 0
-  call copy(wrc_version(), text, status)
-end
-
+include 'wrcontact_f77_handle.inc'
 include 'wrcontact_f77_scene.inc'
+include 'wrcontact_f77_table.inc'
 include 'wrcontact_f77_profile.inc'
 include 'wrcontact_f77_contact.inc'

@@ -245,7 +245,7 @@ def module_rows():
 def f77_rows():
     literals = {"kind0": "KIND(0)", "one": "1.0D0"}
     lines, types, current, calls = [], {}, None, []
-    parts = ("scene", "profile", "contact")
+    parts = ("handle", "scene", "table", "profile", "contact")
     sources = ["f77.f90", *(f"f77_{part}.inc" for part in parts)]
     whole = "".join(text_of(f"fortran_bindings/wrcontact_{source}") for source in sources)
     for line in whole.lower().splitlines():

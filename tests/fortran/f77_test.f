@@ -10,6 +10,8 @@ c filled with ones before each call, so that half a write is seen.
       call tids
       call tstep
       call tvehic
+      call tstill
+      call tctabl
       call tnorm
       call troll
       call tprof
