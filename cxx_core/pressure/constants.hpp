@@ -38,4 +38,14 @@ inline constexpr std::size_t rows_of_differences = 8;
 /// origin: derived.
 inline constexpr double variance_of_element = 1.0 / 12.0;
 
+/// Two crests of the rows' forces are one lobe if the valley between is no deeper below the lesser
+/// one than this fraction of it, ...
+/// origin: reasoned: as for lobes of penetration (steep_joined_below): rough profiles have many.
+inline constexpr double one_lobe_depth = 0.1;
+
+/// ... and two that share nothing if it is deeper than this.
+/// origin: reasoned: at half of the lesser crest there are two contacts to see; nearer to the other
+/// limit, lobes would exchange their forces within fewer micrometres.
+inline constexpr double own_lobe_depth = 0.5;
+
 } // namespace wrc

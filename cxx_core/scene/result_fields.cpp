@@ -6,6 +6,7 @@
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 #include "wheel/combined_contact.hpp"
+#include "wheel/pressure_lobes.hpp"
 
 namespace wrc {
 namespace {
@@ -102,6 +103,24 @@ template <class Coordinate> Values wheel_outline(const WheelResult& side, Coordi
   return values;
 }
 
+/// A number of each lobe.
+template <double (*number)(const PressureLobe&)>
+Values of_lobes(const WheelDetails& side, const PatchResult& patch) {
+  Values values;
+  for (const PressureLobe& lobe : pressure_lobes(patch, side)) {
+    values.push_back(number(lobe));
+  }
+  return values;
+}
+
+template <double ContactPoint::*coordinate> double at_centroid(const PressureLobe& lobe) {
+  return lobe.centroid.*coordinate;
+}
+
+template <double Vector3::*component> double of_force(const PressureLobe& lobe) {
+  return lobe.force.*component;
+}
+
 constexpr Dimension turning_stress{Quantity::stress, true};
 
 constexpr std::array patch_fields{
@@ -120,6 +139,22 @@ constexpr std::array patch_fields{
     PatchField{"creep_x", length, creep_places<&Vector3::x>},
     PatchField{"creep_y", turning_length, creep_places<&Vector3::y>},
     PatchField{"creep_z", turning_length, creep_places<&Vector3::z>},
+    PatchField{"lobe_normal_force", force,
+               of_lobes<[](const PressureLobe& lobe) { return norm(lobe.force); }>},
+    PatchField{"lobe_force_x", force, of_lobes<of_force<&Vector3::x>>},
+    PatchField{"lobe_force_y", turning_force, of_lobes<of_force<&Vector3::y>>},
+    PatchField{"lobe_force_z", turning_force, of_lobes<of_force<&Vector3::z>>},
+    PatchField{"lobe_angle", angle, of_lobes<[](const PressureLobe& lobe) { return lobe.angle; }>},
+    PatchField{"lobe_x", length, of_lobes<at_centroid<&ContactPoint::x>>},
+    PatchField{"lobe_y", turning_length, of_lobes<at_centroid<&ContactPoint::y>>},
+    PatchField{"lobe_z", turning_length, of_lobes<at_centroid<&ContactPoint::z>>},
+    PatchField{"lobe_s_wheel", length, of_lobes<at_centroid<&ContactPoint::s_wheel>>},
+    PatchField{"lobe_t_rail", length, of_lobes<at_centroid<&ContactPoint::t_rail>>},
+    PatchField{"lobe_semi_axes_longitudinal", length,
+               of_lobes<[](const PressureLobe& lobe) { return lobe.semi_axis_longitudinal; }>},
+    PatchField{"lobe_semi_axes_lateral", length,
+               of_lobes<[](const PressureLobe& lobe) { return lobe.semi_axis_lateral; }>},
+    PatchField{"lobe_rolling_radius", length, of_lobes<at_centroid<&ContactPoint::rolling_radius>>},
 };
 
 /// All in the track frame: y and z.

@@ -31,25 +31,6 @@ ContactPoint point_of(const ContactCandidate& candidate, const WheelSurface& whe
   return point;
 }
 
-/// Where the normal through a point of a patch's plane meets rail and wheel.
-ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
-                      double lateral, const SideFrame& side) {
-  const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
-  ContactPoint point;
-  point.x = surface.rail.x;
-  point.y = side.mirrored_lateral(surface.rail.y);
-  point.z = surface.rail.z;
-  point.angle = side.mirrored_lateral(surface.rail_angle);
-  point.s_wheel = surface.wheel_lateral;
-  point.w_wheel = surface.wheel_height;
-  const Vector3 body =
-      Rotation(pair.pose).to_body(surface.wheel - Vector3{0.0, pair.pose.lateral, pair.vertical});
-  point.wheel_angle = std::atan2(body.x, -body.z);
-  point.rolling_radius = pair.wheel.radius() + surface.wheel_height;
-  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, point.t_rail, point.v_rail);
-  return point;
-}
-
 Vector3 position_of(const ContactPoint& point) {
   return {point.x, point.y, point.z};
 }
@@ -143,6 +124,24 @@ ContactPoint mean_point(const std::vector<PatchResult>& patches, double normal_f
 }
 
 } // namespace
+
+ContactPoint point_on(const PosedPair& pair, const ContactFrame& frame, double longitudinal,
+                      double lateral, const SideFrame& side) {
+  const SurfacePlace surface = surfaces_at(pair, frame, longitudinal, lateral);
+  ContactPoint point;
+  point.x = surface.rail.x;
+  point.y = side.mirrored_lateral(surface.rail.y);
+  point.z = surface.rail.z;
+  point.angle = side.mirrored_lateral(surface.rail_angle);
+  point.s_wheel = surface.wheel_lateral;
+  point.w_wheel = surface.wheel_height;
+  const Vector3 body =
+      Rotation(pair.pose).to_body(surface.wheel - Vector3{0.0, pair.pose.lateral, pair.vertical});
+  point.wheel_angle = std::atan2(body.x, -body.z);
+  point.rolling_radius = pair.wheel.radius() + surface.wheel_height;
+  pair.rail.to_profile_frame(surface.rail.y, surface.rail.z, point.t_rail, point.v_rail);
+  return point;
+}
 
 WheelResult make_wheel_result(WheelSolution solution,
                               const std::shared_ptr<const WheelSurface>& wheel,

@@ -64,6 +64,10 @@ c     The left rail up by as much as the wheel.
       call expect(abs(force(2) - patch(13,2)) .lt. 1.0d-6*abs(force(2)),
      &  'those of the step')
       call expect(deriv(1,1) .lt. 0.0d0, 'creep damps')
+      value = patch(11,2)
+      call wrcfld(scene, 'right.lobe_normal_force', patch, 88, n, ierr)
+      call expect(ierr .eq. 0 .and. n .eq. 1 .and. abs(patch(1,1)
+     &  - value) .lt. 1.0d-9*value, 'one lobe with all the force')
       call wrccrp(solver, scene, 0, creep, force, 0, deriv, ierr)
       call expect(ierr .eq. 1, 'patches count from 1')
       q(3) = 470.0d0

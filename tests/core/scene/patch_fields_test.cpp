@@ -72,5 +72,30 @@ TEST(PatchFields, OfTheRightSideAreMirrorImages) {
   }
 }
 
+/// One value for each lobe, in the convention of the caller.
+TEST(PatchFields, OfLobesAreInTheCallersConvention) {
+  Scene scene;
+  scene.accuracy = 1e-2;
+  scene.lateral = 5.0;
+  const SceneResult result = solve_scene(scene);
+  Convention turned;
+  turned.units = Units::si;
+  turned.frame = TrackFrame::right_down;
+  const auto field = [&](const std::string& name, const Convention& convention) {
+    return *field_values(result, "left.patches.0.lobe_" + name, convention);
+  };
+  for (const char* name :
+       {"normal_force", "force_x", "force_y", "force_z", "angle", "x", "y", "z", "s_wheel",
+        "t_rail", "semi_axes_longitudinal", "semi_axes_lateral", "rolling_radius"}) {
+    EXPECT_EQ(field(name, {}).size(), 2U) << name;
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(field("y", turned)[k], -1e-3 * field("y", {})[k], 1e-12);
+    EXPECT_EQ(field("force_y", turned)[k], -field("force_y", {})[k]);
+    EXPECT_EQ(field("normal_force", turned)[k], field("normal_force", {})[k]);
+    EXPECT_EQ(field("angle", turned)[k], field("angle", {})[k]);
+  }
+}
+
 } // namespace
 } // namespace wrc::test::patch_fields_test
