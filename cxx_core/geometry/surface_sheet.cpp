@@ -335,7 +335,7 @@ GraphPoint graph_of(const SheetPoint& p) {
 }
 
 std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const {
-  const Range range = this->along();
+  const Stretch range = this->along();
   if (!is_periodic() && !(along >= range.begin && along <= range.end))
     return std::nullopt;
   const AlongPlace place = spline_.locate(along);
@@ -377,7 +377,7 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
   return highest;
 }
 
-SecondBounds SurfaceSheet::second_bounds(const Range& across, const Range& along) const {
+SecondBounds SurfaceSheet::second_bounds(const Stretch& across, const Stretch& along) const {
   // A cubic deviates from its chord by at most h^2 / 8 times its largest second derivative, and
   // second derivatives along are linear between knots.
   SecondBounds bounds;
@@ -407,6 +407,13 @@ SecondBounds SurfaceSheet::second_bounds(const Range& across, const Range& along
     }
   }
   return bounds;
+}
+
+double SurfaceSheet::place_at(double share) const {
+  const std::span<const double> knots = spline_.knots();
+  const double over = share * static_cast<double>(spline_.last_place_knot());
+  const std::size_t knot = std::min(static_cast<std::size_t>(over), knots.size() - 2);
+  return knots[knot] + (over - static_cast<double>(knot)) * (knots[knot + 1] - knots[knot]);
 }
 
 std::size_t SurfaceSheet::memory() const {

@@ -52,7 +52,7 @@ struct GraphPoint {
 };
 
 /// From one value to a larger one.
-struct Range {
+struct Stretch {
   double begin = 0.0;
   double end = 0.0;
 };
@@ -77,12 +77,15 @@ public:
   /// Error(invalid_argument), for a folded surface with the numbers of the slices.
   SurfaceSheet(std::span<const SheetSection> sections, double smoothing_length, double period);
 
-  [[nodiscard]] Range across() const { return {starts_.front(), starts_.back()}; }
-  [[nodiscard]] Range along() const { return {spline_.knots().front(), spline_.knots().back()}; }
+  [[nodiscard]] Stretch across() const { return {starts_.front(), starts_.back()}; }
+  [[nodiscard]] Stretch along() const { return {spline_.knots().front(), spline_.knots().back()}; }
   [[nodiscard]] bool is_periodic() const { return spline_.is_periodic(); }
   /// Parameters at the begin of each piece across and at the end: searches scan these.
   [[nodiscard]] std::span<const double> starts() const { return starts_; }
   [[nodiscard]] std::span<const double> knots() const { return spline_.knots(); }
+  /// The place at a fraction of the way over the knots from the first to the last slice, which are
+  /// closer where slices are.
+  [[nodiscard]] double place_at(double share) const;
   /// At parameters that are clamped to the sheet, along taken modulo the period if periodic.
   [[nodiscard]] SheetPoint at(double across, double along) const;
   /// On a given piece at a distance from its begin, and a place from locate().
@@ -94,7 +97,7 @@ public:
   [[nodiscard]] std::optional<GraphPoint> over(double along, double lateral) const;
   /// Bounds over a rectangle of parameters, from control points of the polynomials (their convex
   /// hull); ranges as for at(), within one period.
-  [[nodiscard]] SecondBounds second_bounds(const Range& across, const Range& along) const;
+  [[nodiscard]] SecondBounds second_bounds(const Stretch& across, const Stretch& along) const;
   /// Bytes of its tables.
   [[nodiscard]] std::size_t memory() const;
 

@@ -10,8 +10,8 @@ VaryingRail::VaryingRail(const SlicedProfile& profile, std::optional<double> smo
     : smoothing_length_(smoothing_length_of(profile, smoothing_length)),
       sheets_(sheets_of(profile, smoothing_length_, 0.0)) {}
 
-Range VaryingRail::along() const {
-  Range range = sheets_.front().along();
+Stretch VaryingRail::along() const {
+  Stretch range = sheets_.front().along();
   for (const SurfaceSheet& sheet : sheets_) {
     range.begin = std::min(range.begin, sheet.along().begin);
     range.end = std::max(range.end, sheet.along().end);

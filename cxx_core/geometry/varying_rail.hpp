@@ -25,7 +25,7 @@ public:
   [[nodiscard]] std::span<const SurfaceSheet> sheets() const { return sheets_; }
   [[nodiscard]] double smoothing_length() const { return smoothing_length_; }
   /// From the begin of the first sheet to the end of the last.
-  [[nodiscard]] Range along() const;
+  [[nodiscard]] Stretch along() const;
   /// The highest point over a place in the plane, of all sheets; none in a gap.
   [[nodiscard]] std::optional<GraphPoint> over(double along, double lateral) const;
 

@@ -221,6 +221,12 @@ AlongSpline::Fit AlongSpline::fit(std::span<const double> values_at_places) cons
   return fit;
 }
 
+std::size_t AlongSpline::last_place_knot() const {
+  return static_cast<std::size_t>(
+      std::lower_bound(place_before_.begin(), place_before_.end(), places_ - 1) -
+      place_before_.begin());
+}
+
 AlongPlace AlongSpline::locate(double along) const {
   double inside = std::clamp(along, knots_.front(), knots_.back());
   if (is_periodic() && inside != along) {

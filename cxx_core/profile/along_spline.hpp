@@ -44,6 +44,8 @@ public:
   [[nodiscard]] std::size_t place_before(std::size_t interval) const {
     return place_before_[interval];
   }
+  /// Number of the knot at the last place: that at the end unless periodic.
+  [[nodiscard]] std::size_t last_place_knot() const;
   /// Where an abscissa lies: clamped to the ends, or taken modulo the period.
   [[nodiscard]] AlongPlace locate(double along) const;
 

@@ -115,7 +115,7 @@ private:
       profile_.corrections.push_back(
           "points of all slices multiplied by " + text_of(scale_) + " to mm" +
           (options_.scale ? " as requested"
-                          : ", since none is wider than " + short_text_of(width)));
+                          : ", since all are narrower than " + short_text_of(width)));
   }
   void set_height_sign(const std::vector<RawProfile>& all) {
     double sum = 0.0;

@@ -200,8 +200,8 @@ TEST(SurfaceSheet, TheGraphHasTheDerivativesOfItsHeights) {
 
 TEST(SurfaceSheet, BoundsSecondDerivativesFromAbove) {
   const SurfaceSheet sheet = turning_sheet();
-  const Range across{12.0, 21.0};
-  const Range along{8.0, 31.0};
+  const Stretch across{12.0, 21.0};
+  const Stretch along{8.0, 31.0};
   const SecondBounds bounds = sheet.second_bounds(across, along);
   SecondBounds found;
   for (double u = across.begin; u <= across.end; u += 0.05)
@@ -216,6 +216,13 @@ TEST(SurfaceSheet, BoundsSecondDerivativesFromAbove) {
   EXPECT_GE(bounds.along2, found.along2);
   EXPECT_LT(bounds.across2, 2.0 * found.across2);
   EXPECT_LT(bounds.along2, 2.0 * found.along2);
+}
+
+TEST(SurfaceSheet, SharesOfSlicesArePlaces) {
+  const SurfaceSheet sheet = turning_sheet(); // 13 slices, 5 mm apart
+  EXPECT_EQ(sheet.place_at(0.0), 0.0);
+  EXPECT_NEAR(sheet.place_at(0.5), 30.0, 1e-12);
+  EXPECT_EQ(sheet.place_at(1.0), 60.0);
 }
 
 TEST(SurfaceSheet, AShiftAlongOfAllSlicesShiftsTheSurface) {

@@ -122,6 +122,7 @@ TEST(AlongSpline, IsPeriodicToTheBit) {
   const std::vector<double> values{0.0, -0.9, -0.4, 0.0};
   const AlongSpline spline(places, 0.0, revolution);
   const AlongSpline::Fit fit = spline.fit(values);
+  EXPECT_EQ(spline.knots()[spline.last_place_knot()], 0.1);
   EXPECT_EQ(fit.value.front(), fit.value.back());
   EXPECT_EQ(fit.second.front(), fit.second.back());
   EXPECT_NEAR(value_at(spline, fit, std::numbers::pi), 0.0, 1e-3);
