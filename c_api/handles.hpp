@@ -20,6 +20,7 @@
 #include "profile/profile.hpp"
 #include "profile/readers.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "scene/profile_surface.hpp"
 #include "scene/scene.hpp"
 #include "scene/solve_scene.hpp"
 #include "table/contact_table.hpp"
@@ -58,6 +59,8 @@ struct HistoryObject {
 struct ProfileObject {
   std::optional<Profile> profile;
   ReadResult read; ///< of a profile that was read, without the profile itself
+  std::optional<ProfileSurface> surface;
+  std::vector<std::string> surface_lines;
   std::string error;
 
   void take(ReadResult&& result) {

@@ -81,6 +81,12 @@ wrc::ReadOptions options_from(const wrc_read_options* given) {
   return options;
 }
 
+void store(double* where, double value) {
+  if (where != nullptr) {
+    *where = value;
+  }
+}
+
 const char* line_of(const std::vector<std::string>& lines, int64_t index) {
   return index >= 0 && index < static_cast<int64_t>(lines.size())
              ? lines[static_cast<std::size_t>(index)].c_str()
@@ -238,6 +244,59 @@ wrc_status wrc_profile_points(wrc_profile* profile, int32_t which, double* later
   });
 }
 
+wrc_status wrc_profile_load_surface(wrc_profile* profile, const char* path,
+                                    const wrc_read_options* options, double smoothing_length,
+                                    int64_t* sheets) {
+  return wrc::guard(profile, [&](wrc::ProfileObject& object) {
+    wrc::require_pointer(path, "path");
+    wrc::require_pointer(sheets, "sheets");
+    if (!std::isfinite(smoothing_length)) {
+      wrc::throw_invalid_argument("smoothing_length", smoothing_length, "a finite number");
+    }
+    wrc::ProfileSurface surface(path, options_from(options),
+                                smoothing_length < 0.0 ? std::nullopt
+                                                       : std::optional(smoothing_length));
+    object.surface_lines = surface.summary();
+    object.surface = std::move(surface);
+    *sheets = static_cast<std::int64_t>(object.surface->sheets().size());
+    return WRC_OK;
+  });
+}
+
+const char* wrc_profile_surface_line(const wrc_profile* profile, int64_t index) {
+  return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
+    return line_of(object.surface_lines, index);
+  });
+}
+
+wrc_status wrc_profile_surface_at(wrc_profile* profile, int64_t sheet, double across, double along,
+                                  double* place, double* lateral, double* height) {
+  return wrc::guard(profile, [&](wrc::ProfileObject& object) -> wrc_status {
+    if (!object.surface) {
+      object.error = "no surface has been loaded into the handle";
+      return WRC_NO_RESULT;
+    }
+    const auto count = static_cast<std::int64_t>(object.surface->sheets().size());
+    if (sheet < 0 || sheet >= count) {
+      wrc::throw_invalid_argument("sheet", static_cast<double>(sheet),
+                                  "allowed are 0 to " + std::to_string(count - 1));
+    }
+    for (const double share : {across, along}) {
+      if (!(share >= 0.0 && share <= 1.0)) {
+        wrc::throw_invalid_argument("across or along", share, "allowed are 0 to 1");
+      }
+    }
+    const wrc::SurfaceSheet& of = object.surface->sheets()[static_cast<std::size_t>(sheet)];
+    const wrc::Stretch range = of.across();
+    const double x = of.place_at(along);
+    const wrc::Position at = of.at(range.begin + across * (range.end - range.begin), x).at;
+    store(place, x);
+    store(lateral, at[0]);
+    store(height, at[1]);
+    return WRC_OK;
+  });
+}
+
 wrc_status wrc_profile_length(wrc_profile* profile, double* length) {
   return with_profile(profile, [&](wrc::ProfileObject&, const wrc::Profile& loaded) {
     wrc::require_pointer(length, "length");
@@ -260,11 +319,6 @@ wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, dou
       wrc::throw_invalid_argument("arc", arc, "a finite arc length, mm");
     }
     const wrc::CurvePoint point = loaded.curve.at(arc);
-    const auto store = [](double* where, double value) {
-      if (where != nullptr) {
-        *where = value;
-      }
-    };
     store(lateral, point.lateral);
     store(height, point.height);
     store(angle, std::atan2(point.tangent_height, point.tangent_lateral));

@@ -13,13 +13,10 @@
 !> Errors: every procedure takes the optional arguments `stat` (one of the wrc_* constants, 0 on
 !> success) and `errmsg` (the text of a failure; unchanged on success). Without `stat` a failure
 !> ends the program with `error stop` and the text. wrc_not_converged counts as a failure, but with
-!> `stat` the results are available. After a failure numbers are NaN, texts empty and fields of
-!> length zero.
-!> Assignment: after `a = b` both refer to the same object, which is destroyed with the last of
-!> them.
+!> `stat` the results are available. After a failure numbers are NaN, texts empty and fields of length zero.
+!> Assignment: after `a = b` both refer to the same object, which is destroyed with the last of them.
 !> Threads: one thread at a time for an object and all objects assigned from it.
-!> Fields of rank 2 have the shape (longitudinal, lateral), the order in which the library keeps
-!> them.
+!> Fields of rank 2 have the shape (longitudinal, lateral), the order in which the library keeps them.
 !> The module ships as source (this file and those it includes), since .mod files belong to one
 !> compiler and version.
 module wrcontact
@@ -75,8 +72,7 @@ module wrcontact
     integer :: references = 0
     !> A normal or rolling contact: elements along and across the rail, and those when it was last solved; shapes of
     !> distances or pressures, slips and previous tractions, if of rank 2 (else 0).
-    integer(c_int64_t) :: grid(2) = 0, solved(2) = 0, given(2) = 0, slip(2) = 0, &
-      previous(2) = 0
+    integer(c_int64_t) :: grid(2) = 0, solved(2) = 0, given(2) = 0, slip(2) = 0, previous(2) = 0
     !> Whether a rolling contact needs previous tractions.
     logical :: in_steps = .false.
   end type shared_handle
@@ -110,6 +106,11 @@ module wrcontact
     procedure :: warning => profile_warning
     !> points(which, lateral, height): wrc_points_read, before smoothing, or wrc_points_dropped.
     procedure :: points => profile_points
+    !> load_surface(path): joins the slices of a .slcs or .slcw file; surface_line(i): what they make.
+    procedure :: load_surface => profile_load_surface
+    procedure :: surface_line => profile_surface_line
+    !> surface_at(sheet, across, along, place, lateral, height): sheet from 1, at shares.
+    procedure :: surface_at => profile_surface_at
     !> Arc length, mm.
     procedure :: length => profile_length
     !> Arc lengths of the nodes, mm.

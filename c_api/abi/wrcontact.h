@@ -486,9 +486,9 @@ typedef struct wrc_table_facts {
   double median_error;
   double error_99; /**< that 99 in 100 do not exceed */
   double worst_error;
-  double
-      exact_share; /**< fraction of the table in which the tolerance asks for the exact solution */
-  double bytes;    /**< of memory */
+  double exact_share; /**< fraction of cells that err by more than the tolerance; steps beside such
+                       * cells have a part of the exact solution, too */
+  double bytes;       /**< of memory */
 } wrc_table_facts;
 
 /** An empty handle, which keeps the error text of its calls. Since 0.3. */
@@ -523,14 +523,20 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  * are 0 here, and friction is that of the table. The flags of `states` are WRC_LIFTED and
  * WRC_SOLVED_EXACTLY only, with the others where a wheel was solved.
  *
- * solver, scene: those of wrc_solver_step_with, of the scene that the table was made of, or both
- *              NULL. They take the exact solution outside the table and where its error exceeds
- *              the table's tolerance, blended with a continuous slope. Without them a step outside
- *              is WRC_INVALID_ARGUMENT, and the text says which wheel is where. The scene keeps its
- *              keys and results.
+ * solver, scene: those of wrc_solver_step_with, or both NULL. The scene has the profiles,
+ *              dimensions and materials of the table; all numbers are in its units and axes. A step
+ *              is solved exactly outside the table, and where its error exceeds its tolerance; both
+ *              begin with a continuous slope, the first over the last twentieth of each range. The
+ *              scene keeps its keys and results. Without them numbers are in the units and axes of
+ *              the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and
+ *              the text says which wheel is where.
  * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
- *              force, or over half of the table's largest load if that is more.
- * On failure the arrays keep their values; the table holds the error text. Since 0.3.
+ *              force, or over half of the table's largest load if that is more. It is that of
+ *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction
+ *              it is larger in proportion.
+ *
+ * WRC_NOT_CONVERGED, with all results: the exact solution. On other failures the arrays keep their
+ * values; the table holds the error text. Since 0.3.
  */
 WRC_API wrc_status wrc_table_step(wrc_table* table, wrc_solver* solver, wrc_scene* scene,
                                   const double* position, const double* velocity,
@@ -637,6 +643,29 @@ WRC_API wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t
  */
 WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, double* height,
                                   double* angle, double* curvature);
+
+/**
+ * Reads all slices of a .slcs or .slcw file, joins them to the surface of a rail that varies along
+ * the track, or of a wheel that varies around its circumference, and stores the number of its
+ * separate sheets. It is kept beside the profile of the handle; scenes do not use it yet. Of the
+ * options: kind, mirrors, scale, smoothing_wavelength; may be NULL. smoothing_length: waves of this
+ * length along are halved, mm, of a wheel rad; 0: through the slices; below 0: as the file says.
+ * WRC_FILE_MALFORMED, also for a surface that folds, with the numbers of the slices. Since 0.3.
+ */
+WRC_API wrc_status wrc_profile_load_surface(wrc_profile* profile, const char* path,
+                                            const wrc_read_options* options,
+                                            double smoothing_length, int64_t* sheets);
+/** What the surface is, one line each; NULL past the end. Since 0.3. */
+WRC_API const char* wrc_profile_surface_line(const wrc_profile* profile, int64_t index);
+/**
+ * A point of a sheet, from 0, at shares of its length across (gauge or flange side to field side)
+ * and of the number of its slices along, so that equal shares are close where slices are: place
+ * along in mm, of a wheel rad; lateral and height in mm. Pointers may be NULL. WRC_NO_RESULT
+ * without a surface. Since 0.3.
+ */
+WRC_API wrc_status wrc_profile_surface_at(wrc_profile* profile, int64_t sheet, double across,
+                                          double along, double* place, double* lateral,
+                                          double* height);
 
 /* ---- The whole process --------------------------------------------------------------------- */
 

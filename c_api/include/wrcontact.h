@@ -644,6 +644,29 @@ WRC_API wrc_status wrc_profile_nodes(wrc_profile* profile, double* arcs, int64_t
 WRC_API wrc_status wrc_profile_at(wrc_profile* profile, double arc, double* lateral, double* height,
                                   double* angle, double* curvature);
 
+/**
+ * Reads all slices of a .slcs or .slcw file, joins them to the surface of a rail that varies along
+ * the track, or of a wheel that varies around its circumference, and stores the number of its
+ * separate sheets. It is kept beside the profile of the handle; scenes do not use it yet. Of the
+ * options: kind, mirrors, scale, smoothing_wavelength; may be NULL. smoothing_length: waves of this
+ * length along are halved, mm, of a wheel rad; 0: through the slices; below 0: as the file says.
+ * WRC_FILE_MALFORMED, also for a surface that folds, with the numbers of the slices. Since 0.3.
+ */
+WRC_API wrc_status wrc_profile_load_surface(wrc_profile* profile, const char* path,
+                                            const wrc_read_options* options,
+                                            double smoothing_length, int64_t* sheets);
+/** What the surface is, one line each; NULL past the end. Since 0.3. */
+WRC_API const char* wrc_profile_surface_line(const wrc_profile* profile, int64_t index);
+/**
+ * A point of a sheet, from 0, at shares of its length across (gauge or flange side to field side)
+ * and of the number of its slices along, so that equal shares are close where slices are: place
+ * along in mm, of a wheel rad; lateral and height in mm. Pointers may be NULL. WRC_NO_RESULT
+ * without a surface. Since 0.3.
+ */
+WRC_API wrc_status wrc_profile_surface_at(wrc_profile* profile, int64_t sheet, double across,
+                                          double along, double* place, double* lateral,
+                                          double* height);
+
 /* ---- The whole process --------------------------------------------------------------------- */
 
 /**

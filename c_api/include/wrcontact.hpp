@@ -161,6 +161,14 @@ public:
     });
   }
 
+  /// Reads a surface of slices; returns the number of its sheets, for wrc_profile_surface_at.
+  std::int64_t load_surface(const std::string& path, const wrc_read_options* options = nullptr,
+                            double smoothing_length = -1.0) {
+    return value_of<std::int64_t>(wrc_profile_load_surface, path.c_str(), options,
+                                  smoothing_length);
+  }
+  std::vector<std::string> surface_lines() const { return texts_of(wrc_profile_surface_line); }
+
   struct Point {
     double lateral, height, angle, curvature;
   };

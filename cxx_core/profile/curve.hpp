@@ -76,6 +76,14 @@ public:
     return {lateral.value, height.value,   lateral.first,
             height.first,  lateral.second, height.second};
   }
+  /// The polynomials of a piece in the distance from its begin.
+  struct Polynomials {
+    Quintic lateral;
+    Quintic height;
+  };
+  [[nodiscard]] const Polynomials& polynomials(std::size_t piece) const {
+    return coefficients_[piece];
+  }
   /// Index of the piece that holds an arc length (clamped).
   [[nodiscard]] std::size_t piece_at(double arc) const;
 
@@ -93,10 +101,7 @@ public:
   [[nodiscard]] Curve without_steps() const;
 
 private:
-  struct Coefficients {
-    Quintic lateral;
-    Quintic height;
-  };
+  using Coefficients = Polynomials;
   [[noreturn]] void throw_no_piece(std::size_t piece) const;
 
   std::vector<double> starts_{0.0}; ///< a curve without pieces has no length

@@ -61,4 +61,12 @@ struct ReadLimits {
   static constexpr double max_rotation = 0.5;      ///< rad
 };
 
+/// Bounds on lists of slices.
+struct SliceLimits {
+  static constexpr std::size_t max_slices = 4999; ///< as in CONTACT
+  static constexpr std::size_t max_features = 200;
+  static constexpr std::size_t max_points = 2000000; ///< of all slices
+  static constexpr double max_place = 1e9;           ///< mm
+};
+
 } // namespace wrc

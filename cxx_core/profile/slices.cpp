@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "profile/read_options.hpp"
 #include "profile/reader_lines.hpp"
 
 namespace wrc {
@@ -12,8 +13,11 @@ namespace {
 using reading::Lines;
 using reading::Log;
 
-constexpr double max_slices = 4999.0;   // as in CONTACT; not a tuning constant
+constexpr double max_slices = SliceLimits::max_slices;
 constexpr std::size_t most_listed = 20; // in a message; not a tuning constant
+/// Relative difference of a place from its repetition that is rounding of digits.
+/// origin: reasoned: below any distance of slices, above that of places with seven digits.
+constexpr double place_rounding = 1e-6;
 
 /// Lines with something on them, without comments.
 class Content {
@@ -43,6 +47,23 @@ public:
       values.push_back(number(words.word[i]));
     return values;
   }
+  /// All numbers of the next line, at least one; words that are none end them.
+  std::vector<double> all_numbers(const std::string& what) {
+    std::string_view rest = next(what);
+    std::vector<double> values; // bounded by the length of a line
+    for (constexpr std::string_view blanks = " \t,"; !rest.empty();) {
+      const std::size_t end = std::min(rest.find_first_of(blanks), rest.size());
+      const std::optional<double> value = reading::number_of(rest.substr(0, end));
+      if (!value && values.empty())
+        refuse(what + " expected");
+      if (!value)
+        break;
+      values.push_back(number(rest.substr(0, end)));
+      rest = rest.substr(end);
+      rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    }
+    return values;
+  }
   [[noreturn]] void refuse(const std::string& text) const { log_.refuse(lines_.number(), text); }
 
 private:
@@ -63,25 +84,104 @@ Slice read_slice(Content& content, double offset, double scale,
   return {scale * (offset + content.number(words.word[0])), folder / file};
 }
 
-} // namespace
+/// Numbers at the head of the list.
+struct Head {
+  std::size_t features = 0;
+  bool has_kinks = false; ///< or accelerations
+  bool is_smoothed = false;
+};
 
-std::vector<Slice> read_slices(std::string_view text, const std::filesystem::path& path) {
-  const Log log(path.string(), false);
-  Content content(text, log);
-  const std::vector<double> along = content.numbers(2, "offset and scale of the places");
+Head read_features_and_interpolation(Content& content) {
+  const std::vector<double> counts = content.all_numbers("the number of features");
+  Head head;
+  if (!(counts[0] >= 0.0 && counts[0] <= SliceLimits::max_features) ||
+      std::trunc(counts[0]) != counts[0])
+    content.refuse(text_of(counts[0]) + " features, allowed are 0 to " +
+                   std::to_string(SliceLimits::max_features));
+  head.features = static_cast<std::size_t>(counts[0]);
+  head.has_kinks = std::any_of(
+      counts.begin() + 1,
+      counts.begin() + std::min<std::ptrdiff_t>(3, static_cast<std::ptrdiff_t>(counts.size())),
+      [](double count) { return count != 0.0; });
+  const double interpolation = content.numbers(1, "the interpolation, 1 or 2").front();
+  if (interpolation != 1.0 && interpolation != 2.0)
+    content.refuse("interpolation " + text_of(interpolation) + ", allowed are 1 and 2");
+  head.is_smoothed = interpolation == 2.0;
+  return head;
+}
+
+/// The features of a slice, whose place in the file's unit the line repeats.
+void read_features(Content& content, std::size_t count, double offset, double scale,
+                   std::size_t number, Slice& slice) {
+  const std::string name = "slice " + std::to_string(number);
+  const std::vector<double> values = content.all_numbers("the features of " + name);
+  if (values.size() != count + 1)
+    content.refuse(std::to_string(values.size()) + " numbers, " + name + " has its place and " +
+                   std::to_string(count) + " features");
+  const double place = scale * (offset + values[0]);
+  if (std::abs(place - slice.place) > place_rounding * std::max(1.0, std::abs(slice.place)))
+    content.refuse("features at " + text_of(place) + ", " + name + " is at " +
+                   text_of(slice.place));
+  double last = -1.0;
+  for (std::size_t i = 1; i <= count; ++i) {
+    if (values[i] == -1.0) {
+      slice.features.emplace_back();
+      continue;
+    }
+    if (!(values[i] >= 0.0 && values[i] > last))
+      content.refuse("feature " + std::to_string(i) + " of " + name + " at " + text_of(values[i]) +
+                     " mm, features must ascend from 0, or be -1 for one that is absent");
+    last = values[i];
+    slice.features.emplace_back(values[i]);
+  }
+}
+
+/// The list without features, and what its head says of them.
+SliceList read_list(Content& content, const std::filesystem::path& path, Head& head,
+                    std::vector<double>& along) {
+  along = content.numbers(2, "offset and scale of the places");
   const double count = content.numbers(1, "the number of slices").front();
   if (!(count >= 1.0 && count <= max_slices) || std::trunc(count) != count)
     content.refuse(text_of(count) + " slices, allowed are 1 to " + text_of(max_slices));
-  content.numbers(1, "the number of features");
-  content.numbers(1, "the interpolation, 1 or 2");
-  std::vector<Slice> slices;
+  head = read_features_and_interpolation(content);
+  SliceList list;
+  list.is_smoothed = head.is_smoothed;
+  std::vector<Slice>& slices = list.slices;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     slices.push_back(read_slice(content, along[0], along[1], path.parent_path()));
     if (i > 0 && !(slices[i].place > slices[i - 1].place))
       content.refuse("place " + text_of(slices[i].place) + " after " +
                      text_of(slices[i - 1].place) + ", places must ascend");
+    if (!(std::abs(slices[i].place) <= SliceLimits::max_place))
+      content.refuse("place " + text_of(slices[i].place) + ", allowed are -" +
+                     text_of(SliceLimits::max_place) + " to " + text_of(SliceLimits::max_place));
   }
-  return slices;
+  return list;
+}
+
+} // namespace
+
+std::vector<Slice> read_slices(std::string_view text, const std::filesystem::path& path) {
+  const Log log(path.string(), false);
+  Content content(text, log);
+  Head head;
+  std::vector<double> along;
+  return read_list(content, path, head, along).slices;
+}
+
+SliceList read_slice_list(std::string_view text, const std::filesystem::path& path) {
+  const Log log(path.string(), false);
+  Content content(text, log);
+  Head head;
+  std::vector<double> along;
+  SliceList list = read_list(content, path, head, along);
+  if (head.has_kinks)
+    log.refuse("has kinks or accelerations between its parts, which are not supported");
+  if (head.features < 2)
+    return list;
+  for (std::size_t i = 0; i < list.slices.size(); ++i)
+    read_features(content, head.features, along[0], along[1], i + 1, list.slices[i]);
+  return list;
 }
 
 std::string slices_text(const std::vector<Slice>& slices, ProfileKind kind) {

@@ -27,7 +27,8 @@ struct Arguments {
   std::string origin;
   double shift = 0.0;
   std::int32_t slice = 0;
-  double rotation = 0.0; ///< degrees
+  double smoothing_along = -1.0; ///< as the file says
+  double rotation = 0.0;         ///< degrees
   std::string align_to;
   std::string convert;
   double spacing = 0.25;
@@ -118,6 +119,32 @@ wrc_read_options options_of_kind(std::int32_t kind) {
   return options;
 }
 
+bool is_slices_file(const std::string& name) {
+  const std::string extension = std::filesystem::path(name).extension().string();
+  return extension == ".slcs" || extension == ".slcw";
+}
+
+/// All slices of a file, as a surface.
+int run_surface(const CLI::App& app, const Arguments& arguments) {
+  for (const char* option : {"--points", "--compare", "--convert", "--tape-offset", "--strict",
+                             "--origin", "--shift", "--rotate", "--align"}) {
+    if (app.count(option) > 0) {
+      throw Failure(std::string(option) + ": allowed with one slice of " + arguments.name +
+                    " (--slice N)");
+    }
+  }
+  Profile profile;
+  const wrc_read_options options = options_from(app, arguments);
+  const std::int64_t sheets =
+      profile.load_surface(arguments.name, &options, arguments.smoothing_along);
+  if (!arguments.plot.empty()) {
+    draw_surface(profile, sheets, std::filesystem::path(arguments.name).filename().string(),
+                 arguments.name.ends_with("w"), arguments.plot);
+  }
+  print_surface(profile, arguments.json, std::cout);
+  return 0;
+}
+
 /// The second profile: as the file says, but of the same kind.
 Profile load_other(const std::string& name, const Profile& profile) {
   return is_standard(name) ? load_standard(name)
@@ -203,9 +230,15 @@ void add_reading_options(CLI::App& app, Arguments& arguments) {
   app.add_option(
          "--slice", arguments.slice,
          "number of a profile, from 1, in a slices file (.slcs, .slcw) or a project file of "
-         "MiniProf; without it such a file is listed")
+         "MiniProf; without it all slices are shown as a surface, a project file is listed")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
+  app.add_option(
+         "--smooth-along", arguments.smoothing_along,
+         "of all slices: waves of this length along the track, mm, or around the wheel, rad, are "
+         "halved; 0: the surface passes through the slices; default: as the file says")
+      ->type_name("LENGTH")
+      ->check(CLI::NonNegativeNumber);
   app.add_flag("--strict", arguments.strict,
                "refuse a file that needs a guess or causes a warning");
 }
@@ -258,6 +291,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "      how far a worn wheel is from the new one: distance, worn area, change of Sh, Sd, qR\n"
       "  wrc_profile 60E1 --convert 60E1.prr --spacing 0.1\n"
       "      a file for other programs; it is read back, and the difference reported\n"
+      "  wrc_profile crossing.slcs --plot crossing.png\n"
+      "      the surface that the slices of a crossing make: its parts, and a picture\n"
       "  wrc_profile LMA --points --spacing 1 --json\n"
       "      points, angles and curvature for a script\n");
 }
@@ -273,6 +308,12 @@ int run(const CLI::App& app, const Arguments& arguments) {
   const auto file = [](const std::string& name) { return is_standard(name) ? "" : name; };
   refuse_overwriting({arguments.convert, arguments.plot},
                      {file(arguments.name), file(arguments.compare), file(arguments.align_to)});
+  if (is_slices_file(arguments.name) && arguments.slice == 0) {
+    return run_surface(app, arguments);
+  }
+  if (app.count("--smooth-along") > 0) {
+    throw Failure("--smooth-along: allowed with all slices of a .slcs or .slcw file");
+  }
   Profile profile = load_asked(app, arguments);
   const Measures measures = measure(profile, -arguments.tape_offset);
   ProfileReport report{std::move(profile), measures, {}, {}, {}, {}, {}};

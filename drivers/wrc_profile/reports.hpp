@@ -41,4 +41,10 @@ void print_list(bool as_json, std::ostream& out);
 void draw_profile(const Profile& profile, const Measures& measures, const Profile* other,
                   const std::filesystem::path& path);
 
+/// What the slices of a file make, in lines or as an object.
+void print_surface(const Profile& profile, bool as_json, std::ostream& out);
+/// Draws the sheets of a surface in space, to a .png or .svg file.
+void draw_surface(const Profile& profile, std::int64_t sheets, const std::string& name,
+                  bool is_wheel, const std::filesystem::path& path);
+
 } // namespace driver

@@ -317,6 +317,10 @@ wrc_status call_profile() {
     wrc_profile_points(profile, static_cast<std::int32_t>(below(4)) - 1, any_array(), any_array(),
                        any_capacity(), maybe(&count));
     wrc_profile_standard_name(static_cast<std::int32_t>(below(4)) - 1, any_count());
+    wrc_profile_load_surface(profile, any_text(), nullptr, any_number(), maybe(&count));
+    wrc_profile_surface_line(profile, any_count());
+    wrc_profile_surface_at(profile, any_count(), any_number(), any_number(), maybe(&number),
+                           nullptr, nullptr);
     return wrc_profile_error(profile) != nullptr ? WRC_OK : -1;
   default:
     return wrc_profile_at(profile, any_number(), maybe(&number), nullptr, nullptr, nullptr);

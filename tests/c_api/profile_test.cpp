@@ -39,6 +39,11 @@ TEST(ProfileHandle, EveryFunctionRefusesANullHandle) {
   EXPECT_EQ(wrc_profile_length(nullptr, &value), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_profile_nodes(nullptr, &value, 1, &count), WRC_INVALID_ARGUMENT);
   EXPECT_EQ(wrc_profile_at(nullptr, 0.0, &value, &value, &value, &value), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_profile_load_surface(nullptr, "a.slcs", nullptr, 0.0, &count),
+            WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_profile_surface_line(nullptr, 0), nullptr);
+  EXPECT_EQ(wrc_profile_surface_at(nullptr, 0, 0.0, 0.0, &value, &value, &value),
+            WRC_INVALID_ARGUMENT);
   EXPECT_TRUE(contains(wrc_profile_error(nullptr), "NULL"));
 }
 
@@ -57,6 +62,8 @@ TEST(ProfileHandle, AnEmptyHandleHasNoResult) {
   EXPECT_EQ(wrc_profile_write(p, "a.txt", 1.0), WRC_NO_RESULT);
   EXPECT_EQ(wrc_profile_correction(p, 0), nullptr);
   EXPECT_TRUE(contains(wrc_profile_error(p), "no profile"));
+  EXPECT_EQ(wrc_profile_surface_at(p, 0, 0.0, 0.0, &value, &value, &value), WRC_NO_RESULT);
+  EXPECT_EQ(wrc_profile_surface_line(p, 0), nullptr);
 }
 
 TEST(ProfileHandle, NullArgumentsAreNamed) {
@@ -285,6 +292,37 @@ TEST_F(ProfileFiles, ReadAndDroppedPointsAreAvailable) {
   ASSERT_EQ(wrc_profile_load_standard(p, "S1002"), WRC_OK);
   ASSERT_EQ(wrc_profile_points(p, WRC_POINTS_READ, nullptr, nullptr, 0, &count), WRC_OK);
   EXPECT_EQ(count, 0);
+}
+
+TEST_F(ProfileFiles, SlicesMakeASurface) {
+  std::string rows;
+  for (int y = -30; y <= 30; ++y) {
+    rows += std::to_string(y) + ' ' + std::to_string(-y * y / 600.0) + '\n';
+  }
+  (void)write("a.txt", rows);
+  const std::string file = write("rail.slcs", "0 10\n3\n2\n1\n0 'a.txt'\n1 'a.txt'\n2 'a.txt'\n"
+                                              "0 -1 -1\n1 0 999\n2 0 999\n");
+  const ProfilePointer profile = make_profile();
+  wrc_profile* p = profile.get();
+  std::int64_t sheets = 0;
+  ASSERT_EQ(wrc_profile_load_surface(p, file.c_str(), nullptr, -1.0, &sheets), WRC_OK);
+  EXPECT_EQ(sheets, 1);
+  EXPECT_TRUE(contains(wrc_profile_surface_line(p, 0), "rail with 3 slices along the track"));
+  double place = 0.0;
+  double lateral = 0.0;
+  double height = 0.0;
+  ASSERT_EQ(wrc_profile_surface_at(p, 0, 0.5, 0.5, &place, &lateral, &height), WRC_OK);
+  EXPECT_EQ(place, 15.0); // of 10 to 20 mm
+  EXPECT_NEAR(lateral, 0.0, 1e-9);
+  EXPECT_NEAR(height, 0.0, 1e-6);
+  ASSERT_EQ(wrc_profile_surface_at(p, 0, 0.0, 0.0, nullptr, &lateral, nullptr), WRC_OK);
+  EXPECT_NEAR(lateral, -30.0, 1e-9);
+  EXPECT_EQ(wrc_profile_surface_at(p, 1, 0.0, 0.0, &place, nullptr, nullptr), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_profile_surface_at(p, 0, 0.0, 1.1, &place, nullptr, nullptr), WRC_INVALID_ARGUMENT);
+  EXPECT_EQ(wrc_profile_load_surface(p, file.c_str(), nullptr, NAN, &sheets), WRC_INVALID_ARGUMENT);
+  expect_null_told(p, wrc_profile_load_surface(p, nullptr, nullptr, 0.0, &sheets), "path");
+  expect_null_told(p, wrc_profile_load_surface(p, file.c_str(), nullptr, 0.0, nullptr), "sheets");
+  EXPECT_EQ(wrc_profile_load_surface(p, "none.slcs", nullptr, 0.0, &sheets), WRC_FILE_UNREADABLE);
 }
 
 TEST_F(ProfileFiles, OneSliceIsAProfile) {

@@ -145,6 +145,22 @@ TEST_F(WrcProfile, ListsTheProfilesOfAProjectFile) {
               -2.0, 0.01);
 }
 
+TEST_F(WrcProfile, JoinsTheSlicesOfAFileToASurface) {
+  std::ostringstream rows;
+  for (int y = -30; y <= 30; ++y) {
+    rows << y << ' ' << -y * y / 600.0 << '\n';
+  }
+  write("a.txt", rows.str());
+  write("rail.slcs", "0 10\n3\n2\n1\n0 'a.txt'\n1 'a.txt'\n2 'a.txt'\n"
+                     "0 -1 -1\n1 0 999\n2 0 999\n");
+  const json lines = run_json("rail.slcs --plot rail.svg").at("surface");
+  EXPECT_EQ(lines.at(0), "rail with 3 slices along the track, 0 to 20 mm, 10 mm apart");
+  EXPECT_EQ(lines.at(3), "features 1 to 2 absent from slice 1");
+  EXPECT_EQ(run_json("rail.slcs --slice 2").at("kind"), "rail");
+  run("rail.slcs --points").expect_refusal({"--points", "--slice N"});
+  run("S1002 --smooth-along 3").expect_refusal({"--smooth-along", ".slcs"});
+}
+
 TEST_F(WrcProfile, ComparesInTheDirectionOfTheNormal) {
   // 60E1 moved up by 0.1 mm: at the crown the normal distance is 0.1, on the 1:20 sides less.
   const json points = run_json("60E1 --points --spacing 0.1").at("points");

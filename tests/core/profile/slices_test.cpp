@@ -41,6 +41,46 @@ TEST(Slices, RefuseMalformedFiles) {
           "a.slcs:5: '0 a.prr', expected a position and a file in quotes");
   refuses("0 1\n2\n1\n1\n0 'a'\n0 'b'\n", "place 0 after 0, places must ascend");
   refuses("x 1\n", "'x' is not a number");
+  refuses("0 1\n1\n1\n3\n0 'a'\n", "interpolation 3, allowed are 1 and 2");
+  refuses("0 1e10\n2\n1\n1\n0 'a'\n1 'b'\n", "place 1e+10, allowed are -1e+09 to 1e+09");
+}
+
+TEST(Slices, HaveFeaturesThatMayBeAbsent) {
+  const SliceList list =
+      read_slice_list("100 1000\n2\n3 0 0 NFEAT, NKINK, NACCEL\n1\n0.5 'a.prr'\n1.25 'b.prr'\n"
+                      " 0.5 0.0 12.5 999. % the end\n 1.25 -1 13 40\n",
+                      "a.slcs");
+  EXPECT_FALSE(list.is_smoothed);
+  ASSERT_EQ(list.slices.size(), 2U);
+  ASSERT_EQ(list.slices[0].features.size(), 3U);
+  EXPECT_EQ(list.slices[0].features[1], 12.5);
+  EXPECT_EQ(list.slices[0].features[2], 999.0);
+  EXPECT_FALSE(list.slices[1].features[0]);
+  EXPECT_TRUE(read_slice_list(two_slices, "a.slcs").is_smoothed);
+  EXPECT_TRUE(read_slice_list(two_slices, "a.slcs").slices[0].features.empty());
+}
+
+TEST(Slices, RefuseMalformedFeatures) {
+  const auto refuses = [](const std::string& head, const std::string& features, const char* part) {
+    test::expect_error(
+        ErrorCode::file_malformed,
+        [&] {
+          (void)read_slice_list("0 1\n2\n" + head + "\n1\n0 'a'\n5 'b'\n" + features, "a.slcs");
+        },
+        part);
+  };
+  refuses("3", "0 0 1 2\n", "a.slcs: ends before the features of slice 2");
+  refuses("3", "0 0 1 2\n5 0 1\n", "a.slcs:8: 3 numbers, slice 2 has its place and 3 features");
+  refuses("3", "0 0 1 2\n6 0 1 2\n", "a.slcs:8: features at 6, slice 2 is at 5");
+  refuses("3", "0 0 2 2\n", "a.slcs:7: feature 3 of slice 1 at 2 mm, features must ascend from 0");
+  refuses("3", "0 -2 2 3\n", "feature 1 of slice 1 at -2 mm");
+  refuses("3", "x 1 2 3\n", "a.slcs:7: the features of slice 1 expected");
+  refuses("3", "0 nan 2 3\n", "'nan'");
+  refuses("201", "", "201 features, allowed are 0 to 200");
+  refuses("1.5", "", "1.5 features");
+  refuses("-1", "", "-1 features");
+  refuses("3 1 0", "", "has kinks or accelerations");
+  refuses("3 0 2", "", "has kinks or accelerations");
 }
 
 class SlicesFile : public ::testing::Test {

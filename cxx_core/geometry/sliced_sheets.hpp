@@ -1,0 +1,43 @@
+/// The connected surfaces of a profile that varies: where parts begin and end along the track.
+///
+/// Features cut each slice into parts. A part is there in slices that have the features on both of
+/// its sides; a sheet is the largest rectangle of neighbouring parts that are there in the same run
+/// of neighbouring slices, from the first to the last of them. Sheets that share a feature meet
+/// along it at each slice; between slices their splines along differ, most of all near the begin
+/// of the shorter one. A part in a single slice has no extent along and no sheet.
+/// Without features (fewer than two) a profile is one sheet, and places at the same share of the
+/// lengths of slices correspond.
+/// Units mm, along mm or rad. Thread rule: no state.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/surface_sheet.hpp"
+#include "profile/sliced_profile.hpp"
+
+namespace wrc {
+
+/// Parts and slices by their first and last index, from 0.
+struct SheetExtent {
+  std::size_t first_part = 0;
+  std::size_t last_part = 0;
+  std::size_t first_slice = 0;
+  std::size_t last_slice = 0;
+};
+
+/// All sheets, by their parts, then slices; a wheel's list of one slice has one too.
+std::vector<SheetExtent> sheet_extents(const SlicedProfile& profile);
+
+/// Smoothing length along in the unit of places: that given, else 0 of a list through its slices,
+/// and of a smoothed one four times the median distance of slices.
+double smoothing_length_of(const SlicedProfile& profile, std::optional<double> given);
+
+/// The sheets; `period` 0 or that of a wheel, which closes sheets through all slices. Throws
+/// Error(invalid_argument) as SurfaceSheet does, and for a profile without a sheet.
+std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothing_length,
+                                    double period);
+
+} // namespace wrc

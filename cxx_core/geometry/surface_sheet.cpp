@@ -1,0 +1,423 @@
+#include "geometry/surface_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "geometry/feature_map.hpp"
+#include "profile/segments.hpp"
+
+namespace wrc {
+namespace {
+
+/// Bound of memory, 400 MB (not a tuning constant).
+constexpr std::size_t max_nodes = std::size_t{1} << 21;
+/// Share of the tangent that is lateral, below which a side is vertical: 89.4 degrees, as of
+/// curve_graph.hpp.
+/// origin: reasoned: beyond it rounding of the lateral coordinate moves the height a hundredfold.
+constexpr double least_lateral_share = 0.01;
+/// Places between two knots at which sections are compared with those at the knots.
+/// origin: reasoned: cubics along have at most two extremes in between.
+constexpr std::array<double, 5> fold_places{0.0, 0.25, 0.5, 0.75, 1.0};
+
+constexpr std::size_t most_listed = 10; // folds in a message; not a tuning constant
+
+/// Whether all sections can keep their own polynomials: equal nodes, features at the same places,
+/// whole curves.
+bool have_equal_nodes(std::span<const SheetSection> sections) {
+  const SheetSection& first = sections.front();
+  if (first.features.front() != 0.0 || first.features.back() != first.curve->length())
+    return false;
+  return std::all_of(sections.begin(), sections.end(), [&](const SheetSection& section) {
+    return section.features == first.features &&
+           std::equal(section.curve->starts().begin(), section.curve->starts().end(),
+                      first.curve->starts().begin(), first.curve->starts().end());
+  });
+}
+
+/// Parameters of the features: those of the sections if they are equal, else such that each part is
+/// as long as in the section where it is longest.
+std::vector<double> parameters_of(std::span<const SheetSection> sections) {
+  std::vector<double> parameters = sections.front().features;
+  if (std::all_of(sections.begin(), sections.end(),
+                  [&](const SheetSection& section) { return section.features == parameters; }))
+    return parameters;
+  parameters.front() = 0.0;
+  for (std::size_t k = 1; k < parameters.size(); ++k) {
+    double longest = 0.0;
+    for (const SheetSection& section : sections)
+      longest = std::max(longest, section.features[k] - section.features[k - 1]);
+    parameters[k] = parameters[k - 1] + longest;
+  }
+  return parameters;
+}
+
+struct AcrossNodes {
+  std::vector<double> parameters;
+  std::vector<std::size_t> intervals; ///< of features, of the piece that begins there
+};
+
+AcrossNodes nodes_between(const std::vector<double>& features) {
+  AcrossNodes nodes{{features.front()}, {}};
+  for (std::size_t k = 0; k + 1 < features.size(); ++k) {
+    const double length = features[k + 1] - features[k];
+    const auto parts = static_cast<std::size_t>(std::ceil(length / max_node_distance));
+    for (std::size_t part = 1; part <= parts; ++part) {
+      nodes.parameters.push_back(part == parts ? features[k + 1]
+                                               : features[k] + length * static_cast<double>(part) /
+                                                                   static_cast<double>(parts));
+      nodes.intervals.push_back(k);
+    }
+  }
+  return nodes;
+}
+
+/// Values of a coordinate by the parameter, of its derivatives by arc length.
+QuinticValues by_parameter(double value, double first, double second, const QuinticValues& arc) {
+  return {value, first * arc.first, second * arc.first * arc.first + first * arc.second};
+}
+
+/// The polynomials of a section on all pieces.
+std::vector<Curve::Polynomials> sampled(const SheetSection& section,
+                                        const std::vector<double>& features,
+                                        const AcrossNodes& nodes) {
+  const FeatureMap map(features, section.features);
+  struct End {
+    QuinticValues lateral;
+    QuinticValues height;
+  };
+  const auto end_at = [&](std::size_t interval, double parameter) {
+    const QuinticValues arc = map.at(interval, parameter);
+    const CurvePoint p = section.curve->at(arc.value);
+    return End{by_parameter(p.lateral, p.tangent_lateral, p.second_lateral, arc),
+               by_parameter(p.height, p.tangent_height, p.second_height, arc)};
+  };
+  std::vector<Curve::Polynomials> pieces;
+  pieces.reserve(nodes.intervals.size());
+  End begin = end_at(0, nodes.parameters.front());
+  for (std::size_t i = 0; i < nodes.intervals.size(); ++i) {
+    const End end = end_at(nodes.intervals[i], nodes.parameters[i + 1]);
+    const double length = nodes.parameters[i + 1] - nodes.parameters[i];
+    pieces.push_back(
+        {quintic(begin.lateral, end.lateral, length), quintic(begin.height, end.height, length)});
+    begin = end;
+  }
+  return pieces;
+}
+
+/// Factors of the second derivatives at both knots, for a value and its two derivatives along.
+struct Weights {
+  Weights(const AlongPlace& along, int order) {
+    const double h = along.step;
+    const double a = 1.0 - along.fraction;
+    const double b = along.fraction;
+    if (order == 0) {
+      before = h * h / 6.0 * (a * a * a - a);
+      after = h * h / 6.0 * (b * b * b - b);
+    } else if (order == 1) {
+      before = -h / 6.0 * (3.0 * a * a - 1.0);
+      after = h / 6.0 * (3.0 * b * b - 1.0);
+    } else {
+      before = a;
+      after = b;
+    }
+    of_change = order == 0 ? b : order == 1 ? 1.0 / h : 0.0;
+  }
+  double before;
+  double after;
+  double of_change; ///< of the values
+};
+
+/// The polynomial of a section between knots, or its derivative along.
+Quintic blended(const Quintic& value, const Quintic& next, const Quintic& second,
+                const Quintic& next_second, const Weights& w, bool is_value) {
+  Quintic result{};
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = (is_value ? value[i] : 0.0) + (w.of_change * (next[i] - value[i]) +
+                                               (w.before * second[i] + w.after * next_second[i]));
+  return result;
+}
+
+Quintic second_along(const Quintic& second, const Quintic& next_second, const AlongPlace& along) {
+  Quintic result{};
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = (1.0 - along.fraction) * second[i] + along.fraction * next_second[i];
+  return result;
+}
+
+/// The largest absolute control point over [0, length], in Bernstein's form, of a polynomial of
+/// which the first `count` coefficients are given.
+double hull(const double* coefficient, std::size_t count, double length) {
+  double largest = 0.0;
+  const std::size_t degree = count - 1;
+  for (std::size_t i = 0; i <= degree; ++i) {
+    double control = 0.0;
+    double ratio = 1.0; // binomial(i, j) / binomial(degree, j)
+    double power = 1.0;
+    for (std::size_t j = 0; j <= i; ++j) {
+      control += ratio * coefficient[j] * power;
+      ratio *= static_cast<double>(i - j) / static_cast<double>(degree - j > 0 ? degree - j : 1);
+      power *= length;
+    }
+    largest = std::max(largest, std::abs(control));
+  }
+  return largest;
+}
+
+double hull(const Quintic& c, double length) {
+  return hull(c.data(), c.size(), length);
+}
+
+double hull_of_second(const Quintic& c, double length) {
+  const std::array<double, 4> second{2.0 * c[2], 6.0 * c[3], 12.0 * c[4], 20.0 * c[5]};
+  return hull(second.data(), second.size(), length);
+}
+
+} // namespace
+
+SurfaceSheet::SurfaceSheet(std::span<const SheetSection> sections, double smoothing_length,
+                           double period) {
+  std::vector<double> places;
+  for (const SheetSection& section : sections) {
+    places.push_back(section.place);
+    const std::vector<double>& features = section.features;
+    const std::string name = "features of slice " + std::to_string(section.number);
+    if (features.size() < 2 || features.size() != sections.front().features.size())
+      throw_invalid_argument(name, std::to_string(features.size()),
+                             "at least 2, the number of the other slices");
+    for (std::size_t k = 0; k + 1 < features.size(); ++k)
+      if (!(features[k + 1] > features[k]))
+        throw_invalid_argument(name, text_of(features[k + 1]) + " after " + text_of(features[k]),
+                               "arc lengths in ascending order, none beyond the end of the slice");
+  }
+  spline_ = AlongSpline(places, smoothing_length, period);
+  fill(sections);
+  refuse_folds(sections);
+}
+
+void SurfaceSheet::fill(std::span<const SheetSection> sections) {
+  const std::size_t knots = spline_.knots().size();
+  const bool keeps = have_equal_nodes(sections);
+  const std::vector<double> features = parameters_of(sections);
+  AcrossNodes nodes;
+  if (keeps) {
+    const std::span<const double> starts = sections.front().curve->starts();
+    nodes.parameters.assign(starts.begin(), starts.end());
+    nodes.intervals.resize(starts.size() - 1);
+  } else {
+    nodes = nodes_between(features);
+  }
+  const std::size_t pieces = nodes.intervals.size();
+  if (pieces > max_nodes / knots)
+    throw_invalid_argument("nodes of the surface, of " + std::to_string(pieces) +
+                               " pieces across and " + std::to_string(knots) + " knots along",
+                           std::to_string(pieces * knots),
+                           "at most " + std::to_string(max_nodes) + "; use fewer slices");
+  nodes_.resize(pieces * knots);
+  std::vector<std::vector<Curve::Polynomials>> of_sections;
+  if (!keeps)
+    for (const SheetSection& section : sections)
+      of_sections.push_back(sampled(section, features, nodes));
+  starts_ = std::move(nodes.parameters);
+  std::vector<double> lateral(sections.size());
+  std::vector<double> height(sections.size());
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    Node* const row = &nodes_[piece * knots];
+    for (std::size_t power = 0; power < Quintic{}.size(); ++power) {
+      for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Curve::Polynomials& p =
+            keeps ? sections[i].curve->polynomials(piece) : of_sections[i][piece];
+        lateral[i] = p.lateral[power];
+        height[i] = p.height[power];
+      }
+      const AlongSpline::Fit of_lateral = spline_.fit(lateral);
+      const AlongSpline::Fit of_height = spline_.fit(height);
+      for (std::size_t knot = 0; knot < knots; ++knot) {
+        row[knot].lateral[power] = of_lateral.value[knot];
+        row[knot].lateral_second[power] = of_lateral.second[knot];
+        row[knot].height[power] = of_height.value[knot];
+        row[knot].height_second[power] = of_height.second[knot];
+      }
+    }
+  }
+}
+
+bool SurfaceSheet::is_folded(std::size_t piece, std::size_t interval) const {
+  const double distance = 0.5 * (starts_[piece + 1] - starts_[piece]);
+  const double step = spline_.knots()[interval + 1] - spline_.knots()[interval];
+  const Position begin = at(piece, distance, {interval, step, 0.0}).across;
+  const Position end = at(piece, distance, {interval, step, 1.0}).across;
+  return std::any_of(fold_places.begin(), fold_places.end(), [&](double fraction) {
+    const Position across = at(piece, distance, {interval, step, fraction}).across;
+    const auto follows = [&across](const Position& other) {
+      return across[0] * other[0] + across[1] * other[1] > 0.0;
+    };
+    return !follows(begin) || !follows(end);
+  });
+}
+
+void SurfaceSheet::refuse_folds(std::span<const SheetSection> sections) const {
+  std::string first; // between which slices and where
+  std::string others;
+  std::size_t count = 0;
+  std::size_t last = sections.size();
+  for (std::size_t interval = 0; interval + 1 < spline_.knots().size(); ++interval) {
+    const std::size_t before = spline_.place_before(interval);
+    for (std::size_t piece = 0; piece + 1 < starts_.size() && last != before; ++piece) {
+      if (!is_folded(piece, interval))
+        continue;
+      last = before;
+      const std::string pair = std::to_string(sections[before].number) + " and " +
+                               std::to_string(sections[(before + 1) % sections.size()].number);
+      if (++count == 1)
+        first = pair + ", at lateral " + short_text_of(node(piece, interval).lateral[0]) + " mm";
+      else if (count <= most_listed)
+        others.append(", ").append(pair);
+    }
+  }
+  if (count > most_listed)
+    others += " and more";
+  if (count > 0)
+    throw Error(ErrorCode::invalid_argument,
+                "the surface folds between slices " + first + others +
+                    ": features must join corresponding places of the slices");
+}
+
+std::size_t SurfaceSheet::piece_at(double across) const {
+  const auto found = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, across);
+  return static_cast<std::size_t>(found - starts_.begin() - 1);
+}
+
+SheetPoint SurfaceSheet::at(double across, double along) const {
+  const double inside = std::clamp(across, starts_.front(), starts_.back());
+  const std::size_t piece = piece_at(inside);
+  return at(piece, inside - starts_[piece], spline_.locate(along));
+}
+
+SheetPoint SurfaceSheet::at(std::size_t piece, double distance, const AlongPlace& along) const {
+  const Node& a = node(piece, along.interval);
+  const Node& b = node(piece, along.interval + 1);
+  const Weights value(along, 0);
+  const Weights first(along, 1);
+  SheetPoint point;
+  const auto set = [&](std::size_t i, const Quintic& from, const Quintic& to, const Quintic& second,
+                       const Quintic& next_second) {
+    const QuinticValues v = evaluate(blended(from, to, second, next_second, value, true), distance);
+    const QuinticValues d =
+        evaluate(blended(from, to, second, next_second, first, false), distance);
+    point.at[i] = v.value;
+    point.across[i] = v.first;
+    point.across2[i] = v.second;
+    point.along[i] = d.value;
+    point.across_along[i] = d.first;
+    point.along2[i] = evaluate(second_along(second, next_second, along), distance).value;
+  };
+  set(0, a.lateral, b.lateral, a.lateral_second, b.lateral_second);
+  set(1, a.height, b.height, a.height_second, b.height_second);
+  return point;
+}
+
+GraphPoint graph_of(const SheetPoint& p) {
+  GraphPoint graph;
+  graph.height = p.at[1];
+  graph.by_lateral = p.across[1] / p.across[0];
+  graph.by_along = p.along[1] - graph.by_lateral * p.along[0];
+  graph.by_lateral2 =
+      (p.across2[1] - graph.by_lateral * p.across2[0]) / (p.across[0] * p.across[0]);
+  graph.by_along_lateral =
+      (p.across_along[1] - graph.by_lateral * p.across_along[0]) / p.across[0] -
+      graph.by_lateral2 * p.along[0];
+  graph.by_along2 = p.along2[1] - graph.by_lateral * p.along2[0] -
+                    2.0 * graph.by_along_lateral * p.along[0] -
+                    graph.by_lateral2 * p.along[0] * p.along[0];
+  return graph;
+}
+
+std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const {
+  const Stretch range = this->along();
+  if (!is_periodic() && !(along >= range.begin && along <= range.end))
+    return std::nullopt;
+  const AlongPlace place = spline_.locate(along);
+  const Weights weights(place, 0);
+  std::optional<GraphPoint> highest;
+  for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
+    const Node& a = node(piece, place.interval);
+    const Node& b = node(piece, place.interval + 1);
+    const Quintic section =
+        blended(a.lateral, b.lateral, a.lateral_second, b.lateral_second, weights, true);
+    double low = 0.0;
+    double high = starts_[piece + 1] - starts_[piece];
+    const double at_low = section[0] - lateral;
+    const double at_high = evaluate(section, high).value - lateral;
+    if ((at_low > 0.0 && at_high > 0.0) || (at_low < 0.0 && at_high < 0.0))
+      continue;
+    const bool ascends = at_low < at_high;
+    double distance = 0.5 * (low + high);
+    while (true) { // Newton's method within a bracket
+      const QuinticValues v = evaluate(section, distance);
+      const double off = v.value - lateral;
+      ((off > 0.0) == ascends ? high : low) = distance;
+      double next = distance - off / v.first;
+      if (!(next > low && next < high))
+        next = 0.5 * (low + high);
+      if (off == 0.0 || next <= low || next >= high || next == distance)
+        break;
+      distance = next;
+    }
+    const SheetPoint point = at(piece, distance, place);
+    if (std::abs(point.across[0]) <
+        least_lateral_share * std::hypot(point.across[0], point.across[1]))
+      continue;
+    if (!highest || point.at[1] > highest->height) {
+      highest = graph_of(point);
+      highest->across = starts_[piece] + distance;
+    }
+  }
+  return highest;
+}
+
+SecondBounds SurfaceSheet::second_bounds(const Stretch& across, const Stretch& along) const {
+  // A cubic deviates from its chord by at most h^2 / 8 times its largest second derivative, and
+  // second derivatives along are linear between knots.
+  SecondBounds bounds;
+  const std::size_t first = piece_at(across.begin);
+  const std::size_t last = piece_at(across.end);
+  const std::size_t intervals = spline_.knots().size() - 1;
+  const std::size_t begin = spline_.locate(along.begin).interval;
+  const std::size_t end = spline_.locate(along.end).interval;
+  for (std::size_t piece = first; piece <= last; ++piece) {
+    const double length = starts_[piece + 1] - starts_[piece];
+    for (std::size_t interval = begin;; interval = (interval + 1) % intervals) {
+      const double step = spline_.knots()[interval + 1] - spline_.knots()[interval];
+      double value = 0.0;
+      double bow = 0.0;
+      for (const std::size_t knot : {interval, interval + 1}) {
+        const Node& n = node(piece, knot);
+        value =
+            std::max({value, hull_of_second(n.lateral, length), hull_of_second(n.height, length)});
+        bow = std::max({bow, hull_of_second(n.lateral_second, length),
+                        hull_of_second(n.height_second, length)});
+        bounds.along2 = std::max(
+            {bounds.along2, hull(n.lateral_second, length), hull(n.height_second, length)});
+      }
+      bounds.across2 = std::max(bounds.across2, value + step * step / 8.0 * bow);
+      if (interval == end)
+        break;
+    }
+  }
+  return bounds;
+}
+
+double SurfaceSheet::place_at(double share) const {
+  const std::span<const double> knots = spline_.knots();
+  const double over = share * static_cast<double>(spline_.last_place_knot());
+  const std::size_t knot = std::min(static_cast<std::size_t>(over), knots.size() - 2);
+  return knots[knot] + (over - static_cast<double>(knot)) * (knots[knot + 1] - knots[knot]);
+}
+
+std::size_t SurfaceSheet::memory() const {
+  return nodes_.capacity() * sizeof(Node) + starts_.capacity() * sizeof(double);
+}
+
+} // namespace wrc

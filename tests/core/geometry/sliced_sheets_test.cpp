@@ -1,0 +1,85 @@
+/// Where sheets begin and end, and their smoothing length.
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "geometry/sliced_sheets.hpp"
+#include "geometry/varying_shapes.hpp"
+#include "support/errors.hpp"
+
+namespace wrc::test::sliced_sheets_test {
+namespace {
+
+constexpr std::nullopt_t absent = std::nullopt;
+using Features = std::vector<std::optional<double>>;
+
+SlicedProfile profile_with(const std::vector<Features>& features) {
+  const Curve curve = curve_of([](double y) { return crown_at(y); });
+  SlicedProfile profile =
+      profile_of(places_every(0.0, 10.0 * static_cast<double>(features.size() - 1), 10.0),
+                 [&](double) { return curve; });
+  for (std::size_t i = 0; i < features.size(); ++i)
+    profile.slices[i].features = features[i];
+  return profile;
+}
+
+TEST(SlicedSheets, PartsThatBeginAndEndAreSeparateSheets) {
+  // The wing ends after slice 3, the nose begins with slice 2; both are there in 2 and 3.
+  const SlicedProfile profile = profile_with({{0.0, 10.0, 20.0, absent, absent},
+                                              {0.0, 10.0, 20.0, 30.0, 50.0},
+                                              {0.0, 11.0, 21.0, 31.0, 50.0},
+                                              {absent, absent, 22.0, 32.0, 50.0},
+                                              {absent, absent, absent, 32.0, 50.0}});
+  const std::vector<SheetExtent> extents = sheet_extents(profile);
+  ASSERT_EQ(extents.size(), 3U);
+  const auto expect = [&](std::size_t i, std::size_t first_part, std::size_t last_part,
+                          std::size_t first_slice, std::size_t last_slice) {
+    EXPECT_EQ(extents[i].first_part, first_part) << i;
+    EXPECT_EQ(extents[i].last_part, last_part) << i;
+    EXPECT_EQ(extents[i].first_slice, first_slice) << i;
+    EXPECT_EQ(extents[i].last_slice, last_slice) << i;
+  };
+  expect(0, 0, 1, 0, 2);
+  expect(1, 2, 2, 1, 3);
+  expect(2, 3, 3, 1, 4);
+  const std::vector<SurfaceSheet> sheets = sheets_of(profile, 0.0, 0.0);
+  ASSERT_EQ(sheets.size(), 3U);
+  EXPECT_EQ(sheets[0].along().end, 20.0);
+  EXPECT_EQ(sheets[1].along().begin, 10.0);
+  EXPECT_EQ(sheets[2].along().end, 40.0);
+}
+
+TEST(SlicedSheets, SheetsMeetAtTheSlicesThatTheyShare) {
+  const SlicedProfile profile =
+      profile_with({{absent, 10.0, 50.0}, {0.0, 12.0, 50.0}, {0.0, 11.0, 50.0}, {0.0, 15.0, 50.0}});
+  const std::vector<SurfaceSheet> sheets = sheets_of(profile, 0.0, 0.0);
+  ASSERT_EQ(sheets.size(), 2U);
+  for (const double x : {10.0, 20.0, 30.0}) {
+    const SheetPoint left = sheets[0].at(sheets[0].across().end, x);
+    const SheetPoint right = sheets[1].at(sheets[1].across().begin, x);
+    EXPECT_NEAR(left.at[0], right.at[0], 1e-10);
+    EXPECT_NEAR(left.at[1], right.at[1], 1e-10);
+  }
+}
+
+TEST(SlicedSheets, APartInASingleSliceHasNoSheet) {
+  const SlicedProfile profile = profile_with({{0.0, 10.0, 50.0}, {absent, 10.0, 50.0}});
+  EXPECT_EQ(sheet_extents(profile).size(), 1U);
+  const SlicedProfile none = profile_with({{0.0, 10.0, absent}, {absent, 10.0, 50.0}});
+  test::expect_error(
+      ErrorCode::invalid_argument, [&] { (void)sheets_of(none, 0.0, 0.0); },
+      "no part in two slices that follow each other");
+}
+
+TEST(SlicedSheets, SmoothingLengthIsThatGivenOrTheLists) {
+  SlicedProfile profile = profile_with({{}, {}, {}, {}});
+  EXPECT_EQ(smoothing_length_of(profile, {}), 0.0);
+  EXPECT_EQ(smoothing_length_of(profile, 3.0), 3.0);
+  profile.is_smoothed = true;
+  EXPECT_EQ(smoothing_length_of(profile, {}), 40.0);
+  EXPECT_EQ(smoothing_length_of(profile, 0.0), 0.0);
+}
+
+} // namespace
+} // namespace wrc::test::sliced_sheets_test
