@@ -525,15 +525,15 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  *
  * solver, scene: those of wrc_solver_step_with, or both NULL. The scene has the profiles,
  *              dimensions and materials of the table; all numbers are in its units and axes. A step
- *              is solved exactly outside the table, and where its error exceeds its tolerance; both
- *              begin with a continuous slope, the first over the last twentieth of each range. The
- *              scene keeps its keys and results. Without them numbers are in the units and axes of
- *              the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and
- *              the text says which wheel is where.
- * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
- *              force, or over half of the table's largest load if that is more. It is that of
- *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction
- *              it is larger in proportion.
+ *              is solved exactly outside the table and where the table's error exceeds its
+ *              tolerance. Forces blend into the exact ones with a continuous slope: near the border
+ *              over the last twentieth of each range, elsewhere over one cell of the map of errors.
+ *              The scene keeps its keys and results. Without them numbers are in the units and axes
+ * of the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and the text
+ * says which wheel is where. error:       2 numbers, or NULL: how far the force of each wheel may
+ * be off, over its vertical force, or over half of the table's largest load if that is more. It is
+ * that of random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction it is
+ * larger in proportion.
  *
  * WRC_NOT_CONVERGED, with all results: the exact solution. On other failures the arrays keep their
  * values; the table holds the error text. Since 0.3.

@@ -12,7 +12,7 @@
 
 namespace wrc {
 
-/// That of a plain number, as of one with rates.
+/// Value of a plain number, so that templates can treat it as one with rates.
 inline double value_of(double number) {
   return number;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "profile/read_options.hpp"
 
 namespace wrc {
 namespace {
@@ -47,6 +48,10 @@ std::vector<SheetExtent> sheet_extents(const SlicedProfile& profile) {
       });
       if (joined != sheets.end())
         joined->last_part = part;
+      else if (sheets.size() == SliceLimits::max_sheets)
+        throw_invalid_argument("parts that begin and end of profile " + profile.name,
+                               "more than " + std::to_string(sheets.size()),
+                               "at most " + std::to_string(SliceLimits::max_sheets));
       else
         sheets.push_back(run);
     }
@@ -67,6 +72,7 @@ double smoothing_length_of(const SlicedProfile& profile, std::optional<double> g
 std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothing_length,
                                     double period) {
   std::vector<SurfaceSheet> sheets;
+  std::size_t memory = 0;
   for (const SheetExtent& extent : sheet_extents(profile)) {
     std::vector<SheetSection> sections;
     for (std::size_t i = extent.first_slice; i <= extent.last_slice; ++i) {
@@ -81,6 +87,12 @@ std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothi
     }
     const bool closes = sections.size() == profile.slices.size();
     sheets.emplace_back(sections, smoothing_length, closes ? period : 0.0);
+    memory += sheets.back().memory();
+    if (memory > SliceLimits::sheet_bytes)
+      throw_invalid_argument("surfaces of profile " + profile.name,
+                             short_text_of(1e-6 * static_cast<double>(memory)) + " MB",
+                             "at most " + std::to_string(SliceLimits::sheet_bytes >> 20) +
+                                 " MB; use fewer slices");
   }
   if (sheets.empty())
     throw_invalid_argument("profile " + profile.name,

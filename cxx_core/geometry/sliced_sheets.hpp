@@ -5,6 +5,7 @@
 /// of neighbouring slices, from the first to the last of them. Sheets that share a feature meet
 /// along it at each slice; between slices their splines along differ, most of all near the begin
 /// of the shorter one. A part in a single slice has no extent along and no sheet.
+/// Not covered: a part of a wheel that goes on from the last slice to the first, which becomes two.
 /// Without features (fewer than two) a profile is one sheet, and places at the same share of the
 /// lengths of slices correspond.
 /// Units mm, along mm or rad. Thread rule: no state.

@@ -146,34 +146,6 @@ Quintic second_along(const Quintic& second, const Quintic& next_second, const Al
   return result;
 }
 
-/// The largest absolute control point over [0, length], in Bernstein's form, of a polynomial of
-/// which the first `count` coefficients are given.
-double hull(const double* coefficient, std::size_t count, double length) {
-  double largest = 0.0;
-  const std::size_t degree = count - 1;
-  for (std::size_t i = 0; i <= degree; ++i) {
-    double control = 0.0;
-    double ratio = 1.0; // binomial(i, j) / binomial(degree, j)
-    double power = 1.0;
-    for (std::size_t j = 0; j <= i; ++j) {
-      control += ratio * coefficient[j] * power;
-      ratio *= static_cast<double>(i - j) / static_cast<double>(degree - j > 0 ? degree - j : 1);
-      power *= length;
-    }
-    largest = std::max(largest, std::abs(control));
-  }
-  return largest;
-}
-
-double hull(const Quintic& c, double length) {
-  return hull(c.data(), c.size(), length);
-}
-
-double hull_of_second(const Quintic& c, double length) {
-  const std::array<double, 4> second{2.0 * c[2], 6.0 * c[3], 12.0 * c[4], 20.0 * c[5]};
-  return hull(second.data(), second.size(), length);
-}
-
 } // namespace
 
 SurfaceSheet::SurfaceSheet(std::span<const SheetSection> sections, double smoothing_length,
@@ -375,38 +347,6 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
     }
   }
   return highest;
-}
-
-SecondBounds SurfaceSheet::second_bounds(const Stretch& across, const Stretch& along) const {
-  // A cubic deviates from its chord by at most h^2 / 8 times its largest second derivative, and
-  // second derivatives along are linear between knots.
-  SecondBounds bounds;
-  const std::size_t first = piece_at(across.begin);
-  const std::size_t last = piece_at(across.end);
-  const std::size_t intervals = spline_.knots().size() - 1;
-  const std::size_t begin = spline_.locate(along.begin).interval;
-  const std::size_t end = spline_.locate(along.end).interval;
-  for (std::size_t piece = first; piece <= last; ++piece) {
-    const double length = starts_[piece + 1] - starts_[piece];
-    for (std::size_t interval = begin;; interval = (interval + 1) % intervals) {
-      const double step = spline_.knots()[interval + 1] - spline_.knots()[interval];
-      double value = 0.0;
-      double bow = 0.0;
-      for (const std::size_t knot : {interval, interval + 1}) {
-        const Node& n = node(piece, knot);
-        value =
-            std::max({value, hull_of_second(n.lateral, length), hull_of_second(n.height, length)});
-        bow = std::max({bow, hull_of_second(n.lateral_second, length),
-                        hull_of_second(n.height_second, length)});
-        bounds.along2 = std::max(
-            {bounds.along2, hull(n.lateral_second, length), hull(n.height_second, length)});
-      }
-      bounds.across2 = std::max(bounds.across2, value + step * step / 8.0 * bow);
-      if (interval == end)
-        break;
-    }
-  }
-  return bounds;
 }
 
 double SurfaceSheet::place_at(double share) const {

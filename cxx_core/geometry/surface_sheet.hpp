@@ -57,12 +57,6 @@ struct Stretch {
   double end = 0.0;
 };
 
-/// Upper bounds of the second derivatives of lateral and height over a part of a sheet.
-struct SecondBounds {
-  double across2 = 0.0; ///< 1/mm
-  double along2 = 0.0;  ///< 1/mm, of a wheel mm
-};
-
 /// What a sheet takes of a slice: its curve, and where its features are along the arc.
 struct SheetSection {
   std::size_t number = 0; ///< of the slice, from 1, for messages
@@ -95,9 +89,6 @@ public:
   /// The highest point over a place in the plane; none beyond the sheet, and where all points are
   /// on sides steeper than 89.4 degrees.
   [[nodiscard]] std::optional<GraphPoint> over(double along, double lateral) const;
-  /// Bounds over a rectangle of parameters, from control points of the polynomials (their convex
-  /// hull); ranges as for at(), within one period.
-  [[nodiscard]] SecondBounds second_bounds(const Stretch& across, const Stretch& along) const;
   /// Bytes of its tables.
   [[nodiscard]] std::size_t memory() const;
 

@@ -53,7 +53,7 @@ AlongSpline::AlongSpline(std::span<const double> places, double smoothing_length
   if (!(smoothing_length <= longest_smoothing * closest))
     throw_invalid_argument("smoothing length along", smoothing_length,
                            "at most " + text_of(longest_smoothing) +
-                               " distances of the closest slices, " + text_of(closest));
+                               " distances of the closest knots, " + text_of(closest));
   factor_.emplace_back(matrix());
 }
 

@@ -65,8 +65,11 @@ struct ReadLimits {
 struct SliceLimits {
   static constexpr std::size_t max_slices = 4999; ///< as in CONTACT
   static constexpr std::size_t max_features = 200;
-  static constexpr std::size_t max_points = 2000000; ///< of all slices
-  static constexpr double max_place = 1e9;           ///< mm
+  static constexpr std::size_t max_sheets = 1000;
+  static constexpr std::size_t sheet_bytes = std::size_t{400} << 20;    ///< of all sheets
+  static constexpr std::size_t file_bytes = 4 * ReadLimits::file_bytes; ///< of all slices
+  static constexpr std::size_t max_points = 2000000;                    ///< of all slices
+  static constexpr double max_place = 1e9;                              ///< mm
 };
 
 } // namespace wrc

@@ -61,32 +61,6 @@ constexpr double wave_of_wheels = 5.0;
 /// by twice as much at this share of its wavelength.
 constexpr double wavelength_share = 0.7;
 
-void check_options(const ReadOptions& options) {
-  if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
-    throw_invalid_argument("scale", *options.scale, "a positive finite number");
-  const double wavelength = options.smoothing_wavelength.value_or(automatic_smoothing);
-  if (wavelength != automatic_smoothing &&
-      !(wavelength >= 0.0 && wavelength <= ReadLimits::max_length))
-    throw_invalid_argument("smoothing_wavelength", wavelength,
-                           "automatic, or 0 (none) to " + text_of(ReadLimits::max_length) + " mm");
-  if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0)
-    throw_invalid_argument("least_point_distance", options.least_point_distance,
-                           "above 0, at most 1 mm");
-  if (options.tape_offset && !(*options.tape_offset >= ReadLimits::min_tape_offset &&
-                               *options.tape_offset <= ReadLimits::max_tape_offset))
-    throw_invalid_argument("tape_offset", *options.tape_offset,
-                           text_of(ReadLimits::min_tape_offset) + " to " +
-                               text_of(ReadLimits::max_tape_offset) + " mm");
-  if (options.rotation && !(std::abs(*options.rotation) <= ReadLimits::max_rotation))
-    throw_invalid_argument("rotation", *options.rotation,
-                           "-" + text_of(ReadLimits::max_rotation) + " to " +
-                               text_of(ReadLimits::max_rotation) + " rad");
-  if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length))
-    throw_invalid_argument("lateral_shift", *options.lateral_shift,
-                           "-" + text_of(ReadLimits::max_length) + " to " +
-                               text_of(ReadLimits::max_length) + " mm");
-}
-
 std::string waves_text(const NoiseRemoval& clean) {
   return "waves of " + reading::fixed_text(clean.short_wave, 1) +
          " mm (where curvatures change fast) to " + reading::fixed_text(clean.long_wave, 1) + " mm";
@@ -249,11 +223,11 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
   const std::vector<Slice> slices = read_slices(other_text ? *other_text : content, path);
   const auto count = static_cast<int>(slices.size());
   if (options.slice < 1 || options.slice > count)
-    throw Error(ErrorCode::file_malformed,
-                path.string() + ": slice = " + std::to_string(options.slice) +
-                    ", allowed is 1 to " + std::to_string(count) + " of its " +
-                    slices_text(slices, kind) +
-                    "; profiles that vary along the track are not supported");
+    throw Error(
+        ErrorCode::file_malformed,
+        path.string() + ": slice = " + std::to_string(options.slice) + ", allowed is 1 to " +
+            std::to_string(count) + " of its " + slices_text(slices, kind) +
+            "; scenes take one slice: wrc_profile FILE --slice N --convert makes a profile of it");
   const Slice& chosen = slices[static_cast<std::size_t>(options.slice - 1)];
   if (type_of(chosen.file).format == ProfileFormat::slices)
     throw Error(ErrorCode::file_malformed,
@@ -272,6 +246,32 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
 }
 
 } // namespace
+
+void check_options(const ReadOptions& options) {
+  if (options.scale && (!(*options.scale > 0.0) || !std::isfinite(*options.scale)))
+    throw_invalid_argument("scale", *options.scale, "a positive finite number");
+  const double wavelength = options.smoothing_wavelength.value_or(automatic_smoothing);
+  if (wavelength != automatic_smoothing &&
+      !(wavelength >= 0.0 && wavelength <= ReadLimits::max_length))
+    throw_invalid_argument("smoothing_wavelength", wavelength,
+                           "automatic, or 0 (none) to " + text_of(ReadLimits::max_length) + " mm");
+  if (!(options.least_point_distance > 0.0) || options.least_point_distance > 1.0)
+    throw_invalid_argument("least_point_distance", options.least_point_distance,
+                           "above 0, at most 1 mm");
+  if (options.tape_offset && !(*options.tape_offset >= ReadLimits::min_tape_offset &&
+                               *options.tape_offset <= ReadLimits::max_tape_offset))
+    throw_invalid_argument("tape_offset", *options.tape_offset,
+                           text_of(ReadLimits::min_tape_offset) + " to " +
+                               text_of(ReadLimits::max_tape_offset) + " mm");
+  if (options.rotation && !(std::abs(*options.rotation) <= ReadLimits::max_rotation))
+    throw_invalid_argument("rotation", *options.rotation,
+                           "-" + text_of(ReadLimits::max_rotation) + " to " +
+                               text_of(ReadLimits::max_rotation) + " rad");
+  if (options.lateral_shift && !(std::abs(*options.lateral_shift) <= ReadLimits::max_length))
+    throw_invalid_argument("lateral_shift", *options.lateral_shift,
+                           "-" + text_of(ReadLimits::max_length) + " to " +
+                               text_of(ReadLimits::max_length) + " mm");
+}
 
 ReadResult read_profile_text(std::string_view text, ProfileFormat format, std::string_view name,
                              const ReadOptions& options) {

@@ -33,6 +33,9 @@ struct ReadResult {
   std::vector<Position> dropped{};  ///< points that were removed, in the same frame
 };
 
+/// Throws Error(invalid_argument) for numbers that are out of range.
+void check_options(const ReadOptions& options);
+
 /// Reads a profile, of a slices file (slices.hpp) the one of options.slice. Throws Error:
 /// file_unreadable, file_malformed, or invalid_argument for options.
 ReadResult read_profile(const std::filesystem::path& path, const ReadOptions& options = {});

@@ -8,6 +8,7 @@
 #include "profile/file_type.hpp"
 #include "profile/reader_formats.hpp"
 #include "profile/reader_text.hpp"
+#include "profile/readers.hpp"
 #include "profile/slices.hpp"
 #include "profile/smoothing.hpp"
 #include "profile/spline.hpp"
@@ -51,7 +52,13 @@ RawProfile read_points(const std::filesystem::path& file, const std::string& nam
   const ProfileFormat format = type_of(file).format;
   if (format == ProfileFormat::slices || format == ProfileFormat::miniprof)
     log.refuse("is no profile in columns or of Simpack, which a slice must be");
-  const std::string content = read_file(file, ReadLimits::file_bytes);
+  const std::string content = [&] {
+    try {
+      return read_file(file, ReadLimits::file_bytes);
+    } catch (const Error& error) {
+      throw Error(error.code(), name + ": " + error.what());
+    }
+  }();
   reading::refuse_foreign(content, log);
   const std::optional<std::string> other_text = reading::decoded(content);
   const std::string& text = other_text ? *other_text : content;
@@ -188,6 +195,7 @@ ProfileSlice make_slice(const Slice& slice, RawProfile& raw, ProfileKind kind,
 } // namespace
 
 SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadOptions& options) {
+  check_options(options);
   const Log log(path.string(), false);
   const FileType type = type_of(path);
   if (type.format != ProfileFormat::slices)
@@ -204,7 +212,14 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadO
   };
   std::vector<RawProfile> raw;
   std::size_t points = 0;
+  std::uintmax_t bytes = 0;
   for (std::size_t i = 0; i < list.slices.size(); ++i) {
+    std::error_code unreadable; // which read_points tells
+    if (const auto size = std::filesystem::file_size(list.slices[i].file, unreadable); !unreadable)
+      bytes += size;
+    if (bytes > SliceLimits::file_bytes)
+      log.refuse("more than " + std::to_string(SliceLimits::file_bytes >> 20) +
+                 " MB of files up to slice " + std::to_string(i + 1));
     raw.push_back(read_points(list.slices[i].file, name_of(i)));
     points += raw.back().points.size();
     if (points > SliceLimits::max_points)
@@ -212,6 +227,9 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadO
                  std::to_string(i + 1));
   }
   Settlement(profile, options).apply(raw);
+  if (const double wavelength = options.smoothing_wavelength.value_or(0.0); wavelength > 0.0)
+    profile.corrections.push_back("points of all slices smoothed across: waves of " +
+                                  text_of(wavelength) + " mm are halved");
   for (std::size_t i = 0; i < raw.size(); ++i) {
     const Log of_slice(name_of(i) + " '" + list.slices[i].file.string() + "'", false);
     profile.slices.push_back(make_slice(list.slices[i], raw[i], profile.kind, options, of_slice));

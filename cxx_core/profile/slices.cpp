@@ -15,7 +15,7 @@ using reading::Log;
 
 constexpr double max_slices = SliceLimits::max_slices;
 constexpr std::size_t most_listed = 20; // in a message; not a tuning constant
-/// Relative difference of a place from its repetition that is rounding of digits.
+/// Places given twice may differ by this fraction of them (of 1, if they are less), by rounding.
 /// origin: reasoned: below any distance of slices, above that of places with seven digits.
 constexpr double place_rounding = 1e-6;
 

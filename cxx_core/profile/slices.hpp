@@ -5,11 +5,11 @@
 /// (with numbers of kinks and accelerations), interpolation (1 through the slices, 2 smoothed),
 /// then a line of each slice: its place and 'file', relative to the slices file. With two features
 /// or more a line of each slice follows: its place again, and the length along its points at which
-/// each feature lies, from the first point (rail: on the gauge side, wheel: on the field side); -1
-/// where the slice does not have it, beyond the end: the end. Places are scale (offset + place), mm
-/// or rad; features mm. Limits of untrusted input: SliceLimits and ReadLimits.
-/// Not covered: kinks and accelerations, which are refused where features are read. Thread rule: no
-/// state.
+/// each feature lies, from the gauge side of a rail and the field side of a wheel, where the format
+/// has the first point, also in files with the other order; -1 where the slice does not have it,
+/// beyond the end: the end. Places are scale (offset + place), mm or rad; features mm. Limits of
+/// untrusted input: SliceLimits and ReadLimits. Not covered: kinks and accelerations, which are
+/// refused where features are read. Thread rule: no state.
 #pragma once
 
 #include <filesystem>

@@ -32,7 +32,8 @@ std::string slices_without(const SlicedProfile& profile, std::size_t feature) {
 void add_features(const SlicedProfile& profile, std::vector<std::string>& lines) {
   const std::size_t count = profile.slices.front().features.size();
   if (count < 2) {
-    lines.emplace_back("no features: equal shares of the slices' lengths correspond");
+    lines.push_back(std::string(count == 0 ? "no features" : "1 feature, which joins nothing") +
+                    ": equal shares of the slices' lengths correspond");
     return;
   }
   lines.push_back(std::to_string(count) + " features");
@@ -48,12 +49,13 @@ void add_features(const SlicedProfile& profile, std::vector<std::string>& lines)
 }
 
 std::vector<SurfaceSheet> sheets_or_refusal(const SlicedProfile& profile, double smoothing_length,
-                                            const std::filesystem::path& path) {
+                                            bool is_given, const std::filesystem::path& path) {
   const double period = profile.kind == ProfileKind::wheel ? 2.0 * std::numbers::pi : 0.0;
   try {
     return sheets_of(profile, smoothing_length, period);
   } catch (const Error& error) {
-    throw Error(ErrorCode::file_malformed, path.string() + ": " + error.what());
+    const ErrorCode code = is_given ? error.code() : ErrorCode::file_malformed;
+    throw Error(code, path.string() + ": " + error.what());
   }
 }
 
@@ -63,7 +65,7 @@ ProfileSurface::ProfileSurface(const std::filesystem::path& path, const ReadOpti
                                std::optional<double> smoothing_length)
     : profile_(read_sliced_profile(path, options)),
       smoothing_length_(smoothing_length_of(profile_, smoothing_length)),
-      sheets_(sheets_or_refusal(profile_, smoothing_length_, path)) {
+      sheets_(sheets_or_refusal(profile_, smoothing_length_, smoothing_length.has_value(), path)) {
   for (ProfileSlice& slice : profile_.slices)
     slice.curve = {}; // the sheets have what they need
 }

@@ -156,16 +156,18 @@ Rated weight_of(const ErrorMap::Weight& weight, const PlaceInTable<Rated>& place
   return result;
 }
 
-/// What is left to the table near its border: 1, and falling to 0 over the last part of each range.
+/// Share of the table: 1 inside, falling to 0 over the last part of each range.
 template <class Real>
-Real share_before_border(const TableRanges& ranges, const PlaceInTable<Real>& place) {
+WRC_VECTOR_BODY Real share_before_border(const TableRanges& ranges,
+                                         const PlaceInTable<Real>& place) {
   Real result(1.0);
   const auto fall = [&result](const Real& value, double limit) {
-    const double side = value_of(value) < 0.0 ? -limit : limit;
-    const Real t = (value / side - Real(1.0 - border_share)) / Real(border_share);
-    if (value_of(t) > 0.0) {
-      result = result * (Real(1.0) - t * t * (Real(3.0) - Real(2.0) * t));
+    if (std::abs(value_of(value)) <= (1.0 - border_share) * limit) {
+      return;
     }
+    const double scale = (value_of(value) < 0.0 ? -1.0 : 1.0) / (limit * border_share);
+    const Real t = Real(scale) * value - Real((1.0 - border_share) / border_share);
+    result = result * (Real(1.0) - t * t * (Real(3.0) - Real(2.0) * t));
   };
   fall(place.aligned_lateral, ranges.lateral);
   fall(place.roll, ranges.roll);

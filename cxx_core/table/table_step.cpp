@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "base/reductions.hpp"
@@ -156,7 +157,13 @@ void check_scene(const ContactTable& table, const Scene& scene) {
     refuse_pair(table, identity.wheel + " on " + identity.rail);
   }
   for (std::size_t i = 0; i < identity_names.size(); ++i) {
-    if (identity.numbers[i] != table.identity.numbers[i]) {
+    if (identity.numbers[i] == table.identity.numbers[i]) {
+      continue;
+    }
+    const std::string_view key = identity_names[i];
+    if (key == "solve.interaction" || key == "solve.gap") {
+      throw_invalid_argument(identity_names[i], "another value", "allowed is that of the table");
+    } else {
       throw_invalid_argument(identity_names[i], identity.numbers[i],
                              "the table was made with " + text_of(table.identity.numbers[i]) +
                                  " (mm, N, rad)");

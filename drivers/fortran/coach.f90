@@ -19,7 +19,7 @@ program coach_program
   real(real64) :: lateral = 0, lateral_speed = 0, roll = 0, standstill_speed = 1.0e-3_real64
   !> Since the beginning: work of contact forces, of friction, and what dampers take.
   real(real64) :: work(4) = 0, powers(4) = 0
-  character(200) :: creep = 'fastsim', table = '', data = '', save_to = '', restart = ''
+  character(200) :: creep = '', table = '', data = '', save_to = '', restart = ''
   logical :: failed, with_energy = .false., critical = .false.
 
   vehicle%threads = 2
@@ -56,7 +56,11 @@ contains
         'lists the options')
     end do
     if (vehicle%line%seed < 1) call stop_with('--seed: a positive integer')
+    if (creep == '') creep = merge('full   ', 'fastsim', table /= '')
     if (table /= '' .and. creep /= 'full') call stop_with('--creep: a table has the forces of the full theory')
+    if (table /= '' .and. critical) call stop_with('--critical: slopes by a table err by more than its forces')
+    if (table /= '' .and. abs(standstill_speed - 1.0e-3_real64) > 0) call stop_with('--standstill-speed: a table '// &
+      'has that of its scene (wrc_table --set motion.standstill_speed=...)')
     if (table /= '' .and. with_energy) call stop_with('--energy: a table does not say what friction takes')
   end subroutine read_options
 
@@ -82,7 +86,6 @@ contains
       bad = 0
     case ('--table')
       table = value
-      creep = 'full'
       bad = 0
     case ('--threads')
       read (value, *, iostat=bad) vehicle%threads
@@ -159,9 +162,9 @@ contains
       '  --method implicit     implicit, or explicit (Runge-Kutta of order 4)', &
       '  --keep 20             steps that a Jacobian serves', &
       '  --accuracy 1e-2       solve.accuracy; default with --critical: 3e-4, since slopes of forces need more', &
-      '  --creep fastsim       solve.creep', &
+      '  --creep fastsim       solve.creep; full with --table', &
       '  --table FILE          forces from a table by wrc_table, where it errs less than its tolerance; else by the full', &
-      '                        theory', &
+      '                        theory, on one thread', &
       '  --threads 2           number of threads; results do not depend on it', &
       '  --jacobian library    library, or differences', &
       '  --radius 0            of the curve, m, positive to the left; 0: straight track', &

@@ -119,8 +119,16 @@ wrc_read_options options_of_kind(std::int32_t kind) {
   return options;
 }
 
+std::string lower_extension(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  for (char& letter : extension) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return extension;
+}
+
 bool is_slices_file(const std::string& name) {
-  const std::string extension = std::filesystem::path(name).extension().string();
+  const std::string extension = lower_extension(name);
   return extension == ".slcs" || extension == ".slcw";
 }
 
@@ -139,7 +147,9 @@ int run_surface(const CLI::App& app, const Arguments& arguments) {
       profile.load_surface(arguments.name, &options, arguments.smoothing_along);
   if (!arguments.plot.empty()) {
     draw_surface(profile, sheets, std::filesystem::path(arguments.name).filename().string(),
-                 arguments.name.ends_with("w"), arguments.plot);
+                 options.kind_given != 0 ? options.kind == WRC_WHEEL
+                                         : lower_extension(arguments.name) == ".slcw",
+                 arguments.plot);
   }
   print_surface(profile, arguments.json, std::cout);
   return 0;

@@ -6,6 +6,7 @@
 
 #include "geometry/sliced_sheets.hpp"
 #include "geometry/varying_shapes.hpp"
+#include "profile/read_options.hpp"
 #include "support/errors.hpp"
 
 namespace wrc::test::sliced_sheets_test {
@@ -70,6 +71,16 @@ TEST(SlicedSheets, APartInASingleSliceHasNoSheet) {
   test::expect_error(
       ErrorCode::invalid_argument, [&] { (void)sheets_of(none, 0.0, 0.0); },
       "no part in two slices that follow each other");
+}
+
+TEST(SlicedSheets, RefusesMoreSheetsThanAreAllowed) {
+  // The nose is there in two of three slices, again and again.
+  std::vector<Features> features;
+  for (std::size_t i = 0; i < 3 * SliceLimits::max_sheets; ++i)
+    features.push_back(i % 3 < 2 ? Features{0.0, 10.0, 50.0} : Features{0.0, 10.0, absent});
+  test::expect_error(
+      ErrorCode::invalid_argument, [&] { (void)sheet_extents(profile_with(features)); },
+      "more than 1000");
 }
 
 TEST(SlicedSheets, SmoothingLengthIsThatGivenOrTheLists) {

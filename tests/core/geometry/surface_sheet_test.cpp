@@ -198,26 +198,6 @@ TEST(SurfaceSheet, TheGraphHasTheDerivativesOfItsHeights) {
   EXPECT_FALSE(sheet.over(0.0, 31.0));
 }
 
-TEST(SurfaceSheet, BoundsSecondDerivativesFromAbove) {
-  const SurfaceSheet sheet = turning_sheet();
-  const Stretch across{12.0, 21.0};
-  const Stretch along{8.0, 31.0};
-  const SecondBounds bounds = sheet.second_bounds(across, along);
-  SecondBounds found;
-  for (double u = across.begin; u <= across.end; u += 0.05)
-    for (double x = along.begin; x <= along.end; x += 0.1) {
-      const SheetPoint p = sheet.at(u, x);
-      for (const std::size_t i : {0U, 1U}) {
-        found.across2 = std::max(found.across2, std::abs(p.across2[i]));
-        found.along2 = std::max(found.along2, std::abs(p.along2[i]));
-      }
-    }
-  EXPECT_GE(bounds.across2, found.across2);
-  EXPECT_GE(bounds.along2, found.along2);
-  EXPECT_LT(bounds.across2, 2.0 * found.across2);
-  EXPECT_LT(bounds.along2, 2.0 * found.along2);
-}
-
 TEST(SurfaceSheet, SharesOfSlicesArePlaces) {
   const SurfaceSheet sheet = turning_sheet(); // 13 slices, 5 mm apart
   EXPECT_EQ(sheet.place_at(0.0), 0.0);

@@ -152,7 +152,7 @@ TEST(AlongSpline, RefusesWhatIsNoListOfPlaces) {
   refuses({0.0, 7.0}, 0.0, revolution, "less than one revolution");
   refuses({0.0, 1.0}, -1.0, 0.0, "smoothing length along = -1");
   refuses({0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, 1e9, 0.0,
-          "at most 1000 distances of the closest slices, 1");
+          "at most 1000 distances of the closest knots, 1");
   std::vector<double> clusters; // each with forty knots on both sides
   for (int i = 0; i < 1000; ++i)
     for (const double offset : {0.0, 1e-9})

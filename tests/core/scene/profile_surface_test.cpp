@@ -42,6 +42,13 @@ private:
   std::filesystem::path folder_;
 };
 
+TEST_F(ProfileSurfaceFile, BlamesTheCallerForTheLengthThatHeGives) {
+  const auto path = write("three.slcs", "0 1\n3\n0\n1\n0 'a.txt'\n1 'tent.txt'\n2 'a.txt'\n");
+  expect_error(
+      ErrorCode::invalid_argument, [&] { (void)ProfileSurface(path, {}, 1e6); },
+      "smoothing length");
+}
+
 TEST_F(ProfileSurfaceFile, SaysItsSlicesFeaturesAndSheets) {
   const auto path = write("rail.slcs", "0 10\n4\n3\n2\n0 'a.txt'\n1 'a.txt'\n2 'a.txt'\n4 'a.txt'\n"
                                        "0 -1 20 999\n1 0 20 999\n2 0 20 999\n4 0 20 -1\n");
