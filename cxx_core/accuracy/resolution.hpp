@@ -54,7 +54,7 @@ struct PatchElements {
   double mean_y = 0.0; ///< of the patch's penetration
   double lateral_step = 0.0;
   double longitudinal_step = 0.0;
-  double middle = 0.5; ///< of the forces across the rail, relative to the grid's width
+  double middle = 0.5; ///< of the forces across the rail, relative to the width in the plane
 };
 
 /// For the accuracy, by the contacts that are to be expected.

@@ -161,6 +161,17 @@ PlaneArea along_rows(PlaneArea area, const ContactFrame& frame) {
   return area;
 }
 
+/// Where a fraction of the plane's width lies in the width of the rows: the same place, so that
+/// rows do not move with the ends of the area.
+double share_along_rows(double share, const PlaneArea& area, const ContactFrame& frame) {
+  if (!frame.curve) {
+    return share;
+  }
+  const PlaneArea rows = along_rows(area, frame);
+  const double place = frame.curve->arc_over(area.lateral_first + share * area.width());
+  return (place - rows.lateral_first) / rows.width();
+}
+
 } // namespace
 
 const PatchElements& GridChoice::nearest(const ContactPatch& penetration) const {
@@ -169,12 +180,14 @@ const PatchElements& GridChoice::nearest(const ContactPatch& penetration) const 
   });
 }
 
-Grid GridChoice::grid_of(const ContactPatch& penetration, const PlaneArea& area) const {
+Grid GridChoice::grid_of(const Patch& patch, const PlaneArea& area) const {
+  const PlaneArea rows = along_rows(area, patch.frame);
   if (elements_.empty()) {
-    return grid_over(area, counts_.lateral, counts_.longitudinal);
+    return grid_over(rows, counts_.lateral, counts_.longitudinal);
   }
-  const PatchElements& elements = nearest(penetration);
-  return grid_with_sizes(area, elements.lateral_step, elements.longitudinal_step, elements.middle);
+  const PatchElements& elements = nearest(patch.penetration);
+  return grid_with_sizes(rows, elements.lateral_step, elements.longitudinal_step,
+                         share_along_rows(elements.middle, area, patch.frame));
 }
 
 GridChoice GridChoice::coarser(double times) const {
@@ -266,13 +279,12 @@ double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoi
                  double limit) {
   std::vector<PlaneArea> areas;
   for (const Patch& patch : solution.patches) {
-    areas.push_back(along_rows(potential_area(patch, rail), patch.frame));
+    areas.push_back(potential_area(patch, rail));
   }
   const auto count_of = [&](const GridChoice& choice) {
     double count = 0.0;
     for (std::size_t k = 0; k < areas.size(); ++k) {
-      count += static_cast<double>(
-          choice.grid_of(solution.patches[k].penetration, areas[k]).element_count());
+      count += static_cast<double>(choice.grid_of(solution.patches[k], areas[k]).element_count());
     }
     return count;
   };
@@ -284,7 +296,7 @@ double set_grids(GridSolution& solution, const RailSurface& rail, const GridChoi
     count = count_of(choice);
   }
   for (std::size_t k = 0; k < areas.size(); ++k) {
-    solution.patches[k].grid = choice.grid_of(solution.patches[k].penetration, areas[k]);
+    solution.patches[k].grid = choice.grid_of(solution.patches[k], areas[k]);
   }
   return wanted;
 }

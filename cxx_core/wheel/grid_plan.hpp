@@ -26,8 +26,8 @@ public:
   /// With element sizes of the nearest of these patches.
   explicit GridChoice(std::vector<PatchElements> elements) : elements_(std::move(elements)) {}
 
-  /// Over the potential contact area of a patch.
-  [[nodiscard]] Grid grid_of(const ContactPatch& penetration, const PlaneArea& area) const;
+  /// Over the potential contact area of a patch, which is that in its plane.
+  [[nodiscard]] Grid grid_of(const Patch& patch, const PlaneArea& area) const;
   /// With elements this many times longer and wider; numbers of elements stay.
   [[nodiscard]] GridChoice coarser(double times) const;
   [[nodiscard]] bool by_size() const { return !elements_.empty(); }

@@ -190,24 +190,30 @@ TEST(CurvedContact, IsTakenAsFarAsTheAccuracyNeedsIt) {
   EXPECT_NEAR(before, curved, 0.05 * std::abs(plane - curved));
 }
 
-/// Along small steps, where lobes join and where the plane bends to the curve. What is left, up to
-/// 1.7e-6 of the load, is that of elements that come into contact, of planes likewise.
-TEST(CurvedContact, ForcesFollowTheScene) {
-  for (const CurvedChoice curved :
-       {CurvedChoice::no, CurvedChoice::yes, CurvedChoice::by_accuracy}) {
-    SceneSolver solver;
-    for (const double place : {4.35, 4.6, 4.8, 5.2, 5.9}) {
-      std::vector<double> forces;
-      for (int step = 0; step < 30; ++step) {
-        Scene scene = left_wheel("60E1", place + 1e-4 * step);
-        scene.curved = curved;
-        scene.accuracy_of = AccuracyOf::forces;
-        forces.push_back(solver.solve(scene).left->force.y / 80000.0);
-      }
-      for (std::size_t i = 2; i < forces.size(); ++i) {
-        EXPECT_LT(std::abs(forces[i] - 2.0 * forces[i - 1] + forces[i - 2]), 2e-6)
-            << place << ", step " << i;
-      }
+/// Greatest second difference of the lateral force over 400 steps of 0.1 um, over the load.
+double roughness(CurvedChoice curved, double place) {
+  SceneSolver solver;
+  std::vector<double> forces;
+  for (int step = 0; step < 400; ++step) {
+    Scene scene = left_wheel("60E1", place + 1e-4 * step);
+    scene.curved = curved;
+    scene.accuracy_of = AccuracyOf::forces;
+    forces.push_back(solver.solve(scene).left->force.y / 80000.0);
+  }
+  double worst = 0.0;
+  for (std::size_t i = 2; i < forces.size(); ++i) {
+    worst = std::max(worst, std::abs(forces[i] - 2.0 * forces[i - 1] + forces[i - 2]));
+  }
+  return worst;
+}
+
+/// Along small steps as in planes, where lobes join and where the plane bends to the curve. With
+/// two lobes all leave up to 9.4e-6 of the load, less than 1e-7 elsewhere.
+TEST(CurvedContact, ForcesFollowTheSceneAsInPlanes) {
+  for (const double place : {4.35, 4.6, 4.8, 5.2, 5.9}) {
+    const double of_planes = roughness(CurvedChoice::no, place);
+    for (const CurvedChoice curved : {CurvedChoice::yes, CurvedChoice::by_accuracy}) {
+      EXPECT_LT(roughness(curved, place), std::max(1e-7, 1.1 * of_planes)) << place;
     }
   }
 }

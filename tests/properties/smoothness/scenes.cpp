@@ -19,15 +19,11 @@ using driver::Settings;
 constexpr std::size_t share_of_a_solver = 50;
 constexpr double next_to_nothing = 1e-9; // mm
 
-void ask(wrcontact::Scene& scene, const Options& options) {
-  scene.set("solve.accuracy", options.accuracy);
-  scene.set("solve.accuracy_of", options.accuracy_of);
-}
-
 std::string asked(const Options& options) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), " --set solve.accuracy=%g --set solve.accuracy_of=%s",
-                options.accuracy, options.accuracy_of.c_str());
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(),
+                " --set solve.accuracy=%g --set solve.accuracy_of=%s --set solve.curved=%s",
+                options.accuracy, options.accuracy_of.c_str(), options.curved.c_str());
   return text.data();
 }
 

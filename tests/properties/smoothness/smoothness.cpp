@@ -26,8 +26,11 @@ std::map<std::string, Option> options_of(Options& options) {
                         "4 scenes moved by 1e-9 mm, 5 sequences"}},
       {"--accuracy", {&options.accuracy, "asked"}},
       {"--accuracy-of", {&options.accuracy_of, "forces or pressures"}},
+      {"--curved", {&options.curved, "solve.curved: no, yes or auto"}},
       {"--derivative", {&options.derivative, "of part 3: sensitivities or difference"}},
       {"--positions", {&options.positions, "of parts 1 to 3, for each pair of profiles"}},
+      {"--first", {&options.first, "of them, mm"}},
+      {"--last", {&options.last, "of them, mm"}},
       {"--steps", {&options.steps, "of parts 1 and 2 at each position"}},
       {"--scenes", {&options.scenes, "of part 4"}},
       {"--sequence", {&options.sequence, "scenes of part 5"}},
@@ -71,7 +74,8 @@ bool measure(const Options& options) {
                                    {'3', smoothness::measure_newton},
                                    {'4', smoothness::measure_moved_scenes},
                                    {'5', smoothness::measure_sequences}};
-  std::printf("accuracy %g of %s, %s\n", options.accuracy, options.accuracy_of.c_str(),
+  std::printf("accuracy %g of %s, solve.curved %s, %s\n", options.accuracy,
+              options.accuracy_of.c_str(), options.curved.c_str(),
               options.fresh != 0 ? "each scene by itself" : "through a solver");
   bool kept = true;
   for (const char part : options.parts) {

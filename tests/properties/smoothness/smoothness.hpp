@@ -14,8 +14,11 @@ struct Options {
   std::string parts = "12345";
   double accuracy = 1e-3;
   std::string accuracy_of = "forces";
+  std::string curved = "no";                ///< planes; or "yes" or "auto", along curves
   std::string derivative = "sensitivities"; ///< of Newton's iteration; or "difference", of 1 um
   int positions = 50;
+  double first = -6.0; ///< position, mm
+  double last = 6.0;   ///< likewise
   int steps = 400;
   long scenes = 5000;     ///< moved by 1e-9 mm
   long sequence = 10000;  ///< scenes solved one after the other
@@ -45,9 +48,11 @@ inline constexpr std::array<std::array<const char*, 2>, 3> pairs{
     {{"S1002", "60E1"}, {"LMA", "CHN60"}, {"S1002", "56E1"}}};
 inline constexpr double load = 80e3;
 
-/// A pair with its load at a displacement, and the accuracy asked.
+/// Sets the accuracy asked, and whether contacts are curved.
+void ask(wrcontact::Scene& scene, const Options& options);
+/// A pair with its load at a displacement, asked as above.
 wrcontact::Scene make_scene(const Options& options, std::size_t pair, double lateral);
-/// Displacement of a position, -6 to 6 mm.
+/// Displacement of a position.
 double lateral_of(const Options& options, std::size_t position);
 
 /// Each returns whether all limits are kept.

@@ -229,21 +229,26 @@ int iterations_at(const Options& options, std::size_t pair, double lateral) {
 
 } // namespace
 
+void ask(wrcontact::Scene& scene, const Options& options) {
+  scene.set("solve.accuracy", options.accuracy);
+  scene.set("solve.accuracy_of", options.accuracy_of);
+  scene.set("solve.curved", options.curved);
+}
+
 wrcontact::Scene make_scene(const Options& options, std::size_t pair, double lateral) {
   wrcontact::Scene scene;
   driver::make_pair(pairs[pair][0], pairs[pair][1]).apply(scene);
   scene.set("load.vertical", load);
   scene.set("pose.lateral", lateral);
-  scene.set("solve.accuracy", options.accuracy);
-  scene.set("solve.accuracy_of", options.accuracy_of);
+  ask(scene, options);
   return scene;
 }
 
 double lateral_of(const Options& options, std::size_t position) {
-  constexpr double most = 6.0;
   return options.positions > 1
-             ? most * (2.0 * static_cast<double>(position) / (options.positions - 1) - 1.0)
-             : 0.0;
+             ? options.first + (options.last - options.first) * static_cast<double>(position) /
+                                   (options.positions - 1)
+             : 0.5 * (options.first + options.last);
 }
 
 bool measure_lateral_sweeps(const Options& options) {
