@@ -129,13 +129,28 @@ TEST(SliceMatching, SlicesWithNothingInCommonInterruptTheSurface) {
             "between slices 2 and 3 the surface is interrupted: they have nothing in common");
 }
 
-TEST(SliceMatching, ListsTheFirstTenPairs) {
-  std::vector<Curve> curves;
-  for (int i = 0; i < 14; ++i)
-    curves.push_back(i % 2 == 0 ? cut(-30.0, 30.0) : cut(-30.0, 40.0));
-  const FoundFeatures found = found_in(curves);
-  ASSERT_EQ(found.notes.size(), 12U);
-  EXPECT_EQ(found.notes[11], "and so between 3 other pairs of slices");
+/// Slices cut at the same two places in turn: each place is one line where that goes on.
+TEST(SliceMatching, EndsAtTheSamePlaceAreOneFeature) {
+  for (const double drift : {0.0, 0.013, 0.1}) {
+    std::vector<Curve> curves;
+    for (int i = 0; i < 14; ++i)
+      curves.push_back(cut(-30.0 + drift * i, i % 2 == 0 ? 30.0 : 40.0));
+    const FoundFeatures found = found_in(curves);
+    ASSERT_EQ(found.notes.size(), 12U);
+    EXPECT_EQ(found.notes[11], "and so between 3 other pairs of slices");
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      EXPECT_EQ(pattern(found.of_slices[i]).substr(0, 2), "xx");
+      EXPECT_NEAR(found.of_slices[i][1].value(),
+                  arc_between(-30.0 + drift * static_cast<double>(i), 30.0), accuracy);
+      double last = -1.0;
+      for (const std::optional<double>& feature : found.of_slices[i]) {
+        if (!feature)
+          continue;
+        EXPECT_GT(*feature, last + 0.1) << drift << ' ' << i;
+        last = *feature;
+      }
+    }
+  }
 }
 
 TEST(SliceMatching, ListsThatDifferInTooManyPlacesAreRefused) {
