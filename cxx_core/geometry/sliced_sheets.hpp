@@ -7,7 +7,7 @@
 /// of the shorter one. A part in a single slice has no extent along and no sheet.
 /// Not covered: a part of a wheel that goes on from the last slice to the first, which becomes two.
 /// Without features (fewer than two) a profile is one sheet, and places at the same share of the
-/// lengths of slices correspond.
+/// lengths of slices correspond; slice_matching.hpp finds features where that is wrong.
 /// Units mm, along mm or rad. Thread rule: no state.
 #pragma once
 

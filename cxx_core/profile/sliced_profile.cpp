@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -9,6 +10,7 @@
 #include "profile/reader_formats.hpp"
 #include "profile/reader_text.hpp"
 #include "profile/readers.hpp"
+#include "profile/slice_matching.hpp"
 #include "profile/slices.hpp"
 #include "profile/smoothing.hpp"
 #include "profile/spline.hpp"
@@ -192,6 +194,21 @@ ProfileSlice make_slice(const Slice& slice, RawProfile& raw, ProfileKind kind,
   return result;
 }
 
+/// Those that the slices show by themselves.
+void add_features(SlicedProfile& profile, const Log& log) {
+  std::vector<const Curve*> curves;
+  for (const ProfileSlice& slice : profile.slices)
+    curves.push_back(&slice.curve);
+  try {
+    FoundFeatures found = find_features(curves);
+    for (std::size_t i = 0; i < found.of_slices.size(); ++i)
+      profile.slices[i].features = std::move(found.of_slices[i]);
+    profile.corrections.insert(profile.corrections.end(), found.notes.begin(), found.notes.end());
+  } catch (const Error& error) {
+    log.refuse(error.what());
+  }
+}
+
 } // namespace
 
 SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadOptions& options) {
@@ -235,6 +252,8 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, const ReadO
     profile.slices.push_back(make_slice(list.slices[i], raw[i], profile.kind, options, of_slice));
     raw[i] = {}; // frees its points
   }
+  if (profile.slices.front().features.empty())
+    add_features(profile, log);
   return profile;
 }
 

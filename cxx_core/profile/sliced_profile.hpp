@@ -7,7 +7,8 @@
 /// Places: mm along the rail, or rad around the wheel. Curves in the frame of profile.hpp, mm;
 /// those of a wheel have height 0 at the nominal radius. Features become arc lengths of the curves,
 /// which ascend from the flange (gauge) side: those of a wheel, which its file counts from the
-/// field side, in the opposite order. Limits: SliceLimits, ReadLimits. Not covered: other formats
+/// field side, in the opposite order. A list without features has those of slice_matching.hpp.
+/// Limits: SliceLimits, ReadLimits. Not covered: other formats
 /// as slices (MiniProf), kinks within a slice (curve_through rings about them). Thread rule: plain
 /// values, no state.
 #pragma once

@@ -96,6 +96,18 @@ TEST_F(SlicedProfileFile, FeaturesOfAWheelCountFromItsFieldSide) {
   EXPECT_EQ(slice.curve.at(30.0).height, 0.0); // no column is skipped as constant
 }
 
+TEST_F(SlicedProfileFile, FindsFeaturesOfAListWithoutThem) {
+  const std::string rows = rows_of(rail_points());
+  (void)write("half.txt", rows.substr(rows.find('\n', rows.size() / 2) + 1));
+  const SlicedProfile profile =
+      read_sliced_profile(write("cut.slcs", "0 10\n3\n0\n1\n0 'a.txt'\n1 'a.txt'\n2 'half.txt'\n"));
+  EXPECT_EQ(profile.slices[0].features.size(), 3U);
+  EXPECT_FALSE(profile.slices[2].features[0]);
+  EXPECT_EQ(profile.slices[2].features[1], 0.0);
+  ASSERT_EQ(profile.corrections.size(), 2U);
+  EXPECT_TRUE(profile.corrections[1].starts_with("between slices 2 and 3: the first "));
+}
+
 TEST_F(SlicedProfileFile, SmoothsOnRequestOnly) {
   ReadOptions options;
   options.smoothing_wavelength = 20.0;
