@@ -114,7 +114,10 @@ wrc_status step(wrc::SolverObject& solver, wrc::SceneObject& scene, const StepAr
   }
   wrc::Scene posed = wrc::scene_at(scene.scene, state);
   wrc::SceneResult result = solver.solver.solve(posed);
-  const auto forces = wrc::wheel_forces(result, posed.convention, state.derivatives);
+  auto forces = wrc::wheel_forces(result, posed.convention, state.derivatives);
+  if (state.derivatives) {
+    wrc::add_varying_columns(posed, solver.solver, forces);
+  }
   const auto after = history != nullptr ? wrc::history_after(result) : nullptr;
   const wrc_status status = scene.take_result(std::move(result));
   arrays.put(wheelset, forces);
@@ -281,8 +284,10 @@ wrc_status wrc_solver_equilibrium(wrc_solver* solver, wrc_scene* scene, int32_t 
                                      {loads[0], loads[1]}};
       wrc::StaticEquilibrium found =
           wrc::find_static_equilibrium(posed.scene, state, carried, object.solver);
-      const auto forces =
-          wrc::wheel_forces(found.result, posed.scene.convention, state.derivatives);
+      auto forces = wrc::wheel_forces(found.result, posed.scene.convention, state.derivatives);
+      if (state.derivatives) {
+        wrc::add_varying_columns(found.scene, object.solver, forces);
+      }
       wrc_status status = posed.take_result(std::move(found.result));
       if (status == WRC_OK && !found.converged) {
         posed.error = "the loads are met within " + wrc::short_text_of(found.unbalanced) +

@@ -17,8 +17,7 @@
 !> Assignment: after `a = b` both refer to the same object, which is destroyed with the last of them.
 !> Threads: one thread at a time for an object and all objects assigned from it.
 !> Fields of rank 2 have the shape (longitudinal, lateral), the order in which the library keeps them.
-!> The module ships as source (this file and those it includes), since .mod files belong to one
-!> compiler and version.
+!> The module ships as source (with the files it includes): .mod files belong to one compiler.
 module wrcontact
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funptr, &
     c_int32_t, c_int64_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t, c_sizeof
@@ -49,6 +48,7 @@ module wrcontact
   integer, parameter, public :: wrc_on_chamfer = 4
   integer, parameter, public :: wrc_beyond_yield = 8
   integer, parameter, public :: wrc_solved_exactly = 16
+  integer, parameter, public :: wrc_at_part_end = 32
   !> Kinds of profiles.
   integer, parameter, public :: wrc_wheel = 0
   integer, parameter, public :: wrc_rail = 1

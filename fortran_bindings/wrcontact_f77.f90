@@ -61,7 +61,7 @@
 !        and moment on the left and the right wheel about the
 !        wheelset's centre; IDERIV 1: DFDQ(6,6,2), DFDV(6,6,2), of F(I,K)
 !        by Q(J), V(J), 0: neither; ISTATE(2): 1 lifted + 2 flange tip
-!        + 4 chamfer + 8 beyond yield
+!        + 4 chamfer + 8 beyond yield + 32 end of a rail's part
 !   WRCVEX(SOLVER, SCENE, Q, V, IOPT, OPT, F, DFDQ, DFDV, DFDR, DFDW,
 !          ISTATE, IERR)
 !        WRCVEH with more arguments: OPT(15): rails(3,2), their rates

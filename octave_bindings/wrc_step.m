@@ -12,7 +12,8 @@ function varargout = wrc_step (varargin)
 %   rails        displacement of the left rail (lateral, vertical, roll), then of the right one
 %   force        6 x 2: of the left and the right wheel force x, y, z, moment x, y, z about the
 %                centre
-%   state        for each wheel: 1 lifted, 2 on the flange tip, 4 on the chamfer, 8 beyond yield
+%   state        for each wheel: 1 lifted, 2 on the flange tip, 4 on the chamfer, 8 beyond yield,
+%                32 at the end of a part of a rail that varies
 %   by_position  6 x 6 x 2: derivatives of the forces, (:,k,s) by position k, of the left (s = 1)
 %                and the right wheel; by_velocity likewise. They cost time only if they are asked for.
 %

@@ -54,7 +54,7 @@ check drivers/evidence/multigrid 'base/|profile/|half_space/|geometry/|remesh/|m
 check 'drivers :!drivers/evidence/core :!drivers/evidence/multigrid' 'support/|wrc_[a-z]+/|benchmark_commit\.hpp|wrcontact\.h'
 check tests/c_api 'call_arguments\.hpp|call_sequences\.hpp|all_results\.hpp|old_functions\.hpp|owned_handles\.hpp|failing_allocator\.hpp|host_transform\.hpp|wrcontact\.h'
 check tests/fuzz 'base/error\.hpp|profile/(readers|slices)\.hpp|call_sequences\.hpp|support/|wrcontact\.h'
-check tests/properties '(drawn_scene|outcome|rolling_scene|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
+check tests/properties '(draw|drawn_scene|outcome|rolling_scene|varying_scene|scene_properties|smoothness|steps)\.hpp|support/(parallel|random_scenes)\.hpp|wrcontact\.h'
 check tests/instruction_sets 'wrcontact\.h'
 check tests/drivers 'run_driver\.hpp|wrc_sweep/conicity\.hpp|support/(csv_table|gnuplot|html)\.hpp'
 

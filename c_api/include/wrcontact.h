@@ -226,15 +226,17 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_ON_CHAMFER 4      /**< a patch beyond the tread, on the field side */
 #define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
+#define WRC_AT_PART_END 32    /**< contact where a part of a rail that varies ends, at a gap */
 
 /**
  * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys
- * pose.lateral, .vertical, .roll, .yaw and motion.speed, .lateral, .vertical, .roll, .pitch, .yaw
- * (and solve.derivatives) and calls wrc_solver_solve. All other keys of the scene keep their
+ * pose.lateral, .vertical, .roll, .yaw (also .longitudinal and .pitch where a rail varies along the
+ * track or a wheel around its circumference) and motion.speed, .lateral, .vertical, .roll, .pitch,
+ * .yaw (and solve.derivatives) and calls wrc_solver_solve. All other keys of the scene keep their
  * values, and all its results can be read. Numbers are in the scene's convention.
  *
  * position:    x, y, z, roll, pitch angle, yaw of the wheelset's centre, z above the rail tops;
- *              nothing depends on x and the pitch angle.
+ *              x and the pitch angle count only where a rail or a wheel varies.
  * velocity:    their rates; that of the pitch angle is positive when the axle rolls forward.
  * rails:       irregularities: lateral and vertical displacement and roll of the left rail, then
  *              of the right one (track.left.displacement); they stay in force for later steps.

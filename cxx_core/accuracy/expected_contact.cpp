@@ -56,6 +56,7 @@ ExpectedContact expected_contact(const ContactPatch& penetration, const ContactF
     }
   }
   ExpectedContact contact;
+  contact.mean_x = penetration.mean_x;
   contact.mean_y = penetration.mean_y;
   contact.width = area.width();
   contact.length = area.length();

@@ -20,7 +20,8 @@
 namespace wrc {
 
 struct ExpectedContact {
-  double mean_y = 0.0; ///< of the patch's penetration
+  double mean_x = 0.0; ///< of the patch's penetration, and ...
+  double mean_y = 0.0; ///< ... across the rail
   double width = 0.0;  ///< of its potential contact area, across the rail
   double length = 0.0;
   ContactScale scale;

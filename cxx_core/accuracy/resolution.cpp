@@ -66,14 +66,14 @@ std::vector<PatchElements> final_elements(std::span<const ExpectedContact> conta
   for (const ExpectedContact& contact : contacts) {
     const ContactScale& scale = contact.scale;
     if (!goal.creep_forces) {
-      elements.push_back({contact.mean_y, scale.across / for_forces,
+      elements.push_back({contact.mean_x, contact.mean_y, scale.across / for_forces,
                           scale.along / static_cast<double>(even_count(columns)), contact.middle});
       continue;
     }
     const double accuracy =
         goal.accuracy / (goal.elements == Elements::constant ? constant_elements_error : 1.0);
     const double growth = std::pow(scale.along / scale.across, columns_by_sides_exponent);
-    elements.push_back({contact.mean_y,
+    elements.push_back({contact.mean_x, contact.mean_y,
                         size_in(contact.width, scale.across,
                                 std::max(for_forces, std::sqrt(creep_row_law / accuracy))),
                         size_in(contact.length, scale.along,
@@ -110,8 +110,8 @@ std::vector<PatchElements> finer_elements(const GridSolution& solution, const Er
   for (const Patch& patch : solution.patches) {
     const Grid& grid = patch.grid;
     if (patch.no_contact()) {
-      elements.push_back(
-          {patch.penetration.mean_y, grid.lateral_step, grid.longitudinal_step, 0.5});
+      elements.push_back({patch.penetration.mean_x, patch.penetration.mean_y, grid.lateral_step,
+                          grid.longitudinal_step, 0.5});
       continue;
     }
     const ContactScale scale = contact_scale(grid, patch.pressure);
@@ -120,7 +120,7 @@ std::vector<PatchElements> finer_elements(const GridSolution& solution, const Er
     // Errors of crests fall more slowly than rows grow: one step more.
     const double times = stepped_up(std::max(wanted * grid.lateral_step / scale.across,
                                              std::numbers::sqrt2 * error.crest / for_crest));
-    elements.push_back({patch.penetration.mean_y,
+    elements.push_back({patch.penetration.mean_x, patch.penetration.mean_y,
                         grid.lateral_step / std::min(times, std::max(max_crest_rows / rows, 1.0)),
                         grid.longitudinal_step / stepped_up(wanted * columns_by_rows *
                                                             grid.longitudinal_step / scale.along),

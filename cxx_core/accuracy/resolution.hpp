@@ -51,7 +51,8 @@ ElementCounts coarse_counts();
 
 /// Sizes of a patch's elements, and between which of them the contact has its middle.
 struct PatchElements {
-  double mean_y = 0.0; ///< of the patch's penetration
+  double mean_x = 0.0; ///< of the patch's penetration, and ...
+  double mean_y = 0.0; ///< ... across the rail
   double lateral_step = 0.0;
   double longitudinal_step = 0.0;
   double middle = 0.5; ///< of the forces across the rail, relative to the width in the plane

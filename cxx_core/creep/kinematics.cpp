@@ -42,10 +42,13 @@ Slip<Real> slip_of(const State<Real>& state, const WheelsetMotion& wheelset,
   const Vector rail_turning{Real(rail.roll), zero, zero};
   const Vector rail_arm =
       patch.place - Vector{zero, Real(wheelset.rail_origin_y), Real(wheelset.rail_origin_z)};
-  const Vector velocity =
+  Vector velocity =
       Vector{state.speed * (1.0 - curvature * state.lateral), state.lateral_velocity - rail.lateral,
              state.vertical_velocity - rail.height} +
       cross(turning, arm) - cross(rail_turning, rail_arm);
+  if (wheelset.follows_surface) {
+    velocity.z = velocity.z - dot(velocity, patch.normal) / patch.normal.z;
+  }
   Slip<Real> slip;
   slip.reference_speed =
       0.5 * (state.speed * (1.0 - curvature * patch.reference_y) - cross(rolling, arm).x);

@@ -17,6 +17,11 @@
 /// creepages are v along the patch's axes and omega along its normal, over |V_ref|. Near standstill
 /// they are over (V_ref^2 + V_0^2)^(1/2) instead, so that they go to 0 with the velocities.
 ///
+/// Where the rail or the wheel varies, a wheelset that does not move vertically would close or open
+/// the contact: on a slope e with the speed V sin(e). Unless v_z is given, the wheel is taken to
+/// follow the surface: v gets the vertical velocity at which it has no component along the normal.
+/// Up a slope creepage is then V/cos(e) less the speed of rolling.
+///
 /// Left-hand frame of the side. Units mm, s, rad. Thread rule: pure functions.
 ///
 /// Not known here: the slip of each element (creep/rigid_slip.hpp).

@@ -33,7 +33,8 @@ WheelsetMotion wheelset_motion(const WheelResult& wheel, const CreepRequest& req
           request.nominal_radius,
           frame.mirrored(request.rail_velocity),
           rail.origin_y(),
-          rail.origin_z()};
+          rail.origin_z(),
+          !request.motion->vertical_is_given && wheel.details.varies()};
 }
 
 void find_slip_geometry(WheelResult& wheel, const CreepRequest& request) {

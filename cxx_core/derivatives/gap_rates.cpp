@@ -47,6 +47,8 @@ public:
     const bool middle_met = ray_.solve(longitudinal_[middle], lateral).has_value();
     if (middle_met) {
       row_height_ = ray_.height();
+    }
+    if (middle_met && wheel_.varying() == nullptr) {
       row_.meet({ray_.base(0.0, lateral), ray_.longitudinal(), ray_.normal(),
                  longitudinal_.data() + range.begin, range.count()},
                 ray_.lateral());
@@ -97,9 +99,7 @@ private:
     }
     const Vector3 normal = ray_.normal();
     Vector3 place = ray_.base(longitudinal_[column], lateral) + position * normal;
-    const HeightPoint profile = wheel_.graph().heights().at(place.y);
-    const double rho = wheel_.radius() + profile.height;
-    const Vector3 gradient{place.x, -rho * profile.slope, place.z};
+    const Vector3 gradient = ray_.gradient(place);
     place.y += wheel_.taping_line(); // from the wheelset's centre
     const double inverse = 1.0 / dot(normal, gradient);
     for (std::size_t motion = 0; motion < motions_.size(); ++motion) {

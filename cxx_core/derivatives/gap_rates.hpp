@@ -6,8 +6,8 @@
 /// n_w; there the distance changes by
 ///   dh = (d . n_w) / (n . n_w),
 /// which is the condition that the moved surface holds the new end of the ray. n_w is the gradient
-/// of X^2 + Z^2 - rho(Y)^2, the surface of revolution in the wheelset frame: (X, -rho w', Z), with
-/// the slope w' of the profile; nothing is differentiated numerically.
+/// of the wheel's surface (geometry/wheel_line.hpp), of one profile (X, -rho w', Z) with its slope
+/// w'; nothing is differentiated numerically.
 /// Motions are those of the pose R = Rz(yaw) Rx(roll): a growing roll turns the wheelset about
 /// Rz(yaw) e_x, since the yaw comes first; a growing yaw about the track's z.
 /// Units mm and rad (rates per mm or per rad); track frame, left-hand side (geometry/frames.hpp).

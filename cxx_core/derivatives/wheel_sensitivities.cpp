@@ -25,6 +25,12 @@ struct Planes {
 
 Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> patches) {
   const WheelDetails& details = side.details;
+  if (details.varies()) { // planes and elements stay where they are
+    Planes planes;
+    planes.moving.rates.resize(1);
+    planes.index.assign(patches.size(), 0);
+    return planes;
+  }
   const double depth = side.vertical - details.vertical;
   const ContactScan scan =
       search_contacts(*details.wheel, *details.rail, details.pose, depth, true);
@@ -46,8 +52,10 @@ Planes find_planes(const WheelResult& side, std::span<const PatchResult* const> 
 }
 
 /// Whether any weight is below 1: it changes as planes turn or patches move.
-bool is_changing(const PatchInteraction& interaction) {
-  return std::any_of(interaction.coupling_weight.begin(), interaction.coupling_weight.end(),
+bool is_changing(const WheelDetails& details) {
+  const PatchInteraction& interaction = *details.interaction;
+  return !details.varies() &&
+         std::any_of(interaction.coupling_weight.begin(), interaction.coupling_weight.end(),
                      [](double coupling_weight) { return coupling_weight < 1.0; });
 }
 
@@ -119,7 +127,8 @@ ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penet
 /// Known where the grid has the contact for itself.
 std::optional<ByMotion<ElementMotion>>
 motion_of_grid(const PatchResult& patch, const MovingPatches& moving, const WheelDetails& details) {
-  if (moving.found.patches.size() > 1 || details.gap != GapConvention::tangent) {
+  if (details.varies() || moving.found.patches.size() > 1 ||
+      details.gap != GapConvention::tangent) {
     return std::nullopt;
   }
   return by_motion([&](std::size_t motion) {
@@ -207,7 +216,7 @@ WheelRates compute_rates(const WheelResult& side) {
     request.influence = &*influence;
   }
   ByMotion<std::optional<CoupledInfluence>> changes;
-  if (details.interaction && is_changing(*details.interaction)) {
+  if (details.interaction && is_changing(details)) {
     request.influence_rates = by_motion([&](std::size_t motion) -> PatchInfluence* {
       make_changing_influence(solved, details, planes, motion, changes[motion]);
       return changes[motion] ? &*changes[motion] : nullptr;
@@ -220,7 +229,7 @@ WheelRates compute_rates(const WheelResult& side) {
   const RollingFrame frame(details.mirror);
   WheelRates result;
   result.by_pressures = frame.mirrored(found.force_rates);
-  if (!details.interaction || !is_changing(*details.interaction)) {
+  if (!details.interaction || !is_changing(details)) {
     make_symmetric(found.force_rates, found.force, details.pose);
   }
   result.force = frame.mirrored(found.force_rates);

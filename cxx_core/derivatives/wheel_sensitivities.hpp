@@ -7,8 +7,9 @@
 /// central differences of whole solutions on 96 x 96 elements (each with planes, areas and grids of
 /// its own): up to 3e-3 of the largest rate, half of the cases below 1e-3. Where two patches in
 /// planes far apart are about to join, up to 7 per cent: contact ends there at a boundary to the
-/// neighbour that moves, which is left out. Units mm, N, rad; track frame. Thread rule: a pure
-/// function.
+/// neighbour that moves, which is left out. Where the rail or the wheel varies planes and elements
+/// stay in the track: their directions count to second order. Units mm, N, rad; track frame. Thread
+/// rule: a pure function.
 #pragma once
 
 #include <optional>

@@ -30,6 +30,8 @@ struct ContactCandidate {
   double distance = 0.0;   ///< vertical, z_wheel - z_rail; the wheel touches at height -distance
   double rail_angle = 0.0; ///< of the rail's tangent about x, rad, > 0: rises to the left
   bool at_profile_end = false;
+  double rail_rise = 0.0;   ///< slope along the track, of a rail that varies
+  bool at_part_end = false; ///< where a part of such a rail begins or ends along the track
 };
 
 /// One sample of the scan.
@@ -37,6 +39,7 @@ struct DistanceSample {
   LocusPlace wheel;
   double distance = 0.0;   ///< vertical
   double rail_slope = 0.0; ///< tangent of the rail's angle about x
+  double rail_rise = 0.0;  ///< slope along the track, of a rail that varies
 
   [[nodiscard]] double rail_angle() const { return std::atan(rail_slope); }
 };
@@ -46,6 +49,11 @@ struct ContactScan {
   std::vector<ContactCandidate> candidates; ///< least distance first
   double yaw_tangent = 0.0;                 ///< of the pose
 };
+
+/// By how much the least distance of a scan exceeds that of another.
+inline double behind(const ContactScan& scan, const ContactScan& first) {
+  return scan.candidates.front().distance - first.candidates.front().distance;
+}
 
 /// A point between the nodes of the wheel's profile.
 struct LocusSpot {
@@ -131,6 +139,8 @@ private:
 /// Throws Error(no_contact) if no part of the wheel is over the rail.
 ContactScan search_contacts(const WheelSurface& wheel, const RailSurface& rail, const Pose& pose,
                             double near_tolerance, bool with_samples);
+/// Throws Error(no_contact) for a pose at which no part of the wheel is over the rail.
+[[noreturn]] void throw_off_the_rail(const Pose& pose);
 /// The result of a search whose pose has been scanned.
 ContactScan contacts_of(const SideSearch& search, double near_tolerance, bool with_samples);
 

@@ -46,6 +46,11 @@ std::optional<double> lateral_of_gauge_face(const Curve& curve, double top_arc, 
 RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& track) {
   const Curve inclined = profile.curve.moved(track.cant, 0.0, 0.0);
   const double top_arc = arc_of_highest_point(inclined);
+  if (track.origin) {
+    CurveGraph placed(profile.curve.without_steps().moved(track.cant, *track.origin, 0.0), top_arc);
+    auto whole = std::make_shared<const Curve>(placed.curve());
+    return {std::move(placed), std::move(whole), top_arc, track.cant, *track.origin, 0.0};
+  }
   const double top = inclined.at(top_arc).height;
   const std::optional<double> face =
       lateral_of_gauge_face(inclined, top_arc, top - track.gauge_height, track.gauge_height);
@@ -61,9 +66,40 @@ RailSurface RailSurface::place(const Profile& profile, const TrackDimensions& tr
 RailSurface::RailSurface(const Profile& profile, const TrackDimensions& track)
     : RailSurface(place(profile, track)) {}
 
+RailSurface::RailSurface(std::shared_ptr<const VaryingRail> rail, const Profile& first,
+                         const TrackDimensions& track)
+    : RailSurface(place(first, track)) {
+  varying_ = std::move(rail);
+  along_ = varying_->along().begin;
+}
+
+RailSurface RailSurface::posed(const RailDisplacement& displacement, double along) const {
+  const Stretch slices = varying_->along();
+  if (!(along >= slices.begin && along <= slices.end)) {
+    throw Error(ErrorCode::no_contact, "pose.longitudinal = " + text_of(along) +
+                                           " mm: the slices of the rail reach from " +
+                                           text_of(slices.begin) + " to " + text_of(slices.end) +
+                                           " mm");
+  }
+  const double angle = angle_ + displacement.roll;
+  const double lateral_shift = lateral_shift_ + displacement.lateral;
+  const double height_shift = height_shift_ + displacement.height;
+  Curve section =
+      widest_section(varying_->sheets(), along).moved(angle, lateral_shift, height_shift);
+  const double top = arc_of_highest_point(section);
+  RailSurface surface{
+      CurveGraph(std::move(section), top), nominal_, top, angle, lateral_shift, height_shift};
+  surface.varying_ = varying_;
+  surface.along_ = along;
+  return surface;
+}
+
 RailSurface RailSurface::displaced(const RailDisplacement& displacement) const {
   const double lateral_shift = lateral_shift_ + displacement.lateral;
   const double height_shift = height_shift_ + displacement.height;
+  if (varying_ != nullptr) {
+    return posed(displacement, along_);
+  }
   if (displacement.roll == 0.0) {
     return {graph_.shifted(displacement.lateral, displacement.height),
             nominal_,

@@ -4,7 +4,8 @@
 /// rail's longitudinal axis: y = t cos(cant) - v sin(cant), z = t sin(cant) + v cos(cant), which
 /// raises the field side. It is then shifted so that its highest point lies at z = 0 and its gauge
 /// face, at `gauge_height` below the top, at y = gauge / 2 (the paper, equations 3 and 4, with the
-/// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x.
+/// cant as a rotation about x, see docs/validation.md). The rail is prismatic along x, or varies
+/// (geometry/varying_rail.hpp).
 /// A roller or disc, which does not fall to the gauge side by 45 degrees, has no gauge face: its
 /// lateral 0 is put 32.5 mm beside gauge / 2, where the taping line of a wheel is.
 /// Irregularities of the track displace it from there.
@@ -12,9 +13,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "geometry/curve_graph.hpp"
+#include "geometry/varying_rail.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -23,6 +26,9 @@ struct TrackDimensions {
   double gauge = 1435.0;
   double gauge_height = 14.0; ///< below the top of the inclined rail (16 in China)
   double cant = 0.025;        ///< rad, > 0 leans the rail towards the track centre
+  /// Of the profile's origin from the track centre, to the field side, at the height z = 0; none:
+  /// by the gauge and the rail's top.
+  std::optional<double> origin{};
   bool operator==(const TrackDimensions&) const = default;
 };
 
@@ -44,6 +50,19 @@ class RailSurface {
 public:
   /// Throws Error(invalid_argument) if the profile's gauge face ends above the gauge height.
   RailSurface(const Profile& profile, const TrackDimensions& track);
+  /// A rail that varies along the track, with the wheelset at the begin of its slices. It is placed
+  /// as a whole, by the gauge face of its first slice (`first`). Throws also as that does.
+  RailSurface(std::shared_ptr<const VaryingRail> rail, const Profile& first,
+              const TrackDimensions& track);
+
+  /// None for a rail of one profile.
+  [[nodiscard]] const VaryingRail* varying() const { return varying_.get(); }
+  /// Where on a rail that varies the wheelset is, mm from the origin of its slices: x = 0 of the
+  /// track frame. The graph is the section there.
+  [[nodiscard]] double along() const { return along_; }
+  /// A rail that varies, displaced, with the wheelset somewhere along it. Throws Error(no_contact)
+  /// where no part of the rail is.
+  [[nodiscard]] RailSurface posed(const RailDisplacement& displacement, double along) const;
 
   /// The same rail somewhere else: 1 us without roll, which takes a new table of heights, 40 us.
   [[nodiscard]] RailSurface displaced(const RailDisplacement& displacement) const;
@@ -55,6 +74,8 @@ public:
   /// The profile's origin in the track frame.
   [[nodiscard]] double origin_y() const { return lateral_shift_; }
   [[nodiscard]] double origin_z() const { return height_shift_; }
+  /// Of the profile's frame in the track frame, rad.
+  [[nodiscard]] double angle() const { return angle_; }
   /// Whether it was placed without a gauge face, before the displacement.
   [[nodiscard]] bool is_placed_by_axis() const { return is_placed_by_axis_; }
   /// Converts a point of the track frame into the profile's frame (t, height).
@@ -74,6 +95,8 @@ private:
   double lateral_shift_;
   double height_shift_;
   bool is_placed_by_axis_ = false;
+  std::shared_ptr<const VaryingRail> varying_;
+  double along_ = 0.0;
 };
 
 } // namespace wrc

@@ -213,6 +213,18 @@ void SurfaceSheet::fill(std::span<const SheetSection> sections) {
       }
     }
   }
+  begin_lateral_.resize((pieces + 1) * knots);
+  begin_second_.resize(begin_lateral_.size());
+  for (std::size_t knot = 0; knot < knots; ++knot) {
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+      begin_lateral_[knot * (pieces + 1) + piece] = node(piece, knot).lateral[0];
+      begin_second_[knot * (pieces + 1) + piece] = node(piece, knot).lateral_second[0];
+    }
+    const double length = starts_[pieces] - starts_[pieces - 1];
+    const Node& last = node(pieces - 1, knot);
+    begin_lateral_[(knot + 1) * (pieces + 1) - 1] = evaluate(last.lateral, length).value;
+    begin_second_[(knot + 1) * (pieces + 1) - 1] = evaluate(last.lateral_second, length).value;
+  }
 }
 
 bool SurfaceSheet::is_folded(std::size_t piece, std::size_t interval) const {
@@ -306,37 +318,67 @@ GraphPoint graph_of(const SheetPoint& p) {
   return graph;
 }
 
+class SurfaceSheet::BeginLaterals {
+public:
+  BeginLaterals(const SurfaceSheet& sheet, const AlongPlace& place)
+      : weights_(place, 0), stride_(sheet.starts_.size()),
+        value_(sheet.begin_lateral_.data() + place.interval * stride_),
+        second_(sheet.begin_second_.data() + place.interval * stride_) {}
+
+  double operator[](std::size_t piece) const {
+    const double here = value_[piece];
+    return here + (weights_.of_change * (value_[piece + stride_] - here) +
+                   (weights_.before * second_[piece] + weights_.after * second_[piece + stride_]));
+  }
+
+private:
+  Weights weights_;
+  std::size_t stride_;
+  const double* value_;
+  const double* second_;
+};
+
+namespace {
+
+/// Where a polynomial that changes its sign within [0, length] is 0: Newton's method in a bracket.
+double root_of(const Quintic& polynomial, double value, double length, bool ascends) {
+  double low = 0.0;
+  double high = length;
+  double distance = 0.5 * length;
+  while (true) {
+    const QuinticValues v = evaluate(polynomial, distance);
+    const double off = v.value - value;
+    ((off > 0.0) == ascends ? high : low) = distance;
+    double next = distance - off / v.first;
+    if (!(next > low && next < high))
+      next = 0.5 * (low + high);
+    if (off == 0.0 || next <= low || next >= high || next == distance)
+      return distance;
+    distance = next;
+  }
+}
+
+} // namespace
+
 std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const {
-  const Stretch range = this->along();
-  if (!is_periodic() && !(along >= range.begin && along <= range.end))
+  if (!holds(along))
     return std::nullopt;
   const AlongPlace place = spline_.locate(along);
   const Weights weights(place, 0);
+  const BeginLaterals begins(*this, place);
   std::optional<GraphPoint> highest;
+  double at_high = begins[0] - lateral;
   for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
+    const double at_low = at_high;
+    at_high = begins[piece + 1] - lateral;
+    if ((at_low > 0.0 && at_high > 0.0) || (at_low < 0.0 && at_high < 0.0))
+      continue;
     const Node& a = node(piece, place.interval);
     const Node& b = node(piece, place.interval + 1);
     const Quintic section =
         blended(a.lateral, b.lateral, a.lateral_second, b.lateral_second, weights, true);
-    double low = 0.0;
-    double high = starts_[piece + 1] - starts_[piece];
-    const double at_low = section[0] - lateral;
-    const double at_high = evaluate(section, high).value - lateral;
-    if ((at_low > 0.0 && at_high > 0.0) || (at_low < 0.0 && at_high < 0.0))
-      continue;
-    const bool ascends = at_low < at_high;
-    double distance = 0.5 * (low + high);
-    while (true) { // Newton's method within a bracket
-      const QuinticValues v = evaluate(section, distance);
-      const double off = v.value - lateral;
-      ((off > 0.0) == ascends ? high : low) = distance;
-      double next = distance - off / v.first;
-      if (!(next > low && next < high))
-        next = 0.5 * (low + high);
-      if (off == 0.0 || next <= low || next >= high || next == distance)
-        break;
-      distance = next;
-    }
+    const double distance =
+        root_of(section, lateral, starts_[piece + 1] - starts_[piece], at_low < at_high);
     const SheetPoint point = at(piece, distance, place);
     if (std::abs(point.across[0]) <
         least_lateral_share * std::hypot(point.across[0], point.across[1]))
@@ -349,6 +391,64 @@ std::optional<GraphPoint> SurfaceSheet::over(double along, double lateral) const
   return highest;
 }
 
+void SurfaceSheet::raise_to(double along, std::span<const double> laterals,
+                            std::span<double> heights) const {
+  if (!holds(along))
+    return;
+  const AlongPlace place = spline_.locate(along);
+  const Weights weights(place, 0);
+  const BeginLaterals begins(*this, place);
+  double next = begins[0];
+  for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
+    const double begin = next;
+    next = begins[piece + 1];
+    const auto first = std::ranges::lower_bound(laterals, begin);
+    if (!(begin < next) || first == laterals.end() || *first > next)
+      continue;
+    const Node& a = node(piece, place.interval);
+    const Node& b = node(piece, place.interval + 1);
+    const Quintic lateral =
+        blended(a.lateral, b.lateral, a.lateral_second, b.lateral_second, weights, true);
+    const Quintic height =
+        blended(a.height, b.height, a.height_second, b.height_second, weights, true);
+    for (auto i = static_cast<std::size_t>(first - laterals.begin());
+         i < laterals.size() && laterals[i] <= next; ++i) {
+      const double distance =
+          root_of(lateral, laterals[i], starts_[piece + 1] - starts_[piece], true);
+      heights[i] = std::max(heights[i], evaluate(height, distance).value);
+    }
+  }
+}
+
+Curve SurfaceSheet::section(double along) const {
+  const AlongPlace place = spline_.locate(along);
+  const auto speed_at = [&](std::size_t piece, double distance) {
+    const SheetPoint p = at(piece, distance, place);
+    return std::hypot(p.across[0], p.across[1]);
+  };
+  const auto end_at = [&](std::size_t piece, double distance) {
+    const SheetPoint p = at(piece, distance, place);
+    const double square = p.across[0] * p.across[0] + p.across[1] * p.across[1];
+    const double speed = std::sqrt(square);
+    const double stretch = (p.across[0] * p.across2[0] + p.across[1] * p.across2[1]) / square;
+    return Curve::End{p.at[0],
+                      p.at[1],
+                      p.across[0] / speed,
+                      p.across[1] / speed,
+                      (p.across2[0] - stretch * p.across[0]) / square,
+                      (p.across2[1] - stretch * p.across[1]) / square};
+  };
+  std::vector<Curve::Piece> pieces;
+  for (std::size_t piece = 0; piece + 1 < starts_.size(); ++piece) {
+    const double length = starts_[piece + 1] - starts_[piece];
+    const double arc = length / 6.0 *
+                       (speed_at(piece, 0.0) + 4.0 * speed_at(piece, 0.5 * length) +
+                        speed_at(piece, length)); // Simpson's rule
+    pieces.push_back({end_at(piece, 0.0), end_at(piece, length), arc});
+  }
+  return Curve(pieces);
+}
+
 double SurfaceSheet::place_at(double share) const {
   const std::span<const double> knots = spline_.knots();
   const double over = share * static_cast<double>(spline_.last_place_knot());
@@ -357,7 +457,41 @@ double SurfaceSheet::place_at(double share) const {
 }
 
 std::size_t SurfaceSheet::memory() const {
-  return nodes_.capacity() * sizeof(Node) + starts_.capacity() * sizeof(double);
+  return nodes_.capacity() * sizeof(Node) +
+         (starts_.capacity() + begin_lateral_.capacity() + begin_second_.capacity()) *
+             sizeof(double);
+}
+
+std::optional<GraphPoint> highest_over(std::span<const SurfaceSheet> sheets, double along,
+                                       double lateral) {
+  std::optional<GraphPoint> highest;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const std::optional<GraphPoint> point = sheets[i].over(along, lateral);
+    if (point && (!highest || point->height > highest->height)) {
+      highest = point;
+      highest->sheet = i;
+    }
+  }
+  return highest;
+}
+
+Curve widest_section(std::span<const SurfaceSheet> sheets, double along) {
+  const SurfaceSheet* widest = nullptr;
+  double width = 0.0;
+  for (const SurfaceSheet& sheet : sheets) {
+    if (!sheet.holds(along))
+      continue;
+    const double reach =
+        sheet.at(sheet.across().end, along).at[0] - sheet.at(sheet.across().begin, along).at[0];
+    if (widest == nullptr || reach > width) {
+      widest = &sheet;
+      width = reach;
+    }
+  }
+  if (widest == nullptr)
+    throw Error(ErrorCode::no_contact,
+                "no part of the profile that varies is at " + short_text_of(along) + " along it");
+  return widest->section(along);
 }
 
 } // namespace wrc

@@ -42,7 +42,8 @@ struct SheetPoint {
 
 /// The surface as a graph, height over along x and lateral y, with derivatives.
 struct GraphPoint {
-  double across = 0.0; ///< the parameter u
+  std::size_t sheet = 0; ///< of several
+  double across = 0.0;   ///< the parameter u
   double height = 0.0;
   double by_along = 0.0;
   double by_lateral = 0.0;
@@ -74,6 +75,10 @@ public:
   [[nodiscard]] Stretch across() const { return {starts_.front(), starts_.back()}; }
   [[nodiscard]] Stretch along() const { return {spline_.knots().front(), spline_.knots().back()}; }
   [[nodiscard]] bool is_periodic() const { return spline_.is_periodic(); }
+  /// Whether it is there at a place along.
+  [[nodiscard]] bool holds(double place) const {
+    return is_periodic() || (place >= along().begin && place <= along().end);
+  }
   /// Parameters at the begin of each piece across and at the end: searches scan these.
   [[nodiscard]] std::span<const double> starts() const { return starts_; }
   [[nodiscard]] std::span<const double> knots() const { return spline_.knots(); }
@@ -89,6 +94,10 @@ public:
   /// The highest point over a place in the plane; none beyond the sheet, and where all points are
   /// on sides steeper than 89.4 degrees.
   [[nodiscard]] std::optional<GraphPoint> over(double along, double lateral) const;
+  /// Raises `heights` to the section's over lateral places in ascending order, where it is a graph.
+  void raise_to(double along, std::span<const double> laterals, std::span<double> heights) const;
+  /// The section at a place, as a curve over its arc length.
+  [[nodiscard]] Curve section(double along) const;
   /// Bytes of its tables.
   [[nodiscard]] std::size_t memory() const;
 
@@ -104,13 +113,25 @@ private:
     return nodes_[piece * spline_.knots().size() + knot];
   }
   void fill(std::span<const SheetSection> sections);
+  /// Lateral coordinate of the section at the begins of its pieces, and at its end.
+  class BeginLaterals;
   [[nodiscard]] bool is_folded(std::size_t piece, std::size_t interval) const;
   void refuse_folds(std::span<const SheetSection> sections) const;
 
   AlongSpline spline_;
   std::vector<double> starts_;
   std::vector<Node> nodes_; ///< by pieces, then knots
+  /// Lateral coordinate at the begins of pieces, and at the end, and its second derivative along;
+  /// by knots, then pieces.
+  std::vector<double> begin_lateral_;
+  std::vector<double> begin_second_;
 };
+
+/// The highest point over a place in the plane, of all sheets; none beyond them.
+std::optional<GraphPoint> highest_over(std::span<const SurfaceSheet> sheets, double along,
+                                       double lateral);
+/// Of the sheets at a place the section that is widest. Throws Error(no_contact) if there is none.
+Curve widest_section(std::span<const SurfaceSheet> sheets, double along);
 
 /// Height, slopes and second derivatives over (along, lateral) of a point that is not vertical.
 GraphPoint graph_of(const SheetPoint& point);

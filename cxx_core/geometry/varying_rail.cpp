@@ -20,12 +20,7 @@ Stretch VaryingRail::along() const {
 }
 
 std::optional<GraphPoint> VaryingRail::over(double along, double lateral) const {
-  std::optional<GraphPoint> highest;
-  for (const SurfaceSheet& sheet : sheets_)
-    if (const std::optional<GraphPoint> point = sheet.over(along, lateral);
-        point && (!highest || point->height > highest->height))
-      highest = point;
-  return highest;
+  return highest_over(sheets_, along, lateral);
 }
 
 } // namespace wrc

@@ -3,7 +3,7 @@
 ///
 /// Frame of the rail's profile: lateral to the field side, height upwards, along forward from the
 /// origin of the slices file, not yet inclined or placed in the track. Units mm.
-/// Not covered: contact, and what is before the first and beyond the last slice: no rail is there.
+/// Not covered: what is before the first and beyond the last slice: no rail is there.
 /// Thread rule: immutable after construction, safe to share.
 #pragma once
 

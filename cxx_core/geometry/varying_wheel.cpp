@@ -67,16 +67,40 @@ void VaryingWheel::check() const {
           throw_invalid_argument("radius of the wheel", least, "positive at all angles, mm");
 }
 
-SheetPoint VaryingWheel::at(std::size_t sheet, double across, double theta) const {
-  SheetPoint point = sheets_[sheet].at(across, theta);
+VaryingWheel::Wave VaryingWheel::wave(double theta) const {
+  Wave sum;
   for (const RadiusHarmonic& harmonic : harmonics_) {
     const double order = harmonic.order;
     const double angle = std::remainder(order * theta - harmonic.phase, revolution);
-    point.at[1] += harmonic.amplitude * std::cos(angle);
-    point.along[1] -= order * harmonic.amplitude * std::sin(angle);
-    point.along2[1] -= order * order * harmonic.amplitude * std::cos(angle);
+    sum.value += harmonic.amplitude * std::cos(angle);
+    sum.first -= order * harmonic.amplitude * std::sin(angle);
+    sum.second -= order * order * harmonic.amplitude * std::cos(angle);
   }
+  return sum;
+}
+
+SheetPoint VaryingWheel::at(std::size_t sheet, double across, double theta) const {
+  SheetPoint point = sheets_[sheet].at(across, theta);
+  const Wave added = wave(theta);
+  point.at[1] += added.value;
+  point.along[1] += added.first;
+  point.along2[1] += added.second;
   return point;
+}
+
+std::optional<GraphPoint> VaryingWheel::over(double theta, double lateral) const {
+  std::optional<GraphPoint> outermost = highest_over(sheets_, theta, lateral);
+  if (outermost) {
+    const Wave added = wave(theta);
+    outermost->height += added.value;
+    outermost->by_along += added.first;
+    outermost->by_along2 += added.second;
+  }
+  return outermost;
+}
+
+Curve VaryingWheel::section(double theta) const {
+  return widest_section(sheets_, theta).moved(0.0, 0.0, wave(theta).value);
 }
 
 } // namespace wrc

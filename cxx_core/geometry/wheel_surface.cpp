@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -24,12 +25,18 @@ double seed_of_wheel(const Curve& curve) {
   return 0.5 * curve.length();
 }
 
+Profile profile_of(Curve section) {
+  Profile profile;
+  profile.curve = std::move(section);
+  return profile;
+}
+
 } // namespace
 
 WheelSurface::WheelSurface(const Profile& profile, const WheelsetDimensions& dimensions)
     : graph_(profile.curve.without_steps(), seed_of_wheel(profile.curve)),
       taping_line_(0.5 * dimensions.back_to_back + dimensions.tape_offset),
-      radius_(dimensions.radius) {
+      radius_(dimensions.radius), dimensions_(dimensions) {
   for (std::size_t piece = 0; piece < profile.curve.piece_count(); ++piece) {
     if (!(radius_ + profile.curve.at(piece, 0.0).height > 0.0)) {
       throw_invalid_argument("wheelset.radius", radius_,
@@ -55,6 +62,17 @@ WheelSurface::WheelSurface(const Profile& profile, const WheelsetDimensions& dim
     }
     largest_radius_ = std::max(largest_radius_, radius_ + point.height);
   }
+}
+
+WheelSurface::WheelSurface(std::shared_ptr<const VaryingWheel> wheel,
+                           const WheelsetDimensions& dimensions, double pitch)
+    : WheelSurface(profile_of(wheel->section(pitch)), dimensions) {
+  varying_ = std::move(wheel);
+  pitch_ = pitch;
+}
+
+WheelSurface WheelSurface::turned(double pitch) const {
+  return {varying_, dimensions_, pitch};
 }
 
 LocusPose::LocusPose(const Pose& pose, const Rotation& rotation_of_pose)

@@ -18,11 +18,13 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "geometry/curve_graph.hpp"
 #include "geometry/frames.hpp"
+#include "geometry/varying_wheel.hpp"
 #include "profile/profile.hpp"
 
 namespace wrc {
@@ -96,7 +98,22 @@ public:
   /// Throws Error(invalid_argument) if the dimensions and the profile give radii that are not
   /// positive.
   WheelSurface(const Profile& profile, const WheelsetDimensions& dimensions);
+  /// A wheel that varies around its circumference, made with the radius of the dimensions, turned
+  /// by a pitch in rad: the angle theta of its slices that then points down. The graph is the
+  /// section there.
+  WheelSurface(std::shared_ptr<const VaryingWheel> wheel, const WheelsetDimensions& dimensions,
+               double pitch);
 
+  /// None for a wheel of one profile.
+  [[nodiscard]] const VaryingWheel* varying() const { return varying_.get(); }
+  [[nodiscard]] double pitch() const { return pitch_; }
+  /// A varying wheel turned to another pitch.
+  [[nodiscard]] WheelSurface turned(double pitch) const;
+  /// The profile of a varying wheel at a point in the wheelset's frame, Y counted from the taping
+  /// line: height over (theta, lateral). None beside the wheel.
+  [[nodiscard]] std::optional<GraphPoint> over(const Vector3& point) const {
+    return varying_->over(pitch_ + std::atan2(point.x, -point.z), point.y);
+  }
   [[nodiscard]] const CurveGraph& graph() const { return graph_; }
   [[nodiscard]] double radius() const { return radius_; }
   /// Lateral coordinate of the taping line in the wheelset frame.
@@ -121,6 +138,9 @@ private:
   double largest_radius_ = 0.0;
   ProfileNodes nodes_;
   std::vector<Ridge> ridges_;
+  WheelsetDimensions dimensions_;
+  std::shared_ptr<const VaryingWheel> varying_;
+  double pitch_ = 0.0;
 };
 
 } // namespace wrc

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "geometry/constants.hpp"
+#include "geometry/varying_search.hpp"
 
 namespace wrc {
 namespace {
@@ -15,6 +17,9 @@ constexpr double max_roll = 0.2;
 /// accepts this, mm, where rounding allows no better.
 /// origin: reasoned: 1e-9 mm is 1e-8 of the depth under 80 kN, far below any accuracy.
 constexpr double acceptable_distance = 1e-9;
+/// To which least distances agree where bodies vary, mm.
+/// origin: derived: lines meet surfaces to ray_tolerance, a hundredth of this.
+constexpr double varying_tolerance = 1e-10;
 /// origin: bound: every halving_period-th search halves the bracket of 0.4 rad: 4e-7 rad are left
 /// after 100 at the worst.
 constexpr int iteration_limit = 100;
@@ -42,6 +47,68 @@ double roll_derivative(const SideSearch& search, const LocusSpot& spot, const Po
   return y + std::tan(contact.rail_angle) * rotation.cos_yaw * place.z;
 }
 
+/// A least distance found by either search.
+struct Least {
+  double distance = 0.0;
+  LocusSpot on_locus;
+  VaryingSearch::Spot on_chain;
+};
+
+/// The search for a side: along the contact locus, or over places where a body varies.
+class EitherSearch {
+public:
+  explicit EitherSearch(const WheelAndRail& pair) {
+    if (pair.wheel.varying() != nullptr || pair.rail.varying() != nullptr) {
+      varying_.emplace(pair.wheel, pair.rail);
+    } else {
+      constant_.emplace(pair.wheel, pair.rail);
+    }
+  }
+
+  [[nodiscard]] bool varies() const { return varying_.has_value(); }
+  [[nodiscard]] bool try_scan(const Pose& pose) {
+    return varying_ ? varying_->try_scan(pose) : constant_->try_scan(pose);
+  }
+  void scan(const Pose& pose) {
+    if (!varying_) {
+      constant_->scan(pose);
+    } else if (!varying_->try_scan(pose)) {
+      throw_off_the_rail(pose);
+    }
+  }
+  [[nodiscard]] Least least() const {
+    return varying_ ? of(varying_->least()) : of(constant_->least_spots(0.0).front());
+  }
+  [[nodiscard]] std::optional<Least> follow(const Pose& pose, const Least& from) {
+    if (varying_) {
+      const auto spot = varying_->follow(pose, from.on_chain);
+      return spot ? std::optional(of(*spot)) : std::nullopt;
+    }
+    const auto spot = constant_->follow(pose, from.on_locus);
+    return spot ? std::optional(of(*spot)) : std::nullopt;
+  }
+  [[nodiscard]] double by_roll(const Least& least, const Pose& pose) const {
+    return varying_ ? varying_->by_roll(least.on_chain)
+                    : roll_derivative(*constant_, least.on_locus, pose, Rotation(pose));
+  }
+  /// Of the pose scanned last.
+  [[nodiscard]] std::vector<ContactScan> scans(double near_tolerance) {
+    if (varying_) {
+      return varying_->scans(near_tolerance);
+    }
+    std::vector<ContactScan> scans;
+    scans.push_back(contacts_of(*constant_, near_tolerance, true));
+    return scans;
+  }
+
+private:
+  static Least of(const LocusSpot& spot) { return {spot.distance, spot, {}}; }
+  static Least of(const VaryingSearch::Spot& spot) { return {spot.point.gap.value, {}, spot}; }
+
+  std::optional<SideSearch> constant_;
+  std::optional<VaryingSearch> varying_;
+};
+
 /// Searches the roll at which the least distances of both wheels agree. It does not use
 /// base/root_bracket.hpp: each value costs a global search of both wheels (14 us), of which a
 /// bracket of +-0.02 rad needs 9.5 on average, 142 us; Newton's method on contacts followed takes
@@ -49,7 +116,7 @@ double roll_derivative(const SideSearch& search, const LocusSpot& spot, const Po
 /// wheels may be off their rails, so there is no value to begin with.
 class RollSearch {
 public:
-  RollSearch(SideSearch& left, SideSearch& right, double lateral, double yaw)
+  RollSearch(EitherSearch& left, EitherSearch& right, double lateral, double yaw)
       : left_(left), right_(right), lateral_(lateral), yaw_(yaw) {}
 
   /// Root of min d_left - min d_right; both sides have then been scanned there. Odd under the
@@ -68,8 +135,8 @@ public:
         continue;
       }
       standing = roll;
-      const Pair found{left_.least_spots(0.0).front(), right_.least_spots(0.0).front()};
-      if (std::abs(found.difference()) <= position_tolerance) {
+      const Pair found{left_.least(), right_.least()};
+      if (std::abs(found.difference()) <= tolerance()) {
         return roll;
       }
       (found.difference() < 0.0 ? low_ : high_) = roll;
@@ -94,8 +161,8 @@ public:
 
 private:
   struct Pair {
-    LocusSpot left;
-    LocusSpot right;
+    Least left;
+    Least right;
     [[nodiscard]] double difference() const { return left.distance - right.distance; }
   };
 
@@ -109,12 +176,14 @@ private:
     return true;
   }
 
+  [[nodiscard]] double tolerance() const {
+    return left_.varies() || right_.varies() ? varying_tolerance : position_tolerance;
+  }
+
   [[nodiscard]] double newton_step(double roll, const Pair& spots) const {
     const Pose pose{lateral_, yaw_, roll};
-    const Rotation rotation(pose);
-    const Pose other = mirrored(pose);
-    const double slope = roll_derivative(left_, spots.left, pose, rotation) +
-                         roll_derivative(right_, spots.right, other, Rotation(other));
+    const double slope =
+        left_.by_roll(spots.left, pose) + right_.by_roll(spots.right, mirrored(pose));
     return roll - spots.difference() / slope;
   }
 
@@ -144,8 +213,8 @@ private:
     return next;
   }
 
-  SideSearch& left_;
-  SideSearch& right_;
+  EitherSearch& left_;
+  EitherSearch& right_;
   double lateral_;
   double yaw_;
   double low_ = -max_roll;
@@ -153,10 +222,13 @@ private:
 };
 
 /// A side whose pose has been scanned.
-SideEquilibrium settle(const SideSearch& search, const Pose& pose, double near_tolerance) {
+SideEquilibrium settle(EitherSearch& search, const Pose& pose, double near_tolerance) {
   SideEquilibrium side;
   side.pose = pose;
-  side.scan = contacts_of(search, std::max(near_tolerance, penetrated_tolerance), true);
+  std::vector<ContactScan> scans = search.scans(std::max(near_tolerance, penetrated_tolerance));
+  side.scan = std::move(scans.front());
+  side.further.assign(std::make_move_iterator(scans.begin() + 1),
+                      std::make_move_iterator(scans.end()));
   const std::vector<ContactCandidate>& candidates = side.scan.candidates;
   const double nearest = candidates.front().distance;
   side.vertical = -nearest;
@@ -172,8 +244,8 @@ SideEquilibrium settle(const SideSearch& search, const Pose& pose, double near_t
 WheelsetEquilibrium find_equilibrium(const WheelAndRail& left_pair, const WheelAndRail& right_pair,
                                      const EquilibriumRequest& request) {
   WheelsetEquilibrium result;
-  SideSearch left(left_pair.wheel, left_pair.rail);
-  SideSearch right(right_pair.wheel, right_pair.rail);
+  EitherSearch left(left_pair);
+  EitherSearch right(right_pair);
   if (request.roll) {
     result.roll = *request.roll;
   } else {
@@ -181,7 +253,7 @@ WheelsetEquilibrium find_equilibrium(const WheelAndRail& left_pair, const WheelA
     result.roll = search.solve();
   }
   const Pose pose{request.lateral, request.yaw, result.roll};
-  const auto settle_side = [&](SideSearch& search, const Pose& side_pose) {
+  const auto settle_side = [&](EitherSearch& search, const Pose& side_pose) {
     if (request.roll) {
       search.scan(side_pose);
     }

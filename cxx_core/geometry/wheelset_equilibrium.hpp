@@ -20,10 +20,21 @@ namespace wrc {
 
 /// Equilibrium of one side; all in the left-hand frame of that side (mirrored for the right).
 struct SideEquilibrium {
-  Pose pose;                  ///< with the roll found, mirrored for the right side
-  double vertical = 0.0;      ///< z of the wheelset's centre at which this wheel touches
-  ContactScan scan;           ///< candidates: least distance first; samples of the scan
+  Pose pose;             ///< with the roll found, mirrored for the right side
+  double vertical = 0.0; ///< z of the wheelset's centre at which this wheel touches
+  ContactScan scan;      ///< candidates: least distance first; samples of the scan
+  /// Of bodies that vary, the other chains of least distances (varying_search.hpp).
+  std::vector<ContactScan> further;
   std::size_t near_count = 1; ///< of the candidates, those within the near tolerance
+
+  /// All, that of the first contact first.
+  [[nodiscard]] std::vector<const ContactScan*> scans() const {
+    std::vector<const ContactScan*> all{&scan};
+    for (const ContactScan& other : further) {
+      all.push_back(&other);
+    }
+    return all;
+  }
 };
 
 struct WheelsetEquilibrium {

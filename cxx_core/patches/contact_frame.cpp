@@ -49,10 +49,17 @@ double ContactFrame::angle() const {
   return std::atan2(lateral.z, std::hypot(lateral.x, lateral.y));
 }
 
-ContactFrame tangent_frame(Vector3 origin, double contact_angle) {
+ContactFrame tangent_frame(Vector3 origin, double contact_angle, double rise) {
   const double sine = std::sin(contact_angle);
   const double cosine = std::cos(contact_angle);
-  return {origin, {1.0, 0.0, 0.0}, {0.0, cosine, sine}, {0.0, -sine, cosine}, true};
+  ContactFrame frame{origin, {1.0, 0.0, 0.0}, {0.0, cosine, sine}, {0.0, -sine, cosine}, true};
+  if (rise != 0.0) {
+    const double level = 1.0 / std::sqrt(1.0 + rise * rise);
+    const Vector3 across = frame.normal;
+    frame.longitudinal = level * (frame.longitudinal + rise * across);
+    frame.normal = cross(frame.longitudinal, frame.lateral);
+  }
+  return frame;
 }
 
 ContactFrame vertical_frame(Vector3 origin, const Rotation& wheelset_rotation) {

@@ -52,7 +52,8 @@ struct ContactFrame {
 /// Inclinations of the rows to the plane, rad, > 0: rise to the field side; none without a curve.
 std::vector<double> row_angles(const ContactFrame& frame, const Grid& grid);
 
-ContactFrame tangent_frame(Vector3 origin, double contact_angle);
+/// `rise`: by how much the rail rises along the track, over the length in the plane across that.
+ContactFrame tangent_frame(Vector3 origin, double contact_angle, double rise = 0.0);
 ContactFrame vertical_frame(Vector3 origin, const Rotation& wheelset_rotation);
 
 } // namespace wrc

@@ -22,6 +22,7 @@ struct ContactPatch {
   double weight = 1.0;         ///< fraction of the weight W of all patches of the wheel
   double angle_unturned = 0.0; ///< of the rail's mean normal in this patch by itself
   double angle = 0.0;          ///< of its plane, turned towards close neighbours
+  double rise = 0.0;           ///< of the rail along the track over its plane across, likewise
   double mean_x = 0.0;         ///< mean position, weighted like the angle
   double mean_y = 0.0;
   double mean_s = 0.0;
@@ -35,7 +36,8 @@ struct ContactPatch {
   /// neighbour, infinite on the outside.
   double limit_first = -std::numeric_limits<double>::infinity();
   double limit_last = std::numeric_limits<double>::infinity();
-  int lobes = 1; ///< joined in it
+  int lobes = 1;        ///< joined in it
+  std::size_t scan = 0; ///< that it was found in, of several
   bool shares_plane_with_previous =
       false; ///< shares its plane with the patch before: both are one contact
 
@@ -55,6 +57,7 @@ struct ContactPatches {
   std::vector<ContactPatch> patches; ///< ordered by y, never empty
   std::vector<double> links;         ///< how close each one and the next are: 0 to 1, joined
   std::size_t main = 0;              ///< the one that holds the first contact
+  double weight = 0.0;               ///< W of all, over a power of the depth
 
   /// 0: no interaction; 1: in full.
   [[nodiscard]] double coupling_weight(std::size_t i, std::size_t j, Interaction interaction) const;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "geometry/rail_line.hpp"
 #include "patches/patch_finder.hpp"
 
 namespace wrc {
@@ -28,7 +30,9 @@ public:
             sample.rail_slope,
             sample.wheel.normal_curvature,
             false,
-            0.0};
+            0.0,
+            0.0,
+            sample.rail_rise};
   }
   [[nodiscard]] Place place_of(const ContactCandidate& contact, double penetration) const {
     const Vector3& at = contact.wheel.position;
@@ -40,7 +44,9 @@ public:
             std::tan(contact.rail_angle),
             contact.wheel.normal_curvature,
             true,
-            0.0};
+            0.0,
+            0.0,
+            contact.rail_rise};
   }
 
 private:
@@ -50,6 +56,27 @@ private:
 /// The width that every potential contact area has, over its length.
 /// origin: bound: less than an element; penetration at a single point of the scan has none.
 constexpr double least_width = 1e-3;
+
+/// Patches of several scans that overlap, seen from above, become one.
+void join_overlapping(std::vector<ContactPatch>& patches) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < patches.size() && !changed; ++i) {
+      for (std::size_t k = i + 1; k < patches.size() && !changed; ++k) {
+        const ContactPatch& a = patches[i];
+        const ContactPatch& b = patches[k];
+        if (a.scan != b.scan && a.y_first < b.y_last && b.y_first < a.y_last &&
+            a.x_first < b.x_last && b.x_first < a.x_last) {
+          patches[i] = joined(a, b);
+          patches[i].limit_first = -std::numeric_limits<double>::infinity();
+          patches[i].limit_last = std::numeric_limits<double>::infinity();
+          patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(k));
+          changed = true;
+        }
+      }
+    }
+  }
+}
 
 /// About its middle.
 PlaneArea widened(PlaneArea area) {
@@ -64,7 +91,9 @@ PlaneArea widened(PlaneArea area) {
 
 /// The lateral coordinate of the rail's surface at a point of the track.
 double lateral_at(double y, const RailSurface& rail, const ContactFrame& frame) {
-  const Vector3 place{frame.origin.x, y, rail.graph().heights().at(y).height};
+  const Vector3 place{frame.origin.x, y,
+                      rail.varying() == nullptr ? rail.graph().heights().at(y).height
+                                                : height_near(rail, frame.origin.x, y)};
   return dot(place - frame.origin, frame.lateral);
 }
 
@@ -88,6 +117,70 @@ ContactPatches find_contact_patches(const ContactScan& scan, double depth,
   return patch_finding::PatchFinder(scan, depth, joining_distance, places).find();
 }
 
+ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
+  ContactPatch both = one.deepest >= other.deepest ? one : other;
+  const auto mean = [&](double of_one, double of_other) {
+    return (one.weight * of_one + other.weight * of_other) / (one.weight + other.weight);
+  };
+  const ContactPatch& first = one.y_first <= other.y_first ? one : other;
+  const ContactPatch& last = one.y_last >= other.y_last ? one : other;
+  both.y_first = first.y_first;
+  both.y_last = last.y_last;
+  both.x_first = std::min(one.x_first, other.x_first);
+  both.x_last = std::max(one.x_last, other.x_last);
+  both.half_length = std::max(one.half_length, other.half_length);
+  both.angle_unturned = both.angle = mean(one.angle_unturned, other.angle_unturned);
+  both.rise = mean(one.rise, other.rise);
+  both.mean_x = mean(one.mean_x, other.mean_x);
+  both.mean_y = mean(one.mean_y, other.mean_y);
+  both.mean_s = mean(one.mean_s, other.mean_s);
+  both.weight = one.weight + other.weight;
+  both.contact_first = first.contact_first;
+  both.angle_first = first.angle_first;
+  both.contact_last = last.contact_last;
+  both.angle_last = last.angle_last;
+  return both;
+}
+
+ContactPatches find_contact_patches(std::span<const ContactScan* const> scans, double depth,
+                                    double joining_distance) {
+  ContactPatches all = find_contact_patches(*scans.front(), depth, joining_distance);
+  const double first_y = scans.front()->candidates.front().wheel.position.y;
+  bool changed = false;
+  for (std::size_t k = 1; k < scans.size(); ++k) {
+    const double of_scan = depth - behind(*scans[k], *scans.front());
+    if (!(of_scan > 0.0)) {
+      continue;
+    }
+    ContactPatches found = find_contact_patches(*scans[k], of_scan, joining_distance);
+    // Weights of a scan are over a power of its depth.
+    const double weight = found.weight * std::pow(of_scan / depth, 2.5);
+    const double sum = all.weight + weight;
+    for (ContactPatch& patch : all.patches) {
+      patch.weight *= all.weight / sum;
+    }
+    for (ContactPatch& patch : found.patches) {
+      patch.weight *= weight / sum;
+      patch.scan = k;
+      all.patches.push_back(patch);
+    }
+    all.weight = sum;
+    changed = true;
+  }
+  if (changed) {
+    join_overlapping(all.patches);
+    std::stable_sort(all.patches.begin(), all.patches.end(),
+                     [](const auto& one, const auto& other) { return one.mean_y < other.mean_y; });
+    all.links.assign(all.patches.size() - 1, 0.0);
+    const auto depth_at_first = [&](const ContactPatch& patch) {
+      return patch.y_first <= first_y && first_y <= patch.y_last ? patch.deepest : 0.0;
+    };
+    all.main = static_cast<std::size_t>(std::ranges::max_element(all.patches, {}, depth_at_first) -
+                                        all.patches.begin());
+  }
+  return all;
+}
+
 std::vector<patch_finding::LocusSample<double>> locus_samples(const ContactScan& scan,
                                                               double depth) {
   return patch_finding::LocusSampler(scan, depth, PlainPlaces(scan)).samples();
@@ -96,8 +189,8 @@ std::vector<patch_finding::LocusSample<double>> locus_samples(const ContactScan&
 PlaneArea area_of(const ContactPatch& patch, const RailSurface& rail, const ContactFrame& frame) {
   PlaneArea area = PlaneArea::empty();
   for (const double y : {patch.y_first, patch.y_last}) {
-    const double z = rail.graph().at_lateral(y).height;
     for (const double x : {patch.x_first, patch.x_last}) {
+      const double z = height_near(rail, x, y);
       const Vector3 from_origin = Vector3{x, y, z} - frame.origin;
       area.include(dot(from_origin, frame.lateral), dot(from_origin, frame.longitudinal));
     }

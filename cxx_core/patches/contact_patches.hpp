@@ -50,6 +50,7 @@
 /// functions. Not known here: elasticity.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/contact_search.hpp"
@@ -65,6 +66,14 @@ namespace wrc {
 /// patches are close by their own widths alone.
 ContactPatches find_contact_patches(const ContactScan& scan, double depth,
                                     double joining_distance = 0.0);
+
+/// The same for several scans, that of the first contact first. Patches of different scans that
+/// overlap, seen from above, are one.
+ContactPatches find_contact_patches(std::span<const ContactScan* const> scans, double depth,
+                                    double joining_distance);
+
+/// Both as one, with one plane; the weights of both count.
+ContactPatch joined(const ContactPatch& one, const ContactPatch& other);
 
 /// What these are found from.
 std::vector<patch_finding::LocusSample<double>> locus_samples(const ContactScan& scan,

@@ -37,6 +37,7 @@ template <class Real> struct LocusSample {
   bool top;              ///< a local maximum: a parabola to both sides
   Real second = 0.0;     ///< derivative of the penetration
   Real slope_rate = 0.0; ///< of the rail's slope, by y
+  Real rise = 0.0;       ///< slope of the rail along the track
 };
 
 /// From the curvature in rolling direction to that of distances along the rail. With yaw these
@@ -93,7 +94,8 @@ LocusSample<Real> between(const LocusSample<Real>& from, const LocusSample<Real>
           mix(from.curvature, to.curvature),
           false,
           Real(0.0),
-          mix(from.slope_rate, to.slope_rate)};
+          mix(from.slope_rate, to.slope_rate),
+          mix(from.rise, to.rise)};
 }
 
 /// Derivatives by differences.

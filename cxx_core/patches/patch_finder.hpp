@@ -55,6 +55,7 @@ public:
     for (const Lobe<Real>& lobe : lobes_) {
       weight += lobe.moments.weight;
     }
+    result.weight = value_of(weight);
     result.patches.reserve(lobes_.size());
     result.links.reserve(lobes_.size());
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
@@ -193,6 +194,7 @@ private:
     patch.deepest_y = value_of(lobe.deepest.y);
     patch.deepest_s = value_of(lobe.deepest.s);
     patch.angle_unturned = value_of(lobe.angle);
+    patch.rise = value_of(lobe.moments.rise / lobe.moments.weight);
     patch.mean_x = value_of(lobe.moments.x / lobe.moments.weight);
     patch.mean_y = value_of(lobe.moments.y / lobe.moments.weight);
     patch.mean_s = value_of(lobe.moments.s / lobe.moments.weight);

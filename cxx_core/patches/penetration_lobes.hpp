@@ -25,6 +25,7 @@ template <class Real> struct Moments {
   Real x = 0.0;
   Real y = 0.0;
   Real s = 0.0;
+  Real rise = 0.0;
 
   void add(const Real& share, const Moments& other) {
     weight += share * other.weight;
@@ -33,6 +34,7 @@ template <class Real> struct Moments {
     x += share * other.x;
     y += share * other.y;
     s += share * other.s;
+    rise += share * other.rise;
   }
   [[nodiscard]] Real angle() const { return atan2(sine, cosine); }
 };
@@ -136,8 +138,13 @@ private:
     const Real relative = partner.overlap / depth_;
     const Real level = relative * relative * reach * reach_scale_;
     const Real weight = level / partner.cosine;
-    return {weight,          level, level * partner.slope, weight * place.x, weight * partner.y,
-            weight * place.s};
+    return {weight,
+            level,
+            level * partner.slope,
+            weight * place.x,
+            weight * partner.y,
+            weight * place.s,
+            level * place.rise};
   }
 
   void begin_lobe(std::size_t place, const LocusSample<Real>& begin) {

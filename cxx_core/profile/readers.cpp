@@ -223,11 +223,11 @@ ReadResult read_slice(const std::string& content, const std::filesystem::path& p
   const std::vector<Slice> slices = read_slices(other_text ? *other_text : content, path);
   const auto count = static_cast<int>(slices.size());
   if (options.slice < 1 || options.slice > count)
-    throw Error(
-        ErrorCode::file_malformed,
-        path.string() + ": slice = " + std::to_string(options.slice) + ", allowed is 1 to " +
-            std::to_string(count) + " of its " + slices_text(slices, kind) +
-            "; scenes take one slice: wrc_profile FILE --slice N --convert makes a profile of it");
+    throw Error(ErrorCode::file_malformed,
+                path.string() + ": slice = " + std::to_string(options.slice) +
+                    ", allowed is 1 to " + std::to_string(count) + " of its " +
+                    slices_text(slices, kind) +
+                    "; one profile is read here: wrc_profile FILE --slice N --convert makes it");
   const Slice& chosen = slices[static_cast<std::size_t>(options.slice - 1)];
   if (type_of(chosen.file).format == ProfileFormat::slices)
     throw Error(ErrorCode::file_malformed,

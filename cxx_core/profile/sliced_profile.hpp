@@ -38,6 +38,9 @@ struct SlicedProfile {
   std::vector<std::string> corrections{};
 };
 
+/// Whether all slices are the same, to the last bit, and whole.
+bool has_equal_slices(const SlicedProfile& profile);
+
 /// Reads a .slcs or .slcw file with its slices. Of the options: kind, mirrors, scale (also of
 /// Simpack files) and smoothing_wavelength. Throws Error(file_unreadable) or Error(file_malformed),
 /// naming file, slice and line.

@@ -17,9 +17,11 @@ namespace wrc {
 struct Motion {
   double speed = 0.0; ///< V along the track, mm/s; backwards below 0
   std::optional<double>
-      pitch{};            ///< rad/s, > 0 rolls forward; not set: speed over the nominal radius
-  double lateral = 0.0;   ///< mm/s
-  double vertical = 0.0;  ///< mm/s
+      pitch{};           ///< rad/s, > 0 rolls forward; not set: speed over the nominal radius
+  double lateral = 0.0;  ///< mm/s
+  double vertical = 0.0; ///< mm/s
+  /// Otherwise wheels follow surfaces that vary (creep/kinematics.hpp).
+  bool vertical_is_given = false;
   double roll = 0.0;      ///< rad/s
   double yaw = 0.0;       ///< rad/s
   double curvature = 0.0; ///< kappa, 1/mm
@@ -36,6 +38,9 @@ struct WheelsetMotion {
   RailDisplacement rail_velocity;
   double rail_origin_y = 0.0; ///< of the rail's profile, about which it rolls
   double rail_origin_z = 0.0;
+  /// Whether the wheel's vertical velocity is that at which contact neither closes nor opens
+  /// (creep/kinematics.hpp).
+  bool follows_surface = false;
 
   [[nodiscard]] double pitch_rate() const {
     return motion.pitch.value_or(motion.speed / nominal_radius);

@@ -85,6 +85,10 @@ struct WheelDetails {
   std::shared_ptr<const RailSurface> rail;
   DamageRequest damage{}; ///< what of it was requested
 
+  /// Whether the rail varies along the track, or the wheel around its circumference.
+  [[nodiscard]] bool varies() const {
+    return wheel->varying() != nullptr || rail->varying() != nullptr;
+  }
   /// Wheel and rail as they were solved.
   [[nodiscard]] PosedPair pair() const { return {*wheel, *rail, pose, vertical}; }
 };
@@ -118,6 +122,7 @@ struct WheelResult {
   StopReason stop_reason = StopReason::tolerance_met;
   std::optional<int> state;         ///< flags of wheel/wheel_state.hpp, of mechanics
   bool solved = false;              ///< the mechanics have run
+  bool meets_part_end = false;      ///< first touch at the end of a part of a rail that varies
   std::vector<PatchResult> patches; ///< largest normal force first
   Warnings warnings;
   WheelDetails details;

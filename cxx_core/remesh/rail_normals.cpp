@@ -12,7 +12,8 @@ namespace wrc {
 
 RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, const Grid& grid)
     : frame_(frame), grid_(grid),
-      by_row_(frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0) {
+      by_row_(rail.varying() == nullptr && frame.longitudinal.y == 0.0 &&
+              frame.longitudinal.z == 0.0) {
   const std::size_t columns = by_row_ ? 1 : grid.longitudinal_count;
   places_.reserve(grid.lateral_count * columns);
   rows_.reserve(grid.lateral_count);
@@ -22,13 +23,21 @@ RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, con
     const ContactFrame::Row& at = rows_.emplace_back(frame.row_at(lateral));
     for (std::size_t column = 0; column < columns; ++column) {
       const auto position = ray.solve(by_row_ ? 0.0 : grid.longitudinal(column), lateral);
-      Place place{position.has_value(), at.place, at.normal, at.lateral, at.normal, {}};
+      Place place{position.has_value(), at.place, at.normal, at.lateral, at.normal, {}, {}};
       if (position) {
-        const CurvePoint& point = ray.point();
         place.foot = place.foot + *position * at.normal;
-        place.tangent = {0.0, point.tangent_lateral, point.tangent_height};
-        place.normal = {0.0, -point.tangent_height, point.tangent_lateral};
-        place.normal_rate = {0.0, -point.second_height, point.second_lateral};
+        if (rail.varying() == nullptr) {
+          const CurvePoint& point = ray.point();
+          place.tangent = {0.0, point.tangent_lateral, point.tangent_height};
+          place.normal = {0.0, -point.tangent_height, point.tangent_lateral};
+          place.normal_rate = {0.0, -point.second_height, point.second_lateral};
+        } else { // any multiple of the normal does
+          const GraphPoint& graph = ray.graph();
+          place.tangent = {0.0, 1.0, 0.0};
+          place.normal = {-graph.by_along, -graph.by_lateral, 1.0};
+          place.normal_rate = {-graph.by_along_lateral, -graph.by_lateral2, 0.0};
+          place.normal_rate_along = {-graph.by_along2, -graph.by_along_lateral, 0.0};
+        }
         place.direction = (1.0 / dot(at.normal, place.normal)) * place.normal;
       }
       places_.push_back(place);
@@ -36,9 +45,9 @@ RailNormals::RailNormals(const RailSurface& rail, const ContactFrame& frame, con
   }
 }
 
-std::optional<double> RailNormals::position(std::size_t row) const {
-  const Place& place = places_[row];
-  return place.met ? std::optional(height(row, 0)) : std::nullopt;
+std::optional<double> RailNormals::position(std::size_t row, std::size_t column) const {
+  const Place& place = places_[index(row, column)];
+  return place.met ? std::optional(height(row, column)) : std::nullopt;
 }
 
 void RailNormals::shift(const Vector3& by) {
@@ -73,7 +82,8 @@ RailNormals::Rates RailNormals::rates(std::size_t row, std::size_t column, doubl
   const Vector3 in_plane = along * frame_.longitudinal + across * at.lateral;
   const double facing = 1.0 / dot(at.normal, place.normal);
   const Vector3 arm = in_plane - (dot(place.normal, in_plane) * facing) * at.normal;
-  const Vector3 turned = (dot(place.tangent, arm) * facing) * place.normal_rate;
+  const Vector3 turned = (dot(place.tangent, arm) * facing) * place.normal_rate +
+                         (arm.x * facing) * place.normal_rate_along;
   return {turned - dot(at.normal, turned) * place.direction, arm};
 }
 

@@ -9,7 +9,8 @@
 /// discretisation, since sum p dh/ds vanishes along the plane). A pressure on dA so pushes with p f
 /// dA at that end. Rows along a curve have the normals of the curve. With the surface inclined by
 /// beta to the plane f = n - tan(beta) t, t the plane's lateral axis: the plane's own direction
-/// counts to second order only. A prismatic rail takes no force along itself. Units mm, N, MPa;
+/// counts to second order only. A prismatic rail takes no force along itself, one that rises does.
+/// Units mm, N, MPa;
 /// track frame, left-hand side (geometry/frames.hpp). Thread rule: pure functions. Not known here:
 /// friction.
 #pragma once
@@ -57,15 +58,15 @@ public:
   /// The plane goes by so much, with the elements; to first order.
   void shift(const Vector3& by);
 
-  /// Where the ray of a row meets the rail, along the plane's normal; none where it does not.
-  [[nodiscard]] std::optional<double> position(std::size_t row) const;
+  /// Where the ray of an element meets the rail, along the row's normal; none where it does not.
+  [[nodiscard]] std::optional<double> position(std::size_t row, std::size_t column) const;
   /// f of an element.
   [[nodiscard]] const Vector3& direction(std::size_t row, std::size_t column) const {
     return places_[index(row, column)].direction;
   }
-  /// Tangent of the rail's angle to a row, in its first column.
+  /// Tangent of the rail's angle to a row, in its middle.
   [[nodiscard]] double inclination(std::size_t row) const {
-    return -dot(direction(row, 0), rows_[row].lateral);
+    return -dot(direction(row, grid_.longitudinal_count / 2), rows_[row].lateral);
   }
   /// Where its ray meets the rail, along the row's normal.
   [[nodiscard]] double height(std::size_t row, std::size_t column) const;
@@ -93,9 +94,11 @@ private:
     bool met;
     Vector3 foot; ///< from the origin, less what lies along the row
     Vector3 direction;
-    Vector3 tangent;     ///< of the rail, and ...
-    Vector3 normal;      ///< ... its normal, ...
-    Vector3 normal_rate; ///< ... which changes so along the arc
+    Vector3 tangent; ///< of the rail, and ...
+    Vector3 normal;  ///< ... its normal, ...
+    Vector3
+        normal_rate; ///< ... which changes so along the arc, or, of a rail that varies, by y, ...
+    Vector3 normal_rate_along; ///< ... and by x
   };
   [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const {
     return by_row_ ? row : row * grid_.longitudinal_count + column;

@@ -27,7 +27,7 @@ struct Reach {
 };
 
 /// What a stretch of a row meets: one polynomial, ...
-struct Stretch {
+struct RowStretch {
   HeightFunction::Piece piece;
   double radius;
   double half_curvature; ///< half a bound of the second derivative along the rays
@@ -134,7 +134,7 @@ WRC_VECTOR_BODY Approach step_to_revolution(const Approach& ray, const Vector3& 
 }
 
 /// Estimated error of a ray; infinite if it left its polynomial or if the surface is too flat.
-WRC_VECTOR_BODY double error_of(const Approach& ray, double lateral, const Stretch& on) {
+WRC_VECTOR_BODY double error_of(const Approach& ray, double lateral, const RowStretch& on) {
   const double error = ray.step * ray.step * on.half_curvature * ray.facing / ray.derivative;
   const bool faces = ray.derivative > min_facing_cosine * ray.facing;
   const bool on_piece = (lateral >= on.piece.start) & (lateral <= on.piece.end);
@@ -143,12 +143,12 @@ WRC_VECTOR_BODY double error_of(const Approach& ray, double lateral, const Stret
 
 /// `steps` is 1 or 2: a loop of unknown length would not vectorise.
 template <bool is_revolution, int steps>
-WRC_VECTOR_BODY double improve(const RowOfRays& rays, const Stretch& stretch,
+WRC_VECTOR_BODY double improve(const RowOfRays& rays, const RowStretch& stretch,
                                double* __restrict position, double* __restrict error) {
   const Vector3 base = rays.base;
   const Vector3 along = rays.along;
   const Vector3 normal = rays.normal;
-  const Stretch on = stretch;
+  const RowStretch on = stretch;
   const double* __restrict x = rays.longitudinal;
   double worst = 0.0;
 #pragma omp simd reduction(max : worst)
@@ -170,14 +170,14 @@ WRC_VECTOR_BODY double improve(const RowOfRays& rays, const Stretch& stretch,
 }
 
 WRC_VECTOR_CLONES
-double step_once(bool is_revolution, const RowOfRays& rays, const Stretch& stretch,
+double step_once(bool is_revolution, const RowOfRays& rays, const RowStretch& stretch,
                  double* __restrict position, double* __restrict error) {
   return is_revolution ? improve<true, 1>(rays, stretch, position, error)
                        : improve<false, 1>(rays, stretch, position, error);
 }
 
 WRC_VECTOR_CLONES
-double step_twice(bool is_revolution, const RowOfRays& rays, const Stretch& stretch,
+double step_twice(bool is_revolution, const RowOfRays& rays, const RowStretch& stretch,
                   double* __restrict position, double* __restrict error) {
   return is_revolution ? improve<true, 2>(rays, stretch, position, error)
                        : improve<false, 2>(rays, stretch, position, error);
@@ -218,7 +218,7 @@ bool RaySurface::meet(const RowOfRays& rays, double lateral) {
       error = half_curvature * error * error / facing;
       ++steps;
     }
-    const Stretch stretch{polynomial, radius, half_curvature, begin, end};
+    const RowStretch stretch{polynomial, radius, half_curvature, begin, end};
     for (; steps > 2; steps -= 2) {
       step_twice(radius_.has_value(), rays, stretch, position_.data(), error_.data());
     }

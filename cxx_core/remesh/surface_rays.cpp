@@ -6,17 +6,34 @@
 #include "remesh/constants.hpp"
 
 namespace wrc {
+namespace {
+
+/// The section of a surface through one of its points.
+CurvePoint section_point(const GraphPoint& graph, double lateral) {
+  const double cosine = 1.0 / std::sqrt(1.0 + graph.by_lateral * graph.by_lateral);
+  const double sine = graph.by_lateral * cosine;
+  const double curvature = graph.by_lateral2 * cosine * cosine * cosine;
+  return {lateral, graph.height, cosine, sine, -curvature * sine, curvature * cosine};
+}
+
+} // namespace
 
 RailRay::RailRay(const RailSurface& rail, const ContactFrame& frame)
     : graph_(rail.graph()), frame_(frame) {
   point_ = graph_.at_lateral(frame.origin.y, start_);
   arc_of_point_ = start_;
+  if (rail.varying() != nullptr) {
+    line_.emplace(rail);
+  }
   restart();
 }
 
 void RailRay::restart() {
   arc_ = start_;
   piece_ = graph_.curve().piece_at(arc_);
+  if (line_) {
+    line_->restart();
+  }
 }
 
 bool RailRay::on_graph() const {
@@ -34,6 +51,13 @@ CurvePoint RailRay::at(double arc) {
 std::optional<double> RailRay::solve(double longitudinal, double lateral) {
   const Vector3 base = frame_.to_track(longitudinal, lateral, 0.0);
   const Vector3 normal = frame_.curve ? frame_.row_at(lateral).normal : frame_.normal;
+  if (line_) {
+    const auto position = line_->meet(base, normal);
+    if (position) {
+      point_ = section_point(line_->graph(), base.y + *position * normal.y);
+    }
+    return position;
+  }
   const double ny = normal.y;
   const double nz = normal.z;
   double arc = arc_;
@@ -72,8 +96,8 @@ WheelRay::WheelRay(const PosedPair& pair, const ContactFrame& frame)
     : wheel_(pair.wheel), rotation_(pair.pose),
       frame_(frame), centre_{0.0, pair.pose.lateral, pair.vertical},
       longitudinal_(rotation_.to_body(frame.longitudinal)),
-      normal_(rotation_.to_body(frame.normal)), lateral_(base(0.0, 0.0).y),
-      height_(wheel_.graph().heights().at(lateral_).height) {}
+      normal_(rotation_.to_body(frame.normal)),
+      line_(pair.wheel, wheel_.graph().heights().at(base(0.0, 0.0).y).height) {}
 
 Vector3 WheelRay::base(double longitudinal, double lateral) const {
   Vector3 base = rotation_.to_body(frame_.to_track(longitudinal, lateral, 0.0) - centre_);
@@ -86,51 +110,12 @@ std::optional<double> WheelRay::solve(double longitudinal, double lateral) {
   if (frame_.curve) {
     normal_ = rotation_.to_body(frame_.row_at(lateral).normal);
   }
-  // Start: where the ray enters the cylinder of the radius last met.
-  const double radius = wheel_.radius() + height_;
-  const double a = normal_.x * normal_.x + normal_.z * normal_.z;
-  const double b = from.x * normal_.x + from.z * normal_.z;
-  const double c = from.x * from.x + (from.z - radius) * (from.z + radius);
-  const double discriminant = b * b - a * c;
-  if (!(discriminant > 0.0)) {
-    return std::nullopt;
-  }
-  double position = (-b - std::sqrt(discriminant)) / a;
-  double largest_step = first_ray_step;
-  const HeightFunction& heights = wheel_.graph().heights();
-  for (int iteration = 0; iteration < max_newton_steps; ++iteration) {
-    const Vector3 body = from + position * normal_;
-    lateral_ = body.y;
-    const HeightPoint profile = heights.at(lateral_);
-    const double rho = wheel_.radius() + profile.height;
-    const double excess = 0.5 * (body.x * body.x + (body.z - rho) * (body.z + rho));
-    const double derivative =
-        body.x * normal_.x + body.z * normal_.z - rho * profile.slope * normal_.y;
-    if (!(derivative < -min_facing_cosine * rho)) {
-      return std::nullopt;
-    }
-    const double step = std::clamp(-excess / derivative, -largest_step, largest_step);
-    const bool at_step =
-        iteration + 1 == max_newton_steps && std::abs(excess) <= step_tolerance * rho;
-    if (std::abs(step) <= ray_tolerance || at_step) {
-      if (!heights.covers(lateral_)) {
-        return std::nullopt;
-      }
-      height_ = profile.height;
-      return position;
-    }
-    position += step;
-    if (iteration > free_newton_steps) {
-      largest_step *= 0.5;
-    }
-  }
-  return std::nullopt;
+  return line_.meet(from, normal_);
 }
 
 double WheelRay::inclination(double longitudinal, double lateral, double position) const {
   const Vector3 met = base(longitudinal, lateral) + position * normal_;
-  const HeightPoint profile = wheel_.graph().heights().at(met.y);
-  const Vector3 gradient{met.x, -(wheel_.radius() + profile.height) * profile.slope, met.z};
+  const Vector3 gradient = line_.gradient(met);
   return -dot(gradient, cross(normal_, longitudinal_)) / dot(gradient, normal_);
 }
 

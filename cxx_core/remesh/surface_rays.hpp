@@ -1,17 +1,19 @@
 /// Where a single ray along a contact frame's normal meets the rail and the wheel; of a frame with
 /// a curve, along the normal of the ray's row.
 ///
-/// The rail is a plane curve, so its ray is solved on the profile's arc length, overhanging parts
-/// included. The wheel's ray meets the surface of revolution X^2 + Z^2 = rho(Y)^2 in the wheelset
-/// frame; the form X^2 + (Z - rho)(Z + rho) does not cancel, and needs no root. Both by Newton's
-/// method from the point met last, to 1e-12 mm. At a kink or a step steps are halved after a while,
-/// and a point within the step is accepted. Units mm; track frame, left-hand side. Thread rule: one
-/// object, one thread.
+/// A prismatic rail is a plane curve, so its ray is solved on the profile's arc length, overhanging
+/// parts included; one that varies is met as a surface (geometry/rail_line.hpp). The wheel's ray
+/// meets its surface in the wheelset frame (geometry/wheel_line.hpp). All by Newton's method from
+/// the point met last, to 1e-12 mm. At a kink or a step steps are halved after a while, and a point
+/// within the step is accepted. Units mm; track frame, left-hand side. Thread rule: one object, one
+/// thread.
 #pragma once
 
 #include <optional>
 
+#include "geometry/rail_line.hpp"
 #include "geometry/rail_surface.hpp"
+#include "geometry/wheel_line.hpp"
 #include "geometry/wheel_surface.hpp"
 #include "patches/contact_frame.hpp"
 #include "remesh/constants.hpp"
@@ -36,8 +38,12 @@ public:
   /// Position along the normal at which the ray through a point of the plane meets the rail; the
   /// next ray starts from there.
   std::optional<double> solve(double longitudinal, double lateral);
-  /// Point of the rail where the last ray met it.
+  /// Point of the rail where the last ray met it; of a rail that varies on its section there.
   [[nodiscard]] const CurvePoint& point() const { return point_; }
+  /// Slope along the track there, of a rail that varies.
+  [[nodiscard]] double rise() const { return line_ ? line_->graph().by_along : 0.0; }
+  /// The rail's surface there, if it varies.
+  [[nodiscard]] const GraphPoint& graph() const { return line_->graph(); }
   /// True if that point is seen from above.
   [[nodiscard]] bool on_graph() const;
 
@@ -51,6 +57,7 @@ private:
   double arc_of_point_ = 0.0;
   std::size_t piece_ = 0;
   CurvePoint point_;
+  std::optional<RailLine> line_; ///< of a rail that varies
 };
 
 class WheelRay {
@@ -59,14 +66,17 @@ public:
   WheelRay(const PosedPair& pair, const ContactFrame& frame);
 
   /// Position on the wheel profile where the last ray met it; the next ray starts from its height.
-  [[nodiscard]] double lateral() const { return lateral_; }
-  [[nodiscard]] double height() const { return height_; }
-  void start_from(double height) { height_ = height; }
+  [[nodiscard]] double lateral() const { return line_.lateral(); }
+  [[nodiscard]] double height() const { return line_.height(); }
+  void start_from(double height) { line_.start_from(height); }
   /// Position along the normal at which the ray meets the wheel from below.
   std::optional<double> solve(double longitudinal, double lateral);
 
   /// Tangent of the wheel's angle to the plane across, where the last ray met it.
   [[nodiscard]] double inclination(double longitudinal, double lateral, double position) const;
+
+  /// Normal of the wheel at one of its points, in the wheelset frame with Y from the taping line.
+  [[nodiscard]] Vector3 gradient(const Vector3& point) const { return line_.gradient(point); }
 
   /// A point of the plane in the wheelset frame, with Y from the taping line: that of the profile.
   [[nodiscard]] Vector3 base(double longitudinal, double lateral) const;
@@ -82,8 +92,7 @@ private:
   const Vector3 centre_;
   const Vector3 longitudinal_;
   Vector3 normal_;
-  double lateral_;
-  double height_;
+  WheelLine line_;
 };
 
 } // namespace wrc

@@ -16,7 +16,8 @@ public:
   RowSampler(const PosedPair& pair, const ContactFrame& frame, const Grid& grid,
              const RailNormals* known)
       : pair_(pair), frame_(frame), grid_(grid), known_(known),
-        rail_constant_along_rows_(frame.longitudinal.y == 0.0 && frame.longitudinal.z == 0.0),
+        rail_constant_along_rows_(pair.rail.varying() == nullptr && frame.longitudinal.y == 0.0 &&
+                                  frame.longitudinal.z == 0.0),
         middle_column_(nearest_to_zero(grid.longitudinal_first, grid.longitudinal_step,
                                        grid.longitudinal_count)),
         rail_(pair.rail, frame), wheel_(pair, frame),
@@ -41,7 +42,7 @@ public:
     const double lateral = grid_.lateral(row);
     std::optional<double> rail_position;
     if (rail_constant_along_rows_) {
-      rail_position = known_ != nullptr ? known_->position(row) : rail_.solve(0.0, lateral);
+      rail_position = known_ != nullptr ? known_->position(row, 0) : rail_.solve(0.0, lateral);
       if (!rail_position) {
         std::fill_n(values, longitudinal_.size(), no_material_distance);
         return;
@@ -52,7 +53,7 @@ public:
       all_met = meet_rail(lateral) && all_met;
     }
     if (!all_met) {
-      sample_singly(lateral, rail_position, values);
+      sample_singly(row, rail_position, values);
     } else if (rail_position) {
       for (std::size_t column = 0; column < longitudinal_.size(); ++column) {
         values[column] = wheel_row_.position(column) - *rail_position;
@@ -72,12 +73,20 @@ private:
       return false;
     }
     row_height_ = wheel_.height();
+    if (pair_.wheel.varying() != nullptr) {
+      wheel_row_.meet_none(longitudinal_.size());
+      return false;
+    }
     return wheel_row_.meet({wheel_.base(0.0, lateral), wheel_.longitudinal(), wheel_.normal(),
                             longitudinal_.data(), longitudinal_.size()},
                            wheel_.lateral());
   }
 
   bool meet_rail(double lateral) {
+    if (pair_.rail.varying() != nullptr) {
+      rail_row_.meet_none(longitudinal_.size());
+      return false;
+    }
     if (!rail_.solve(longitudinal_[middle_column_], lateral) || !rail_.on_graph()) {
       rail_row_.meet_none(longitudinal_.size());
       return false;
@@ -95,8 +104,10 @@ private:
     return std::sqrt(met.x * met.x + met.z * met.z) - pair_.wheel.radius();
   }
 
-  void sample_singly(double lateral, std::optional<double> rail_position, double* values) {
+  void sample_singly(std::size_t row, std::optional<double> rail_position, double* values) {
+    const double lateral = grid_.lateral(row);
     // The column next to it on the side of the middle has been there before.
+    const bool rail_is_known = known_ != nullptr && pair_.rail.varying() != nullptr;
     const auto sample_element = [&](std::size_t column, std::size_t before) {
       std::optional<double> wheel_position;
       if (wheel_row_.met(column)) {
@@ -108,8 +119,9 @@ private:
         wheel_position = wheel_.solve(longitudinal_[column], lateral);
       }
       if (!rail_constant_along_rows_) {
-        rail_position = rail_row_.met(column) ? std::optional(rail_row_.position(column))
-                                              : rail_.solve(longitudinal_[column], lateral);
+        rail_position = rail_is_known           ? known_->position(row, column)
+                        : rail_row_.met(column) ? std::optional(rail_row_.position(column))
+                                                : rail_.solve(longitudinal_[column], lateral);
       }
       values[column] =
           wheel_position && rail_position ? *wheel_position - *rail_position : no_material_distance;
@@ -186,6 +198,7 @@ SurfacePlace surfaces_at(const PosedPair& pair, const ContactFrame& frame, doubl
     place.on_rail = true;
     place.rail = frame.to_track(longitudinal, lateral, *position);
     place.rail_angle = std::atan2(rail.point().tangent_height, rail.point().tangent_lateral);
+    place.rail_rise = rail.rise();
   }
   WheelRay wheel(pair, frame);
   if (const auto position = wheel.solve(longitudinal, lateral)) {

@@ -2,7 +2,7 @@
 /// summary, and points of its surface.
 ///
 /// Frame and units of varying_rail.hpp and varying_wheel.hpp: mm, along mm or, of a wheel, rad.
-/// Scenes do not use such surfaces yet. Thread rule: immutable after construction, safe to share.
+/// Thread rule: immutable after construction, safe to share.
 #pragma once
 
 #include <cstddef>

@@ -79,12 +79,32 @@ Values displacement(const WheelDetails& side, const PatchResult& patch) {
   return displacement_of(patch, side);
 }
 
-/// The rail's outline at the nodes of its curve.
+/// The rail at the wheelset; of one that varies the sections of all its parts there, from the
+/// track's middle outwards.
+std::vector<Curve> rail_sections(const RailSurface& rail) {
+  if (rail.varying() == nullptr) {
+    return {rail.graph().curve()};
+  }
+  std::vector<Curve> sections;
+  for (const SurfaceSheet& sheet : rail.varying()->sheets()) {
+    if (sheet.holds(rail.along())) {
+      sections.push_back(
+          sheet.section(rail.along()).moved(rail.angle(), rail.origin_y(), rail.origin_z()));
+    }
+  }
+  std::sort(sections.begin(), sections.end(), [](const Curve& one, const Curve& other) {
+    return one.at(0.0).lateral < other.at(0.0).lateral;
+  });
+  return sections;
+}
+
+/// The rail's outline at the nodes of its curves.
 template <class Coordinate> Values rail_outline(const WheelResult& side, Coordinate&& coordinate) {
   Values values;
-  const Curve& curve = side.details.rail->graph().curve();
-  for (const double arc : curve.starts()) {
-    values.push_back(coordinate(curve.at(arc)));
+  for (const Curve& curve : rail_sections(*side.details.rail)) {
+    for (const double arc : curve.starts()) {
+      values.push_back(coordinate(curve.at(arc)));
+    }
   }
   return values;
 }

@@ -278,6 +278,33 @@ Key pitch_key() {
   return key;
 }
 
+Key vertical_key() {
+  Key key =
+      motion_key("motion.vertical", "-1e6 to 1e6 mm/s, \"follow\" or \"none\"",
+                 "vertical velocity of the wheelset's centre; follow, unless a number is set: "
+                 "0, but on rails and wheels that vary that at which wheels follow them",
+                 1e6, turning_length, &Motion::vertical);
+  key.get = [get = key.get](const Scene& scene) {
+    return scene.motion && !scene.motion->vertical_is_given ? KeyValue(std::string("follow"))
+                                                            : get(scene);
+  };
+  key.set_number = [set = key.set_number](Scene& scene, double value) {
+    set(scene, value);
+    scene.motion->vertical_is_given = true;
+  };
+  key.set_text = [set = key.set_text](Scene& scene, std::string_view value) {
+    if (value != "follow") {
+      return set(scene, value);
+    }
+    if (scene.motion) { // following by itself does not move
+      scene.motion->vertical = 0.0;
+      scene.motion->vertical_is_given = false;
+    }
+    return true;
+  };
+  return key;
+}
+
 constexpr std::string_view speed_range = "-1e6 to 1e6 mm/s, or \"none\"";
 constexpr std::string_view rate_range = "-1e3 to 1e3 rad/s, or \"none\"";
 constexpr std::string_view creepage_range = "-10 to 10, or \"none\"";
@@ -311,8 +338,7 @@ std::vector<Key> make_rolling_keys() {
                  {-1e12, 1e12}, moment, &Scene::torque),
       motion_key("motion.lateral", speed_range, "lateral velocity of the wheelset's centre", 1e6,
                  turning_length, &Motion::lateral),
-      motion_key("motion.vertical", speed_range, "vertical velocity of the wheelset's centre", 1e6,
-                 turning_length, &Motion::vertical),
+      vertical_key(),
       motion_key("motion.roll", rate_range, "roll rate of the wheelset", 1e3, pure, &Motion::roll),
       motion_key("motion.yaw", rate_range, "yaw rate of the wheelset, relative to the track", 1e3,
                  turning_angle, &Motion::yaw),

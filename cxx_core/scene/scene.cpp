@@ -2,10 +2,34 @@
 
 #include <cmath>
 
+#include <algorithm>
+#include <cctype>
+
 namespace wrc {
 
 Scene::Scene() {
   track.cant = std::atan(1.0 / 40.0);
+}
+
+bool is_sliced(const ProfileChoice& choice) {
+  std::string ending =
+      choice.name.substr(choice.name.size() - std::min<std::size_t>(5, choice.name.size()));
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return !choice.given && (ending == ".slcs" || ending == ".slcw");
+}
+
+bool rails_vary(const Scene& scene) {
+  return is_sliced(scene.left.rail) || is_sliced(scene.right.rail);
+}
+
+bool wheels_vary(const Scene& scene) {
+  return is_sliced(scene.left.wheel) || is_sliced(scene.right.wheel) ||
+         !scene.left.wheel.harmonics.empty() || !scene.right.wheel.harmonics.empty();
+}
+
+bool varies(const Scene& scene) {
+  return rails_vary(scene) || wheels_vary(scene);
 }
 
 } // namespace wrc

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "creep/creep_request.hpp"
 #include "geometry/rail_surface.hpp"
@@ -41,10 +42,12 @@ struct ProfileChoice {
   std::shared_ptr<const Profile> given{};
   /// Wavelength in mm for a profile read from a file, 0: none; automatic if not set.
   std::optional<double> smoothing{};
+  std::optional<double> smoothing_along{};   ///< of slices, mm; as their file says if not set
   WheelOrigin origin = WheelOrigin::by_file; ///< of a wheel's file; a scene's is that of all
   double shift = 0.0;                        ///< of its lateral, mm, instead of the origin; 0: none
   std::optional<double> rotation{};          ///< of a wheel's file, rad; a scene's is that of all
   std::string align_to{};                    ///< nominal profile of a wheel's file, or empty
+  std::vector<RadiusHarmonic> harmonics{};   ///< of a wheel's radius
   bool operator==(const ProfileChoice&) const = default;
 };
 
@@ -83,6 +86,10 @@ struct Scene : WheelOptions {
 
   double lateral = 0.0;
   double yaw = 0.0;
+  /// Of the wheelset's centre along the track, mm, and turn about its axle, rad: which part of
+  /// rails and wheels that vary is in contact.
+  double along = 0.0;
+  double pitch = 0.0;
   std::optional<double> roll;     ///< prescribed; solved if not set
   std::optional<double> vertical; ///< prescribed height of the wheelset's centre; solved if not set
 
@@ -116,5 +123,12 @@ struct Scene : WheelOptions {
   /// Over which the axle's speed is that of rolling, mm.
   [[nodiscard]] double nominal_radius() const { return 0.5 * (left.radius + right.radius); }
 };
+
+/// Whether a profile is that of a slices file.
+bool is_sliced(const ProfileChoice& choice);
+/// Whether rails may vary along the track, wheels around their circumference, any of them.
+bool rails_vary(const Scene& scene);
+bool wheels_vary(const Scene& scene);
+bool varies(const Scene& scene);
 
 } // namespace wrc

@@ -49,35 +49,46 @@ Key profile_key(KeyDescription description, ProfileKind kind, ProfileChoice Scen
   return key;
 }
 
-constexpr Range smoothing_range{0.0, 100.0};
-constexpr std::string_view smoothing_allowed = "\"auto\", or 0 (none) to 100 mm";
+/// A wavelength at which profiles are smoothed, on one or both sides.
+struct Smoothing {
+  std::optional<double> ProfileChoice::*member;
+  Range range;
+  std::string_view allowed;
+};
 
-/// The smoothing of a profile on one or both sides.
-Key smoothing_key(std::string_view name, std::string_view meaning, ProfileChoice SceneSide::*choice,
-                  const Sides& sides) {
+constexpr Smoothing across{
+    &ProfileChoice::smoothing, {0.0, 100.0}, "\"auto\", or 0 (none) to 100 mm"};
+constexpr Smoothing along{
+    &ProfileChoice::smoothing_along, {0.0, 1e6}, "\"auto\", or 0 (none) to 1e6 mm"};
+
+Key smoothing_key(const Smoothing& smoothing, std::string_view name, std::string_view meaning,
+                  ProfileChoice SceneSide::*choice, const Sides& sides) {
+  const auto of = [ choice, member = smoothing.member ](auto& side) -> auto& {
+    return (side.*choice).*member;
+  };
   Key key;
-  key.description = {name, "\"auto\"", smoothing_allowed, meaning};
+  key.description = {name, "\"auto\"", smoothing.allowed, meaning};
   key.dimension = length;
-  key.min = smoothing_range.min;
-  key.max = smoothing_range.max;
-  key.get = [choice, sides](const Scene& scene) {
-    const std::optional<double>& smoothing = ((scene.*sides.front()).*choice).smoothing;
-    if (smoothing != ((scene.*sides.back()).*choice).smoothing) {
+  key.min = smoothing.range.min;
+  key.max = smoothing.range.max;
+  key.get = [of, sides](const Scene& scene) {
+    const std::optional<double>& value = of(scene.*sides.front());
+    if (value != of(scene.*sides.back())) {
       return KeyValue();
     }
-    return smoothing ? KeyValue(*smoothing) : KeyValue(std::string("auto"));
+    return value ? KeyValue(*value) : KeyValue(std::string("auto"));
   };
-  key.set_number = [choice, sides](Scene& scene, double value) {
+  key.set_number = [of, sides](Scene& scene, double value) {
     for (SceneSide Scene::*side : sides) {
-      ((scene.*side).*choice).smoothing = value;
+      of(scene.*side) = value;
     }
   };
-  key.set_text = [choice, sides](Scene& scene, std::string_view value) {
+  key.set_text = [of, sides](Scene& scene, std::string_view value) {
     if (value != "auto") {
       return false;
     }
     for (SceneSide Scene::*side : sides) {
-      ((scene.*side).*choice).smoothing.reset();
+      of(scene.*side).reset();
     }
     return true;
   };
@@ -145,6 +156,28 @@ std::vector<Key> convention_keys() {
   return keys;
 }
 
+Key rail_origin_key() {
+  constexpr Range range{-2000.0, 2000.0};
+  Key key;
+  key.description = {"track.rail_origin", "\"gauge\"", "\"gauge\" or -2000 to 2000 mm",
+                     "where rails are: by gauge and rail top, or the origin of their profiles this "
+                     "far outside the track centre, at height 0"};
+  key.dimension = length;
+  key.min = range.min;
+  key.max = range.max;
+  key.get = [](const Scene& scene) {
+    return scene.track.origin ? KeyValue(*scene.track.origin) : KeyValue(std::string("gauge"));
+  };
+  key.set_number = [](Scene& scene, double value) { scene.track.origin = value; };
+  key.set_text = [](Scene& scene, std::string_view value) {
+    if (value == "gauge") {
+      scene.track.origin.reset();
+    }
+    return value == "gauge";
+  };
+  return key;
+}
+
 std::vector<Key> track_keys() {
   std::vector<Key> keys;
   keys.push_back(number_key(
@@ -161,18 +194,24 @@ std::vector<Key> track_keys() {
       {-0.2, 0.2}, pure, [](auto& s) -> auto& { return s.track.cant; });
   cant.set_text = [](Scene& s, std::string_view v) { return parse_cant(v, s.track.cant); };
   keys.push_back(cant);
+  keys.push_back(rail_origin_key());
   constexpr std::string_view allowed = "a text: a built-in rail or a profile file";
   const auto rail = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
     keys.push_back(profile_key({name, "\"60E1\"", allowed, meaning}, ProfileKind::rail,
                                &SceneSide::rail, sides));
   };
   const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
-    keys.push_back(smoothing_key(name, meaning, &SceneSide::rail, sides));
+    keys.push_back(smoothing_key(across, name, meaning, &SceneSide::rail, sides));
   };
   const auto moves = [&](auto... arguments) { keys.push_back(rail_key(arguments...)); };
   rail("track.rail", "profile of both rails", {&Scene::left, &Scene::right});
   smoothing("track.rail_smoothing", "smoothing wavelength of rail profiles read from a file",
             {&Scene::left, &Scene::right});
+  keys.push_back(smoothing_key(along, "track.rail_smoothing_along",
+                               "of rails that vary: waves along the track of this length are "
+                               "halved, 0: the surface passes through the slices; auto: as the "
+                               "slices file says",
+                               &SceneSide::rail, {&Scene::left, &Scene::right}));
   rail("track.left.rail", "profile of the left rail", {&Scene::left});
   smoothing("track.left.rail_smoothing", "its smoothing wavelength, if read from a file",
             {&Scene::left});
@@ -212,6 +251,59 @@ Key align_key() {
   return key;
 }
 
+/// Waves of a wheel's radius.
+Key harmonics_key(std::string_view name, std::string_view meaning, const Sides& sides) {
+  Key key;
+  key.description = {
+      name, "\"none\"",
+      "[order, amplitude, phase, ...], at most 100 waves of 12 mm or more in length, with slopes "
+      "up to 0.2, amplitudes of -50 to 50 mm and phases of -1e6 to 1e6 rad; or \"none\"",
+      meaning};
+  key.get = [sides](const Scene& scene) {
+    const auto& waves = (scene.*sides.front()).wheel.harmonics;
+    if (waves != (scene.*sides.back()).wheel.harmonics) {
+      return KeyValue();
+    }
+    std::vector<double> values;
+    for (const RadiusHarmonic& wave : waves) {
+      values.insert(values.end(),
+                    {static_cast<double>(wave.order),
+                     to_caller(wave.amplitude, scene.convention, length), wave.phase});
+    }
+    return values.empty() ? KeyValue(std::string("none")) : KeyValue(values);
+  };
+  const auto set = [sides](Scene& scene, const std::vector<RadiusHarmonic>& waves) {
+    std::vector<std::vector<RadiusHarmonic>> copies(sides.size(), waves); // may run out of memory
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      (scene.*sides[i]).wheel.harmonics = std::move(copies[i]);
+    }
+  };
+  key.set_text = [set](Scene& scene, std::string_view value) {
+    if (value == "none") {
+      set(scene, {});
+    }
+    return value == "none";
+  };
+  key.set_numbers = [set](Scene& scene, std::span<const double> values) {
+    constexpr std::size_t most_waves = 100;
+    if (values.empty() || values.size() % 3 != 0 || values.size() > 3 * most_waves) {
+      return false;
+    }
+    std::vector<RadiusHarmonic> waves;
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      const double amplitude = from_caller(values[i + 1], scene.convention, length);
+      if (!(values[i] >= 1.0 && values[i] <= 1000.0 && values[i] == std::floor(values[i]) &&
+            std::abs(amplitude) <= 50.0 && std::abs(values[i + 2]) <= 1e6)) {
+        return false;
+      }
+      waves.push_back({static_cast<int>(values[i]), amplitude, values[i + 2]});
+    }
+    set(scene, waves);
+    return true;
+  };
+  return key;
+}
+
 std::vector<Key> wheelset_keys() {
   std::vector<Key> keys;
   constexpr std::string_view allowed = "a text: a built-in wheel or a profile file";
@@ -220,13 +312,21 @@ std::vector<Key> wheelset_keys() {
                                &SceneSide::wheel, sides));
   };
   const auto smoothing = [&](std::string_view name, std::string_view meaning, const Sides& sides) {
-    keys.push_back(smoothing_key(name, meaning, &SceneSide::wheel, sides));
+    keys.push_back(smoothing_key(across, name, meaning, &SceneSide::wheel, sides));
   };
   const auto radius = [&](std::string_view name, std::string_view meaning, auto... sides) {
     keys.push_back(number_key({name, "460.0", "50 to 5000 mm", meaning}, {50.0, 5000.0}, length,
                               place_of(sides, &SceneSide::radius)...));
   };
   wheel("wheelset.wheel", "profile of both wheels", {&Scene::left, &Scene::right});
+  keys.push_back(smoothing_key(along, "wheelset.wheel_smoothing_along",
+                               "the same of wheels that vary, on their circumference",
+                               &SceneSide::wheel, {&Scene::left, &Scene::right}));
+  keys.push_back(harmonics_key(
+      "wheelset.harmonics",
+      "waves of the radius around both wheels, amplitude cos(order theta - phase): order 1 is an "
+      "eccentricity, higher ones polygons; theta points down at pose.pitch = theta",
+      {&Scene::left, &Scene::right}));
   smoothing("wheelset.wheel_smoothing", "smoothing wavelength of wheel profiles read from a file",
             {&Scene::left, &Scene::right});
   keys.push_back(number_key(
@@ -258,10 +358,14 @@ std::vector<Key> wheelset_keys() {
   radius("wheelset.radius", "nominal rolling radius, at the taping line", &Scene::left,
          &Scene::right);
   wheel("wheelset.left.wheel", "profile of the left wheel", {&Scene::left});
+  keys.push_back(harmonics_key("wheelset.left.harmonics", "waves of the radius of the left wheel",
+                               {&Scene::left}));
   smoothing("wheelset.left.wheel_smoothing", "its smoothing wavelength, if read from a file",
             {&Scene::left});
   radius("wheelset.left.radius", "nominal radius of the left wheel", &Scene::left);
   wheel("wheelset.right.wheel", "profile of the right wheel", {&Scene::right});
+  keys.push_back(harmonics_key("wheelset.right.harmonics", "waves of the radius of the right wheel",
+                               {&Scene::right}));
   smoothing("wheelset.right.wheel_smoothing", "its smoothing wavelength, if read from a file",
             {&Scene::right});
   radius("wheelset.right.radius", "nominal radius of the right wheel", &Scene::right);
@@ -308,6 +412,16 @@ std::vector<Key> pose_keys() {
   keys.push_back(number_key({"pose.lateral", "0.0", "-1e4 to 1e4 mm",
                              "displacement of the wheelset's centre to the left"},
                             {-1e4, 1e4}, turning_length, &Scene::lateral));
+  keys.push_back(
+      number_key({"pose.longitudinal", "0.0", "-1e9 to 1e9 mm",
+                  "position of the wheelset's centre along the track, from the origin of "
+                  "the slices of a rail that varies; no effect on other rails"},
+                 {-1e9, 1e9}, length, &Scene::along));
+  keys.push_back(number_key({"pose.pitch", "0.0", "-1e9 to 1e9 rad",
+                             "turn of the wheelset about its axle, positive rolling forwards: the "
+                             "angle of the slices of a wheel that varies that points down; no "
+                             "effect on other wheels"},
+                            {-1e9, 1e9}, pure, &Scene::pitch));
   keys.push_back(
       number_key({"pose.yaw", "0.0", "-0.2 to 0.2 rad", "yaw, anticlockwise seen from above"},
                  {-0.2, 0.2}, turning_angle, &Scene::yaw));

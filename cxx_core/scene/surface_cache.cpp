@@ -1,11 +1,14 @@
 #include "scene/surface_cache.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "profile/readers.hpp"
+#include "profile/sliced_profile.hpp"
 
 namespace wrc {
 namespace {
@@ -23,6 +26,14 @@ namespace {
   const std::string reason =
       is_other ? name + " is a built-in " + (is_wheel ? "rail" : "wheel") : error.what();
   throw Error(ErrorCode::unknown_name, text + " (" + reason + ")");
+}
+
+/// Of a wheel.
+double radius_of(const WheelsetDimensions& wheelset) {
+  return wheelset.radius;
+}
+double radius_of(const TrackDimensions&) {
+  return 1.0; // rails have no waves
 }
 
 /// What the file is read with besides the choice: of a wheel, where the scene has its taping line.
@@ -44,6 +55,109 @@ Profile read_file(const ProfileChoice& choice, const ReadOptions& options, Profi
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_unreadable) {
       throw;
+    }
+    refuse_name(key, name, kind, error);
+  }
+}
+
+Profile profile_of(const SlicedProfile& sliced) {
+  Profile profile;
+  profile.name = sliced.name;
+  profile.kind = sliced.kind;
+  profile.curve = sliced.slices.front().curve;
+  return profile;
+}
+
+std::shared_ptr<const RailSurface> surface_of(const SlicedProfile& sliced,
+                                              const SurfaceSource<TrackDimensions>& source) {
+  return std::make_shared<const RailSurface>(
+      std::make_shared<const VaryingRail>(sliced, source.profile.smoothing_along),
+      profile_of(sliced), source.dimensions);
+}
+
+std::shared_ptr<const WheelSurface> surface_of(const SlicedProfile& sliced,
+                                               const SurfaceSource<WheelsetDimensions>& source) {
+  return std::make_shared<const WheelSurface>(
+      std::make_shared<const VaryingWheel>(sliced, source.dimensions.radius,
+                                           source.profile.harmonics,
+                                           source.profile.smoothing_along),
+      source.dimensions, 0.0);
+}
+
+std::shared_ptr<const RailSurface> surface_of(const Profile& profile,
+                                              const SurfaceSource<TrackDimensions>& source) {
+  return std::make_shared<const RailSurface>(profile, source.dimensions);
+}
+
+std::shared_ptr<const WheelSurface> surface_of(const Profile& profile,
+                                               const SurfaceSource<WheelsetDimensions>& source) {
+  if (source.profile.harmonics.empty()) {
+    return std::make_shared<const WheelSurface>(profile, source.dimensions);
+  }
+  return std::make_shared<const WheelSurface>(
+      std::make_shared<const VaryingWheel>(profile.curve.without_steps(), source.dimensions.radius,
+                                           source.profile.harmonics),
+      source.dimensions, 0.0);
+}
+
+/// Throws for what slices cannot be read with.
+void check_slices(const ProfileChoice& choice, ProfileKind kind, const std::string& key) {
+  const char last = choice.name.back();
+  if ((last == 's' || last == 'S') != (kind == ProfileKind::rail)) {
+    throw_invalid_argument(key, choice.name,
+                           kind == ProfileKind::rail ? "slices of a rail, .slcs"
+                                                     : "slices of a wheel, .slcw");
+  }
+  const std::string as_they_are = "slices of a wheel are taken where their file has them";
+  if (choice.origin != WheelOrigin::by_file || choice.shift != 0.0) {
+    throw_invalid_argument("wheelset.profile_origin or profile_shift", "set", as_they_are);
+  }
+  if (choice.rotation || !choice.align_to.empty()) {
+    throw_invalid_argument("wheelset.profile_rotation or align_to", "set", as_they_are);
+  }
+}
+
+/// The search for contacts sees no shorter waves (geometry/varying_search.hpp), and none steeper
+/// than a wheel's own circle within its reach.
+void check_waves(const std::vector<RadiusHarmonic>& waves, double radius) {
+  constexpr double shortest = 12.0; // mm
+  constexpr double steepest = 0.2;
+  for (const RadiusHarmonic& wave : waves) {
+    const double length = 2.0 * std::numbers::pi * radius / wave.order;
+    if (!(length >= shortest)) {
+      throw_invalid_argument("order in wheelset.harmonics", wave.order,
+                             "waves of " + short_text_of(shortest) + " mm or more, here " +
+                                 short_text_of(length) + " mm");
+    }
+    if (const double slope = std::abs(wave.amplitude) * wave.order / radius; !(slope <= steepest)) {
+      throw_invalid_argument("amplitude in wheelset.harmonics", wave.amplitude,
+                             "slopes of order times amplitude over radius up to " +
+                                 short_text_of(steepest) + ", here " + short_text_of(slope));
+    }
+  }
+}
+
+/// From the slices of a file; of equal ones that of their profile.
+template <class Surface, class Dimensions>
+std::shared_ptr<const Surface> surface_of_slices(const SurfaceSource<Dimensions>& source,
+                                                 ProfileKind kind, const std::string& key,
+                                                 std::vector<std::string>& corrections) {
+  const std::string& name = source.profile.name;
+  check_slices(source.profile, kind, key);
+  ReadOptions options;
+  options.kind = kind;
+  options.smoothing_wavelength = source.profile.smoothing.value_or(automatic_smoothing);
+  try {
+    const SlicedProfile sliced = read_sliced_profile(name, options);
+    for (const std::string& line : sliced.corrections) {
+      corrections.push_back(name);
+      corrections.back().append(": ").append(line);
+    }
+    return has_equal_slices(sliced) ? surface_of(profile_of(sliced), source)
+                                    : surface_of(sliced, source);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::file_unreadable) {
+      throw Error(error.code(), key + " = \"" + name + "\": " + error.what());
     }
     refuse_name(key, name, kind, error);
   }
@@ -98,10 +212,16 @@ std::shared_ptr<const Surface> get_one(RecentSurfaces<Surface, Dimensions>& kept
                                        NoisyScene::LikelyCurves& likely, SceneSurfaces& all) {
   auto entry = kept.get(source, [&] {
     const Stopwatch stopwatch;
+    check_waves(source.profile.harmonics, radius_of(source.dimensions));
     typename RecentSurfaces<Surface, Dimensions>::Entry made{source, nullptr, {}, nullptr, nullptr};
+    if (is_sliced(source.profile)) {
+      made.surface = surface_of_slices<Surface>(source, kind, key, made.corrections);
+      all.profile_milliseconds += stopwatch.milliseconds();
+      return made;
+    }
     Profile profile = load_profile(source, kind, key, made.corrections);
     all.profile_milliseconds += stopwatch.milliseconds();
-    made.surface = std::make_shared<Surface>(profile, source.dimensions);
+    made.surface = surface_of(profile, source);
     made.likely = profile.likely;
     warn_of_place(*made.surface, source.dimensions, profile.warnings);
     if (!profile.warnings.empty()) {
@@ -145,8 +265,14 @@ SceneSurfaces SurfaceCache::get(const Scene& scene) {
     found.rail = get_one(rails_, {side.rail, scene.track}, ProfileKind::rail,
                          key(&SceneSide::rail, "track.", "rail"), which, is_solved,
                          found.likely_rails, surfaces);
-    if (displacement != RailDisplacement{}) {
+    if (found.rail->varying() != nullptr) {
+      found.rail =
+          std::make_shared<const RailSurface>(found.rail->posed(displacement, scene.along));
+    } else if (displacement != RailDisplacement{}) {
       found.rail = std::make_shared<const RailSurface>(found.rail->displaced(displacement));
+    }
+    if (found.wheel->varying() != nullptr) {
+      found.wheel = std::make_shared<const WheelSurface>(found.wheel->turned(scene.pitch));
     }
     return found;
   };

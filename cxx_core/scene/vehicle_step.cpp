@@ -18,6 +18,10 @@ using namespace dimensions;
 
 /// The columns of a Jacobian that belong to positions and velocities; none: nothing depends on it.
 using Columns = std::array<std::optional<StateVariable>, 6>;
+/// Step of differences along the track and around the wheel, mm.
+/// origin: reasoned: contacts change by less than their accuracy, rounding by a millionth of that.
+constexpr double difference_step = 5e-3;
+
 constexpr Columns position_columns{
     std::nullopt,        StateVariable::lateral, StateVariable::vertical,
     StateVariable::roll, std::nullopt,           StateVariable::yaw};
@@ -147,6 +151,10 @@ Scene scene_at(const Scene& scene, const VehicleState& state) {
   };
   set_six(state.position,
           {nullptr, "pose.lateral", "pose.vertical", "pose.roll", nullptr, "pose.yaw"});
+  if (varies(posed)) {
+    set_number(posed, "pose.longitudinal", state.position[0]);
+    set_number(posed, "pose.pitch", state.position[4]);
+  }
   if (state.velocity) {
     set_six(*state.velocity, {"motion.speed", "motion.lateral", "motion.vertical", "motion.roll",
                               "motion.pitch", "motion.yaw"});
@@ -199,6 +207,49 @@ std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& c
     forces[1] = forces_of(*result.right, convention, derivatives);
   }
   return forces;
+}
+
+void add_varying_columns(const Scene& posed, SceneSolver& solver,
+                         std::array<WheelForces, 2>& forces) {
+  struct Column {
+    bool varies;
+    double Scene::*place;
+    std::size_t index; ///< of positions
+    double step;
+    double step_of_caller;
+  };
+  const double along = to_caller(difference_step, posed.convention, length);
+  const double turn = difference_step / posed.nominal_radius();
+  for (const Column& column : {Column{rails_vary(posed), &Scene::along, 0, difference_step, along},
+                               Column{wheels_vary(posed), &Scene::pitch, 4, turn, turn}}) {
+    if (!column.varies) {
+      continue;
+    }
+    Scene moved = posed;
+    moved.derivatives = false;
+    std::array<std::array<WheelForces, 2>, 2> found{forces, forces}; // behind and ahead
+    double steps = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      moved.*column.place = posed.*column.place + (i == 0 ? -column.step : column.step);
+      try {
+        SceneResult result = solver.solve(moved);
+        found[i] = wheel_forces(result, posed.convention, false);
+        steps += 1.0;
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_contact) { // beyond the last slice: from one side
+          throw;
+        }
+      }
+    }
+    for (std::size_t wheel = 0; wheel < forces.size(); ++wheel) {
+      for (std::size_t row = 0; row < 6; ++row) {
+        forces[wheel].by_position[column.index][row] =
+            steps > 0.0 ? (found[1][wheel].force[row] - found[0][wheel].force[row]) /
+                              (steps * column.step_of_caller)
+                        : 0.0;
+      }
+    }
+  }
 }
 
 PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t index,

@@ -20,7 +20,8 @@ using SixNumbers = std::array<double, 6>;
 
 /// What a scene is solved at.
 struct VehicleState {
-  /// x, y, z, roll, pitch angle, yaw of the wheelset. Nothing depends on x and the pitch angle.
+  /// x, y, z, roll, pitch angle, yaw of the wheelset. x and the pitch angle count only where a rail
+  /// or a wheel varies.
   SixNumbers position{};
   /// Their rates; that of the pitch angle is positive when the axle rolls forward, in any frame.
   /// Not set: as in the scene.
@@ -70,6 +71,12 @@ WheelForces forces_to_caller(const WheelForce& total, const ForceJacobian* jacob
 /// Left and right.
 std::array<WheelForces, 2> wheel_forces(SceneResult& result, const Convention& convention,
                                         bool derivatives);
+
+/// Of a scene at a prescribed position in which a rail or a wheel varies: fills in the derivatives
+/// by the position along the track and by the pitch, by central differences of two more solutions
+/// each.
+void add_varying_columns(const Scene& posed, SceneSolver& solver,
+                         std::array<WheelForces, 2>& forces);
 /// Creep forces of a patch in the order of ordered_patches (scene/patch_summary.hpp), with
 /// friction, accuracy and model of the scene. Throws Error(invalid_argument).
 PatchCreep creep_of(const Scene& scene, const SceneResult& result, std::size_t index,

@@ -196,8 +196,7 @@ Patch combined(std::span<const Patch> parts, const RailSurface& rail) {
     whole.approach = std::max(whole.approach, part.approach);
   }
   mean = (1.0 / weight) * mean;
-  whole.frame =
-      parts.front().frame.seen_from({mean.x, mean.y, rail.graph().at_lateral(mean.y).height});
+  whole.frame = parts.front().frame.seen_from({mean.x, mean.y, height_near(rail, mean.x, mean.y)});
   for (const Patch& part : parts) {
     const Vector3 arm = part.frame.origin - whole.frame.origin;
     whole.contact_force.moment = whole.contact_force.moment + part.contact_force.moment +

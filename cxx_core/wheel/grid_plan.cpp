@@ -15,31 +15,6 @@
 namespace wrc {
 namespace {
 
-/// Both in one plane; the weights of both count.
-ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
-  ContactPatch both = one.deepest >= other.deepest ? one : other;
-  const auto mean = [&](double of_one, double of_other) {
-    return (one.weight * of_one + other.weight * of_other) / (one.weight + other.weight);
-  };
-  const ContactPatch& first = one.y_first <= other.y_first ? one : other;
-  const ContactPatch& last = one.y_last >= other.y_last ? one : other;
-  both.y_first = first.y_first;
-  both.y_last = last.y_last;
-  both.x_first = std::min(one.x_first, other.x_first);
-  both.x_last = std::max(one.x_last, other.x_last);
-  both.half_length = std::max(one.half_length, other.half_length);
-  both.angle_unturned = both.angle = mean(one.angle_unturned, other.angle_unturned);
-  both.mean_x = mean(one.mean_x, other.mean_x);
-  both.mean_y = mean(one.mean_y, other.mean_y);
-  both.mean_s = mean(one.mean_s, other.mean_s);
-  both.weight = one.weight + other.weight;
-  both.contact_first = first.contact_first;
-  both.angle_first = first.angle_first;
-  both.contact_last = last.contact_last;
-  both.angle_last = last.angle_last;
-  return both;
-}
-
 /// In the vertical convention the patches near the main one are one: they have the same plane.
 ContactPatches in_one_plane(const ContactPatches& found, std::optional<double>& left_out_s) {
   const ContactPatch main = found.patches[found.main];
@@ -176,7 +151,7 @@ double share_along_rows(double share, const PlaneArea& area, const ContactFrame&
 
 const PatchElements& GridChoice::nearest(const ContactPatch& penetration) const {
   return *std::ranges::min_element(elements_, {}, [&](const PatchElements& one) {
-    return std::abs(one.mean_y - penetration.mean_y);
+    return std::hypot(one.mean_x - penetration.mean_x, one.mean_y - penetration.mean_y);
   });
 }
 
@@ -209,7 +184,7 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
   GridSolution solution;
   solution.elements = request.elements;
   solution.depth = depth;
-  ContactPatches found = find_contact_patches(equilibrium.scan, depth, request.joining_distance);
+  ContactPatches found = find_contact_patches(equilibrium.scans(), depth, request.joining_distance);
   if (request.gap == GapConvention::vertical) {
     found = in_one_plane(found, solution.left_out_s);
   }
@@ -218,9 +193,9 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
     patch.penetration = penetration;
     // Through the weighted mean point on the rail.
     const Vector3 origin{penetration.mean_x, penetration.mean_y,
-                         rail.graph().at_lateral(penetration.mean_y).height};
+                         height_near(rail, penetration.mean_x, penetration.mean_y)};
     patch.frame = request.gap == GapConvention::tangent
-                      ? tangent_frame(origin, penetration.angle)
+                      ? tangent_frame(origin, penetration.angle, penetration.rise)
                       : vertical_frame(origin, Rotation(equilibrium.pose));
   }
   solution.main = found.main;
@@ -230,12 +205,20 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
 }
 
 std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
-                                               const ContactScan& scan) {
-  const auto samples = locus_samples(scan, patches.depth);
+                                               const SideEquilibrium& equilibrium) {
+  const std::vector<const ContactScan*> scans = equilibrium.scans();
+  std::vector<std::vector<patch_finding::LocusSample<double>>> samples;
+  for (const ContactScan* scan : scans) {
+    const double depth = patches.depth - behind(*scan, *scans.front());
+    samples.emplace_back();
+    if (depth > 0.0) {
+      samples.back() = locus_samples(*scan, depth);
+    }
+  }
   std::vector<ExpectedContact> contacts;
   for (const Patch& patch : patches.patches) {
-    contacts.push_back(
-        expected_contact(patch.penetration, patch.frame, potential_area(patch, rail), samples));
+    contacts.push_back(expected_contact(patch.penetration, patch.frame, potential_area(patch, rail),
+                                        samples[patch.penetration.scan]));
   }
   return contacts;
 }

@@ -48,7 +48,7 @@ GridSolution plan_patches(const RailSurface& rail, const SideEquilibrium& equili
 
 /// What contacts patches with planes lead to.
 std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, const RailSurface& rail,
-                                               const ContactScan& scan);
+                                               const SideEquilibrium& equilibrium);
 
 /// Curves in place of the planes (remesh/mean_curve.hpp), one for all patches of a plane; as far as
 /// the request's accuracy needs them (accuracy/model_error.hpp).

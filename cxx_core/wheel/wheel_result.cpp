@@ -156,6 +156,7 @@ WheelResult make_wheel_result(WheelSolution solution,
     result.near_contacts.push_back(
         point_of(candidates[i], *wheel, *rail, equilibrium.vertical, side));
   }
+  result.meets_part_end = candidates.front().at_part_end;
   if (candidates.front().at_profile_end) {
     result.warnings.push_back({WarningClass::profile_end,
                                "contact at the end of a profile, or where the rail turns upright"});

@@ -134,7 +134,7 @@ GridChoice WheelSolver::final_grids(double depth, const AccuracyGoal& goal) {
     return GridChoice(ElementCounts{(*request_.grid)[0], (*request_.grid)[1]});
   }
   return GridChoice(
-      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_.scan), goal));
+      final_elements(expected_contacts(patches_at(depth), rail_, equilibrium_), goal));
 }
 
 /// The grids at a depth, with undeformed distances.

@@ -43,7 +43,7 @@ std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> y
   if (!wheel.solved) {
     return std::nullopt;
   }
-  int state = wheel.patches.empty() ? lifted : 0;
+  int state = wheel.patches.empty() ? lifted : wheel.meets_part_end ? at_part_end : 0;
   const ProfileNodes& nodes = wheel.details.wheel->nodes();
   for (const PatchResult& patch : wheel.patches) {
     state |= is_on_flange_tip(nodes, patch.reference.s_wheel) ? on_flange_tip : 0;

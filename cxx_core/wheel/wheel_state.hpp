@@ -2,7 +2,8 @@
 ///
 /// Lifted: no contact. On the flange tip: a patch lies beyond the steepest point of the flange,
 /// where nothing stops a climbing wheel (Nadal 1896). On the chamfer: a patch lies beyond the
-/// tread. Beyond yield: the largest pressure exceeds the limit given. Units mm, MPa. Thread rule: a
+/// tread. Beyond yield: the largest pressure exceeds the limit given. At the end of a part: the
+/// first touch is where a part of a rail that varies begins or ends. Units mm, MPa. Thread rule: a
 /// pure function.
 ///
 /// Not known here: how the wheel came there.
@@ -15,7 +16,13 @@
 namespace wrc {
 
 /// Values of the flags in wheel_state; those of the C interface.
-enum WheelState : int { lifted = 1, on_flange_tip = 2, on_chamfer = 4, beyond_yield = 8 };
+enum WheelState : int {
+  lifted = 1,
+  on_flange_tip = 2,
+  on_chamfer = 4,
+  beyond_yield = 8,
+  at_part_end = 32
+};
 
 /// The flags together; none if the mechanics have not run. `yield_pressure`: none without a limit.
 std::optional<int> wheel_state(const WheelResult& wheel, std::optional<double> yield_pressure);

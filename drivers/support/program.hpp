@@ -32,9 +32,10 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
   std::vector<std::string> arguments;
   for (int i = 1; i < argc; ++i) {
     const std::string text = argv[i];
+    std::error_code is_no_name; // an assignment may be longer than any file's name
     const bool follows = arguments.size() > 1 && arguments.end()[-2] == "--set";
     if (follows && !text.starts_with('-') && text.find('=') != std::string::npos &&
-        !std::filesystem::exists(text)) {
+        !std::filesystem::exists(text, is_no_name)) {
       arguments.emplace_back("--set");
     }
     arguments.push_back(text);

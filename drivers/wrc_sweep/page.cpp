@@ -80,9 +80,13 @@ json patch(const Scene& scene, const std::string& prefix, bool left) {
 
 json side(const Scene& scene, const std::string& name) {
   json made{{"rail", outline(scene, name + ".rail")}, {"wheel", outline(scene, name + ".wheel")}};
-  for (const char* number : {"pmax", "area", "normal_force", "total.force.x", "total.force.y",
-                             "total.force.z", "total.moment.z", "angle", "rigid_contact.y",
-                             "rigid_contact.z", "rigid_contact.rolling_radius"}) {
+  if (scene.has_number(name + ".depth")) { // none without contact
+    made["height"] = scene.number(name + ".vertical") - scene.number(name + ".depth");
+  }
+  for (const char* number :
+       {"pmax", "area", "patch_count", "normal_force", "total.force.x", "total.force.y",
+        "total.force.z", "total.moment.z", "angle", "rigid_contact.y", "rigid_contact.z",
+        "rigid_contact.rolling_radius"}) {
     if (scene.has_number(name + '.' + number)) {
       made[number] = scene.number(name + '.' + number);
     }

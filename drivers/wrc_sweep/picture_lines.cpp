@@ -74,13 +74,15 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
   gnuplot.script() << line_style(most_lines) << "set xlabel "
                    << gnuplot_text(picture.x_label, Markup::subscripts) << '\n'
                    << warning_note(data, "hollow");
+  constexpr std::size_t most_large = 60; // marks in a line
+  const std::string mark_size = places_of(picture, data).size() > most_large ? "0.4" : "0.9";
   for (const PanelRequest& panel : picture.panels) {
     Range range;
     std::vector<std::string> items;
     const std::vector<DrawnLine> lines = lines_of(picture, data, panel, range);
     for (const DrawnLine& line : lines) {
       constexpr std::size_t marks = 4;
-      items.push_back(gnuplot.block(line.data) + " with linespoints lw 2 ps 0.9 pt " +
+      items.push_back(gnuplot.block(line.data) + " with linespoints lw 2 ps " + mark_size + " pt " +
                       std::to_string(5 + 2 * (line.mark % marks)) + " dt " +
                       std::to_string(1 + line.mark % marks) + " lc rgb '" +
                       line_colour(line.colour, picture.series.empty() ? most_lines : groups) +
@@ -88,8 +90,8 @@ void draw_lines(const PictureRequest& picture, const PictureData& data,
     }
     for (const DrawnLine& line : lines) {
       if (!line.warned.empty()) { // hollow
-        items.push_back(gnuplot.block(line.warned) +
-                        " with points pt 7 ps 0.45 lc rgb 'white' notitle");
+        items.push_back(gnuplot.block(line.warned) + " with points pt 7 ps " +
+                        (mark_size == "0.9" ? "0.45" : "0.2") + " lc rgb 'white' notitle");
       }
     }
     gnuplot.script() << "set ylabel " << gnuplot_text(panel.y_label, Markup::subscripts) << '\n'

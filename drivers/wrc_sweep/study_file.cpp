@@ -232,7 +232,24 @@ void try_values(const Study& study) {
   }
 }
 
-/// The study and the profiles that are files.
+/// The files that a list of slices names: in quotes, one to a line, % begins a comment.
+std::set<std::string> slices_of(const InputFile& list) {
+  std::set<std::string> files;
+  std::istringstream lines(list.content);
+  for (std::string line; std::getline(lines, line);) {
+    line.resize(std::min(line.find('%'), line.size()));
+    const std::size_t first = line.find_first_of("'\"");
+    const std::size_t last = line.find_last_of("'\"");
+    if (first != std::string::npos && last > first + 1) {
+      std::string name = line.substr(first + 1, last - first - 1);
+      std::replace(name.begin(), name.end(), '\\', '/');
+      files.insert((std::filesystem::path(list.path).parent_path() / name).string());
+    }
+  }
+  return files;
+}
+
+/// The study and the profiles that are files, with their slices.
 std::vector<InputFile> inputs_of(InputFile file, const Study& study) {
   std::set<std::string> profiles;
   const auto take = [&](const std::string& key, const Value& value) {
@@ -249,7 +266,14 @@ std::vector<InputFile> inputs_of(InputFile file, const Study& study) {
     }
   }
   std::vector<InputFile> inputs{std::move(file)};
-  std::transform(profiles.begin(), profiles.end(), std::back_inserter(inputs), read_input);
+  std::set<std::string> slices;
+  for (const std::string& profile : profiles) {
+    inputs.push_back(read_input(profile));
+    if (profile.ends_with(".slcs") || profile.ends_with(".slcw")) {
+      slices.merge(slices_of(inputs.back()));
+    }
+  }
+  std::transform(slices.begin(), slices.end(), std::back_inserter(inputs), read_input);
   return inputs;
 }
 
@@ -261,6 +285,17 @@ const char* shipped_text(const std::string& name) {
   const bool is_file =
       std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored);
   return is_file || found == std::end(shipped_study_texts) ? nullptr : found->text;
+}
+
+/// Where the file of a shipped study is, with profiles beside it: from the program's folder,
+/// whether it is installed or in the build folder. Without such a folder profiles are looked up by
+/// their names alone.
+std::string shipped_path(const std::string& name) {
+  std::error_code trouble;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", trouble);
+  return (program.parent_path() / studies_from_program / (name + ".toml"))
+      .lexically_normal()
+      .string();
 }
 
 /// The first sentence of the comment that a study begins with.
@@ -290,7 +325,7 @@ Study read_study(const std::string& path, const StudyChanges& changes) {
       shipped != nullptr ? parse_toml("study", path, shipped) : read_toml("study file", path);
   Study study;
   study.name = std::filesystem::path(path).stem().string();
-  KeyReader reader(path);
+  KeyReader reader(shipped != nullptr ? shipped_path(path) : path);
   reader.read(file, "");
   reader.start_assignments();
   for (const std::string& text : changes.assignments) {

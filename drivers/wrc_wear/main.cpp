@@ -184,6 +184,10 @@ void check(const Options& options) {
 void run(Options options) {
   check(options);
   const Mission mission = options.mission.empty() ? Mission() : read_mission(options.mission);
+  if (options.rail.ends_with(".slcs")) {
+    throw Failure("--rail " + options.rail +
+                  ": a mission runs on a rail of one profile, not on slices");
+  }
   if (!options.rail.empty()) {
     options.assignments.push_back("track.rail=" + options.rail);
   }

@@ -2,7 +2,8 @@
 // in a result or a status, that every number and field of it is finite, and that no grid has more
 // elements than solve.element_limit permits.
 //
-// Usage: bounded_scenes loaded|posed COUNT SEED [FIRST]
+// Usage: bounded_scenes loaded|posed|varying COUNT SEED [FIRST]
+// Varying: on rails along the track and under wheels around the circumference (varying_scene.hpp).
 // Prints arguments of wrc_case for each failure and for each scene beyond 2 s of processor time or
 // 500 MB; the folder takes scene files of those with profiles made of points. At the end: counts by
 // status, failures, results that are not finite, the slowest scene and the one with the most memory
@@ -15,7 +16,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -25,6 +28,7 @@
 
 #include "outcome.hpp"
 #include "rolling_scene.hpp"
+#include "varying_scene.hpp"
 
 namespace {
 
@@ -223,13 +227,17 @@ struct Most {
 
 int main(int argc, char** argv) {
   const std::string kind = argc > 1 ? argv[1] : "";
-  if (argc < 4 || argc > 5 || (kind != "loaded" && kind != "posed")) {
-    std::fputs("usage: bounded_scenes loaded|posed COUNT SEED [FIRST]\n", stderr);
+  if (argc < 4 || argc > 5 || (kind != "loaded" && kind != "posed" && kind != "varying")) {
+    std::fputs("usage: bounded_scenes loaded|posed|varying COUNT SEED [FIRST]\n", stderr);
     return 2;
   }
   const long count = std::strtol(argv[2], nullptr, 10);
   const auto seed = std::strtoull(argv[3], nullptr, 10);
   const long begin = argc > 4 ? std::strtol(argv[4], nullptr, 10) : 0;
+  std::optional<VaryingLists> lists;
+  if (kind == "varying") {
+    lists.emplace(std::filesystem::path(WRCONTACT_ORIGINAL_FILES_DIR) / "slices");
+  }
   std::map<std::string, long> statuses;
   long failures = 0;
   long beyond = 0;
@@ -237,8 +245,9 @@ int main(int argc, char** argv) {
   std::array<Most, 3> most;
   for (long i = begin; i < begin + count; ++i) {
     const std::uint64_t of_scene = seed * 1000000007ULL + static_cast<std::uint64_t>(i);
-    const DrawnScene drawn =
-        kind == "posed" ? rolling_posed_scene(of_scene) : rolling_loaded_scene(of_scene);
+    const DrawnScene drawn = lists             ? lists->scene(of_scene)
+                             : kind == "posed" ? rolling_posed_scene(of_scene)
+                                               : rolling_loaded_scene(of_scene);
     const std::string name = kind + '_' + std::to_string(seed) + '_' + std::to_string(i) + ".toml";
     const Solved solved = count == 1 ? Solved{solve(drawn)} : solve_apart(drawn);
     const Told& told = solved.told;

@@ -42,6 +42,11 @@ public:
   [[nodiscard]] const std::map<std::string, Value>& values() const { return values_; }
   /// Whether a profile is made of points, which no value tells.
   [[nodiscard]] bool has_points() const { return wheel_ || rail_; }
+  /// Built-in profiles, or others by name, in their place.
+  void drop_points() {
+    wheel_.reset();
+    rail_.reset();
+  }
 
   /// Left and right exchanged.
   [[nodiscard]] DrawnScene mirrored() const;

@@ -1,15 +1,16 @@
 /// Full multigrid over the complementarity problem, one V-cycle for each contact set.
 ///
-/// After Zhao, Vollebregt & Oosterlee (Mathematical Modelling and Analysis 19 (2014) 216-240): on
-/// each grid, coarsest first, the contact set is taken from pressures and overlaps, one cycle
-/// improves the pressures on it, and those below 0 are cut; residual and contact set go to the
-/// coarser grids, where all that is outside contact is 0. K is of the first kind: its eigenvalues
-/// fall with the wave number, so plain relaxation leaves exactly what coarser grids cannot see.
-/// The smoother therefore relaxes second differences (distributive relaxation, Brandt & Lubrecht
-/// 1990, Venner & Lubrecht, Multilevel Methods in Lubrication, 2000): z = -(second differences of
-/// r), on contact. It is a variant of our own: relaxation is of Jacobi's kind, one DC-FFT product a
-/// sweep, and sweeps and corrections go as far as the energy falls (exact line search), which costs
-/// no further product and makes each cycle converge on its contact set. Units mm (problems.hpp).
+/// After the idea of Zhao, Vollebregt & Oosterlee (Mathematical Modelling and Analysis 19 (2014)
+/// 216-240), of which the abstract was at hand: on each grid, coarsest first, the contact set is
+/// taken from pressures and overlaps, one cycle improves the pressures on it, and those below 0 are
+/// cut; residual and contact set go to the coarser grids, where all that is outside contact is 0. K
+/// is of the first kind: its eigenvalues fall with the wave number, so plain relaxation leaves
+/// exactly what coarser grids cannot see. The smoother therefore relaxes second differences
+/// (distributive relaxation, Brandt & Lubrecht 1990, Venner & Lubrecht, Multilevel Methods in
+/// Lubrication, 2000): z = -(second differences of r), on contact. It is a variant of our own:
+/// relaxation is of Jacobi's kind, one DC-FFT product a sweep, and sweeps and corrections go as far
+/// as the energy falls (exact line search), which costs no further product and makes each cycle
+/// converge on its contact set. Units mm (problems.hpp).
 #include <algorithm>
 #include <cmath>
 

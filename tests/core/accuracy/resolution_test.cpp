@@ -38,7 +38,7 @@ double law(double rows) {
 }
 
 /// In a potential contact area of 8 x 10 mm.
-const ExpectedContact expected{750.0, 8.0, 10.0, {3.0, 6.0}, 0.4};
+const ExpectedContact expected{5.0, 750.0, 8.0, 10.0, {3.0, 6.0}, 0.4};
 
 PatchElements elements_for(const AccuracyGoal& goal) {
   return final_elements({&expected, 1}, goal).front();
@@ -86,6 +86,7 @@ TEST(Resolution, CreepForcesTakeMoreElements) {
 }
 
 TEST(Resolution, ElementsStayAnchoredAtTheMiddle) {
+  EXPECT_EQ(elements_for({}).mean_x, 5.0);
   EXPECT_EQ(elements_for({}).mean_y, 750.0);
   EXPECT_EQ(elements_for({}).middle, 0.4);
 }

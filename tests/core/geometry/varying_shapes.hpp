@@ -1,10 +1,18 @@
-/// Rails and sections in closed form that vary along the track.
+/// Rails and wheels in closed form that vary along the track and around the circumference.
+///
+/// Rails lie level, with the origin of their profiles 750 mm from the track centre, at height 0;
+/// wheels have their taping lines there.
 #pragma once
 
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <numbers>
+#include <utility>
 #include <vector>
 
+#include "geometry/rail_surface.hpp"
+#include "geometry/wheel_surface.hpp"
 #include "profile/curve.hpp"
 #include "profile/sliced_profile.hpp"
 
@@ -62,6 +70,75 @@ inline std::vector<double> places_every(double begin, double end, double step) {
   for (int i = 0; i <= std::lround((end - begin) / step); ++i)
     places.push_back(begin + step * i);
   return places;
+}
+
+inline constexpr TrackDimensions level_track{1435.0, 14.0, 0.0, 750.0};
+inline constexpr WheelsetDimensions wheelset{1360.0, 70.0, 460.0};
+
+inline Profile first_of(const SlicedProfile& sliced, ProfileKind kind) {
+  Profile profile;
+  profile.name = sliced.name;
+  profile.kind = kind;
+  profile.curve = sliced.slices.front().curve;
+  return profile;
+}
+
+inline RailSurface rail_of(const SlicedProfile& sliced, double along = 0.0,
+                           const TrackDimensions& track = level_track,
+                           const RailDisplacement& displacement = {}) {
+  return RailSurface(std::make_shared<const VaryingRail>(sliced, 0.0),
+                     first_of(sliced, ProfileKind::rail), track)
+      .posed(displacement, along);
+}
+
+/// A crown under a height that depends on the place alone.
+inline SlicedProfile crown_along(const std::vector<double>& places,
+                                 const std::function<double(double)>& height) {
+  const Curve level = curve_of([](double y) { return crown_at(y); });
+  return profile_of(places, [&](double x) { return level.moved(0.0, 0.0, height(x)); });
+}
+
+/// A crown turned by an angle about the y axis, > 0 rises ahead, through the origin.
+inline SlicedProfile tilted_crown(const std::vector<double>& places, double angle) {
+  const Curve section = curve_of([&](double y) { return crown_at(y, 1.0 / std::cos(angle)); });
+  return profile_of(places, [&](double x) { return section.moved(0.0, 0.0, x * std::tan(angle)); });
+}
+
+inline WheelSurface wheel_of(std::shared_ptr<const VaryingWheel> wheel, double pitch = 0.0) {
+  WheelsetDimensions dimensions = wheelset;
+  dimensions.radius = wheel->radius();
+  return WheelSurface(std::move(wheel), dimensions, pitch);
+}
+
+/// A profile with harmonics, on a radius of 460 mm.
+inline WheelSurface wavy_wheel(const Curve& profile, std::vector<RadiusHarmonic> harmonics,
+                               double pitch = 0.0) {
+  return wheel_of(
+      std::make_shared<const VaryingWheel>(profile, wheelset.radius, std::move(harmonics)), pitch);
+}
+
+/// A cylinder, lower by a depth that depends on the angle, with slices `step` apart up to `end`.
+inline std::shared_ptr<const VaryingWheel>
+flattened_cylinder(double radius, double end, double step,
+                   const std::function<double(double)>& depth) {
+  return std::make_shared<const VaryingWheel>(
+      profile_of(places_every(-end, end, step),
+                 [&](double theta) {
+                   return curve_of([&](double) { return Height{-depth(theta), 0.0, 0.0}; });
+                 }),
+      radius);
+}
+
+/// Depth of a chord of this length about angle 0 in a circle.
+inline double chord_depth(double theta, double radius, double length) {
+  const double half = std::asin(0.5 * length / radius);
+  return std::abs(theta) < half ? radius - radius * std::cos(half) / std::cos(theta) : 0.0;
+}
+
+/// A rounded flat: half a wave of the cosine between -half and half.
+inline double rounded_depth(double theta, double depth, double half) {
+  return std::abs(theta) < half ? 0.5 * depth * (1.0 + std::cos(std::numbers::pi * theta / half))
+                                : 0.0;
 }
 
 } // namespace wrc::test

@@ -58,9 +58,12 @@ TEST(GridPlan, ElementsAreThoseOfTheNearestPatch) {
   const GridSolution counted = plan_grids(corner, {}, 0.12, GridChoice(ElementCounts{20, 10}));
   ASSERT_EQ(counted.patches.size(), 2u);
   const double y = counted.patches[0].penetration.mean_y;
-  const GridSolution chosen = plan_grids(
-      corner, {}, 0.12,
-      GridChoice({{y + 100.0, 0.5, 0.9}, {y + 1.0, 0.02, 0.07, 0.3}, {y - 50.0, 0.3, 0.3}}));
+  const GridSolution chosen =
+      plan_grids(corner, {}, 0.12,
+                 GridChoice({{0.0, y + 100.0, 0.5, 0.9},
+                             {0.0, y + 1.0, 0.02, 0.07, 0.3},
+                             {0.0, y - 50.0, 0.3, 0.3},
+                             {46.0, y, 0.4, 0.4}})); // at the other end of a flat
   const Grid& before = counted.patches[0].grid;
   const Grid& grid = chosen.patches[0].grid;
   EXPECT_EQ(grid.lateral_step, 0.02);

@@ -1,0 +1,420 @@
+#include "geometry/varying_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/root_bracket.hpp"
+#include "geometry/constants.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Distance of rows, mm.
+/// origin: reasoned: the node distance of profile curves (contact_search.hpp).
+constexpr double row_spacing = 0.5;
+/// The coarse scan takes every fourth row, and places along it this far apart, mm.
+/// origin: reasoned: slices of noses and flats are that far apart.
+constexpr std::ptrdiff_t rows_apart = 4;
+constexpr double coarse_step = 5.0;
+/// Places ahead of and behind the axle that it reaches, over the radius.
+/// origin: derived: contact on a slope e is r e ahead; ramps and flats have slopes below 1:5.
+constexpr double coarse_reach = 0.2;
+/// Chains are followed up to this height above the least distance, mm.
+/// origin: reasoned: ten times as deep as wheels sink under any load.
+constexpr double chain_height = 5.0;
+/// Rows that may be in contact, above the least distance, mm.
+/// origin: reasoned: wheels sink by 0.05 to 0.3 mm.
+constexpr double near_height = 1.0;
+/// By how much a row's least distance is exceeded where its parabola is drawn, mm.
+/// origin: reasoned: depth of a wheel under 80 kN.
+constexpr double typical_depth = 0.1;
+/// Slope that stands for that beside a least distance without curvature.
+/// origin: bound: above rounding.
+constexpr double least_slope = 1e-14;
+/// Below this half length the parabola is that of the least distance itself, mm.
+/// origin: derived: distances of 1e-7 mm, with six digits.
+constexpr double least_half = 1e-2;
+/// Longest half length of that parabola, mm.
+/// origin: bound: half of the longest flats.
+constexpr double longest_half = 60.0;
+/// Curvature of the flattest such parabola.
+/// origin: derived: from both.
+constexpr double least_curvature = 2.0 * typical_depth / (longest_half * longest_half);
+/// Steps along a row, mm.
+/// origin: reasoned: below the distance of two minima.
+constexpr double longest_step = 4.0;
+constexpr int most_steps = 60; // a bound
+/// To which least distances along a row are found, mm.
+/// origin: derived: distances are then right to 1e-19 mm, their derivatives to 1e-11.
+constexpr double row_tolerance = 1e-9;
+/// Two chains closer than this on a row are one, mm.
+/// origin: reasoned: far above the tolerance, far below the step of the scan.
+constexpr double same_chain = 1e-3;
+
+} // namespace
+
+VaryingSearch::VaryingSearch(const WheelSurface& wheel, const RailSurface& rail)
+    : wheel_(wheel), rail_(rail) {}
+
+double VaryingSearch::row(std::ptrdiff_t index) const {
+  return pose_.lateral + wheel_.taping_line() + wheel_.graph().lateral_begin() +
+         row_spacing * static_cast<double>(index);
+}
+
+/// Newton's method within a bracket, down from x.
+std::optional<VaryingSearch::Spot> VaryingSearch::least_in_row(double x, double y) {
+  auto point = field_->at(x, y);
+  if (!point) {
+    return std::nullopt;
+  }
+  double low = -unbounded; // distances fall there, and rise at `high`
+  double high = unbounded;
+  for (int step = 0; step < most_steps; ++step) {
+    const Graph& gap = point->gap;
+    (gap.x < 0.0 ? low : high) = x;
+    double move = gap.xx > 0.0 ? -gap.x / gap.xx : gap.x < 0.0 ? longest_step : -longest_step;
+    move = std::clamp(move, -longest_step, longest_step);
+    const bool is_inside = x + move > low && x + move < high;
+    if (!is_inside && std::isfinite(low) && std::isfinite(high)) {
+      move = 0.5 * (low + high) - x;
+    }
+    if (!(std::abs(move) > row_tolerance)) {
+      return Spot{x, y, *point};
+    }
+    auto next = field_->at(x + move, y);
+    while (!next) {
+      move *= 0.5;
+      if (!(std::abs(move) > row_tolerance)) {
+        return Spot{x, y, *point, true, true};
+      }
+      next = field_->at(x + move, y);
+    }
+    x += move;
+    point = next;
+  }
+  return std::nullopt;
+}
+
+/// Local minima along x of every fourth row.
+std::vector<VaryingSearch::Spot> VaryingSearch::coarse_minima() {
+  const CurveGraph& profile = wheel_.graph();
+  std::vector<double> rows;
+  for (std::ptrdiff_t index = 0;
+       row(index) <= row(0) + profile.lateral_end() - profile.lateral_begin();
+       index += rows_apart) {
+    rows.push_back(row(index));
+  }
+  const auto reach = std::ceil(coarse_reach * wheel_.radius() / coarse_step);
+  const auto places = static_cast<std::size_t>(2.0 * reach) + 1;
+  const auto x_of = [&](std::size_t place) {
+    return coarse_step * (static_cast<double>(place) - reach);
+  };
+  std::vector<double> gaps(places * rows.size()); // by places, then rows
+  for (std::size_t i = 0; i < places; ++i) {
+    field_->scan(x_of(i), rows, std::span(gaps).subspan(i * rows.size(), rows.size()));
+  }
+  const double highest = *std::ranges::min_element(gaps) + chain_height;
+  std::vector<Spot> minima;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t i = 0; i < places; ++i) {
+      const double here = gaps[i * rows.size() + k];
+      const double before = i > 0 ? gaps[(i - 1) * rows.size() + k] : unbounded;
+      const double after = i + 1 < places ? gaps[(i + 1) * rows.size() + k] : unbounded;
+      if (here <= before && here < after && here < highest) {
+        field_->restart();
+        if (auto spot = least_in_row(x_of(i), rows[k])) {
+          minima.push_back(*spot);
+        }
+      }
+    }
+  }
+  std::stable_sort(minima.begin(), minima.end(), [](const Spot& one, const Spot& other) {
+    return one.point.gap.value < other.point.gap.value;
+  });
+  return minima;
+}
+
+bool VaryingSearch::is_known(const Spot& spot) const {
+  return std::any_of(chains_.begin(), chains_.end(), [&](const Chain& chain) {
+    return std::any_of(chain.rows.begin(), chain.rows.end(), [&](const Spot& known) {
+      return known.y == spot.y && std::abs(known.x - spot.x) < same_chain;
+    });
+  });
+}
+
+/// Follows a chain from its last row, to where it ends or is `highest`.
+void VaryingSearch::track(Chain& chain, std::ptrdiff_t from, int direction, double highest) {
+  for (std::ptrdiff_t index = from + direction;; index += direction) {
+    const Spot before = chain.rows.back();
+    if (before.point.gap.value > highest) {
+      return;
+    }
+    const double y = row(index);
+    auto next = least_in_row(before.x, y);
+    if (!next) { // at the end of a body: its edge
+      double inside = before.y;
+      double outside = y;
+      std::optional<Spot> edge;
+      while (std::abs(outside - inside) > row_tolerance) {
+        const double middle = 0.5 * (inside + outside);
+        auto spot = least_in_row(before.x, middle);
+        (spot ? inside : outside) = middle;
+        if (spot) {
+          edge = spot;
+        }
+      }
+      if (edge) {
+        chain.rows.push_back(*edge);
+      }
+      return;
+    }
+    if (std::abs(next->x - before.x) > coarse_step) {
+      return; // the minimum has come to an end
+    }
+    chain.rows.push_back(*next);
+  }
+}
+
+/// Between two rows, of which distances fall at one and rise at the other.
+VaryingSearch::Spot VaryingSearch::between(const Spot& low, const Spot& high) {
+  Spot found = low.point.gap.value <= high.point.gap.value ? low : high;
+  RootBracket bracket({low.y, low.point.gap.y}, {high.y, high.point.gap.y});
+  bracket.narrow(position_tolerance, [&](double y) -> std::optional<double> {
+    const auto spot = least_in_row(found.x, y);
+    if (!spot) {
+      return std::nullopt;
+    }
+    if (spot->point.gap.value <= found.point.gap.value) {
+      found = *spot;
+    }
+    return spot->point.gap.y;
+  });
+  return found;
+}
+
+std::vector<VaryingSearch::Spot> VaryingSearch::minima_of(const Chain& chain) {
+  std::vector<Spot> minima;
+  const std::vector<Spot>& rows = chain.rows;
+  const auto slope = [&](std::size_t i) { return rows[i].point.gap.y; };
+  if (slope(0) >= 0.0) {
+    minima.push_back(rows.front());
+    minima.back().at_end = true;
+  }
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    if (slope(i) < 0.0 && slope(i + 1) >= 0.0) {
+      minima.push_back(between(rows[i], rows[i + 1]));
+    }
+  }
+  if (slope(rows.size() - 1) < 0.0) {
+    minima.push_back(rows.back());
+    minima.back().at_end = true;
+  }
+  std::stable_sort(minima.begin(), minima.end(), [](const Spot& one, const Spot& other) {
+    return one.point.gap.value < other.point.gap.value;
+  });
+  return minima;
+}
+
+bool VaryingSearch::try_scan(const Pose& pose) {
+  pose_ = pose;
+  field_.emplace(wheel_, rail_, pose);
+  chains_.clear();
+  minima_.clear();
+  const std::vector<Spot> minima = coarse_minima();
+  if (minima.empty()) {
+    return false;
+  }
+  const double highest = minima.front().point.gap.value + chain_height;
+  for (const Spot& start : minima) {
+    if (start.point.gap.value > highest || is_known(start)) {
+      continue;
+    }
+    const auto index = static_cast<std::ptrdiff_t>(std::lround((start.y - row(0)) / row_spacing));
+    Chain chain{{start}};
+    field_->restart();
+    track(chain, index, -1, highest);
+    std::reverse(chain.rows.begin(), chain.rows.end());
+    field_->restart();
+    track(chain, index, 1, highest);
+    chains_.push_back(std::move(chain));
+  }
+  std::vector<std::vector<Spot>> found;
+  for (const Chain& chain : chains_) {
+    field_->restart();
+    found.push_back(minima_of(chain));
+    if (found.back().empty()) { // slopes that are not numbers
+      found.back().push_back(chain.rows.front());
+    }
+  }
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < found.size(); ++k) {
+    if (found[k].front().point.gap.value < found[nearest].front().point.gap.value) {
+      nearest = k;
+    }
+  }
+  std::swap(chains_[0], chains_[nearest]);
+  std::swap(found[0], found[nearest]);
+  minima_ = std::move(found);
+  least_ = minima_.front().front();
+  return true;
+}
+
+/// Along a row to one side of a least distance: how far it is to where the distance is larger by
+/// the typical depth. Where a body ends before that, or the distance falls again, to another least
+/// one, how far it is on the parabola through that place: as it sinks below the depth, this goes on
+/// without a jump.
+double VaryingSearch::half_length(const Spot& spot, double sign) {
+  struct Place {
+    double length;
+    double slope;  ///< away from the least distance
+    double height; ///< over it, less the typical depth
+  };
+  const auto on_parabola = [&](const Place& through) {
+    const double curvature = through.length > least_half ? 2.0 * (through.height + typical_depth) /
+                                                               (through.length * through.length)
+                                                         : spot.point.gap.xx;
+    return std::sqrt(2.0 * typical_depth / std::max(curvature, least_curvature));
+  };
+  const auto at = [&](double length) -> std::optional<Place> {
+    const auto point = field_->at(spot.x + sign * length, spot.y);
+    if (!point) {
+      return std::nullopt;
+    }
+    return Place{length, sign * point->gap.x,
+                 point->gap.value - spot.point.gap.value - typical_depth};
+  };
+  Place inside{0.0, std::max(row_tolerance * spot.point.gap.xx, least_slope), -typical_depth};
+  Place outside = inside;
+  double step = longest_step;
+  while (outside.height < 0.0 && outside.slope > 0.0) {
+    inside = outside;
+    auto next = at(inside.length + step);
+    while (!next && step > row_tolerance) { // at the end of a body, halved ever after
+      step *= 0.5;
+      next = at(inside.length + step);
+    }
+    if (!next || inside.length + step > longest_half) {
+      return on_parabola(inside);
+    }
+    outside = *next;
+  }
+  if (outside.slope <= 0.0) {
+    Place top = outside;
+    RootBracket slopes({inside.length, inside.slope}, {outside.length, outside.slope});
+    slopes.narrow(row_tolerance, [&](double length) -> std::optional<double> {
+      const auto found = at(length);
+      if (!found) {
+        return std::nullopt;
+      }
+      top = *found;
+      return found->slope;
+    });
+    if (top.height < 0.0) {
+      return on_parabola(top);
+    }
+    outside = top;
+  }
+  RootBracket heights({inside.length, inside.height}, {outside.length, outside.height});
+  heights.narrow(row_tolerance, [&](double length) -> std::optional<double> {
+    const auto found = at(length);
+    return found ? std::optional(found->height) : std::nullopt;
+  });
+  return heights.middle();
+}
+
+DistanceSample VaryingSearch::sample(const Spot& spot, bool is_near) {
+  const Graph& gap = spot.point.gap;
+  const Graph& rail = spot.point.rail;
+  double curvature = std::max(gap.xx, least_curvature); // where a body ends, any
+  double middle = spot.x;
+  if (is_near && !spot.at_end) {
+    const double before = half_length(spot, -1.0);
+    const double after = half_length(spot, 1.0);
+    const double mean = 0.5 * (before + after);
+    curvature = 2.0 * typical_depth / (mean * mean);
+    middle += 0.5 * (after - before);
+  }
+  const double cosine = 1.0 / std::sqrt(1.0 + rail.y * rail.y);
+  const double z = rail.value + gap.value;
+  return {{{middle, spot.y, z}, spot.point.wheel_lateral, curvature * cosine},
+          gap.value,
+          rail.y,
+          rail.x};
+}
+
+ContactCandidate VaryingSearch::candidate(const Spot& spot) const {
+  const Graph& rail = spot.point.rail;
+  const double cosine = 1.0 / std::sqrt(1.0 + rail.y * rail.y);
+  ContactCandidate result;
+  result.wheel.position = {spot.x, spot.y, rail.value + spot.point.gap.value};
+  result.wheel.lateral = spot.point.wheel_lateral;
+  result.wheel.normal_curvature = spot.point.gap.xx * cosine;
+  result.wheel.tangent_y = cosine;
+  result.wheel.tangent_z = rail.y * cosine;
+  result.wheel.height = spot.point.wheel_height;
+  result.wheel.wheel_angle = spot.point.wheel_angle;
+  result.distance = spot.point.gap.value;
+  result.rail_angle = std::atan(rail.y);
+  result.rail_rise = rail.x;
+  result.at_profile_end = spot.at_end;
+  result.at_part_end = spot.at_part_end;
+  return result;
+}
+
+std::vector<ContactScan> VaryingSearch::scans(double near_tolerance) {
+  std::vector<ContactScan> scans;
+  const double least = least_.point.gap.value;
+  for (std::size_t k = 0; k < chains_.size(); ++k) {
+    ContactScan scan;
+    for (const Spot& spot : minima_[k]) {
+      if (scan.candidates.empty() || spot.point.gap.value <= least + near_tolerance) {
+        scan.candidates.push_back(candidate(spot));
+      }
+    }
+    field_->restart();
+    for (const Spot& spot : chains_[k].rows) {
+      scan.samples.push_back(sample(spot, spot.point.gap.value <= least + near_height));
+    }
+    for (ContactCandidate& found : scan.candidates) { // as the samples beside it
+      const auto near = std::min_element(
+          scan.samples.begin(), scan.samples.end(), [&](const auto& one, const auto& other) {
+            return std::abs(one.wheel.position.y - found.wheel.position.y) <
+                   std::abs(other.wheel.position.y - found.wheel.position.y);
+          });
+      found.wheel.normal_curvature = near->wheel.normal_curvature;
+    }
+    scans.push_back(std::move(scan));
+  }
+  return scans;
+}
+
+std::optional<VaryingSearch::Spot> VaryingSearch::follow(const Pose& pose, const Spot& from) {
+  pose_ = pose;
+  field_.emplace(wheel_, rail_, pose);
+  double y = from.y;
+  auto spot = least_in_row(from.x, y);
+  for (int step = 0; spot && step < most_steps; ++step) {
+    const Graph& gap = spot->point.gap;
+    const double second = gap.yy - gap.xy * gap.xy / gap.xx; // of the row's least distance
+    const double move = std::clamp(-gap.y / std::max(second, 1e-3), -row_spacing, row_spacing);
+    if (std::abs(move) <= row_tolerance) {
+      return spot;
+    }
+    y += move;
+    spot = least_in_row(spot->x, y);
+  }
+  return std::nullopt;
+}
+
+double VaryingSearch::by_roll(const Spot& spot) const {
+  const Rotation rotation(pose_);
+  const Graph& rail = spot.point.rail;
+  const double z = rail.value + spot.point.gap.value;
+  const double y = rotation.cos_yaw * (spot.y - pose_.lateral) - rotation.sin_yaw * spot.x;
+  return y + (rail.y * rotation.cos_yaw - rail.x * rotation.sin_yaw) * z;
+}
+
+} // namespace wrc

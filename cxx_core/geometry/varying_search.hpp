@@ -1,0 +1,77 @@
+/// Where a left wheel meets a left rail when either varies along the track or around the wheel.
+///
+/// Rows of equal y are fixed to the wheelset, every 0.5 mm. On each the vertical distance g(x, y)
+/// (gap_field.hpp) has one or more least values, where g_x = 0: on a nose and a wing, or at both
+/// ends of a flat. A coarse scan over x and y finds them, Newton's method settles them and follows
+/// each from row to row: a chain is what the contact locus is to bodies that do not vary, and takes
+/// its place as a scan. Its local minima, where g_y = 0 as well, are the candidates of contact.
+///
+/// A sample's curvature is that of the parabola through the two places on its row where the
+/// distance is larger by a depth typical of wheels: the end of a flat is none. Its place is midway
+/// between them.
+/// Units mm and rad; track frame, left side (frames.hpp). Not covered: minima narrower than the
+/// coarse scan (5 mm along, 2 mm across) beside deeper ones. Thread rule: one search, one thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/contact_search.hpp"
+#include "geometry/gap_field.hpp"
+
+namespace wrc {
+
+class VaryingSearch {
+public:
+  /// Both must outlive the search.
+  VaryingSearch(const WheelSurface& wheel, const RailSurface& rail);
+
+  /// A least distance along x.
+  struct Spot {
+    double x = 0.0;
+    double y = 0.0;
+    GapPoint point;
+    bool at_end = false;      ///< where the rail or the wheel ends
+    bool at_part_end = false; ///< along x
+  };
+
+  /// False if no part of the wheel is over the rail.
+  [[nodiscard]] bool try_scan(const Pose& pose);
+  /// Of the pose scanned last.
+  [[nodiscard]] const Spot& least() const { return least_; }
+  /// One scan a chain, that of the least distance first. `near_tolerance`: of the candidates over
+  /// the least distance, mm.
+  [[nodiscard]] std::vector<ContactScan> scans(double near_tolerance);
+
+  /// Goes to another pose without a scan, and down to the nearest least distance; none if that
+  /// leaves the bodies.
+  [[nodiscard]] std::optional<Spot> follow(const Pose& pose, const Spot& from);
+  /// Derivative of the distance at a least one by the roll of this side's pose.
+  [[nodiscard]] double by_roll(const Spot& spot) const;
+
+private:
+  struct Chain {
+    std::vector<Spot> rows; ///< ascending in y
+  };
+
+  [[nodiscard]] double row(std::ptrdiff_t index) const;
+  [[nodiscard]] std::vector<Spot> coarse_minima();
+  [[nodiscard]] std::optional<Spot> least_in_row(double x, double y);
+  void track(Chain& chain, std::ptrdiff_t from, int direction, double highest);
+  [[nodiscard]] bool is_known(const Spot& spot) const;
+  [[nodiscard]] std::vector<Spot> minima_of(const Chain& chain);
+  [[nodiscard]] Spot between(const Spot& low, const Spot& high);
+  [[nodiscard]] double half_length(const Spot& spot, double sign);
+  [[nodiscard]] DistanceSample sample(const Spot& spot, bool is_near);
+  [[nodiscard]] ContactCandidate candidate(const Spot& spot) const;
+
+  const WheelSurface& wheel_;
+  const RailSurface& rail_;
+  Pose pose_;
+  std::optional<GapField> field_;
+  std::vector<Chain> chains_;             ///< that of the least distance first
+  std::vector<std::vector<Spot>> minima_; ///< of the chains, least first
+  Spot least_;
+};
+
+} // namespace wrc

@@ -1,0 +1,114 @@
+/// Lines that meet rails that vary, against bisection along the line.
+#include "geometry/rail_line.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "geometry/varying_shapes.hpp"
+
+namespace wrc::test::rail_line_test {
+namespace {
+
+/// A slope of 1:20 under waves of 50 mm, the crown's radius growing.
+SlicedProfile rising_rail() {
+  return profile_of(places_every(-100.0, 100.0, 5.0), [](double x) {
+    return curve_of([&](double y) { return crown_at(y, 1.0 + 0.002 * x); })
+        .moved(0.0, 0.0, 0.05 * x + 0.1 * std::sin(2.0 * std::numbers::pi * x / 50.0));
+  });
+}
+
+/// Position along a line at which it passes through the highest surface.
+double bisected(const RailSurface& rail, const Vector3& base, const Vector3& direction) {
+  double low = -30.0;
+  double high = 30.0;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    const Vector3 at = base + middle * direction;
+    double lateral = 0.0;
+    double height = 0.0;
+    rail.to_profile_frame(at.y, at.z, lateral, height);
+    (height < rail.varying()->over(rail.along() + at.x, lateral)->height ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+void expect_met(const RailSurface& rail, double along_slope, double across_slope) {
+  RailLine line(rail);
+  const double length = std::hypot(1.0, along_slope, across_slope);
+  const Vector3 direction{along_slope / length, across_slope / length, 1.0 / length};
+  for (double x = -40.0; x <= 40.0; x += 8.1)
+    for (double y = 730.0; y <= 770.0; y += 4.3) {
+      const Vector3 base{x, y, 0.05 * (rail.along() + x)};
+      const auto position = line.meet(base, direction);
+      ASSERT_TRUE(position) << x << ' ' << y;
+      EXPECT_NEAR(*position, bisected(rail, base, direction), 2e-12) << x << ' ' << y;
+    }
+}
+
+TEST(RailLine, MeetsTheSurfaceWhereBisectionDoes) {
+  const RailSurface level = rail_of(rising_rail(), 10.0);
+  TrackDimensions canted = level_track;
+  canted.cant = 0.025;
+  const RailSurface inclined = rail_of(rising_rail(), -10.0, canted, {0.4, -0.2, 0.05});
+  for (const RailSurface* rail : {&level, &inclined})
+    for (const double along : {0.0, -0.05, 0.1})
+      for (const double across : {0.0, 0.1, -0.3})
+        expect_met(*rail, along, across);
+}
+
+/// Two parts: the left one ends at x = 60, the right one begins at 30; from lateral 0 to the right.
+SlicedProfile two_parts() {
+  SlicedProfile profile = crown_along(places_every(0.0, 90.0, 10.0), [](double) { return 0.0; });
+  const double length = profile.slices[0].curve.length();
+  for (ProfileSlice& slice : profile.slices) {
+    slice.features.assign(3, std::nullopt);
+    slice.features[1] = 0.5 * length;
+    if (slice.place <= 60.0)
+      slice.features[0] = 0.0;
+    if (slice.place >= 30.0)
+      slice.features[2] = length;
+  }
+  return profile;
+}
+
+TEST(RailLine, GoesOverFromOneSheetToTheNext) {
+  const RailSurface rail = rail_of(two_parts(), 45.0);
+  ASSERT_EQ(rail.varying()->sheets().size(), 2U);
+  RailLine line(rail);
+  for (double y = 725.0; y < 776.0; y += 0.37) { // on from where the last line met, over the seam
+    const auto height = line.meet({1.0, y, 0.0}, {0.0, 0.0, 1.0});
+    ASSERT_TRUE(height) << y;
+    EXPECT_NEAR(*height, crown_at(y - 750.0).value, 1e-9) << y;
+    EXPECT_NEAR(line.graph().by_lateral, crown_at(y - 750.0).first, 1e-9) << y;
+  }
+  for (const double y : {749.9999, 750.0, 750.0001}) { // at the seam, from either side
+    line.restart();
+    EXPECT_NEAR(line.meet({0.0, y, 0.0}, {0.0, 0.0, 1.0}).value(), crown_at(y - 750.0).value, 1e-9);
+  }
+}
+
+TEST(RailLine, MeetsNothingInAGapAndBeyondTheEnds) {
+  const RailSurface rail = rail_of(two_parts(), 45.0);
+  RailLine line(rail);
+  const Vector3 up{0.0, 0.0, 1.0};
+  EXPECT_TRUE(line.meet({-20.0, 740.0, 0.0}, up)); // at 25: the left part alone
+  EXPECT_FALSE(line.meet({-20.0, 760.0, 0.0}, up));
+  EXPECT_FALSE(line.meet({20.0, 740.0, 0.0}, up)); // at 65: the right part alone
+  EXPECT_TRUE(line.meet({20.0, 760.0, 0.0}, up));
+  EXPECT_FALSE(line.meet({-46.0, 740.0, 0.0}, up));
+  EXPECT_FALSE(line.meet({46.0, 760.0, 0.0}, up));
+  EXPECT_FALSE(line.meet({0.0, 781.0, 0.0}, up));
+  EXPECT_TRUE(line.meet({0.0, 779.0, 0.0}, up));
+  EXPECT_FALSE(line.meet({0.0, 750.0, 0.0}, {1.0, 0.0, 0.001})); // along the rail
+}
+
+TEST(RailLine, ClampsToTheSectionAtTheWheelsetWhereNoRailIs) {
+  const RailSurface rail = rail_of(two_parts(), 45.0);
+  EXPECT_EQ(height_near(rail, 20.0, 740.0), rail.graph().at_lateral(740.0).height);
+  EXPECT_NEAR(height_near(rail, 20.0, 760.0), crown_at(10.0).value, 1e-9);
+}
+
+} // namespace
+} // namespace wrc::test::rail_line_test

@@ -1,0 +1,285 @@
+/// Scenes with lists of slices: equal slices, sides, threads, what was solved before, and places.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "creep/rolling_frame.hpp"
+#include "geometry/varying_shapes.hpp"
+#include "profile/standard_profiles.hpp"
+#include "scene/solve_scene.hpp"
+#include "scene/vehicle_step.hpp"
+#include "support/errors.hpp"
+
+namespace wrc::test::varying_scene_test {
+namespace {
+
+class VaryingScene : public ::testing::Test {
+protected:
+  VaryingScene()
+      : folder_(std::filesystem::path(::testing::TempDir()) /
+                ("wrcontact_varying_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~VaryingScene() override { std::filesystem::remove_all(folder_); }
+
+  /// A list of a built-in profile, raised by a height at each place; places are moved.
+  [[nodiscard]] std::string list(const std::string& name, const std::string& profile,
+                                 const std::vector<double>& places,
+                                 const std::function<double(double)>& height,
+                                 double moved = 0.0) const {
+    const Curve curve = standard_profile(profile).curve;
+    std::ofstream list(folder_ / name);
+    list.precision(17);
+    list << moved << " 1.0\n" << places.size() << "\n0 0 0\n1\n";
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::string slice = name + "_" + std::to_string(i) + ".txt";
+      list << places[i] << " '" << slice << "'\n";
+      std::ofstream file(folder_ / slice);
+      file.precision(17);
+      const int count = static_cast<int>(curve.length() / 0.5);
+      for (int k = 0; k <= count; ++k) {
+        const CurvePoint point = curve.at(curve.length() * k / count);
+        file << point.lateral << ' ' << point.height + height(places[i]) << '\n';
+      }
+    }
+    return folder_ / name;
+  }
+  [[nodiscard]] std::string wavy_rail(double moved = 0.0) const {
+    return list(
+        "wave" + std::to_string(moved) + ".slcs", "60E1", places_every(-120.0, 120.0, 4.0),
+        [](double x) { return 0.05 * std::cos(2.0 * std::numbers::pi * x / 50.0); }, moved);
+  }
+  [[nodiscard]] std::string wheel_with_flat() const {
+    return list("flat.slcw", "S1002", places_every(-0.2, 0.2, 0.01),
+                [](double theta) { return -rounded_depth(theta, 0.6, 0.06); });
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+Scene scene_on(const std::string& rail, const std::string& wheel = "S1002") {
+  Scene scene;
+  scene.left.rail.name = scene.right.rail.name = rail;
+  scene.left.wheel.name = scene.right.wheel.name = wheel;
+  for (SceneSide* side : {&scene.left, &scene.right})
+    side->rail.smoothing = side->wheel.smoothing = 0.0;
+  scene.lateral = 1.5;
+  scene.yaw = 0.003;
+  scene.along = 7.0;
+  scene.pitch = 0.03;
+  scene.accuracy = 1e-2;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.motion = Motion{.speed = 20000.0, .lateral = 10.0};
+  return scene;
+}
+
+/// All numbers but times.
+void expect_same(SceneResult one, SceneResult other) {
+  const std::vector<std::string> names = number_names(one);
+  ASSERT_EQ(names, number_names(other));
+  for (const std::string& name : names) {
+    if (name.find("time") != std::string::npos)
+      continue;
+    const auto first = number_value(one, name);
+    const auto second = number_value(other, name);
+    ASSERT_TRUE(first && second) << name;
+    EXPECT_TRUE(*first == *second || (std::isnan(*first) && std::isnan(*second)))
+        << name << ": " << *first << ", " << *second;
+  }
+}
+
+TEST_F(VaryingScene, EqualSlicesGiveTheBitsOfTheirProfile) {
+  const std::string rail =
+      list("equal.slcs", "60E1", {-50.0, 0.0, 30.0, 100.0}, [](double) { return 0.0; });
+  const std::string wheel =
+      list("equal.slcw", "S1002", {-1.0, 0.0, 2.0}, [](double) { return 0.0; });
+  const Scene scene = scene_on(rail, wheel);
+  Scene given = scene;
+  ReadOptions options;
+  options.smoothing_wavelength = 0.0;
+  const auto profile = [&](const std::string& name, ProfileKind kind) {
+    options.kind = kind;
+    return std::make_shared<const Profile>(first_of(read_sliced_profile(name, options), kind));
+  };
+  for (SceneSide* side : {&given.left, &given.right}) {
+    side->rail.given = profile(rail, ProfileKind::rail);
+    side->wheel.given = profile(wheel, ProfileKind::wheel);
+  }
+  expect_same(solve_scene(scene), solve_scene(given));
+}
+
+/// Slices that differ far away only: the search of bodies that vary, and other elements.
+TEST_F(VaryingScene, SlicesThatAreEqualNearbyGiveTheProfileToTheAccuracy) {
+  const auto bump = [](double place) { return place > 1500.0 ? 1.0 : 0.0; };
+  const std::vector<double> places = places_every(-1000.0, 2000.0, 50.0);
+  Scene scene = scene_on(list("far.slcs", "60E1", places, bump));
+  scene.accuracy = 1e-3;
+  Scene equal = scene_on(list("same.slcs", "60E1", places, [](double) { return 0.0; }));
+  equal.accuracy = 1e-3;
+  const SceneResult one = solve_scene(scene);
+  const SceneResult other = solve_scene(equal);
+  EXPECT_NEAR(one.roll, other.roll, 1e-12);
+  EXPECT_NEAR(one.vertical, other.vertical, 1e-9);
+  const double load = scene.left.load;
+  for (const auto& [a, b] : {std::pair(&one.left, &other.left), {&one.right, &other.right}}) {
+    EXPECT_LT(norm((*a)->force - (*b)->force), 1e-3 * load);
+    EXPECT_LT(norm((*a)->total->force - (*b)->total->force), 1e-3 * load);
+    EXPECT_NEAR((*a)->pmax, (*b)->pmax, 1e-2 * (*b)->pmax);
+  }
+}
+
+TEST_F(VaryingScene, MirrorsToTheLastBit) {
+  Scene one = scene_on(wavy_rail(), wheel_with_flat());
+  one.left.displacement = {0.5, -0.3, 0.005};
+  Scene other = one;
+  other.lateral = -one.lateral;
+  other.yaw = -one.yaw;
+  other.motion = mirrored(*one.motion);
+  std::swap(other.left.displacement, other.right.displacement);
+  other.right.displacement = mirrored(one.left.displacement);
+  const SceneResult first = solve_scene(one);
+  const SceneResult second = solve_scene(other);
+  EXPECT_EQ(first.roll, -second.roll);
+  EXPECT_EQ(first.vertical, second.vertical);
+  for (const auto& [here, there] :
+       {std::pair(&first.left, &second.right), {&first.right, &second.left}}) {
+    const WheelResult& a = **here;
+    const WheelResult& b = **there;
+    EXPECT_EQ(a.force.x, b.force.x);
+    EXPECT_EQ(a.force.y, -b.force.y);
+    EXPECT_EQ(a.total->force.x, b.total->force.x);
+    EXPECT_EQ(a.total->force.y, -b.total->force.y);
+    EXPECT_EQ(a.total->moment.y, b.total->moment.y);
+    EXPECT_EQ(a.centroid.x, b.centroid.x);
+    EXPECT_EQ(a.centroid.y, -b.centroid.y);
+    ASSERT_EQ(a.patches.size(), b.patches.size());
+    for (std::size_t k = 0; k < a.patches.size(); ++k)
+      EXPECT_EQ(a.patches[k].pressure, b.patches[k].pressure);
+  }
+}
+
+TEST_F(VaryingScene, ThreadsAndEarlierScenesChangeNoBit) {
+  const Scene scene = scene_on(wavy_rail(), wheel_with_flat());
+  const SceneResult alone = solve_scene(scene);
+  Scene threads = scene;
+  threads.threads = 2;
+  expect_same(alone, solve_scene(threads));
+  SceneSolver solver;
+  Scene before = scene;
+  before.along = -60.0;
+  before.pitch = 0.0;
+  before.lateral = -4.0;
+  (void)solver.solve(before);
+  expect_same(alone, solver.solve(scene));
+  (void)solver.solve(scene_on("60E1"));
+  SceneSolver beside = solver.beside();
+  expect_same(alone, beside.solve(scene));
+}
+
+/// Places along are rounded to 2e-13 mm, which the choice of elements and the iterations see.
+TEST_F(VaryingScene, DoesNotDependOnWhereTheOriginOfPlacesIs) {
+  const Scene here = scene_on(wavy_rail());
+  Scene there = scene_on(wavy_rail(1000.0));
+  there.along = here.along + 1000.0;
+  const SceneResult one = solve_scene(here);
+  const SceneResult other = solve_scene(there);
+  const double load = here.left.load;
+  EXPECT_NEAR(one.vertical, other.vertical, 1e-10);
+  for (const auto& [a, b] : {std::pair(&one.left, &other.left), {&one.right, &other.right}}) {
+    EXPECT_LT(norm((*a)->force - (*b)->force), 1e-7 * load);
+    EXPECT_LT(norm((*a)->total->force - (*b)->total->force), 1e-6 * load);
+    EXPECT_NEAR((*a)->depth, (*b)->depth, 1e-7 * (*b)->depth);
+  }
+}
+
+TEST_F(VaryingScene, EachRevolutionIsTheSame) {
+  const std::string wheel = wheel_with_flat();
+  Scene scene = scene_on("60E1", wheel);
+  const SceneResult one = solve_scene(scene);
+  scene.pitch += 2.0 * std::numbers::pi;
+  const SceneResult other = solve_scene(scene);
+  EXPECT_NEAR(one.vertical, other.vertical, 1e-10);
+  EXPECT_LT(norm(one.left->total->force - other.left->total->force), 1e-6 * scene.left.load);
+  scene.pitch = 1.0; // off the flat
+  EXPECT_GT(std::abs(solve_scene(scene).vertical - one.vertical), 0.05);
+}
+
+TEST_F(VaryingScene, RefusesPlacesWithoutARail) {
+  Scene scene = scene_on(wavy_rail());
+  scene.along = 121.0;
+  expect_error(
+      ErrorCode::no_contact, [&] { (void)solve_scene(scene); }, "121");
+  scene.along = 119.0; // the rail ends 1 mm ahead
+  EXPECT_NO_THROW((void)solve_scene(scene));
+}
+
+TEST_F(VaryingScene, RefusesWhatSlicesAndWavesCannotHave) {
+  Scene scene;
+  scene.left.rail.name = wavy_rail();
+  const auto solve = [&scene] { (void)solve_scene(scene); };
+  scene.gap = GapConvention::vertical;
+  expect_error(ErrorCode::invalid_argument, solve, "solve.gap", "varies");
+  scene = Scene();
+  scene.left.wheel.name = wavy_rail();
+  expect_error(ErrorCode::invalid_argument, solve, "slices of a wheel");
+  scene = Scene();
+  scene.left.wheel.name = scene.right.wheel.name = wheel_with_flat();
+  scene.profile_shift = 1.0;
+  expect_error(ErrorCode::invalid_argument, solve, "profile_shift");
+  scene = Scene();
+  scene.left.wheel.harmonics = {{700, 0.02, 0.0}};
+  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 700", "12 mm");
+  scene.left.wheel.harmonics = {{10, 20.0, 0.0}};
+  expect_error(ErrorCode::invalid_argument, solve, "wheelset.harmonics = 20", "slopes");
+}
+
+/// At a prescribed position, where the rail's wave rises.
+TEST_F(VaryingScene, ForcesHaveDerivativesAlongTheTrackAndBesidesToo) {
+  Scene scene;
+  scene.left.rail.name = scene.right.rail.name = wavy_rail();
+  scene.side = SideChoice::left;
+  scene.roll = 0.0;
+  scene.along = 12.0;
+  scene.accuracy_of = AccuracyOf::forces;
+  scene.derivatives = true;
+  SceneSolver solver;
+  scene.vertical = solver.solve(scene).left->details.vertical;
+  SceneResult result = solver.solve(scene);
+  auto forces = wheel_forces(result, scene.convention, true);
+  add_varying_columns(scene, solver, forces);
+  const auto force_at = [&](double Scene::*place, double step) {
+    Scene moved = scene;
+    moved.*place += step;
+    SceneResult there = solver.solve(moved);
+    return wheel_forces(there, scene.convention, false)[0].force;
+  };
+  constexpr double step = 2e-3;
+  for (const auto& [place, column] : {std::pair(&Scene::along, 0U), {&Scene::lateral, 1U}}) {
+    const SixNumbers ahead = force_at(place, step);
+    const SixNumbers behind = force_at(place, -step);
+    const SixNumbers& found = forces[0].by_position[column];
+    for (std::size_t row = 0; row < 3; ++row)
+      EXPECT_NEAR(found[row], (ahead[row] - behind[row]) / (2.0 * step),
+                  1e-2 * std::abs(forces[0].by_position[2][2]) * (column == 0U ? 0.01 : 0.1))
+          << column << ' ' << row;
+  }
+  EXPECT_NE(forces[0].by_position[0][2], 0.0);
+  EXPECT_EQ(forces[0].by_position[4], SixNumbers{});
+  scene.along = 120.0; // the last slice: from one side
+  forces[0].by_position[0] = {};
+  add_varying_columns(scene, solver, forces);
+  EXPECT_NE(forces[0].by_position[0][2], 0.0);
+}
+
+} // namespace
+} // namespace wrc::test::varying_scene_test
