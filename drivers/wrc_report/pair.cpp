@@ -55,11 +55,10 @@ std::vector<PressedBand> bands_of(const Scene& scene) {
   return bands;
 }
 
-Position solved(const Pair& pair, double lateral) {
+Position solved(Scene& scene, double lateral) {
   Position position;
   position.lateral = lateral;
   try {
-    Scene scene = pair.scene();
     scene.set("solve.side", "left");
     scene.set("pose.lateral", lateral);
     if (!scene.solve()) {
@@ -112,8 +111,12 @@ Scene Pair::scene() const {
 std::vector<Position> positions_of(const Pair& pair, int threads) {
   std::vector<Position> positions(static_cast<std::size_t>(2.0 * position_reach / position_step) +
                                   1);
+  std::vector<Scene> scenes; // made by one thread: a profile serves one at a time
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    scenes.push_back(pair.scene());
+  }
   for_each_index(positions.size(), threads, [&](std::size_t i) {
-    positions[i] = solved(pair, -position_reach + position_step * static_cast<double>(i));
+    positions[i] = solved(scenes[i], -position_reach + position_step * static_cast<double>(i));
   });
   return positions;
 }
