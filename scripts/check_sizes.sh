@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 declare -A limits=([file]=500 [function]=80 [class]=400)
 # Tables: of keys, and of C functions, which programs include as one header, and their interfaces.
-tables=(cxx_core/scene/scene_key_table.cpp fortran_bindings/wrcontact_c.inc
+tables=(fortran_bindings/wrcontact_c.inc
   c_api/include/wrcontact.h c_api/abi/wrcontact.h)
 
 # KIND LINES FILE:LINE NAME

@@ -39,6 +39,7 @@ others = {
     "cxx_core/scene/rate_tables.hpp",
     "cxx_core/scene/result_fields.cpp",
     "cxx_core/scene/scene_key_table.cpp",  # permitted ranges
+    "cxx_core/scene/profile_keys.cpp",  # likewise
     "cxx_core/table/table_step.cpp",  # permitted ranges and signs
 }
 # At namespace scope, or static in a class; not functions.

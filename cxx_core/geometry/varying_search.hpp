@@ -7,8 +7,8 @@
 /// its place as a scan. Its local minima, where g_y = 0 as well, are the candidates of contact.
 ///
 /// A sample's curvature is that of the parabola through the two places on its row where the
-/// distance is larger by a depth typical of wheels: the end of a flat is none. Its place is midway
-/// between them.
+/// distance is larger by a typical depth, since the distance itself is no parabola at the end of a
+/// flat. Its place is midway between them.
 /// Units mm and rad; track frame, left side (frames.hpp). Not covered: minima narrower than the
 /// coarse scan (5 mm along, 2 mm across) beside deeper ones. Thread rule: one search, one thread.
 #pragma once

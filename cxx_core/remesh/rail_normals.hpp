@@ -96,9 +96,9 @@ private:
     Vector3 direction;
     Vector3 tangent; ///< of the rail, and ...
     Vector3 normal;  ///< ... its normal, ...
-    Vector3
-        normal_rate; ///< ... which changes so along the arc, or, of a rail that varies, by y, ...
-    Vector3 normal_rate_along; ///< ... and by x
+    /// ... which changes so along the arc; of a rail that varies by y, and by x.
+    Vector3 normal_rate;
+    Vector3 normal_rate_along;
   };
   [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const {
     return by_row_ ? row : row * grid_.longitudinal_count + column;

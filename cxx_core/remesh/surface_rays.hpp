@@ -40,8 +40,6 @@ public:
   std::optional<double> solve(double longitudinal, double lateral);
   /// Point of the rail where the last ray met it; of a rail that varies on its section there.
   [[nodiscard]] const CurvePoint& point() const { return point_; }
-  /// Slope along the track there, of a rail that varies.
-  [[nodiscard]] double rise() const { return line_ ? line_->graph().by_along : 0.0; }
   /// The rail's surface there, if it varies.
   [[nodiscard]] const GraphPoint& graph() const { return line_->graph(); }
   /// True if that point is seen from above.

@@ -198,7 +198,6 @@ SurfacePlace surfaces_at(const PosedPair& pair, const ContactFrame& frame, doubl
     place.on_rail = true;
     place.rail = frame.to_track(longitudinal, lateral, *position);
     place.rail_angle = std::atan2(rail.point().tangent_height, rail.point().tangent_lateral);
-    place.rail_rise = rail.rise();
   }
   WheelRay wheel(pair, frame);
   if (const auto position = wheel.solve(longitudinal, lateral)) {

@@ -35,7 +35,6 @@ struct SurfacePlace {
   bool on_wheel = false;
   Vector3 rail;               ///< track frame
   double rail_angle = 0.0;    ///< inclination of the rail there, rad
-  double rail_rise = 0.0;     ///< slope along the track, of a rail that varies
   Vector3 wheel;              ///< track frame
   double wheel_lateral = 0.0; ///< s on the wheel profile
   double wheel_height = 0.0;  ///< w on the wheel profile

@@ -281,8 +281,8 @@ Key pitch_key() {
 Key vertical_key() {
   Key key =
       motion_key("motion.vertical", "-1e6 to 1e6 mm/s, \"follow\" or \"none\"",
-                 "vertical velocity of the wheelset's centre; follow, unless a number is set: "
-                 "0, but on rails and wheels that vary that at which wheels follow them",
+                 "vertical velocity of the wheelset's centre; follow, the default: 0, or where a "
+                 "rail or a wheel varies the velocity at which each wheel stays on its rail",
                  1e6, turning_length, &Motion::vertical);
   key.get = [get = key.get](const Scene& scene) {
     return scene.motion && !scene.motion->vertical_is_given ? KeyValue(std::string("follow"))

@@ -3,9 +3,10 @@
 
 A rail's list carries a wheel S1002 of 460 mm, a wheel's list runs on 60E1. Drawn are the position along the
 track, or the angle of the wheel, lateral position (-8 to 8 mm), yaw (-20 to 20 mrad), load (1 to 150 kN)
-and whether both wheels or one of them are solved, with creep forces at 20 m/s. A scene fails if the
-library reports anything but no contact, if a number is not finite, or if the load is not carried to
-1 %; `no contact` counts by itself. Accuracy 1e-2 of forces. The same seed gives the same scenes.
+and whether both wheels or one of them are solved, with creep forces at 20 m/s. As in bounded_scenes, a
+scene may end with a result, without contact, not converged, or refused; these are counted. It fails if
+anything else is reported, if a number is not finite, or if the load is not carried to 1 %. Accuracy
+1e-2 of forces. The same seed gives the same scenes.
 
   random_positions.py FOLDER [--count N] [--seed N]
 """
@@ -60,6 +61,10 @@ def outcome(scene: wrcontact.Scene, solver: wrcontact.Solver) -> str:
         result = solver.solve(scene)
     except wrcontact.NoContact:
         return "no contact"
+    except wrcontact.NotConverged:
+        return "not converged"
+    except wrcontact.InvalidArgument:
+        return "refused"
     except wrcontact.Error as error:
         return f"failed: {error}"
     load = scene["load.vertical"]
