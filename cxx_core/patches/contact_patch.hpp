@@ -21,6 +21,7 @@ struct ContactPatch {
   double deepest_s = 0.0;      ///< ... on the wheel's profile
   double weight = 1.0;         ///< fraction of the weight W of all patches of the wheel
   double angle_unturned = 0.0; ///< of the rail's mean normal in this patch by itself
+  double deviation = 0.0;      ///< of the rail's angle from it, standard, weighted like the angle
   double angle = 0.0;          ///< of its plane, turned towards close neighbours
   double rise = 0.0;           ///< of the rail along the track over its plane across, likewise
   double mean_x = 0.0;         ///< mean position, weighted like the angle

@@ -130,6 +130,11 @@ ContactPatch joined(const ContactPatch& one, const ContactPatch& other) {
   both.x_last = std::max(one.x_last, other.x_last);
   both.half_length = std::max(one.half_length, other.half_length);
   both.angle_unturned = both.angle = mean(one.angle_unturned, other.angle_unturned);
+  const auto square = [&](const ContactPatch& patch) {
+    const double apart = patch.angle_unturned - both.angle_unturned;
+    return patch.deviation * patch.deviation + apart * apart;
+  };
+  both.deviation = std::sqrt(mean(square(one), square(other)));
   both.rise = mean(one.rise, other.rise);
   both.mean_x = mean(one.mean_x, other.mean_x);
   both.mean_y = mean(one.mean_y, other.mean_y);

@@ -194,6 +194,7 @@ private:
     patch.deepest_y = value_of(lobe.deepest.y);
     patch.deepest_s = value_of(lobe.deepest.s);
     patch.angle_unturned = value_of(lobe.angle);
+    patch.deviation = lobe.moments.deviation();
     patch.rise = value_of(lobe.moments.rise / lobe.moments.weight);
     patch.mean_x = value_of(lobe.moments.x / lobe.moments.weight);
     patch.mean_y = value_of(lobe.moments.y / lobe.moments.weight);

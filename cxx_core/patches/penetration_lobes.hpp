@@ -37,6 +37,12 @@ template <class Real> struct Moments {
     rise += share * other.rise;
   }
   [[nodiscard]] Real angle() const { return atan2(sine, cosine); }
+  /// Standard deviation of the angle, from the length of the mean direction (K. V. Mardia,
+  /// Statistics of Directional Data, 1972, ch. 2).
+  [[nodiscard]] double deviation() const {
+    const double length = std::hypot(value_of(cosine), value_of(sine)) / value_of(weight);
+    return length < 1.0 ? std::sqrt(-2.0 * std::log(length)) : 0.0;
+  }
 };
 
 /// Penetration from one local minimum to the next.

@@ -25,9 +25,12 @@ inline constexpr int max_attempts = 20;
 /// origin: reasoned: keeps a first depth far too large from a step to below the first touch.
 inline constexpr double min_depth_ratio = 0.1;
 
-/// Width of a contact over that of its penetration, whose ends move without jumps.
-/// origin: derived: of Hertz's contact the square root of a half.
-inline constexpr double contact_over_penetration = 0.7071;
+/// Turn of the rail from one end of a contact to the other, over the deviation of its angle in the
+/// penetration.
+/// origin: derived: with a penetration that is a parabola of half width a and weights (1 -
+/// y^2/a^2)^2.5 (penetration_lobes.hpp) the deviation of y is a/sqrt(8), and Hertz's contact is 2
+/// a/sqrt(2) wide.
+inline constexpr double turn_over_deviation = 4.0;
 
 /// Contact angle above which distances along the wheelset's axis mislead, rad.
 /// origin: derived: they are longer than normal ones by 1 - cos = 1 % there.

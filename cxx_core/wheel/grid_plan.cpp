@@ -91,40 +91,58 @@ void lay_along_arcs(PatchInteraction& interaction, std::span<Patch> patches, Int
   }
 }
 
-/// Of each patch, how much of its curve is taken. Patches that are close take the greater one in
-/// proportion to their links, so that they have the same when they become one.
-std::vector<double> curve_shares(const GridSolution& solution, const RailSurface& rail,
-                                 const WheelRequest& request) {
+/// Of each patch, how much of its curve is taken. It follows the deviation of the rail's angle from
+/// the plane's, weighted with the penetration, so that a lobe that is born counts for nothing at
+/// first. Patches that are close count in proportion to their links, so that they have the same
+/// deviation when they become one.
+std::vector<double> curve_shares(const GridSolution& solution, const WheelRequest& request) {
   const std::vector<Patch>& patches = solution.patches;
-  std::vector<double> turns;
-  for (const Patch& patch : patches) {
-    const auto from_plane = [&](double y) {
-      const CurvePoint end = rail.graph().at_lateral(y);
-      return std::abs(std::atan2(end.tangent_height, end.tangent_lateral) - patch.frame.angle());
-    };
-    turns.push_back(
-        2.0 * contact_over_penetration *
-        std::max(from_plane(patch.penetration.y_first), from_plane(patch.penetration.y_last)));
-  }
   std::vector<double> shares;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    double turn = turns[k];
+    double weights = 0.0;
+    double squares = 0.0;
+    const auto count = [&](const ContactPatch& penetration, double close) {
+      const double apart = penetration.angle_unturned - patches[k].frame.angle();
+      weights += close * penetration.weight;
+      squares += close * penetration.weight *
+                 (penetration.deviation * penetration.deviation + apart * apart);
+    };
+    count(patches[k].penetration, 1.0);
     double close = 1.0;
     for (std::size_t l = k; l > 0; --l) {
       close *= solution.links[l - 1];
-      turn = std::max(turn, close * turns[l - 1]);
+      count(patches[l - 1].penetration, close);
     }
     close = 1.0;
     for (std::size_t l = k + 1; l < patches.size(); ++l) {
       close *= solution.links[l - 1];
-      turn = std::max(turn, close * turns[l]);
+      count(patches[l].penetration, close);
     }
     shares.push_back(request.curved == CurvedChoice::yes
                          ? 1.0
-                         : curve_share(turn, request.accuracy, request.accuracy_of,
+                         : curve_share(turn_over_deviation * std::sqrt(squares / weights),
+                                       request.accuracy, request.accuracy_of,
                                        request.position_is_prescribed()));
   }
   return shares;
+}
+
+/// The plane of patches that share one, from the mean of their origins, as that of one patch that
+/// they join to: a part of the curve's heights depends on where heights count from.
+ContactFrame common_frame(std::span<const Patch> patches, const RailSurface& rail) {
+  double weights = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  for (const Patch& patch : patches) {
+    weights += patch.penetration.weight;
+    x += patch.penetration.weight * patch.penetration.mean_x;
+    y += patch.penetration.weight * patch.penetration.mean_y;
+  }
+  if (patches.size() == 1) {
+    return patches.front().frame;
+  }
+  return patches.front().frame.seen_from(
+      {x / weights, y / weights, height_near(rail, x / weights, y / weights)});
 }
 
 /// A stretch of the plane as one of the rows.
@@ -225,13 +243,15 @@ std::vector<ExpectedContact> expected_contacts(const GridSolution& patches, cons
 
 void set_curves(GridSolution& solution, const PosedPair& pair, const WheelRequest& request) {
   std::vector<Patch>& patches = solution.patches;
-  const std::vector<double> shares = curve_shares(solution, pair.rail, request);
+  const std::vector<double> shares = curve_shares(solution, request);
   for (std::size_t first = 0, last = 0; first < patches.size(); first = last) {
     last = first + 1;
     while (last < patches.size() && patches[last].penetration.shares_plane_with_previous) {
       ++last;
     }
-    const ContactFrame frame = patches[first].frame;
+    const ContactFrame frame = common_frame({patches.begin() + static_cast<std::ptrdiff_t>(first),
+                                             patches.begin() + static_cast<std::ptrdiff_t>(last)},
+                                            pair.rail);
     PlaneArea all = PlaneArea::empty();
     for (std::size_t k = first; k < last; ++k) {
       PlaneArea area = potential_area(patches[k], pair.rail);

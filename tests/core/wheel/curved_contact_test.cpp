@@ -218,5 +218,22 @@ TEST(CurvedContact, ForcesFollowTheSceneAsInPlanes) {
   }
 }
 
+/// With `auto` at 4.4744 mm a second lobe begins 10 mm away: the part of the curve does not change
+/// at once, by which the depth would jump by 1.1e-4.
+TEST(CurvedContact, ALobeThatIsBornBendsNothingAtFirst) {
+  SceneSolver solver;
+  std::vector<double> depths;
+  for (int step = 0; step < 40; ++step) {
+    Scene scene = left_wheel("60E1", 4.4742 + 1e-5 * step);
+    scene.side = SideChoice::both;
+    scene.curved = CurvedChoice::by_accuracy;
+    scene.accuracy_of = AccuracyOf::forces;
+    depths.push_back(solver.solve(scene).left->depth);
+  }
+  for (std::size_t i = 2; i < depths.size(); ++i) {
+    EXPECT_LT(std::abs(depths[i] - 2.0 * depths[i - 1] + depths[i - 2]), 1e-5 * depths[i]);
+  }
+}
+
 } // namespace
 } // namespace wrc::test::curved_contact_test
