@@ -10,7 +10,7 @@ namespace wrc {
 
 CreepForces forces_of_unlike_bodies(const PatchTask& task, RollingSolver& solver,
                                     CreepResult& creep) {
-  CreepProblem plain(task, creep);
+  CreepProblem plain(task, solver.plans(), creep);
   if (task.request.derivatives) {
     plain.request_rates();
   }

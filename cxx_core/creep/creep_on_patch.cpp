@@ -3,7 +3,7 @@
 namespace wrc {
 
 CreepForces forces_on_patch(const PatchTask& task, RollingSolver& solver, CreepResult& creep) {
-  CreepProblem problem(task, creep);
+  CreepProblem problem(task, solver.plans(), creep);
   if (task.request.derivatives) {
     problem.request_rates();
   }

@@ -50,9 +50,21 @@ void add_displacements(const PatchTask& task, const ContactFrame& frame, const G
   }
 }
 
+/// Slip of elements, and what pressures add along a curve.
+SlipField sum(SlipField slip, const SlipAlongCurve& added) {
+  if (slip.x.empty()) {
+    return {added.x, added.y};
+  }
+  for (std::size_t i = 0; i < added.x.size(); ++i) {
+    slip.x[i] += added.x[i];
+    slip.y[i] += added.y[i];
+  }
+  return slip;
+}
+
 /// By position; `now`: in the rolling frame, on `grid` of the patch's plane.
 std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
-                                       const RollingProblem& now) {
+                                       const RollingProblem& now, LinePlans& plans) {
   std::vector<ProblemRate> result;
   const PatchResult& patch = task.patch;
   const auto moves = moves_of(patch, *task.rates, creep_pressure_step);
@@ -73,6 +85,10 @@ std::vector<ProblemRate> problem_rates(const PatchTask& task, const Grid& grid,
     }
     add_displacements(task, contact.frame(), ahead.grid, ahead.fields.slip);
     ahead = turned(std::move(ahead), task.motion.frame);
+    RollingProblem then = now;
+    then.grid = ahead.grid;
+    then.pressure = ahead.fields.pressure;
+    ahead.fields.slip = sum(std::move(ahead.fields.slip), slip_along_curve(then, plans));
     result.push_back(rate_between(now, ahead.grid, ahead.fields, step));
   }
   return result;
@@ -139,12 +155,12 @@ void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const
 /// slip beyond creepages and by a velocity along the normal, in a step of time by the share of
 /// rolling.
 std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
-                                   const RollingProblem& problem) {
+                                   const RollingProblem& problem, LinePlans& plans) {
   std::vector<ProblemRate> rates;
   if (task.rates != nullptr && !unlike_bodies(task.request)) {
-    rates = problem_rates(task, grid, problem);
+    rates = problem_rates(task, grid, problem, plans);
   }
-  if (task.motion.twist || problem.step_length > 0.0) {
+  if (!problem.slip_x.empty() || problem.step_length > 0.0) {
     rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
     rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
   }
@@ -157,7 +173,8 @@ std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
 
 } // namespace
 
-CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(task) {
+CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult& creep)
+    : task_(task), plans_(plans) {
   const auto& [wheel, patch, motion, request, known] = task;
   const SmoothPressure pressure(patch.grid, patch.pressure);
   const CreepGrid chosen = grid_of_patch(patch, pressure, request);
@@ -177,8 +194,6 @@ CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(ta
   now = turned(std::move(now), motion.frame);
   fields_ = std::move(now.fields);
   problem_.grid = now.grid;
-  problem_.slip_x = fields_.slip.x;
-  problem_.slip_y = fields_.slip.y;
   problem_.weight_x = fields_.weights.x;
   problem_.weight_y = fields_.weights.y;
   problem_.pressure = fields_.pressure;
@@ -189,6 +204,12 @@ CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(ta
   problem_.creepages = motion.frame.turned(motion.creepages);
   problem_.step_length = motion.step_length;
   problem_.rolling_share = motion.rolling_share;
+  angles_ = motion.frame.turned_components(row_angles(patch.frame, grid_));
+  problem_.angles = angles_;
+  along_curve_ = slip_along_curve(problem_, plans_);
+  fields_.slip = sum(std::move(fields_.slip), along_curve_);
+  problem_.slip_x = fields_.slip.x;
+  problem_.slip_y = fields_.slip.y;
   error_of_elements_ = creep_error_of_one_column / (chosen.columns * chosen.columns);
   // An iteration beyond what fewer elements than the accuracy needs can show would be in vain.
   problem_.tolerance =
@@ -199,12 +220,17 @@ CreepProblem::CreepProblem(const PatchTask& task, CreepResult& creep) : task_(ta
 }
 
 void CreepProblem::request_rates() {
-  rates_ = all_rates(task_, grid_, problem_);
+  rates_ = all_rates(task_, grid_, problem_, plans_);
   problem_.rates = rates_;
 }
 
 CreepForces CreepProblem::take(RollingSolution solution, CreepResult& creep) const {
   const CreepRequest& request = task_.request;
+  for (std::size_t i = 0; i < along_curve_.x.size(); ++i) {
+    solution.power_of_pressures -=
+        grid_.element_area() *
+        (solution.traction_x[i] * along_curve_.x[i] + solution.traction_y[i] * along_curve_.y[i]);
+  }
   solution = task_.motion.frame.turned(std::move(solution));
   if (request.derivatives) {
     take_derivatives(solution, creep.derivatives.emplace());

@@ -2,8 +2,9 @@
 ///
 /// The problem is in the rolling frame (rolling_frame.hpp), on a grid of its own (creep_grid.hpp):
 /// pressures interpolated and scaled to the patch's normal force, and the slip of each element
-/// beyond creepages. How it is solved is up to the caller.
-/// Left-hand frame of the side. Units mm, N, MPa, rad. Thread rule: plain values.
+/// beyond creepages; along a curve also that by pressures (rolling/curve_displacement.hpp). How it
+/// is solved is up to the caller. Left-hand frame of the side. Units mm, N, MPa, rad. Thread rule:
+/// plain values.
 #pragma once
 
 #include <vector>
@@ -14,6 +15,7 @@
 #include "creep/patch_motion.hpp"
 #include "records/wheel_result.hpp"
 #include "rolling/creep_laws.hpp"
+#include "rolling/curve_displacement.hpp"
 #include "rolling/rolling_problem.hpp"
 
 namespace wrc {
@@ -30,7 +32,7 @@ struct PatchTask {
 class CreepProblem {
 public:
   /// Fills in grid, pressures and elements of `creep`. What the task refers to must stay.
-  CreepProblem(const PatchTask& task, CreepResult& creep);
+  CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult& creep);
   CreepProblem(const CreepProblem&) = delete;
   CreepProblem& operator=(const CreepProblem&) = delete;
   ~CreepProblem() = default;
@@ -45,11 +47,14 @@ public:
 
 private:
   PatchTask task_;
+  LinePlans& plans_;
   Grid grid_; ///< of the patch's plane
   std::vector<SlipRow> rows_;
   SlipField slip_;       ///< in the patch's plane
   ProblemFields fields_; ///< in the rolling frame, as the problem's
   std::vector<ProblemRate> rates_;
+  std::vector<double> angles_; ///< of rows along a curve, in the rolling frame
+  SlipAlongCurve along_curve_; ///< by pressures, likewise
   RollingProblem problem_;
   double error_of_elements_ = 0.0;
 };

@@ -1,6 +1,7 @@
 #include "half_space/traction_convolution.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -75,6 +76,10 @@ WRC_VECTOR_CLONES void split(const double* line, double* x, double* y, std::size
   split_body(line, x, y, count);
 }
 
+bool is_plane(std::span<const double> angles) {
+  return std::ranges::all_of(angles, [&](double angle) { return angle == angles.front(); });
+}
+
 /// Lines of complex numbers in double precision, transformed in whole blocks.
 class SpectrumLines {
 public:
@@ -131,7 +136,7 @@ void store_column(const std::complex<double>* even, const std::complex<double>* 
 class WeightedCoefficients {
 public:
   WeightedCoefficients(const TractionShape& shape, double poisson, const DifferenceWeights& weights,
-                       const TractionTable& table)
+                       const TractionTable& table, TractionPart part)
       : WeightedCoefficients(shape) {
     // From one offset downstream of the first to two upstream of the last.
     const std::size_t reach = length_ + weights.size() - 1;
@@ -150,9 +155,28 @@ public:
       for (std::size_t m = 0; m < weights.size(); ++m) {
         const double c = weights[m];
         for (std::size_t i = 0; c != 0.0 && i < length_; ++i) {
-          xx[i] += c * (along[i + m] + (1.0 - poisson) * across[i + m]);
-          yy[i] += c * (across[i + m] + (1.0 - poisson) * along[i + m]);
-          xy[i] += c * poisson * mixed[i + m];
+          const double x = along[i + m];
+          const double y = across[i + m];
+          const double turned = (1.0 - poisson) * x + (1.0 - 0.5 * poisson) * y;
+          switch (part) {
+          case TractionPart::plane:
+            xx[i] += c * (x + (1.0 - poisson) * y);
+            yy[i] += c * (y + (1.0 - poisson) * x);
+            xy[i] += c * poisson * mixed[i + m];
+            break;
+          case TractionPart::fixed:
+            xx[i] += c * (x + (1.0 - poisson) * y);
+            yy[i] += c * 0.5 * poisson * y;
+            xy[i] += c * poisson * mixed[i + m];
+            break;
+          case TractionPart::turned:
+            xx[i] += c * turned;
+            yy[i] += c * turned;
+            break;
+          case TractionPart::mixed:
+            xy[i] += c * poisson * mixed[i + m];
+            break;
+          }
         }
       }
     }
@@ -202,8 +226,28 @@ private:
 template <typename Real>
 TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::size_t pitch,
                                                double poisson, const DifferenceWeights& weights,
-                                               const TractionTable& table, LinePlans& plans)
-    : TractionConvolution(shape, pitch, WeightedCoefficients(shape, poisson, weights, table),
+                                               const TractionTable& table, LinePlans& plans,
+                                               std::span<const double> angles)
+    : TractionConvolution(shape, pitch, poisson, weights, table, plans,
+                          is_plane(angles) ? TractionPart::plane : TractionPart::fixed) {
+  if (is_plane(angles)) {
+    return;
+  }
+  turned_ = std::make_unique<TractionConvolution>(shape, pitch, poisson, weights, table, plans,
+                                                  TractionPart::turned);
+  self_[1] += turned_->self_[1];
+  for (const double angle : angles) {
+    cosines_.push_back(static_cast<Real>(std::cos(angle)));
+    sines_.push_back(static_cast<Real>(std::sin(angle)));
+  }
+}
+
+template <typename Real>
+TractionConvolution<Real>::TractionConvolution(const TractionShape& shape, std::size_t pitch,
+                                               double poisson, const DifferenceWeights& weights,
+                                               const TractionTable& table, LinePlans& plans,
+                                               TractionPart part)
+    : TractionConvolution(shape, pitch, WeightedCoefficients(shape, poisson, weights, table, part),
                           plans) {}
 
 template <typename Real>
@@ -327,6 +371,34 @@ void TractionConvolution<Real>::transform_columns(Complex* rows, std::size_t row
 template <typename Real>
 void TractionConvolution<Real>::apply(const Real* in_x, const Real* in_y, Real* out_x, Real* out_y,
                                       ConvolutionWorkspace<Real>& workspace) const {
+  if (!turned_) {
+    convolve(in_x, in_y, out_x, out_y, workspace);
+    return;
+  }
+  // C m C + S m S, both at once.
+  provide(workspace.turned, 2 * shape_.rows * pitch_);
+  Real* by_cosine = workspace.turned.data();
+  Real* by_sine = by_cosine + shape_.rows * pitch_;
+  for (std::size_t i = 0; i < shape_.rows; ++i) {
+    for (std::size_t j = 0; j < shape_.columns; ++j) {
+      const std::size_t at = i * pitch_ + j;
+      by_cosine[at] = cosines_[j] * in_y[at];
+      by_sine[at] = sines_[j] * in_y[at];
+    }
+  }
+  turned_->convolve(by_cosine, by_sine, by_cosine, by_sine, workspace);
+  convolve(in_x, in_y, out_x, out_y, workspace);
+  for (std::size_t i = 0; i < shape_.rows; ++i) {
+    for (std::size_t j = 0; j < shape_.columns; ++j) {
+      const std::size_t at = i * pitch_ + j;
+      out_y[at] += cosines_[j] * by_cosine[at] + sines_[j] * by_sine[at];
+    }
+  }
+}
+
+template <typename Real>
+void TractionConvolution<Real>::convolve(const Real* in_x, const Real* in_y, Real* out_x,
+                                         Real* out_y, ConvolutionWorkspace<Real>& workspace) const {
   const std::size_t pitch = aligned_pitch<Complex>(row_period_);
   const std::size_t rows = up_to_multiple(shape_.rows, row_fft_->best_count());
   provide(workspace.lines, rows * pitch);

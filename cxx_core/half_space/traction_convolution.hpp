@@ -12,6 +12,18 @@
 /// Fields: rows of constant x, counted from the leading edge downstream, each with the lateral
 /// index running fastest; `pitch` values from row to row. Units: lengths in longitudinal steps,
 /// tractions in units of the combined shear modulus G, 1/G = (1/G1 + 1/G2)/2; nu/G likewise.
+/// Columns of a patch that is not plane lie along a curve across the rail, column j at the
+/// inclination a_j (box_convolution.hpp). Lateral tractions act along their own column, and with
+/// A_nn the coefficients of pressures, A_ss and A_ns those of lateral ones and
+///   m = (A_ss + A_nn)/2,
+/// the elements i and j influence each other by
+///   B_ss = cos(a_i - a_j) m + (A_ss - A_nn)/2,  B_sn = sin(a_i - a_j) m = -B_ns,
+///   B_xn = sin((a_i - a_j)/2) A_xs = -B_nx,
+/// so that work is reciprocal: B_sn(i, j) = B_ns(j, i), B_xn(i, j) = B_nx(j, i) (the split and
+/// symmetric one of the variants of Blanco-Lorenzo et al., 2016). These follow from the half-space
+/// along the tangent midway between both normals. A_xx stays as in a plane, and so does A_xs, which
+/// loses its product with 1 - cos((a_i - a_j)/2) by that. What couples with the normal is in
+/// rolling/curve_displacement.hpp.
 /// A second kind of coefficients, (x, y)/(pi r^2), serves what unlike bodies displace across
 /// (CrossTable): from a pressure instead of q_x both components, and from tractions, as the first
 /// component, the normal one. Does not include friction. Thread rule: as BoxConvolution.
@@ -20,6 +32,9 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "half_space/box_convolution.hpp"
 #include "half_space/fft.hpp"
@@ -45,13 +60,27 @@ struct TractionShape {
 
 class WeightedCoefficients;
 
+/// Of the coefficients along a curve.
+enum class TractionPart {
+  plane,  ///< all of a plane
+  fixed,  ///< B_xx, A_xs and (A_ss - A_nn)/2, which do not turn with the columns
+  turned, ///< m, in both components
+  mixed   ///< A_xs alone
+};
+
 template <typename Real> class TractionConvolution {
 public:
   TractionConvolution() = default;
-  /// `table` has at least table_rows() x table_columns() values; it is not kept.
+  /// `table` has at least table_rows() x table_columns() values; it is not kept. `angles`: of the
+  /// columns along a curve, rad; none: a plane.
   TractionConvolution(const TractionShape& shape, std::size_t pitch, double poisson,
                       const DifferenceWeights& weights, const TractionTable& table,
-                      LinePlans& plans);
+                      LinePlans& plans, std::span<const double> angles = {});
+
+  /// A part of it, which does not turn by itself.
+  TractionConvolution(const TractionShape& shape, std::size_t pitch, double poisson,
+                      const DifferenceWeights& weights, const TractionTable& table,
+                      LinePlans& plans, TractionPart part);
 
   TractionConvolution(const TractionShape& shape, std::size_t pitch,
                       const DifferenceWeights& weights, const CrossTable& table, LinePlans& plans);
@@ -68,6 +97,8 @@ private:
   TractionConvolution(const TractionShape& shape, std::size_t pitch,
                       const WeightedCoefficients& coefficients, LinePlans& plans);
   void fill_spectrum(const WeightedCoefficients& coefficients, LinePlans& plans);
+  void convolve(const Real* in_x, const Real* in_y, Real* out_x, Real* out_y,
+                ConvolutionWorkspace<Real>& workspace) const;
   void transform_columns(Complex* rows, std::size_t row_pitch,
                          ConvolutionWorkspace<Real>& workspace) const;
 
@@ -81,6 +112,9 @@ private:
   std::array<double, 2> self_{};
   /// For each k_y from 0 to half the period: al, be(k_x, k_y), be(k_x, -k_y), over k_x.
   AlignedArray<Complex> spectrum_;
+  std::unique_ptr<TractionConvolution> turned_; ///< m in both components; none of a plane
+  std::vector<Real> cosines_;                   ///< of the columns
+  std::vector<Real> sines_;
 };
 
 } // namespace wrc

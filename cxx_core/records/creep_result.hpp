@@ -66,9 +66,10 @@ struct CreepResult {
   /// Power that friction dissipates over the speed, N: -F.w (of a patch with parts, the sum of
   /// theirs), plus that of the slip beyond creepages, plus `power_of_pressures`.
   double power_per_speed = 0.0;
-  double power_of_pressures = 0.0; ///< in the slip that pressures of unlike bodies cause
-  double friction_power = 0.0;     ///< N mm/s
-  double numerical_loss = 0.0;     ///< fraction of it lost by discretisation
+  /// In the slip that pressures cause, of unlike bodies or along a curve.
+  double power_of_pressures = 0.0;
+  double friction_power = 0.0; ///< N mm/s
+  double numerical_loss = 0.0; ///< fraction of it lost by discretisation
   /// error of forces over mu N; of the full theory only
   std::optional<double> error_estimate;
   /// What tractions change in the pressures, mean over mean; of unlike bodies.

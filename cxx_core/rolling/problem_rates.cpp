@@ -123,7 +123,7 @@ private:
     const std::size_t size = solved_.size();
     const Real* q = solved_.traction();
     const TractionConvolution<Real> convolution(solved_.shape(), solved_.pitch(), problem_.poisson,
-                                                weights, table, plans);
+                                                weights, table, plans, scaled_.angles());
     ConvolutionWorkspace<Real> workspace;
     std::fill_n(field.data(), 2 * size, Real{0});
     convolution.apply(q, q + size, field.data(), field.data() + size, workspace);

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "half_space/traction_convolution.hpp"
+#include "mechanics/cascade.hpp"
 #include "rolling/constants.hpp"
 #include "rolling/leading_edge.hpp"
 #include "rolling/normal_displacement.hpp"
@@ -83,7 +84,9 @@ template <typename Real> class Cascade {
 public:
   Cascade(const ScaledTractions& scaled, const RollingProblem& problem, LinePlans& plans) {
     const TractionShape& finest = scaled.box().shape;
-    TractionGrid grid{finest, 2.0 / (scaled.aspect() * static_cast<double>(finest.columns))};
+    TractionGrid grid{finest,
+                      2.0 / (scaled.aspect() * static_cast<double>(finest.columns)),
+                      {scaled.angles().begin(), scaled.angles().end()}};
     const TractionTable table = scaled.table();
     double times = 1.0;
     while (true) {
@@ -94,6 +97,9 @@ public:
       }
       grid.shape = {(grid.shape.rows + 1) / 2, (grid.shape.columns + 1) / 2};
       grid.step_over_width *= 2.0;
+      std::vector<double> angles;
+      coarsen_angles(grid.angles, angles);
+      grid.angles = std::move(angles);
       times *= 2.0;
     }
   }
@@ -157,8 +163,8 @@ void take_displacement(TractionNewton<Real>& level, const ScaledTractions& scale
 }
 
 /// What a cascade was made for.
-using CascadeKey =
-    std::tuple<std::size_t, std::size_t, double, double, TangentialMotion, SlipDifference, double>;
+using CascadeKey = std::tuple<std::size_t, std::size_t, double, double, TangentialMotion,
+                              SlipDifference, double, std::vector<double>>;
 
 } // namespace
 
@@ -202,6 +208,10 @@ RollingSolver::~RollingSolver() = default;
 RollingSolver::RollingSolver(RollingSolver&&) noexcept = default;
 RollingSolver& RollingSolver::operator=(RollingSolver&&) noexcept = default;
 
+LinePlans& RollingSolver::plans() {
+  return *state_->plans;
+}
+
 RollingSolution RollingSolver::solve(const RollingProblem& problem) {
   check_problem(problem);
   RollingSolution solution;
@@ -220,7 +230,8 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
                        problem.poisson,
                        problem.motion,
                        problem.difference,
-                       scaled.difference().upstream};
+                       scaled.difference().upstream,
+                       {scaled.angles().begin(), scaled.angles().end()}};
   if (key != state_->key) {
     state_->coarse.reset();
     state_->accurate.reset();

@@ -30,6 +30,8 @@ public:
 
   /// Throws Error(invalid_argument) like check_problem.
   RollingSolution solve(const RollingProblem& problem);
+  /// Of all lengths used so far.
+  [[nodiscard]] LinePlans& plans();
 
 private:
   struct State;

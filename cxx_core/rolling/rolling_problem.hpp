@@ -17,6 +17,9 @@
 /// Unlike bodies (Kalker's difference parameter K is not 0) displace across as well: pressures add
 /// the slip K/(pi G) d/dx of the integral of p (x, y)/r^2 to w, and tractions open the gap by
 /// `normal_displacement`, which changes the pressures in turn (rolling/unlike_bodies.hpp).
+/// Rows of elements that lie along a curve across the rail have angles: lateral tractions and slips
+/// are along their own row. What pressures and tractions displace of each other there
+/// (rolling/curve_displacement.hpp) is not part of the problem.
 /// Derivatives along x are upstream-biased differences inside the influence coefficients
 /// (traction_convolution.hpp). The derivative of the displacement by pressures is exact where edges
 /// are known. Pressures are given, and stay. Thread rule: plain values.
@@ -77,6 +80,7 @@ struct RollingProblem {
   /// K, -0.5 to 0.5: K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4; other than 0 in steady rolling
   /// only.
   double difference_parameter = 0.0;
+  std::span<const double> angles; ///< of rows along a curve by lateral index, rad; empty: a plane
   Creepages creepages;
   /// Rigid slip of each element in addition to that of the creepages, over the speed (a shift: mm);
   /// empty: none.

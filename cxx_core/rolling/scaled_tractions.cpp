@@ -135,8 +135,7 @@ void ScaledTractions::take_in_previous(LinePlans& plans) {
   const DifferenceWeights weights = problem_.motion == TangentialMotion::transient
                                         ? DifferenceWeights{0.0, 0.0, 1.0, 0.0}
                                         : DifferenceWeights{0.0, 1.0, 0.0, 0.0};
-  const TractionConvolution<double> displaced(box_.shape, pitch, problem_.poisson, weights, table(),
-                                              plans);
+  const auto displaced = convolution<double>(pitch, weights, plans);
   given_slip_.resize(2 * count);
   ConvolutionWorkspace<double> workspace;
   displaced.apply(previous.data(), previous.data() + count, given_slip_.data(),

@@ -79,6 +79,20 @@ public:
     return traction_table(aspect_, box_.shape.table_rows(), box_.shape.table_columns());
   }
 
+  /// Of the columns of the box along a curve; none: a plane.
+  [[nodiscard]] std::span<const double> angles() const {
+    return problem_.angles.empty()
+               ? problem_.angles
+               : problem_.angles.subspan(box_.first_lateral, box_.shape.columns);
+  }
+  /// What tractions on the box displace.
+  template <typename Real>
+  [[nodiscard]] TractionConvolution<Real>
+  convolution(std::size_t pitch, const DifferenceWeights& weights, LinePlans& plans) const {
+    return TractionConvolution<Real>(box_.shape, pitch, problem_.poisson, weights, table(), plans,
+                                     angles());
+  }
+
   /// Mean traction of an element in contact over the value that stands for it, from its bound
   /// without units after make_edges: 1 but where a strip begins.
   [[nodiscard]] double mean_share(std::size_t element, double bound) const;

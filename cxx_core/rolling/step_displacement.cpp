@@ -17,10 +17,8 @@ void ScaledTractions::displace(std::span<const double> traction, std::span<const
   ConvolutionWorkspace<double> workspace;
   const auto convolved = [&](const DifferenceWeights& weights) {
     std::vector<double> out(2 * count);
-    const TractionConvolution<double> convolution(box_.shape, box_.shape.columns, problem_.poisson,
-                                                  weights, table(), plans);
-    convolution.apply(traction.data(), traction.data() + count, out.data(), out.data() + count,
-                      workspace);
+    convolution<double>(box_.shape.columns, weights, plans)
+        .apply(traction.data(), traction.data() + count, out.data(), out.data() + count, workspace);
     return out;
   };
   std::vector<double> displaced = convolved({0.0, 1.0, 0.0, 0.0});

@@ -51,6 +51,14 @@ void check_problem(const RollingProblem& problem) {
     throw_invalid_argument("covered[" + std::to_string(no_share - problem.covered.begin()) + "]",
                            *no_share, "must be from 0 to 1");
   }
+  if (!problem.angles.empty() && problem.angles.size() != problem.grid.lateral_count) {
+    throw_invalid_argument("angles.size", static_cast<double>(problem.angles.size()),
+                           "must be the grid's " + std::to_string(problem.grid.lateral_count) +
+                               " rows, or 0");
+  }
+  if (!std::ranges::all_of(problem.angles, [](double angle) { return std::isfinite(angle); })) {
+    throw_invalid_argument("angles", "not a number", "must be finite");
+  }
   if (!(problem.friction >= 0.0) || !std::isfinite(problem.friction)) {
     throw_invalid_argument("friction", problem.friction, "must be finite and not negative");
   }
@@ -143,8 +151,7 @@ TangentialResiduals compute_residuals(const RollingProblem& problem,
   const TractionShape& shape = scaled.box().shape;
   const std::size_t pitch = shape.columns;
   const std::size_t count = shape.rows * pitch;
-  const TractionConvolution<double> convolution(shape, pitch, problem.poisson,
-                                                scaled.difference().weights, scaled.table(), plans);
+  const auto convolution = scaled.convolution<double>(pitch, scaled.difference().weights, plans);
   std::vector<double> bound(count);
   std::vector<double> rigid(2 * count);
   std::vector<double> q(2 * count);

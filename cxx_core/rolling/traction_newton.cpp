@@ -69,7 +69,7 @@ TractionNewton<Real>::TractionNewton(const TractionGrid& grid, double poisson,
                                      const TractionTable& table, LinePlans& plans)
     : shape_(grid.shape), upstream_(difference.upstream),
       pitch_(aligned_pitch<Real>(grid.shape.columns)), count_(grid.shape.rows * pitch_),
-      convolution_(grid.shape, pitch_, poisson, difference.weights, table, plans),
+      convolution_(grid.shape, pitch_, poisson, difference.weights, table, plans, grid.angles),
       march_(grid.shape.rows, pitch_, grid.step_over_width, difference.upstream),
       fields_((3 + 2 * vector_count + element_fields) * count_), elements_{} {
   std::fill_n(fields_.data(), fields_.size(), Real{0});

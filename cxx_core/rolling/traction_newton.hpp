@@ -26,6 +26,7 @@ namespace wrc {
 struct TractionGrid {
   TractionShape shape;
   double step_over_width = 0.0; ///< longitudinal step over half the contact's width
+  std::vector<double> angles{}; ///< of columns along a curve, rad; none: a plane
 };
 
 struct NewtonLimits {

@@ -47,7 +47,8 @@ TEST_F(CreepProblemOfPatch, HasThePatchesLoadAndItsCreepagesInTheRollingFrame) {
   for (const bool backwards : {false, true}) {
     motion_.frame = RollingFrame(1.0, backwards);
     CreepResult creep;
-    const CreepProblem problem(task(), creep);
+    LinePlans plans;
+    const CreepProblem problem(task(), plans, creep);
     EXPECT_NEAR(load_of(creep), patch().normal_force, 1e-9 * patch().normal_force);
     const double turn = backwards ? -1.0 : 1.0;
     EXPECT_EQ(problem.rolling().creepages.longitudinal, turn * motion_.creepages.longitudinal);
@@ -64,7 +65,8 @@ TEST_F(CreepProblemOfPatch, HasThePatchesLoadAndItsCreepagesInTheRollingFrame) {
 TEST_F(CreepProblemOfPatch, TurnsForcesBackIntoThePatchesFrame) {
   motion_.frame = RollingFrame(1.0, true);
   CreepResult creep;
-  const CreepProblem problem(task(), creep);
+  LinePlans plans;
+  const CreepProblem problem(task(), plans, creep);
   RollingSolution solution;
   solution.longitudinal_force = 3.0;
   solution.lateral_force = -2.0;

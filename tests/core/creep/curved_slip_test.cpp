@@ -91,7 +91,8 @@ TEST(CurvedSlip, ForcesAreThoseOfTractionsAlongTheTangents) {
   EXPECT_GT(norm(planar - of_creep), 1e-3 * norm(sum));
 }
 
-/// The power of the force and moment on the wheel's motion over the rail is what friction takes.
+/// The power of the force and moment on the wheel's motion over the rail is what friction takes,
+/// less what pressures take in the slip that they cause along a curve.
 TEST(CurvedSlip, ForceTimesMotionIsTheDissipation) {
   for (const CurvedChoice curved : {CurvedChoice::no, CurvedChoice::yes}) {
     const SceneResult result = solve_scene(rolling(curved));
@@ -106,7 +107,9 @@ TEST(CurvedSlip, ForceTimesMotionIsTheDissipation) {
       power -= slip.twist[i] * (fitted[i] + creep.beyond_creepages[i]);
     }
     EXPECT_GT(power, 0.0);
-    EXPECT_NEAR(power, creep.power_per_speed, 1e-9 * power);
+    EXPECT_NEAR(power + creep.power_of_pressures, creep.power_per_speed, 1e-9 * power);
+    EXPECT_EQ(creep.power_of_pressures != 0.0, curved == CurvedChoice::yes);
+    EXPECT_LT(std::abs(creep.power_of_pressures), 1e-2 * power);
     // Slip times traction of the elements shows it but for the discretisation.
     double work = 0.0;
     for (std::size_t i = 0; i < creep.traction_x.size(); ++i) {

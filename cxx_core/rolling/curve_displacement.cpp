@@ -1,0 +1,86 @@
+#include "rolling/curve_displacement.hpp"
+
+#include <cmath>
+
+#include "half_space/traction_convolution.hpp"
+#include "rolling/scaled_tractions.hpp"
+
+namespace wrc {
+namespace {
+
+/// Sums over the elements of a problem's grid, lengths in longitudinal steps.
+class CurveSums {
+public:
+  CurveSums(const RollingProblem& problem, const DifferenceWeights& weights, LinePlans& plans)
+      : problem_(problem), weights_(weights),
+        plans_(plans), shape_{problem.grid.longitudinal_count, problem.grid.lateral_count},
+        table_(traction_table(problem.grid.lateral_step / problem.grid.longitudinal_step,
+                              shape_.table_rows(), shape_.table_columns())) {}
+
+  /// sum_j sin(a_i - a_j) m f_j
+  std::vector<double> across(std::span<const double> field) {
+    return turned(field, TractionPart::turned, 1.0);
+  }
+  /// sum_j sin((a_i - a_j)/2) A_xs f_j
+  std::vector<double> along(std::span<const double> field) {
+    return turned(field, TractionPart::mixed, 0.5);
+  }
+
+private:
+  /// sum_j sin(k (a_i - a_j)) K f_j, as sin a (K cos a) f - cos a (K sin a) f.
+  std::vector<double> turned(std::span<const double> field, TractionPart part, double k) {
+    const std::size_t count = field.size();
+    std::vector<double> by_cosine(count);
+    std::vector<double> by_sine(count);
+    for (std::size_t at = 0; at < count; ++at) {
+      const double angle = k * problem_.angles[at / shape_.rows];
+      by_cosine[downstream(at)] = std::cos(angle) * field[at];
+      by_sine[downstream(at)] = std::sin(angle) * field[at];
+    }
+    const TractionConvolution<double> kernel(shape_, shape_.columns, problem_.poisson, weights_,
+                                             table_, plans_, part);
+    // The mixed part exchanges both components.
+    const bool exchanged = part == TractionPart::mixed;
+    std::vector<double>& first = exchanged ? by_sine : by_cosine;
+    std::vector<double>& second = exchanged ? by_cosine : by_sine;
+    kernel.apply(by_cosine.data(), by_sine.data(), first.data(), second.data(), workspace_);
+    std::vector<double> sums(count);
+    for (std::size_t at = 0; at < count; ++at) {
+      const double angle = k * problem_.angles[at / shape_.rows];
+      sums[at] =
+          std::sin(angle) * by_cosine[downstream(at)] - std::cos(angle) * by_sine[downstream(at)];
+    }
+    return sums;
+  }
+  /// In rows of constant x from the leading edge.
+  [[nodiscard]] std::size_t downstream(std::size_t at) const {
+    return (shape_.rows - 1 - at % shape_.rows) * shape_.columns + at / shape_.rows;
+  }
+
+  const RollingProblem& problem_;
+  DifferenceWeights weights_;
+  LinePlans& plans_;
+  TractionShape shape_;
+  TractionTable table_;
+  ConvolutionWorkspace<double> workspace_;
+};
+
+} // namespace
+
+SlipAlongCurve slip_along_curve(const RollingProblem& problem, LinePlans& plans) {
+  if (problem.angles.empty() || problem.motion != TangentialMotion::rolling) {
+    return {};
+  }
+  RollingProblem steady = problem;
+  steady.step_length = 0.0;
+  CurveSums sums(problem, difference_of(steady).weights, plans);
+  SlipAlongCurve slip{sums.along(problem.pressure), sums.across(problem.pressure)};
+  const double rolling = problem.step_length > 0.0 ? problem.rolling_share : 1.0;
+  for (std::size_t at = 0; at < slip.x.size(); ++at) {
+    slip.x[at] *= rolling / problem.shear_modulus;
+    slip.y[at] *= rolling / problem.shear_modulus;
+  }
+  return slip;
+}
+
+} // namespace wrc

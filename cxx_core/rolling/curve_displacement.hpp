@@ -1,0 +1,28 @@
+/// Slip that pressures add along the surface of a curve.
+///
+/// Rows whose normals differ push each other aside: with m and A_xs of
+/// half_space/traction_convolution.hpp pressures displace by
+///   u_s(i) = sum_j sin(a_i - a_j) m p_j / G,  u_x(i) = sum_j sin((a_i - a_j)/2) A_xs p_j / G,
+/// wheel minus rail, s to the left. In steady rolling this is a slip -du/dx of each element.
+/// Units mm, N, MPa. Thread rule: that of the plans.
+/// Not known here: what tractions displace across, by the same sums with the opposite sign, which
+/// opens the gap; what pressures of unlike bodies displace in a plane (unlike_bodies.hpp).
+#pragma once
+
+#include <vector>
+
+#include "half_space/influence_cache.hpp"
+#include "rolling/rolling_problem.hpp"
+
+namespace wrc {
+
+/// Per element, over the speed; both empty: none.
+struct SlipAlongCurve {
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
+/// In a step of time the part of rolling. None in a plane and without rolling.
+SlipAlongCurve slip_along_curve(const RollingProblem& problem, LinePlans& plans);
+
+} // namespace wrc
