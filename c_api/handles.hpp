@@ -303,3 +303,6 @@ wrc_status copy_values(const double* from, std::size_t length, double* values,
                        std::int64_t capacity, std::int64_t* count, std::string& error);
 
 } // namespace wrc
+/// Throws Error(invalid_argument) if the length of an array is negative.
+void require_capacity(std::int64_t capacity);
+
