@@ -4,6 +4,7 @@
 #include "handles.hpp"
 #include "table/table_build.hpp"
 #include "table/table_file.hpp"
+#include "table/table_text.hpp"
 
 namespace {
 
@@ -95,8 +96,8 @@ wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene, const wrc_table_o
       };
     }
     try {
-      object.table = std::make_shared<const wrc::ContactTable>(
-          wrc::build_table(of, known, wrc::SceneSolver()));
+      object.take(std::make_shared<const wrc::ContactTable>(
+          wrc::build_table(of, known, wrc::SceneSolver())));
     } catch (const Stopped&) {
       object.error = "stopped by the call of its progress";
       return WRC_NO_RESULT;
@@ -116,7 +117,7 @@ wrc_status wrc_table_save(wrc_table* table, const char* path) {
 wrc_status wrc_table_load(wrc_table* table, const char* path) {
   return wrc::guard(table, [&](wrc::TableObject& object) {
     wrc::require_pointer(path, "path");
-    object.table = std::make_shared<const wrc::ContactTable>(wrc::read_table(path));
+    object.take(std::make_shared<const wrc::ContactTable>(wrc::read_table(path)));
     return WRC_OK;
   });
 }
@@ -124,14 +125,27 @@ wrc_status wrc_table_load(wrc_table* table, const char* path) {
 wrc_status wrc_table_share(wrc_table* table, wrc_table* other) {
   return with_table(table, [&](wrc::TableObject& object) -> wrc_status {
     wrc::require_pointer(other, "other");
+    if (other == table) {
+      return WRC_OK;
+    }
     const auto used = wrc::use(other);
     if (!used.held()) {
       object.error = std::string("other: ") + wrc::reason_of(used);
       return used.exists() ? WRC_BUSY : WRC_INVALID_ARGUMENT;
     }
-    used.object().table = object.table;
+    used.object().take(object.table);
     return WRC_OK;
   });
+}
+
+const char* wrc_table_line(const wrc_table* table, int64_t index) {
+  return wrc::look_at<const char*>(table, nullptr,
+                                   [index](wrc::TableObject& object) -> const char* {
+                                     if (object.table && object.lines.empty()) {
+                                       object.lines = wrc::lines_of(*object.table);
+                                     }
+                                     return wrc::line_of(object.lines, index);
+                                   });
 }
 
 wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts) {

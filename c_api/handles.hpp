@@ -119,7 +119,13 @@ struct RollingObject {
 
 struct TableObject {
   std::shared_ptr<const ContactTable> table; ///< none until built, loaded or shared
+  std::vector<std::string> lines;            ///< about it; made when first requested
   std::string error;
+
+  void take(std::shared_ptr<const ContactTable> other) {
+    table = std::move(other);
+    lines.clear();
+  }
 };
 
 /// From the kind of a handle to the kind of object it stands for, and the table of these.
@@ -269,6 +275,13 @@ template <class Handle> void destroy(Handle* handle) noexcept {
   }
 }
 
+/// One of some lines of text; NULL past their end.
+inline const char* line_of(const std::vector<std::string>& lines, std::int64_t index) {
+  return index >= 0 && index < static_cast<std::int64_t>(lines.size())
+             ? lines[static_cast<std::size_t>(index)].c_str()
+             : nullptr;
+}
+
 /// Throws Error(invalid_argument) if a pointer that must be given is NULL.
 void require_pointer(const void* pointer, const char* name);
 
@@ -297,6 +310,9 @@ template <class Body> wrc_status with_result(wrc_scene* scene, Body&& body) {
 
 /// Throws Error(invalid_argument) unless `count` is that of a list of ids, with a pointer to it.
 void require_list(const void* pointer, const char* name, std::int64_t count);
+
+/// Throws Error(invalid_argument) if the length of an array is negative.
+void require_capacity(std::int64_t capacity);
 
 /// Copies values into the caller's array as wrc_scene_field documents.
 wrc_status copy_values(const double* from, std::size_t length, double* values,

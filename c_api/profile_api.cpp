@@ -87,12 +87,6 @@ void store(double* where, double value) {
   }
 }
 
-const char* line_of(const std::vector<std::string>& lines, int64_t index) {
-  return index >= 0 && index < static_cast<int64_t>(lines.size())
-             ? lines[static_cast<std::size_t>(index)].c_str()
-             : nullptr;
-}
-
 } // namespace
 
 extern "C" {
@@ -210,7 +204,7 @@ wrc_status wrc_profile_text(wrc_profile* profile, const char* name, const char**
 
 const char* wrc_profile_correction(const wrc_profile* profile, int64_t index) {
   return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
-    return line_of(object.read.corrections, index);
+    return wrc::line_of(object.read.corrections, index);
   });
 }
 
@@ -265,7 +259,7 @@ wrc_status wrc_profile_load_surface(wrc_profile* profile, const char* path,
 
 const char* wrc_profile_surface_line(const wrc_profile* profile, int64_t index) {
   return wrc::look_at<const char*>(profile, nullptr, [index](const wrc::ProfileObject& object) {
-    return line_of(object.surface_lines, index);
+    return wrc::line_of(object.surface_lines, index);
   });
 }
 

@@ -246,11 +246,11 @@ module wrcontact
     procedure :: load => table_load
     !> share(other): `other` gets a handle of its own to the same table.
     procedure :: share => table_share
-    !> facts(known): its ranges and its errors in held-out random states.
+    !> line(i): what it is of, from 1; facts(known): ranges, and errors in held-out random states.
+    procedure :: line => table_line
     procedure :: facts => table_get_facts
     !> step(q, v, f, error, stat, errmsg, solver, scene, dfdq, dfdv, rails, states, rail_velocities,
-    !> curvature, friction, dfdr, dfdrv): as step of contact_solver, with error(2), how far the force
-    !> of each wheel may be off over its load; see wrc_table_step in wrcontact.h.
+    !> curvature, friction, dfdr, dfdrv): as step of contact_solver; error(2) as of wrc_table_step.
     procedure :: step => table_step
     generic :: assignment(=) => assign
     procedure, private :: assign => table_assign

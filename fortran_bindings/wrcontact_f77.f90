@@ -172,6 +172,10 @@ module wrcontact_f77_c
   integer, parameter :: contact_mark = normal_mark + rolling_mark
   ! Not a handle: marks a program whose reals WRCOPN has refused.
   integer(c_int64_t), parameter :: refused_reals = 28
+  ! Where the checksum of a handle begins.
+  integer(c_int64_t), parameter :: first_check = 2_c_int64_t**43
+  ! The handle last refused since it is of another kind; 0: it has been used as it should since.
+  integer(c_int64_t), save, volatile :: misused = 0
   ! WRC_SMOOTHING_NONE and WRC_SMOOTHING_AUTO of wrcontact.h.
   real(c_double), parameter :: smoothing_none = -1, smoothing_auto = -2
 
@@ -179,8 +183,21 @@ module wrcontact_f77_c
 
 contains
 
-  ! Handles are multiples of 32. The low two bits say how many bytes the
-  ! caller's integers have (1: 4, 2: 8), the next three what it is.
+  ! The library's handles are multiples of 32. The low two bits say how
+  ! many bytes the caller's integers have (1: 4, 2: 8), the next three
+  ! what it is. A checksum lies above, so that a handle that was never
+  ! made is not believed: IERR of 4 bytes must not be written as 8.
+  integer(c_int64_t) function sealed(marked)
+    integer(c_int64_t), intent(in) :: marked
+    !     A prime below 2**20; the sum is not 0, as above small numbers.
+    integer(c_int64_t), parameter :: prime = 1048573
+    sealed = marked + first_check*(mod(marked, prime) + 1)
+  end function sealed
+
+  logical function is_sealed(handle)
+    integer(c_int64_t), intent(in) :: handle
+    is_sealed = handle .eq. sealed(iand(handle, first_check - 1))
+  end function is_sealed
 
   ! Address and width of a handle that is of one of the kinds; status 1
   ! without. The width is that of IERR in any case.
@@ -191,33 +208,57 @@ contains
     integer, intent(out) :: kind, width
     integer(c_int32_t), intent(out) :: status
     integer(c_int64_t) :: number
+    !     Four bytes that are not zero make eight that are not zero.
+    width = 4
+    kind = 0
+    address = c_null_ptr
+    status = 1
+    if (handle .eq. refused_reals + 2) width = 8
+    if (.not. is_sealed(handle)) return
     width = 4*int(iand(handle, 3_c_int64_t))
     kind = int(ishft(1_c_int64_t, int(iand(ishft(handle, -2), 7_c_int64_t))))
-    number = iand(handle, not(31_c_int64_t))
+    if (iand(kind, kinds) .eq. 0) then
+      misused = handle
+      return
+    end if
+    if (handle .eq. misused) misused = 0
+    number = iand(handle, first_check - 32)
     address = transfer(number, c_null_ptr)
     status = 0
-    if (width .ne. 4 .and. width .ne. 8 .or. number .eq. 0) then
-      status = 1
-    !       Four bytes that are not zero make eight that are not zero.
-      if (width .ne. 8) width = 4
-      kind = 0
-      address = c_null_ptr
-    else if (iand(kind, kinds) .eq. 0) then
-      status = 1
-      address = c_null_ptr
-    end if
   end subroutine look
 
-  ! Address of another handle of a call; status 1 if its integers are of another width.
-  subroutine look_also(handle, mark, width, address, status)
+  ! What a handle of a kind is called.
+  character(16) function name_of(kind)
+    integer, intent(in) :: kind
+    select case (kind)
+    case (scene_mark)
+      name_of = 'scene'
+    case (solver_mark)
+      name_of = 'solver'
+    case (profile_mark)
+      name_of = 'profile'
+    case (normal_mark)
+      name_of = 'normal contact'
+    case (rolling_mark)
+      name_of = 'rolling contact'
+    case (table_mark)
+      name_of = 'table'
+    case default
+      name_of = 'history'
+    end select
+  end function name_of
+
+  ! Address of another handle of a call; status 1 if its integers are of another width. One of
+  ! another kind is passed on: the library refuses it, with a text for the first handle.
+  subroutine look_also(handle, width, address, status)
     integer(c_int64_t), intent(in) :: handle
-    integer, intent(in) :: mark, width
+    integer, intent(in) :: width
     type(c_ptr), intent(out) :: address
     integer(c_int32_t), intent(inout) :: status
     integer :: kind, other
     address = c_null_ptr
     if (status .ne. 0) return
-    call look(handle, mark, address, kind, other, status)
+    call look(handle, any_mark, address, kind, other, status)
     if (other .ne. width) status = 1
   end subroutine look_also
 
@@ -229,7 +270,7 @@ contains
     integer(c_int32_t), intent(out) :: status
     integer :: kind
     call look(solver, solver_mark, address, kind, width, status)
-    call look_also(scene, scene_mark, width, other, status)
+    call look_also(scene, width, other, status)
   end subroutine look_both
 
   ! Further arguments of a step: see WRCVEX.

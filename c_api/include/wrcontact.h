@@ -177,7 +177,7 @@ WRC_API const char* wrc_scene_warning(const wrc_scene* scene, int64_t index);
  * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z". Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
  * returns the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
- * Since 0.1.
+ * WRC_INVALID_ARGUMENT for a capacity below 0. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
                                    int64_t capacity, int64_t* count);
@@ -515,8 +515,13 @@ WRC_API wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene,
  * they are read. WRC_NO_RESULT, WRC_FILE_UNREADABLE, WRC_FILE_MALFORMED. Since 0.3. */
 WRC_API wrc_status wrc_table_save(wrc_table* table, const char* path);
 WRC_API wrc_status wrc_table_load(wrc_table* table, const char* path);
-/** Lets another handle use the same table, in the same memory. WRC_NO_RESULT. Since 0.3. */
+/** Lets another handle use the same table, in the same memory; does nothing if `other` is `table`.
+ * WRC_NO_RESULT. Since 0.3. */
 WRC_API wrc_status wrc_table_share(wrc_table* table, wrc_table* other);
+/** What a table is of, one line each: profiles, dimensions, materials and friction as keys of a
+ * scene, the units and axes of steps without a scene, and how far it reaches; NULL past the end.
+ * Since 0.3. */
+WRC_API const char* wrc_table_line(const wrc_table* table, int64_t index);
 /** WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3. */
 WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts);
 

@@ -32,6 +32,8 @@ public:
     check(wrc_table_share(handle(), other.handle()));
     return other;
   }
+  /// What it is of: profiles, dimensions, units, reach.
+  std::vector<std::string> lines() const { return texts_of(wrc_table_line); }
   wrc_table_facts facts() const {
     wrc_table_facts known{};
     known.struct_size = sizeof known;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "accuracy/constants.hpp"
+#include "base/smoothstep.hpp"
 
 namespace wrc {
 
@@ -52,8 +53,7 @@ double curve_share(double turn, double accuracy, AccuracyOf accuracy_of,
                         : position_is_prescribed             ? force_by_depth * depth_error_by_turn
                                                              : depth_error_by_turn) *
                        turn * turn;
-  const double t = std::clamp((error / accuracy - curve_begins) / (1.0 - curve_begins), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smoothstep((error / accuracy - curve_begins) / (1.0 - curve_begins));
 }
 
 double angle_of_reference(const ContactFrame& frame) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "accuracy/constants.hpp"
+#include "base/smoothstep.hpp"
 #include "mechanics/strip_contact.hpp"
 
 namespace wrc {
@@ -233,9 +234,8 @@ private:
     std::vector<double> staying = strips.pressure;
     for (std::size_t i = 0; i < staying.size(); ++i) {
       const std::size_t away = i < top ? top - i : i - top;
-      const double t = std::clamp(
-          2.0 * static_cast<double>(away) / static_cast<double>(window_reach) - 1.0, 0.0, 1.0);
-      staying[i] *= t * t * (3.0 - 2.0 * t);
+      staying[i] *=
+          smoothstep(2.0 * static_cast<double>(away) / static_cast<double>(window_reach) - 1.0);
     }
     const std::vector<double> displaced = displacements(strips, staying);
     Samples smooth;

@@ -86,16 +86,24 @@ std::vector<PatchElements> final_elements(std::span<const ExpectedContact> conta
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal) {
   ErrorEstimate error;
   double bound = 0.0;
+  double weighted = 0.0;
+  double forces = 0.0;
   for (const Patch& patch : solution.patches) {
     if (!patch.no_contact()) {
       const ContactScale scale = contact_scale(patch.grid, patch.pressure);
       const double rows = std::min(scale.across / patch.grid.lateral_step,
                                    scale.along / (columns_by_rows * patch.grid.longitudinal_step));
-      error.elements = std::max(error.elements, error_of(rows, goal));
+      const double of_patch = error_of(rows, goal);
+      error.elements = std::max(error.elements, of_patch);
+      weighted += patch.normal_force * of_patch;
+      forces += patch.normal_force;
       error.ridge =
           std::max({error.ridge, error_at_ridge(patch), patch.growth / solution.peak_pressure()});
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
+  }
+  if (goal.forces_only && solution.patches.size() > 1 && forces > 0.0) {
+    error.elements = weighted / forces;
   }
   error.iteration = solution.pressure_error;
   error.crest = bound / solution.peak_pressure() - 1.0;

@@ -12,11 +12,12 @@
 /// elements at the edges move least. The largest pressure, taken from a finer section
 /// (peak_section.hpp), has the same error and that of its crest besides. If a profile has a kink
 /// under the pressures, forces also have an error of first order in the rows. The area of contact
-/// is not counted: it is right to 11 to 22 accuracies. Creep forces need more elements than normal
-/// ones, by a law of their own: they follow from the shape of the contact, whose errors average out
-/// in normal forces, and a long contact needs more elements along it. Units mm. Thread rule: pure
-/// functions. Not known here: errors of planes (model_error.hpp) and of the half-space, and crests
-/// that the penetration does not show.
+/// is not counted: it is right to 11 to 22 accuracies. A patch that has just formed or is about to
+/// lift is on fewer rows: its error counts for forces as far as it carries the load. Creep forces
+/// need more elements than normal ones, by a law of their own: they follow from the shape of the
+/// contact, whose errors average out in normal forces, and a long contact needs more elements along
+/// it. Units mm. Thread rule: pure functions. Not known here: errors of planes (model_error.hpp)
+/// and of the half-space, and crests that the penetration does not show.
 #pragma once
 
 #include <cmath>
@@ -36,6 +37,7 @@ struct AccuracyGoal {
   Elements elements = Elements::smooth;
   bool creep_forces = false; ///< whether pressures are to serve these, too
   bool stresses = false;     ///< likewise
+  bool forces_only = false;  ///< whether the largest pressure need not be accurate
 
   /// That its normal contact is solved to: coarsest_accuracy where less is requested.
   [[nodiscard]] double of_contact() const;
@@ -64,7 +66,7 @@ std::vector<PatchElements> final_elements(std::span<const ExpectedContact> conta
 
 /// Relative errors of the results that the accuracy covers.
 struct ErrorEstimate {
-  double elements = 0.0;  ///< by the law
+  double elements = 0.0;  ///< by the law; of forces, each patch by its share of the load
   double iteration = 0.0; ///< remaining error of the iteration
   double crest = 0.0;     ///< what a section has not resolved
   double ridge = 0.0;     ///< error due to a kink of a profile, on any number of rows

@@ -41,15 +41,15 @@ public:
     }
     const double height =
         choice_.surface == SlipSurface::wheel ? *on_wheel : 0.5 * (*on_rail + *on_wheel);
-    const ContactFrame::Row row = frame_.row_at(lateral);
     const double slope =
         choice_.variation == SlipVariation::plane_axes
             ? 0.0
-            : 0.5 * (rail_slope(row) + wheel_.inclination(0.0, lateral, *on_wheel));
+            : 0.5 * (rail_.inclination(lateral) + wheel_.inclination(0.0, lateral, *on_wheel));
     const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
     if (!frame_.curve) {
       return {lateral, height, slope * cosine, cosine};
     }
+    const ContactFrame::Row row = frame_.row_at(lateral);
     const Vector3 place = row.place + height * row.normal;
     const Vector3 tangent = cosine * (row.lateral + slope * row.normal);
     const double across = dot(place, frame_.lateral);
@@ -58,13 +58,6 @@ public:
   }
 
 private:
-  /// To the row.
-  [[nodiscard]] double rail_slope(const ContactFrame::Row& row) const {
-    const CurvePoint& point = rail_.point();
-    const Vector3 along{0.0, point.tangent_lateral, point.tangent_height};
-    return dot(along, row.normal) / dot(along, row.lateral);
-  }
-
   const SlipChoice choice_;
   const ContactFrame& frame_;
   RailRay rail_;

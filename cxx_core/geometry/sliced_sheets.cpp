@@ -1,6 +1,7 @@
 #include "geometry/sliced_sheets.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.hpp"
 #include "profile/read_options.hpp"
@@ -34,6 +35,28 @@ std::vector<SheetExtent> runs_of(const SlicedProfile& profile, std::size_t part)
       runs.push_back({part, part, first, i});
   }
   return runs;
+}
+
+/// As AlongSpline limits it, in the words of those who wrote the list of slices.
+void check_smoothing_length(const std::string& name, const std::vector<SheetSection>& sections,
+                            double smoothing_length, double period, const AlongUnit& unit) {
+  if (sections.size() < (period > 0.0 ? 2 : 3)) {
+    return; // nothing to smooth
+  }
+  double closest = period > 0.0 ? sections.front().place + period - sections.back().place
+                                : std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < sections.size(); ++i)
+    closest = std::min(closest, sections[i].place - sections[i - 1].place);
+  const double most = AlongSpline::longest_smoothing * closest;
+  if (closest > 0.0 && smoothing_length > most) {
+    const auto text = [&unit](double length) {
+      return short_text_of(unit.of_place * length) + ' ' + std::string(unit.name);
+    };
+    throw_invalid_argument("smoothing length along profile " + name, text(smoothing_length),
+                           "at most " + text(most) + ", " +
+                               text_of(AlongSpline::longest_smoothing) +
+                               " times the smallest distance between two slices, " + text(closest));
+  }
 }
 
 } // namespace
@@ -70,7 +93,7 @@ double smoothing_length_of(const SlicedProfile& profile, std::optional<double> g
 }
 
 std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothing_length,
-                                    double period) {
+                                    double period, const AlongUnit& unit) {
   std::vector<SurfaceSheet> sheets;
   std::size_t memory = 0;
   for (const SheetExtent& extent : sheet_extents(profile)) {
@@ -86,6 +109,7 @@ std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothi
       sections.push_back(std::move(section));
     }
     const bool closes = sections.size() == profile.slices.size();
+    check_smoothing_length(profile.name, sections, smoothing_length, closes ? period : 0.0, unit);
     sheets.emplace_back(sections, smoothing_length, closes ? period : 0.0);
     memory += sheets.back().memory();
     if (memory > SliceLimits::sheet_bytes)

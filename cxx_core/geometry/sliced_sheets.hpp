@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/surface_sheet.hpp"
@@ -36,9 +37,15 @@ std::vector<SheetExtent> sheet_extents(const SlicedProfile& profile);
 /// and of a smoothed one four times the median distance of slices.
 double smoothing_length_of(const SlicedProfile& profile, std::optional<double> given);
 
+/// In what unit messages give lengths along.
+struct AlongUnit {
+  std::string_view name = "mm";
+  double of_place = 1.0; ///< units in that of the places: the radius for mm around a wheel
+};
+
 /// The sheets; `period` 0 or that of a wheel, which closes sheets through all slices. Throws
 /// Error(invalid_argument) as SurfaceSheet does, and for a profile without a sheet.
 std::vector<SurfaceSheet> sheets_of(const SlicedProfile& profile, double smoothing_length,
-                                    double period);
+                                    double period, const AlongUnit& unit = {});
 
 } // namespace wrc

@@ -41,7 +41,7 @@ VaryingWheel::VaryingWheel(const SlicedProfile& profile, double radius,
     : radius_(checked_radius(radius)),
       smoothing_length_(length_on_circumference(profile, radius, smoothing_length)),
       harmonics_(std::move(harmonics)),
-      sheets_(sheets_of(profile, smoothing_length_ / radius, revolution)) {
+      sheets_(sheets_of(profile, smoothing_length_ / radius, revolution, {"mm", radius})) {
   check();
 }
 

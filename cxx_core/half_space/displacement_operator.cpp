@@ -1,5 +1,6 @@
 #include "half_space/displacement_operator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -16,18 +17,6 @@ void check_positive(const std::string& argument, double value) {
   }
 }
 
-void check_angles(std::span<const double> angles, const Grid& grid) {
-  if (!angles.empty() && angles.size() != grid.lateral_count) {
-    throw_invalid_argument("angles.size", static_cast<double>(angles.size()),
-                           "must be the grid's " + std::to_string(grid.lateral_count) + " rows");
-  }
-  for (const double angle : angles) {
-    if (!std::isfinite(angle)) {
-      throw_invalid_argument("angles", angle, "must be finite");
-    }
-  }
-}
-
 const Grid& checked(const Grid& grid) {
   if (grid.lateral_count < 1) {
     throw_invalid_argument("grid.lateral_count", 0.0, "must be at least 1");
@@ -41,6 +30,22 @@ const Grid& checked(const Grid& grid) {
 }
 
 } // namespace
+
+void check_angles(std::span<const double> angles, const Grid& grid) {
+  if (angles.empty()) {
+    return;
+  }
+  if (angles.size() != grid.lateral_count) {
+    throw_invalid_argument("angles.size", static_cast<double>(angles.size()),
+                           "must be the grid's " + std::to_string(grid.lateral_count) + " rows");
+  }
+  const auto wrong =
+      std::ranges::find_if(angles, [](double angle) { return !std::isfinite(angle); });
+  if (wrong != angles.end()) {
+    throw_invalid_argument("angles[" + std::to_string(wrong - angles.begin()) + "]", *wrong,
+                           "must be finite");
+  }
+}
 
 DisplacementOperator::DisplacementOperator(const Grid& grid, double combined_modulus,
                                            Elements elements, std::span<const double> angles)

@@ -35,4 +35,7 @@ private:
   ConvolutionWorkspace<double> workspace_;
 };
 
+/// Throws Error(invalid_argument) unless there are no angles, or a finite one of each row.
+void check_angles(std::span<const double> angles, const Grid& grid);
+
 } // namespace wrc

@@ -98,16 +98,6 @@ void check_shares(std::span<const double> shares, const Grid& grid) {
   }
 }
 
-void check_angles(std::span<const double> angles, const Grid& grid) {
-  check_entries("angles", angles.size(), grid.lateral_count);
-  const auto wrong =
-      std::ranges::find_if(angles, [](double angle) { return !std::isfinite(angle); });
-  if (wrong != angles.end()) {
-    throw_invalid_argument("angles[" + std::to_string(wrong - angles.begin()) + "]", *wrong,
-                           "must be finite");
-  }
-}
-
 void check_interaction(const PatchInteraction& interaction, std::size_t count) {
   check_entries("interaction.places", interaction.places.size(), count);
   check_entries("interaction.coupling_weight", interaction.coupling_weight.size(), count * count);
@@ -134,9 +124,7 @@ void check_problem(const NormalProblem& problem) {
     if (!patch.shares.empty()) {
       check_shares(patch.shares, patch.grid);
     }
-    if (!patch.angles.empty()) {
-      check_angles(patch.angles, patch.grid);
-    }
+    check_angles(patch.angles, patch.grid);
   }
   check_scale("combined_modulus", problem.combined_modulus);
   const std::optional<double>& load = problem.load;

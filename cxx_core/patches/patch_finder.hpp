@@ -12,17 +12,13 @@
 #include <limits>
 #include <vector>
 
+#include "base/smoothstep.hpp"
 #include "patches/constants.hpp"
 #include "patches/contact_patch.hpp"
 #include "patches/locus_samples.hpp"
 #include "patches/penetration_lobes.hpp"
 
 namespace wrc::patch_finding {
-
-template <class Real> Real smoothstep(const Real& t) {
-  const Real inside = std::clamp(t, Real(0.0), Real(1.0));
-  return inside * inside * (3.0 - 2.0 * inside);
-}
 
 /// 0 for lobes that one plane may serve, 1 for those that need planes of their own.
 template <class Real> Real turned_apart(const Real& angle_difference) {

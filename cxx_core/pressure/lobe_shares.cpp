@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/smoothstep.hpp"
 #include "pressure/constants.hpp"
 
 namespace wrc {
@@ -106,9 +107,7 @@ std::vector<std::vector<double>> shares_by_valleys(const Relief& relief, std::si
 }
 
 double own_share(double depth) {
-  const double t =
-      std::clamp((depth - one_lobe_depth) / (own_lobe_depth - one_lobe_depth), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smoothstep((depth - one_lobe_depth) / (own_lobe_depth - one_lobe_depth));
 }
 
 } // namespace

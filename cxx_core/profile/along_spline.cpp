@@ -14,10 +14,6 @@ namespace {
 /// origin: reasoned: uneven slices of a measurement, at most two to one, keep their spline; halves
 /// of a halved interval are no longer than twice the next.
 constexpr double most_growth = 2.5;
-/// Longest smoothing length, in distances of the closest knots.
-/// origin: derived: the terms of the matrix then differ by (1000 / 2 pi)^4 = 6e8, which leaves
-/// seven digits.
-constexpr double longest_smoothing = 1000.0;
 /// Bound of input (not a tuning constant).
 constexpr std::size_t max_knots = 20000;
 

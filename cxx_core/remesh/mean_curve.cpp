@@ -19,18 +19,16 @@ struct Midway {
   double overlap = 0.0;
 };
 
-std::optional<Midway> midway(RailRay& rail, WheelRay& wheel, const ContactFrame& frame,
-                             double lateral) {
+std::optional<Midway> midway(RailRay& rail, WheelRay& wheel, double lateral) {
   const auto on_rail = rail.solve(0.0, lateral);
   const auto on_wheel = wheel.solve(0.0, lateral);
   if (!on_rail || !on_wheel) {
     return std::nullopt;
   }
-  const Vector3 tangent{0.0, rail.point().tangent_lateral, rail.point().tangent_height};
-  const double rail_slope = dot(tangent, frame.normal) / dot(tangent, frame.lateral);
   const double wheel_slope = wheel.inclination(0.0, lateral, *on_wheel);
-  return Midway{{lateral, 0.5 * (*on_rail + *on_wheel), 0.5 * (rail_slope + wheel_slope)},
-                *on_rail - *on_wheel};
+  return Midway{
+      {lateral, 0.5 * (*on_rail + *on_wheel), 0.5 * (rail.inclination(lateral) + wheel_slope)},
+      *on_rail - *on_wheel};
 }
 
 /// Normals of the curve reach half of the overlap to either side. What is wrong, if anything.
@@ -62,7 +60,7 @@ MeanCurve mean_curve(const PosedPair& pair, const ContactFrame& frame, double fi
   const double step = (last - first) / static_cast<double>(curve_nodes - 1);
   std::vector<Midway> points;
   const auto add = [&](std::size_t i) {
-    if (auto point = midway(rail, wheel, frame, first + static_cast<double>(i) * step)) {
+    if (auto point = midway(rail, wheel, first + static_cast<double>(i) * step)) {
       points.push_back(*point);
     }
   };

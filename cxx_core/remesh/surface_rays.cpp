@@ -40,6 +40,12 @@ bool RailRay::on_graph() const {
   return arc_ >= graph_.arc_begin() && arc_ <= graph_.arc_end();
 }
 
+double RailRay::inclination(double lateral) const {
+  const ContactFrame::Row row = frame_.row_at(lateral);
+  const Vector3 along{0.0, point_.tangent_lateral, point_.tangent_height};
+  return dot(along, row.normal) / dot(along, row.lateral);
+}
+
 CurvePoint RailRay::at(double arc) {
   const auto starts = graph_.curve().starts();
   if (!(arc >= starts[piece_] && arc < starts[piece_ + 1])) {

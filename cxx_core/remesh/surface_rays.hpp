@@ -40,6 +40,9 @@ public:
   std::optional<double> solve(double longitudinal, double lateral);
   /// Point of the rail where the last ray met it; of a rail that varies on its section there.
   [[nodiscard]] const CurvePoint& point() const { return point_; }
+  /// Tangent of the rail's angle there to the row at this position across: to its curve, or the
+  /// plane.
+  [[nodiscard]] double inclination(double lateral) const;
   /// The rail's surface there, if it varies.
   [[nodiscard]] const GraphPoint& graph() const { return line_->graph(); }
   /// True if that point is seen from above.

@@ -10,7 +10,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+
+#include "base/error.hpp"
 
 namespace wrc {
 
@@ -107,6 +110,26 @@ constexpr double from_caller(double value, const Convention& convention,
                               ? value * scale_of(dimension.quantity) / shrink_of(dimension.quantity)
                               : value;
   return flip_sign(in_units, convention, dimension);
+}
+
+/// "N mm/s", in SI units "N m/s": without the prefixes.
+inline std::string unit_in(Units units, std::string_view unit) {
+  std::string text(unit);
+  if (units == Units::si) {
+    for (const std::string_view prefixed : {"mm", "MPa"}) {
+      for (std::size_t at = text.find(prefixed); at != std::string::npos;
+           at = text.find(prefixed)) {
+        text.erase(at, 1);
+      }
+    }
+  }
+  return text;
+}
+
+/// An amount as the caller has it, with its unit: "1.435 m".
+inline std::string amount_text(double value, Units units, const Dimension& dimension) {
+  const std::string text = text_of(to_caller(value, {units, TrackFrame::left_up}, dimension));
+  return dimension.unit == "1" ? text : text + ' ' + unit_in(units, dimension.unit);
 }
 
 constexpr std::string_view name_of(Units units) {

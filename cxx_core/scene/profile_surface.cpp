@@ -52,7 +52,7 @@ std::vector<SurfaceSheet> sheets_or_refusal(const SlicedProfile& profile, double
                                             bool is_given, const std::filesystem::path& path) {
   const double period = profile.kind == ProfileKind::wheel ? 2.0 * std::numbers::pi : 0.0;
   try {
-    return sheets_of(profile, smoothing_length, period);
+    return sheets_of(profile, smoothing_length, period, {period > 0.0 ? "rad" : "mm"});
   } catch (const Error& error) {
     const ErrorCode code = is_given ? error.code() : ErrorCode::file_malformed;
     throw Error(code, path.string() + ": " + error.what());

@@ -1,12 +1,13 @@
 // Fields of a patch and outlines of a side: computed on request.
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 #include "creep/rolling_frame.hpp"
 #include "scene/patch_fields.hpp"
 #include "scene/result_names.hpp"
 #include "wheel/combined_contact.hpp"
-#include "wheel/pressure_lobes.hpp"
 
 namespace wrc {
 namespace {
@@ -123,15 +124,12 @@ template <class Coordinate> Values wheel_outline(const WheelResult& side, Coordi
   return values;
 }
 
-/// A number of each lobe.
-template <double (*number)(const PressureLobe&)>
-Values of_lobes(const WheelDetails& side, const PatchResult& patch) {
-  Values values;
-  for (const PressureLobe& lobe : pressure_lobes(patch, side)) {
-    values.push_back(number(lobe));
-  }
-  return values;
-}
+/// A number of each lobe of a patch.
+struct LobeField {
+  std::string_view name;
+  Dimension dimension;
+  double (*number)(const PressureLobe&);
+};
 
 template <double ContactPoint::*coordinate> double at_centroid(const PressureLobe& lobe) {
   return lobe.centroid.*coordinate;
@@ -159,22 +157,25 @@ constexpr std::array patch_fields{
     PatchField{"creep_x", length, creep_places<&Vector3::x>},
     PatchField{"creep_y", turning_length, creep_places<&Vector3::y>},
     PatchField{"creep_z", turning_length, creep_places<&Vector3::z>},
-    PatchField{"lobe_normal_force", force,
-               of_lobes<[](const PressureLobe& lobe) { return norm(lobe.force); }>},
-    PatchField{"lobe_force_x", force, of_lobes<of_force<&Vector3::x>>},
-    PatchField{"lobe_force_y", turning_force, of_lobes<of_force<&Vector3::y>>},
-    PatchField{"lobe_force_z", turning_force, of_lobes<of_force<&Vector3::z>>},
-    PatchField{"lobe_angle", angle, of_lobes<[](const PressureLobe& lobe) { return lobe.angle; }>},
-    PatchField{"lobe_x", length, of_lobes<at_centroid<&ContactPoint::x>>},
-    PatchField{"lobe_y", turning_length, of_lobes<at_centroid<&ContactPoint::y>>},
-    PatchField{"lobe_z", turning_length, of_lobes<at_centroid<&ContactPoint::z>>},
-    PatchField{"lobe_s_wheel", length, of_lobes<at_centroid<&ContactPoint::s_wheel>>},
-    PatchField{"lobe_t_rail", length, of_lobes<at_centroid<&ContactPoint::t_rail>>},
-    PatchField{"lobe_semi_axes_longitudinal", length,
-               of_lobes<[](const PressureLobe& lobe) { return lobe.semi_axis_longitudinal; }>},
-    PatchField{"lobe_semi_axes_lateral", length,
-               of_lobes<[](const PressureLobe& lobe) { return lobe.semi_axis_lateral; }>},
-    PatchField{"lobe_rolling_radius", length, of_lobes<at_centroid<&ContactPoint::rolling_radius>>},
+};
+
+constexpr std::array lobe_fields{
+    LobeField{"lobe_normal_force", force,
+              [](const PressureLobe& lobe) { return norm(lobe.force); }},
+    LobeField{"lobe_force_x", force, of_force<&Vector3::x>},
+    LobeField{"lobe_force_y", turning_force, of_force<&Vector3::y>},
+    LobeField{"lobe_force_z", turning_force, of_force<&Vector3::z>},
+    LobeField{"lobe_angle", angle, [](const PressureLobe& lobe) { return lobe.angle; }},
+    LobeField{"lobe_x", length, at_centroid<&ContactPoint::x>},
+    LobeField{"lobe_y", turning_length, at_centroid<&ContactPoint::y>},
+    LobeField{"lobe_z", turning_length, at_centroid<&ContactPoint::z>},
+    LobeField{"lobe_s_wheel", length, at_centroid<&ContactPoint::s_wheel>},
+    LobeField{"lobe_t_rail", length, at_centroid<&ContactPoint::t_rail>},
+    LobeField{"lobe_semi_axes_longitudinal", length,
+              [](const PressureLobe& lobe) { return lobe.semi_axis_longitudinal; }},
+    LobeField{"lobe_semi_axes_lateral", length,
+              [](const PressureLobe& lobe) { return lobe.semi_axis_lateral; }},
+    LobeField{"lobe_rolling_radius", length, at_centroid<&ContactPoint::rolling_radius>},
 };
 
 /// All in the track frame: y and z.
@@ -211,7 +212,7 @@ constexpr std::array outlines{
 
 } // namespace
 
-std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name,
+std::optional<std::vector<double>> field_values(SceneResult& result, std::string_view name,
                                                 const Convention& convention) {
   const auto all_told = [&convention](Values values, const Dimension& dimension) {
     if (convention != Convention{}) {
@@ -222,7 +223,7 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
     return values;
   };
   const bool left = strip_prefix(name, "left.");
-  const auto& side = left || !strip_prefix(name, "right.") ? result.left : result.right;
+  auto& side = left || !strip_prefix(name, "right.") ? result.left : result.right;
   if (!side || (!left && &side == &result.left)) {
     return std::nullopt;
   }
@@ -231,18 +232,24 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
       return all_told(outline.compute(*side), turning_length);
     }
   }
-  const PatchResult* patch = side->patches.empty() ? nullptr : &side->patches.front();
   std::size_t index = 0;
+  std::optional<std::size_t> part;
   if (strip_prefix(name, "patches.")) {
     if (!strip_index(name, side->patches.size(), index)) {
       return std::nullopt;
     }
-    patch = &side->patches[index];
-    if (strip_prefix(name, "parts.")) {
-      if (!strip_index(name, patch->parts.size(), index)) {
-        return std::nullopt;
+    if (strip_prefix(name, "parts.") &&
+        !strip_index(name, side->patches[index].parts.size(), part.emplace())) {
+      return std::nullopt;
+    }
+  }
+  for (const LobeField& field : lobe_fields) {
+    if (field.name == name) {
+      Values values;
+      if (!side->patches.empty()) {
+        std::ranges::transform(side->lobes(index, part), std::back_inserter(values), field.number);
       }
-      patch = &patch->parts[index];
+      return all_told(std::move(values), field.dimension);
     }
   }
   const auto named = [name](const PatchField& field) { return field.name == name; };
@@ -251,8 +258,12 @@ std::optional<std::vector<double>> field_values(const SceneResult& result, std::
   if (field == nullptr) {
     return std::nullopt;
   }
-  return patch == nullptr ? Values{}
-                          : all_told(field->compute(side->details, *patch), field->dimension);
+  if (side->patches.empty()) {
+    return Values{};
+  }
+  const PatchResult& patch = side->patches[index];
+  return all_told(field->compute(side->details, part ? patch.parts[*part] : patch),
+                  field->dimension);
 }
 
 } // namespace wrc

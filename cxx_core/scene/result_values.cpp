@@ -244,17 +244,9 @@ std::optional<double> number_value(SceneResult& result, std::string_view name,
 }
 
 std::string number_unit(const NumberId& id, Units units) {
-  std::string unit(
-      with_table(id.group, [&id](const auto& table) { return table[id.entry].dimension.unit; }));
-  if (units == Units::si) { // without the prefixes
-    for (const std::string_view prefixed : {"mm", "MPa"}) {
-      for (std::size_t at = unit.find(prefixed); at != std::string::npos;
-           at = unit.find(prefixed)) {
-        unit.erase(at, 1);
-      }
-    }
-  }
-  return unit;
+  return unit_in(units, with_table(id.group, [&id](const auto& table) {
+                   return table[id.entry].dimension.unit;
+                 }));
 }
 
 std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& result,

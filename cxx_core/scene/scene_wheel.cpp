@@ -30,4 +30,15 @@ const ForceJacobian* SceneWheel::jacobian() {
   return jacobian_ ? &*jacobian_ : nullptr;
 }
 
+const std::vector<PressureLobe>& SceneWheel::lobes(std::size_t patch,
+                                                   std::optional<std::size_t> part) {
+  const std::pair key{patch, part};
+  auto found = lobes_.find(key);
+  if (found == lobes_.end()) {
+    const PatchResult& of = part ? patches[patch].parts[*part] : patches[patch];
+    found = lobes_.emplace(key, pressure_lobes(of, details)).first;
+  }
+  return found->second;
+}
+
 } // namespace wrc

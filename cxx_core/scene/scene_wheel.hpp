@@ -4,9 +4,14 @@
 /// what they compute, so one thread at a time calls them.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "records/wheel_result.hpp"
+#include "wheel/pressure_lobes.hpp"
 
 namespace wrc {
 
@@ -20,11 +25,14 @@ struct SceneWheel : WheelResult {
   const WheelRates* sensitivities();
   /// derivatives/force_jacobian.hpp; null if there is none.
   const ForceJacobian* jacobian();
+  /// wheel/pressure_lobes.hpp, of a patch or of one of its parts.
+  const std::vector<PressureLobe>& lobes(std::size_t patch, std::optional<std::size_t> part);
 
 private:
   std::optional<Residuals> residuals_;
   std::optional<std::optional<WheelRates>> sensitivities_; ///< of which there may be none
   std::optional<ForceJacobian> jacobian_;
+  std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<PressureLobe>> lobes_;
 };
 
 } // namespace wrc

@@ -68,8 +68,9 @@ std::vector<std::pair<std::string, std::string>> text_values(const SceneResult& 
                                                              const Convention& convention = {});
 /// A field by name ("left.patches.0.pressure", "right.rail_y", ...), computed now: per element of a
 /// patch's grid ("left.pressure" is short for that of the first patch), or along an outline (wheel
-/// and rail in the plane of the contact, for a picture). None if there is no such name.
-std::optional<std::vector<double>> field_values(const SceneResult& result, std::string_view name,
+/// and rail in the plane of the contact, for a picture). None if there is no such name. Lobes are
+/// found when the first of their fields is requested.
+std::optional<std::vector<double>> field_values(SceneResult& result, std::string_view name,
                                                 const Convention& convention = {});
 
 } // namespace wrc

@@ -62,25 +62,30 @@ struct TableIdentity {
   std::string wheel, rail;          ///< names of the profiles
   std::array<double, 13> numbers{}; ///< radius, back to back, taping line, gauge, its height, cant,
                                     ///< E and nu of wheel and rail, and how patches are found:
-                                    ///< interaction, gap, joining distance (identity_names)
+                                    ///< interaction, gap, joining distance (identity_keys)
   std::uint64_t profiles = 0;       ///< checksum of the curves
   bool operator==(const TableIdentity&) const = default;
 };
 
 /// Keys of `numbers`.
-inline constexpr std::array<const char*, 13> identity_names{"wheelset.radius",
-                                                            "wheelset.back_to_back",
-                                                            "wheelset.tape_offset",
-                                                            "track.gauge",
-                                                            "track.gauge_height",
-                                                            "track.cant",
-                                                            "material.wheel.youngs_modulus",
-                                                            "material.wheel.poisson",
-                                                            "material.rail.youngs_modulus",
-                                                            "material.rail.poisson",
-                                                            "solve.interaction",
-                                                            "solve.gap",
-                                                            "solve.joining_distance"};
+struct IdentityKey {
+  const char* name;
+  Dimension dimension;
+};
+inline constexpr std::array<IdentityKey, 13> identity_keys{
+    {{"wheelset.radius", dimensions::length},
+     {"wheelset.back_to_back", dimensions::length},
+     {"wheelset.tape_offset", dimensions::length},
+     {"track.gauge", dimensions::length},
+     {"track.gauge_height", dimensions::length},
+     {"track.cant", dimensions::angle},
+     {"material.wheel.youngs_modulus", dimensions::stress},
+     {"material.wheel.poisson", dimensions::pure},
+     {"material.rail.youngs_modulus", dimensions::stress},
+     {"material.rail.poisson", dimensions::pure},
+     {"solve.interaction", dimensions::pure},
+     {"solve.gap", dimensions::pure},
+     {"solve.joining_distance", dimensions::length}}};
 
 /// How far a table reaches: from minus each to each, and loads up to the largest.
 struct TableRanges {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/smoothstep.hpp"
+
 namespace wrc {
 
 ErrorMap::ErrorMap(const Ranges& ranges, const Counts& counts, std::vector<double> errors)
@@ -60,7 +62,7 @@ ErrorMap::Weight ErrorMap::at(const std::vector<double>& vertices, const Place& 
   for (std::size_t i = 0; i < place.size(); ++i) {
     double t = 0.0;
     index[i] = index_in(i, place[i], t);
-    const double rise = t * t * (3.0 - 2.0 * t);
+    const double rise = smooth_rise(t);
     const double rate = 6.0 * t * (1.0 - t) * static_cast<double>(counts_[i]) /
                         (ranges_[i].last - ranges_[i].first);
     share[i] = {1.0 - rise, rise};

@@ -44,17 +44,19 @@ Counts counts_of(const TableOptions& options) {
   return counts;
 }
 
-void check_options(const TableOptions& options) {
-  const auto check = [](const char* name, double value, double least, double most) {
+void check_options(const TableOptions& options, Units units) {
+  const auto check = [units](const char* name, double value, double least, double most,
+                             const Dimension& dimension = dimensions::pure) {
     if (!(value >= least && value <= most)) {
-      throw_invalid_argument(
-          name, value, "allowed is " + text_of(least) + " to " + text_of(most) + " (mm, N, rad)");
+      throw_invalid_argument(name, amount_text(value, units, dimension),
+                             "allowed is " + amount_text(least, units, dimension) + " to " +
+                                 amount_text(most, units, dimension));
     }
   };
-  check("lateral", options.ranges.lateral, 0.5, 30.0);
-  check("roll", options.ranges.roll, 1e-3, 0.1);
-  check("yaw", options.ranges.yaw, 1e-3, 0.1);
-  check("load", options.ranges.load, 1e3, 1e6);
+  check("lateral", options.ranges.lateral, 0.5, 30.0, dimensions::length);
+  check("roll", options.ranges.roll, 1e-3, 0.1, dimensions::angle);
+  check("yaw", options.ranges.yaw, 1e-3, 0.1, dimensions::angle);
+  check("load", options.ranges.load, 1e3, 1e6, dimensions::force);
   check("tolerance", options.tolerance, 0.0, 1.0);
   check("fineness", options.fineness, 0.2, 4.0);
   check("threads", options.threads, 1.0, 1024.0);
@@ -308,7 +310,7 @@ void TableBuilder::measure_errors(const Progress& progress) {
 
 ContactTable build_table(const Scene& scene, const TableOptions& options,
                          const SceneSolver& solver) {
-  check_options(options);
+  check_options(options, scene.convention.units);
   check_scene_of_table(scene);
   if (scene.left.friction.coefficient != scene.right.friction.coefficient) {
     throw_invalid_argument("friction.right", scene.right.friction.coefficient,

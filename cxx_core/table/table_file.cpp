@@ -13,10 +13,12 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the format's numbers are little-endian");
 
+constexpr std::string_view first_words = "wrcontact table of contact forces, format ";
 constexpr std::string_view first_line = "wrcontact table of contact forces, format 1\n";
 /// origin: bound: of memory, of a file and what it holds.
 constexpr std::size_t largest_file = std::size_t{1} << 31U;
 constexpr std::size_t longest_name = 4096;
+constexpr std::size_t longest_format = 20;    // quoted from a file of another version
 constexpr std::size_t most_nodes = 1U << 16U; // of one variable
 
 std::uint64_t checksum_of(std::string_view text) {
@@ -207,6 +209,22 @@ template <class Stream> void whole(Stream& stream, ContactTable& table) {
   }
 }
 
+/// Of a text with its first line, without its checksum.
+ContactTable table_from_whole(std::string_view text) {
+  ContactTable table;
+  Reader reader(text);
+  whole(reader, table);
+  if (!reader.ended()) {
+    refuse("it goes on after its end");
+  }
+  const TableRanges& ranges = table.ranges;
+  if (!(ranges.lateral > 0.0 && ranges.roll > 0.0 && ranges.yaw > 0.0 && ranges.load > 0.0 &&
+        table.standstill_speed > 0.0 && table.radius > 0.0)) {
+    refuse("a range, the radius or the speed of standstill is not above 0");
+  }
+  return table;
+}
+
 } // namespace
 
 std::string text_of_table(const ContactTable& table) {
@@ -222,6 +240,12 @@ std::string text_of_table(const ContactTable& table) {
 ContactTable table_from_text(std::string_view text) {
   std::uint64_t sum = 0;
   if (!text.starts_with(first_line)) {
+    if (text.starts_with(first_words)) {
+      const std::string_view rest = text.substr(first_words.size(), longest_format);
+      refuse("its format is " + std::string(rest.substr(0, rest.find('\n'))) +
+             ", that of another version of the library; this one reads format 1: make the table "
+             "again");
+    }
     refuse("it does not begin with \"" + std::string(first_line.substr(0, first_line.size() - 1)) +
            '"');
   }
@@ -233,18 +257,13 @@ ContactTable table_from_text(std::string_view text) {
   if (checksum_of(text) != sum) {
     refuse("its checksum is another: it was changed or is not whole");
   }
-  ContactTable table;
-  Reader reader(text);
-  whole(reader, table);
-  if (!reader.ended()) {
-    refuse("it goes on after its end");
+  try {
+    return table_from_whole(text);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.what() + std::string("; its checksum is right, so it may be of "
+                                                         "another version of the library: make "
+                                                         "the table again"));
   }
-  const TableRanges& ranges = table.ranges;
-  if (!(ranges.lateral > 0.0 && ranges.roll > 0.0 && ranges.yaw > 0.0 && ranges.load > 0.0 &&
-        table.standstill_speed > 0.0 && table.radius > 0.0)) {
-    refuse("a range, the radius or the speed of standstill is not above 0");
-  }
-  return table;
 }
 
 void write_table(const ContactTable& table, const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 #include "base/reductions.hpp"
 #include "table/constants.hpp"
 #include "table/table_nodes.hpp"
+#include "table/table_text.hpp"
 #include "wheel/wheel_state.hpp"
 
 namespace wrc {
@@ -45,9 +46,11 @@ constexpr std::array<Input, 3> rail_rates{{{"lateral velocity of a rail", 1e6, t
 double number_of(double given, const Input& input, const Convention& convention) {
   const double inside = from_caller(given, convention, input.dimension);
   if (!(std::abs(inside) <= input.limit)) {
-    throw_invalid_argument(input.name, given,
-                           "allowed is a number of at most " + text_of(input.limit) +
-                               " (mm, s, rad) to both sides");
+    const Dimension amount{input.dimension.quantity};
+    throw_invalid_argument(
+        input.name, given,
+        "allowed is a number of at most " + amount_text(input.limit, convention.units, amount) +
+            (convention.units == Units::si ? " (m, s, rad)" : " (mm, s, rad)") + " to both sides");
   }
   return inside;
 }
@@ -118,22 +121,25 @@ void turn_contact(TableContact& contact) {
   }
 }
 
-[[noreturn]] void refuse_place(const ContactTable& table, const TableContact& contact, bool right) {
+[[noreturn]] void refuse_place(const ContactTable& table, const TableContact& contact, bool right,
+                               Units units) {
   const std::string wheel = right ? "right wheel: " : "left wheel: ";
   const TableRanges& ranges = table.ranges;
-  const auto refuse = [&wheel](const char* name, double value, double limit) {
-    throw_invalid_argument(wheel + name, value,
-                           "the table reaches from " + text_of(-limit) + " to " + text_of(limit));
+  const auto refuse = [&](const char* name, double value, double limit,
+                          const Dimension& dimension) {
+    throw_invalid_argument(wheel + name, amount_text(value, units, dimension),
+                           "the table reaches from " + amount_text(-limit, units, dimension) +
+                               " to " + amount_text(limit, units, dimension));
   };
   if (!(std::abs(contact.roll) <= ranges.roll)) {
-    refuse("roll against the rail", contact.roll, ranges.roll);
+    refuse("roll against the rail", contact.roll, ranges.roll, angle);
   }
   if (!(std::abs(contact.yaw) <= ranges.yaw)) {
-    refuse("yaw against the rail", contact.yaw, ranges.yaw);
+    refuse("yaw against the rail", contact.yaw, ranges.yaw, angle);
   }
   if (!(std::abs(contact.lateral) <= ranges.lateral)) {
-    refuse("lateral position against the rail, mm, positive towards the flange", contact.lateral,
-           ranges.lateral);
+    refuse("lateral position against the rail, positive towards the flange", contact.lateral,
+           ranges.lateral, length);
   }
   throw_invalid_argument(wheel + "depth over that at the largest load", contact.depth,
                          "the table reaches to 1, at a load of " + text_of(ranges.load) + " N");
@@ -156,18 +162,15 @@ void check_scene(const ContactTable& table, const Scene& scene) {
   if (identity.wheel != table.identity.wheel || identity.rail != table.identity.rail) {
     refuse_pair(table, identity.wheel + " on " + identity.rail);
   }
-  for (std::size_t i = 0; i < identity_names.size(); ++i) {
+  for (std::size_t i = 0; i < identity_keys.size(); ++i) {
     if (identity.numbers[i] == table.identity.numbers[i]) {
       continue;
     }
-    const std::string_view key = identity_names[i];
-    if (key == "solve.interaction" || key == "solve.gap") {
-      throw_invalid_argument(identity_names[i], "another value", "allowed is that of the table");
-    } else {
-      throw_invalid_argument(identity_names[i], identity.numbers[i],
-                             "the table was made with " + text_of(table.identity.numbers[i]) +
-                                 " (mm, N, rad)");
-    }
+    const auto told = [&](const TableIdentity& of) {
+      return text_of_key(of, i, scene.convention.units);
+    };
+    throw_invalid_argument(identity_keys[i].name, told(identity),
+                           "the table was made with " + told(table.identity));
   }
   if (scene.has_creepages() || scene.creep.value_or(CreepModel::full) != CreepModel::full) {
     throw_invalid_argument("scene", "creepages of its own, or solve.creep",
@@ -245,7 +248,7 @@ TableStep step_in_table(const ContactTable& table, const VehicleState& state,
     contacts[i] =
         contact_in_table(table, state_of_wheel(table, state, right, convention), state.derivatives);
     if (!contacts[i].inside && exact == nullptr) {
-      refuse_place(table, contacts[i], right);
+      refuse_place(table, contacts[i], right, convention.units);
     }
     asks[i] = exact != nullptr && share_of(contacts[i]) > 0.0;
     if (!std::isfinite(sum_of(contacts[i].force.data(), contacts[i].force.size()))) {

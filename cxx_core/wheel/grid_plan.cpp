@@ -33,29 +33,37 @@ ContactPatches in_one_plane(const ContactPatches& found, std::optional<double>& 
   return {{all}, {}, 0};
 }
 
+/// Of each patch, the largest weight of its interactions with others.
+void set_largest_weights(const PatchInteraction& interaction, std::span<Patch> patches) {
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    patches[k].coupling_weight = 0.0;
+    for (std::size_t l = 0; l < patches.size(); ++l) {
+      if (l != k) {
+        patches[k].coupling_weight = std::max(patches[k].coupling_weight,
+                                              interaction.coupling_weight[k * patches.size() + l]);
+      }
+    }
+  }
+}
+
 /// Which patches interact, and where they lie in their mean plane; none if none do.
 void set_interaction(GridSolution& solution, const ContactPatches& found, Interaction which) {
   PatchInteraction interaction;
-  bool any = false;
   double across = 0.0;
   for (std::size_t k = 0; k < solution.patches.size(); ++k) {
-    Patch& patch = solution.patches[k];
-    const Vector3 origin = patch.frame.origin;
+    const Vector3 origin = solution.patches[k].frame.origin;
     if (k > 0) {
       const Vector3 step = origin - solution.patches[k - 1].frame.origin;
       across += std::hypot(step.y, step.z);
     }
     interaction.places.push_back({across, origin.x});
     for (std::size_t l = 0; l < solution.patches.size(); ++l) {
-      const double weight = found.coupling_weight(k, l, which);
-      interaction.coupling_weight.push_back(weight);
-      if (k != l) {
-        any = any || weight > 0.0;
-        patch.coupling_weight = std::max(patch.coupling_weight, weight);
-      }
+      interaction.coupling_weight.push_back(found.coupling_weight(k, l, which));
     }
   }
-  if (any) {
+  set_largest_weights(interaction, solution.patches);
+  if (std::ranges::any_of(solution.patches,
+                          [](const Patch& patch) { return patch.coupling_weight > 0.0; })) {
     solution.interaction = std::move(interaction);
   }
 }
@@ -71,7 +79,6 @@ void lay_along_arcs(PatchInteraction& interaction, std::span<Patch> patches, Int
   double across = 0.0;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const ContactFrame& frame = patches[k].frame;
-    patches[k].coupling_weight = 0.0;
     if (k > 0) {
       const Vector3 step = frame.origin - patches[k - 1].frame.origin;
       const double half =
@@ -84,11 +91,9 @@ void lay_along_arcs(PatchInteraction& interaction, std::span<Patch> patches, Int
       const double angle = angle_of_reference(frame) - angle_of_reference(patches[l].frame);
       double& weight = interaction.coupling_weight[k * patches.size() + l];
       weight = (which == Interaction::all ? 1.0 : weight) * std::max(0.0, std::cos(angle));
-      if (l != k) {
-        patches[k].coupling_weight = std::max(patches[k].coupling_weight, weight);
-      }
     }
   }
+  set_largest_weights(interaction, patches);
 }
 
 /// Of each patch, how much of its curve is taken. It follows the deviation of the rail's angle from

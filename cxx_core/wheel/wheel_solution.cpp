@@ -54,8 +54,12 @@ public:
   WheelSolver(const WheelSurface& wheel, const RailSurface& rail,
               const SideEquilibrium& equilibrium, const WheelRequest& request, NormalSolver& solver)
       : wheel_(wheel), rail_(rail), equilibrium_(equilibrium), request_(request),
-        solver_(solver), goal_{request.accuracy, request.position_is_prescribed(), request.elements,
-                               request.creep_forces, request.stresses} {}
+        solver_(solver), goal_{request.accuracy,
+                               request.position_is_prescribed(),
+                               request.elements,
+                               request.creep_forces,
+                               request.stresses,
+                               request.accuracy_of == AccuracyOf::forces && !request.stresses} {}
 
   WheelSolution solve();
 
@@ -317,7 +321,7 @@ bool outgrows_grid(const GridSolution& solution) {
 
 /// Near the depth found, on more elements where the estimate asks for them.
 GridSolution WheelSolver::solve_finally(double depth, std::optional<GridSolution> before) {
-  const bool of_forces = request_.accuracy_of == AccuracyOf::forces && !request_.stresses;
+  const bool of_forces = goal_.forces_only;
   GridChoice grids = final_grids(depth, goal_);
   bool finer = false;
   const bool may_grow = !of_forces && !request_.position_is_prescribed();

@@ -6,12 +6,12 @@ roll follow from static equilibrium, and velocities are those of a hunting wheel
 position by each model. The error of a wheel is that of its force, over the amount of the force or 60 kN, against the full
 theory at an accuracy of 1e-4. Time is processor time of a wheel, microseconds.
 
-Usage: compare_vehicle_costs.py [STATES [SEED [TABLE]]], TABLE by wrc_table; PYTHONPATH and WRCONTACT_BUILD as docs/python.md has them. Not covered:
+TABLE is one by wrc_table; PYTHONPATH and WRCONTACT_BUILD as docs/python.md has them. Not covered:
 derivatives, other profiles, forces under prescribed loads.
 """
 from __future__ import annotations
 
-import sys
+import argparse
 import time
 import warnings
 from collections.abc import Callable
@@ -65,14 +65,19 @@ def forces(states: list[State], step: Step) -> tuple[np.ndarray, float]:
 
 
 def main() -> None:
-    count, seed = (int(text) for text in (sys.argv[1:3] + ["300", "5"][len(sys.argv[1:3]):]))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("states", nargs="?", type=int, default=300, metavar="STATES", help="default 300")
+    parser.add_argument("seed", nargs="?", type=int, default=5, metavar="SEED", help="default 5")
+    parser.add_argument("tables", nargs="*", metavar="TABLE")
+    options = parser.parse_args()
+    count, seed = options.states, options.seed
     warnings.simplefilter("ignore")
     states = drawn_states(count, seed)
     truth, _ = forces(states, solved_step("full", 1e-4))
     size = np.maximum(np.linalg.norm(truth, axis=2), LEAST_FORCE)
     print("creep    accuracy  us a wheel      rms    99 %   worst")
     choices = [(creep, f"{accuracy:g}", solved_step(creep, accuracy)) for creep, accuracy in CHOICES]
-    choices += [("table", "", tabled_step(path)) for path in sys.argv[3:]]
+    choices += [("table", "", tabled_step(path)) for path in options.tables]
     for creep, accuracy, step in choices:
         found, spent = forces(states, step)
         error = np.linalg.norm(found - truth, axis=2) / size

@@ -132,6 +132,14 @@ std::vector<std::string> profile_files(const Scene& scene) {
   return {files.begin(), files.end()};
 }
 
+bool is_slices_file(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  for (char& letter : extension) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return extension == ".slcs" || extension == ".slcw";
+}
+
 Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name) {
   const bool wheel = kind == WRC_WHEEL;
   Profile profile;
@@ -145,6 +153,11 @@ Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& n
   if (std::error_code ignored; !std::filesystem::exists(name, ignored)) {
     throw Failure(name + ": no such file; allowed are files and built-in names, which wrc_profile "
                          "--list lists");
+  }
+  if (is_slices_file(name)) {
+    throw Failure(name + ": allowed here is a file of one profile, not one of slices " +
+                  (wheel ? "around the wheel" : "along the track") + "; wrc_profile " + name +
+                  " --slice N --convert FILE makes one of a slice");
   }
   const Values values = values_in_force(scene);
   const auto number = [&](const char* key, double otherwise) {

@@ -35,8 +35,12 @@ std::string beside(const std::string& file, const std::string& profile);
 bool names_profile(const std::string& key);
 bool takes_list(const std::string& key);
 
+/// Whether a file's name is that of a list of slices (.slcs, .slcw), in any case.
+bool is_slices_file(const std::string& name);
+
 /// A profile by its built-in name or from a file, as a scene with these keys reads it: smoothing,
-/// and of wheels taping line and shift. Throws Failure if it is of the other kind.
+/// and of wheels taping line and shift. Throws Failure if it is of the other kind, or one that
+/// varies.
 Profile load_profile(const Scene& scene, std::int32_t kind, const std::string& name);
 
 /// Sets a scene from a file, from the text of one, or from assignments "key=value", in which texts

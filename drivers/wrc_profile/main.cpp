@@ -7,6 +7,7 @@
 #include "support/output_file.hpp"
 #include "support/program.hpp"
 #include "support/scene.hpp"
+#include "support/scene_file.hpp"
 #include "wrc_profile/reports.hpp"
 
 namespace {
@@ -125,11 +126,6 @@ std::string lower_extension(const std::string& name) {
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   }
   return extension;
-}
-
-bool is_slices_file(const std::string& name) {
-  const std::string extension = lower_extension(name);
-  return extension == ".slcs" || extension == ".slcw";
 }
 
 /// All slices of a file, as a surface.

@@ -134,6 +134,9 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   std::ostringstream findings;
   for (const driver::PictureRequest& picture : study.pictures) {
     driver::draw_picture(picture, data, folder, findings);
+    if (const std::string note = driver::note_of_scenes_left_out(picture, study); !note.empty()) {
+      std::cerr << "wrc_sweep: " << note << '\n';
+    }
   }
   if (!options.quiet) {
     std::cout << findings.str();
@@ -155,18 +158,25 @@ int lead(const Options& options, const driver::Study& study, const driver::Ranks
   return 0;
 }
 
-void make_page(const Options& options) {
+/// Returns the exit code.
+int make_page(const Options& options) {
   const driver::Study study = driver::read_study(options.study_file, options.changes);
   std::vector<fs::path> inputs;
   for (const driver::InputFile& input : study.inputs) {
     inputs.emplace_back(input.path);
   }
   driver::refuse_overwriting({options.page}, inputs);
-  const driver::WarningSummary warnings = driver::write_page(study, options.threads, options.page);
+  const driver::PageSummary made = driver::write_page(study, options.threads, options.page);
   if (!options.quiet) {
     std::cout << options.page << '\n';
   }
-  warnings.print(study.scene_count(), options.page, std::cerr);
+  made.warnings.print(study.scene_count(), options.page, std::cerr);
+  if (made.with_results == 0) {
+    std::cerr << "wrc_sweep: no scene has results; " << options.page
+              << " has the message of each\n";
+    return unsolved_code;
+  }
+  return 0;
 }
 
 /// `started`: all ranks have begun, so that a failure is of this one.
@@ -193,10 +203,7 @@ int sweep(const Options& options, const driver::Ranks& ranks, bool& started) {
     throw driver::Failure("--resume --restart: allowed is one of them");
   }
   if (!options.page.empty()) {
-    if (ranks.rank() == 0) {
-      make_page(options);
-    }
-    return 0;
+    return ranks.rank() == 0 ? make_page(options) : 0;
   }
   driver::catch_interrupts();
   if (ranks.rank() > 0) {

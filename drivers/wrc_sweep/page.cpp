@@ -157,7 +157,7 @@ json json_of(const Value& value) {
 
 } // namespace
 
-WarningSummary write_page(const Study& study, int threads, const std::filesystem::path& path) {
+PageSummary write_page(const Study& study, int threads, const std::filesystem::path& path) {
   const std::int64_t count = study.scene_count();
   if (count > most_scenes_of_page) {
     throw Failure("--page: the study has " + std::to_string(count) +
@@ -166,10 +166,11 @@ WarningSummary write_page(const Study& study, int threads, const std::filesystem
   std::vector<json> scenes(static_cast<std::size_t>(count));
   for_each_index(scenes.size(), threads,
                  [&](std::size_t i) { scenes[i] = solved(study, static_cast<std::int64_t>(i)); });
-  WarningSummary warnings;
+  PageSummary summary;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    warnings.add(static_cast<std::int64_t>(i),
-                 scenes[i].value("warnings", std::vector<std::string>()));
+    summary.with_results += scenes[i].contains("left") || scenes[i].contains("right") ? 1 : 0;
+    summary.warnings.add(static_cast<std::int64_t>(i),
+                         scenes[i].value("warnings", std::vector<std::string>()));
   }
   json data{{"title", study.title.empty() ? study.name : study.title},
             {"version", wrc_version()},
@@ -191,7 +192,7 @@ WarningSummary write_page(const Study& study, int threads, const std::filesystem
   const std::string mark = "/* scenes */ null";
   page.replace(page.find(mark), mark.size(), within_script(data));
   write_whole(path, [&](std::ostream& out) { out << page; });
-  return warnings;
+  return summary;
 }
 
 } // namespace driver

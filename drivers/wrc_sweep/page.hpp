@@ -2,6 +2,7 @@
 /// that varies: profiles, pressures and tractions, forces. One file, which loads nothing.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "wrc_sweep/study.hpp"
@@ -9,9 +10,14 @@
 
 namespace driver {
 
+struct PageSummary {
+  WarningSummary warnings;
+  std::int64_t with_results = 0; ///< scenes that have any
+};
+
 /// Solves the scenes on `threads` threads and writes the page. A scene that cannot be solved shows
-/// why. Returns the warnings of all scenes. Throws Failure for more scenes than a browser holds, or
+/// why. Throws Failure for more scenes than a browser holds, or
 /// if the file cannot be written.
-WarningSummary write_page(const Study& study, int threads, const std::filesystem::path& path);
+PageSummary write_page(const Study& study, int threads, const std::filesystem::path& path);
 
 } // namespace driver

@@ -191,6 +191,26 @@ std::vector<SeriesEntry> series_of(const PictureRequest& picture, const PictureD
   return all;
 }
 
+std::string note_of_scenes_left_out(const PictureRequest& picture, const Study& study) {
+  std::string note;
+  for (const Axis& axis : study.axes) {
+    const bool is_shown =
+        picture.kind == PictureRequest::Kind::ranking || axis.key == picture.x ||
+        picture.where.contains(axis.key) ||
+        std::find(picture.series.begin(), picture.series.end(), axis.key) != picture.series.end();
+    if (!is_shown && axis.values.size() > 1) {
+      note += (note.empty() ? picture.file + " shows " : " and ") + axis.key + " = " +
+              text_of(axis.values.front()) + ", the first of " +
+              std::to_string(axis.values.size()) + " values,";
+    }
+  }
+  if (!note.empty()) {
+    note.back() = ';';
+    note += " where = {...} of the picture selects others, and --set one value";
+  }
+  return note;
+}
+
 std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
                                             const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files{folder / picture.file};

@@ -70,6 +70,10 @@ std::vector<SeriesEntry> series_of(const PictureRequest& picture, const PictureD
 /// The label of a series of one key, as a title.
 std::string series_label(const PictureRequest& picture);
 
+/// Says of which value of a key a picture is where it shows the first of several, since it has no
+/// place for the others; empty if it shows them all.
+std::string note_of_scenes_left_out(const PictureRequest& picture, const Study& study);
+
 /// The files of a picture in a folder: the picture, and for conicity and ranking a table too.
 std::vector<std::filesystem::path> files_of(const PictureRequest& picture,
                                             const std::filesystem::path& folder);

@@ -39,10 +39,12 @@ std::string percent(double share) {
   return text.str();
 }
 
-void print_facts(const wrc_table_facts& facts) {
-  std::cout << "reaches to     lateral " << facts.lateral << ", roll " << facts.roll << " rad, yaw "
-            << facts.yaw << " rad, load " << facts.load << " N\n"
-            << "memory         " << std::setprecision(3) << facts.bytes / 1e6 << " MB\n"
+void print_facts(const wrcontact::Table& table) {
+  for (const std::string& line : table.lines()) {
+    std::cout << line << '\n';
+  }
+  const wrc_table_facts facts = table.facts();
+  std::cout << "memory         " << std::setprecision(3) << facts.bytes / 1e6 << " MB\n"
             << "error of the force over the load, in " << std::setprecision(6) << facts.states
             << " random states\n"
             << "  median       " << percent(facts.median_error) << '\n'
@@ -124,7 +126,7 @@ int main(int argc, char** argv) {
     wrcontact::Table table;
     if (show) {
       table.load(path);
-      print_facts(table.facts());
+      print_facts(table);
       return 0;
     }
     driver::Scene scene;
@@ -138,7 +140,7 @@ int main(int argc, char** argv) {
     table.build(scene, options, Tenths());
     table.save(path);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    print_facts(table.facts());
+    print_facts(table);
     std::cout << "made in " << std::setprecision(3) << time.count() << " s\n";
     return 0;
   });

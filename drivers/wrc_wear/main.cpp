@@ -184,7 +184,7 @@ void check(const Options& options) {
 void run(Options options) {
   check(options);
   const Mission mission = options.mission.empty() ? Mission() : read_mission(options.mission);
-  if (options.rail.ends_with(".slcs")) {
+  if (is_slices_file(options.rail)) {
     throw Failure("--rail " + options.rail +
                   ": a mission runs on a rail of one profile, not on slices");
   }

@@ -89,6 +89,10 @@ class Table(Handle):
         self._check(lib.wrc_table_share(self._handle, other._handle))
         return other
 
+    def lines(self) -> list[str]:
+        """What it is of: profiles, dimensions, units and axes of steps, reach; empty without a table."""
+        return self._lines(lib.wrc_table_line)
+
     def facts(self) -> TableFacts:
         """Its ranges and errors."""
         known = ffi.new("wrc_table_facts*")

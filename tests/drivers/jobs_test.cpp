@@ -115,6 +115,14 @@ TEST_F(Jobs, MapAndTableTakeMeasuredPairs) {
   (void)succeed("contact_map" + pair + "--set 'pose.yaw=[-0.01, 0.01]' 'pose.lateral=[-2, 0, 2]'");
   EXPECT_EQ(table("o/contact_map.csv").row_count(), 6U);
   EXPECT_TRUE(is_png("o/contact_map.png"));
+  const Outcome two = run("contact_map --no-pictures --quiet --rails 60E1 54E1 --out two --set "
+                          "'pose.yaw=[0, 0.01]' 'pose.lateral=[0, 2]' load.vertical=0");
+  EXPECT_EQ(two.error, "");
+  const Outcome drawn = run("contact_map --quiet --rails 60E1 54E1 --out two --restart --set "
+                            "'pose.yaw=[0, 0.01]' 'pose.lateral=[0, 2]' load.vertical=0");
+  EXPECT_EQ(drawn.error,
+            "wrc_sweep: contact_map.png shows track.rail = 60E1, the first of 2 values; where = "
+            "{...} of the picture selects others, and --set one value\n");
   (void)succeed("contact_table" + pair + "--set 'pose.yaw=[0.0]' 'pose.lateral=[-2, 0, 2]'");
   const CsvTable contact = table("o/contact_table.csv");
   ASSERT_EQ(contact.row_count(), 9U);
@@ -187,6 +195,10 @@ TEST_F(Jobs, AReportRefusesMistakes) {
   run(WRC_REPORT_PROGRAM, "S1002 60E1 --set pose.lateral=3").expect_refusal({"pose.lateral"});
   run(WRC_REPORT_PROGRAM, "S1002 measured/rail.txt --page measured/rail.txt")
       .expect_refusal({"measured/rail.txt"});
+  write("rail.slcs", "0 10\n3\n2\n1\n0 'a.txt'\n1 'a.txt'\n2 'a.txt'\n");
+  run(WRC_REPORT_PROGRAM, "S1002 rail.slcs")
+      .expect_refusal({"rail.slcs: allowed here is a file of one profile, not one of slices along "
+                       "the track"});
   EXPECT_FALSE(exists("report.html"));
 }
 

@@ -18,6 +18,13 @@ TEST_F(WrcTable, ShowsTheTableThatItMakes) {
   const Outcome shown = run("small.table --show");
   ASSERT_EQ(shown.exit_code, 0) << shown.error;
   EXPECT_EQ(shown.out, made.out.substr(0, made.out.find("made in")));
+  for (const char* line :
+       {"wheelset.wheel = S1002\n", "track.rail = 60E1\n", "wheelset.radius = 460 mm\n",
+        "material.wheel.youngs_modulus = 210000 MPa\n",
+        "mm, N, MPa, rad; x forward, y left, z up\n",
+        "reaches to lateral 1 mm, roll 0.003 rad, yaw 0.01 rad, load 120000 N\n"}) {
+    EXPECT_NE(shown.out.find(line), std::string::npos) << line << " is not in:\n" << shown.out;
+  }
 }
 
 TEST_F(WrcTable, RefusesMistakes) {

@@ -38,6 +38,11 @@ TEST_F(WrcWear, TheProfileLosesTheWornArea) {
 TEST_F(WrcWear, RefusesMistakesBeforeItSolves) {
   run("--distance 1 --wheel S1003").expect_refusal({"S1003", "no such file", "built-in"});
   run("--distance 1 --plot a.pdf").expect_refusal({"--plot a.pdf", ".png"});
+  write("flat.SLCW", "not read\n");
+  run("--distance 1 --wheel flat.SLCW")
+      .expect_refusal({"flat.SLCW: allowed here is a file of one profile, not one of slices around "
+                       "the wheel"});
+  run("--distance 1 --rail rail.SLCS").expect_refusal({"rail.SLCS", "not on slices"});
 }
 
 /// Thrown on another thread, it ended the program by a signal.

@@ -17,6 +17,7 @@ c filled with ones before each call, so that half a write is seen.
       call tprof
       call tread
       call trefus
+      call tgarbg
       if (nbad .ne. 0) then
         write (*, *) nbad, ' expectations failed'
         stop 1
@@ -435,6 +436,19 @@ c Wrong handles and wrong widths: never a crash, always IERR.
       ierr = -1
       call wrcfld(scene, 'left.pressure', value, -1, n, ierr)
       call expect(ierr .ne. 0, 'no length')
+      ierr = -1
+      call wrcerr(solver, text, ierr)
+      call expect(ierr .eq. 0 .and. index(text, 'is a solver') .gt. 0,
+     &  'the text says what it is')
+      call wrcclr(solver, ierr)
+      call wrcerr(solver, text, ierr)
+      call expect(ierr .eq. 0 .and. text .eq. ' ',
+     &  'until it is used as it should')
+      ierr = -1
+      call wrcstp(solver, solver, ierr)
+      call expect(ierr .eq. 1, 'a solver is no scene')
+      call wrcerr(solver, text, ierr)
+      call expect(index(text, 'scene') .gt. 0, 'said by the library')
       handle = scene
       call wrcdel(scene, ierr)
       ierr = -1
@@ -448,4 +462,24 @@ c Wrong handles and wrong widths: never a crash, always IERR.
       call wrcdel(handle, ierr)
       call expect(ierr .eq. 0, 'given back twice does nothing')
       call wrcdel(solver, ierr)
+      end
+
+c Numbers that no call has made say nothing about the width of IERR:
+c what lies behind its first four bytes stays.
+      subroutine tgarbg
+      implicit none
+      integer*8 handle
+      integer*4 both(2)
+      integer ierr, bit
+      real*8 value
+      equivalence (ierr, both(1))
+      do 10 bit = 6, 62
+        both(1) = 0
+        both(2) = 4711
+c       Low bits as of a scene of a program with integers of 8 bytes.
+        handle = ibset(34_8, bit)
+        call wrcnum(handle, 'left.pmax', value, ierr)
+        call expect(both(1) .eq. 1 .and. both(2) .eq. 4711,
+     &    'four bytes are written')
+   10 continue
       end

@@ -34,6 +34,8 @@ def test_a_step_is_the_exact_one_within_its_error(scene, table, tmp_path):
     for other in (read, table.share()):
         assert (other.step(position, VELOCITY)[0].force == step.force).all()
     assert read.facts() == table.facts()
+    assert read.lines() == table.lines() and "track.rail = 60E1" in read.lines()
+    assert not wrcontact.Table().lines()
 
 
 def test_outside_is_refused_or_solved(scene, table):

@@ -11,12 +11,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "core/creep_cases.hpp"
 #include "rolling/fastsim.hpp"
 
@@ -237,18 +237,24 @@ void compare(PatchShape shape, const char* title, int cases) {
   }
 }
 
-} // namespace
+constexpr const char* usage =
+    "compare_creep_models [CASES]     default 500\n\n"
+    "Compares errors and costs of the models of creep forces: CASES ellipses, and a fifth of that\n"
+    "number of each other patch.\n";
 
-int main(int count, char** arguments) {
-  const int cases = count > 1 ? std::atoi(arguments[1]) : 500;
-  if (cases < 1) {
-    std::fprintf(stderr, "compare_creep_models: CASES must be at least 1\n");
-    return 2;
-  }
+int compare_all(const Arguments& arguments) {
+  const int cases = arguments.whole(0, "CASES", 500);
+  arguments.refuse_beyond(1);
   const int others = std::max(1, cases / 5);
   compare(PatchShape::ellipse, "Ellipses", cases);
   compare(PatchShape::lobes_across, "Two lobes side by side", others);
   compare(PatchShape::lobes_along, "Two lobes, one behind the other", others);
   compare(PatchShape::banana, "Bananas", others);
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return run(argc, argv, usage, compare_all);
 }

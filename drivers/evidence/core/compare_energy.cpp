@@ -1,20 +1,27 @@
 /// Forces of frictionless contact against the elastic energy that they derive from, and the
 /// symmetry of their derivatives.
 ///
-///   compare_energy [SCENES [FIRST]]     default 500 0
+///   compare_energy [SCENES]     default 500
 ///
 /// Prints quantiles of the errors of tests/core/support/energy_pairs.hpp over scenes drawn at
 /// random, and each scene in which one exceeds 2e-3.
 #include <cstdio>
-#include <cstdlib>
 
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "support/energy_pairs.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+constexpr const char* usage =
+    "compare_energy [SCENES]     default 500\n\n"
+    "Compares forces of frictionless contact with derivatives of their elastic energy.\n";
+
+int compare(const wrc::evidence::Arguments& arguments) {
   using namespace wrc;
   using namespace wrc::test;
-  const int count = argc > 1 ? std::atoi(argv[1]) : 500;
+  const int count = arguments.whole(0, "SCENES", 500);
+  arguments.refuse_beyond(1);
   constexpr double limit = 2e-3;
   std::vector<double> pairs, sensitivities, reported, energy;
   Draw draw;
@@ -49,4 +56,10 @@ int main(int argc, char** argv) {
   print("sensitivities, differences", reported);
   print("derivatives of the energy", energy);
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return wrc::evidence::run(argc, argv, usage, compare);
 }

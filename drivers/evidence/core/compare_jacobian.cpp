@@ -16,9 +16,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "derivatives/force_jacobian.hpp"
 #include "support/random_wheels.hpp"
@@ -139,11 +139,14 @@ Case compare(Scene scene) {
   return result;
 }
 
-} // namespace
+constexpr const char* usage =
+    "compare_jacobian [SCENES [ACCURACY]]     default 500 1e-2\n\n"
+    "Compares Jacobians of the contact forces of a wheel with differences of whole scenes.\n";
 
-int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 500;
-  const double accuracy = argc > 2 ? std::atof(argv[2]) : 1e-2;
+int compare_all(const evidence::Arguments& arguments) {
+  const int count = arguments.whole(0, "SCENES", 500);
+  const double accuracy = arguments.positive(1, "ACCURACY", 1e-2);
+  arguments.refuse_beyond(2);
   std::array<Errors, state_count> errors;
   std::array<Errors, position_count> held_errors;
   Draw draw;
@@ -178,4 +181,10 @@ int main(int argc, char** argv) {
     print(names[which], accuracy, held_errors[which]);
   }
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return evidence::run(argc, argv, usage, compare_all);
 }

@@ -7,14 +7,20 @@
 /// of the largest pressure and of the half angle at a prescribed load in %, and those of Hertz's
 /// formulas (tests/core/support/conformal_disc.hpp).
 #include <cstdio>
-#include <cstdlib>
 
+#include "arguments.hpp"
 #include "support/conformal_disc.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+constexpr const char* usage =
+    "compare_persson [ROWS]     default 8000 in contact\n\n"
+    "Compares contact of a disc in a hole of nearly its radius with the closed form.\n";
+
+int compare(const wrc::evidence::Arguments& arguments) {
   using namespace wrc::test;
-  constexpr std::size_t usual = 8000;
-  const std::size_t rows = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : usual;
+  const auto rows = static_cast<std::size_t>(arguments.whole(0, "ROWS", 8000));
+  arguments.refuse_beyond(1);
   std::puts("| half angle | p_max R/P | curve: p_max, half angle | plane | Hertz "
             "|\n|---|---|---|---|---|");
   for (const double angle : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2}) {
@@ -29,4 +35,10 @@ int main(int argc, char** argv) {
     std::puts("");
   }
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return wrc::evidence::run(argc, argv, usage, compare);
 }

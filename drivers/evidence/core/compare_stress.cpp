@@ -12,9 +12,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "damage/subsurface_stress.hpp"
 #include "support/random_wheels.hpp"
@@ -145,11 +145,14 @@ void measure(Scene scene, Table& all, int index) {
   }
 }
 
-} // namespace
+constexpr const char* usage =
+    "compare_stress [SCENES [SEED]]     default 100 1\n\n"
+    "Compares the largest von Mises stress of random wheels with fine solutions.\n";
 
-int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 100;
-  Draw draw(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1U);
+int compare(const evidence::Arguments& arguments) {
+  const int count = arguments.whole(0, "SCENES", 100);
+  Draw draw(static_cast<unsigned>(arguments.whole(1, "SEED", 1, 0)));
+  arguments.refuse_beyond(2);
   Table all;
   for (int i = 0; i < count; ++i) {
     const Scene scene = rolling_wheel(draw, i);
@@ -174,4 +177,10 @@ int main(int argc, char** argv) {
     }
   }
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return evidence::run(argc, argv, usage, compare);
 }

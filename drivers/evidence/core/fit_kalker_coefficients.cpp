@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.hpp"
 #include "rolling/kalker_coefficients.hpp"
 #include "support/no_slip_samples.hpp"
 
@@ -388,23 +389,42 @@ int quick() {
   return worst < 1e-2 ? 0 : 1;
 }
 
-} // namespace
+constexpr const char* usage =
+    "fit_kalker_coefficients sample FILE [PART PARTS] | fit FILE... | quick\n\n"
+    "sample  appends solutions without slip to FILE, or part PART (from 0) of PARTS\n"
+    "fit     prints coefficients of each ellipse, and the tables of the library\n"
+    "quick   compares a few coarse solutions with the library\n";
 
-int main(int count, char** arguments) {
-  const std::vector<std::string> words(arguments + 1, arguments + count);
-  if (words.size() == 2 && words[0] == "sample") {
-    return take_samples(words[1], 0, 1);
+int choose(const evidence::Arguments& arguments) {
+  const std::string task = arguments.text(0);
+  if (task == "sample" && arguments.count() > 1) {
+    arguments.refuse_beyond(4);
+    const int parts = arguments.whole(3, "PARTS", 1);
+    const int part = arguments.whole(2, "PART", 0, 0);
+    if (part >= parts) {
+      throw evidence::WrongArgument("PART = " + std::to_string(part) + ": allowed is 0 to " +
+                                    std::to_string(parts - 1));
+    }
+    return take_samples(arguments.text(1), static_cast<std::size_t>(part),
+                        static_cast<std::size_t>(parts));
   }
-  if (words.size() == 4 && words[0] == "sample") {
-    return take_samples(words[1], std::stoul(words[2]), std::stoul(words[3]));
+  if (task == "fit" && arguments.count() > 1) {
+    std::vector<std::string> files;
+    for (std::size_t i = 1; i < arguments.count(); ++i) {
+      files.push_back(arguments.text(i));
+    }
+    return fit(files);
   }
-  if (words.size() >= 2 && words[0] == "fit") {
-    return fit({words.begin() + 1, words.end()});
-  }
-  if (words.size() == 1 && words[0] == "quick") {
+  if (task == "quick") {
+    arguments.refuse_beyond(1);
     return quick();
   }
-  std::fprintf(stderr, "usage: fit_kalker_coefficients sample FILE [PART PARTS] | fit FILE... | "
-                       "quick\n");
-  return 2;
+  throw evidence::WrongArgument('"' + task +
+                                "\": allowed is sample FILE [PART PARTS], fit FILE... or quick");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return evidence::run(argc, argv, usage, choose);
 }

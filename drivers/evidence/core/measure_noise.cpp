@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "profile/noisy_points.hpp"
 #include "profile/readers.hpp"
@@ -173,31 +173,35 @@ void print_changes(const std::vector<std::string>& files) {
   }
 }
 
+constexpr const char* usage =
+    "measure_noise [SAMPLES [FOLDER]]     default 5, and no measured wheels\n\n"
+    "Compares largest pressures of wheels whose points have noise with those without it. FOLDER\n"
+    "holds measured wheels in columns (tests/reference/profiles of the sources).\n";
+
+int measure(const evidence::Arguments& arguments) {
+  const int samples = arguments.whole(0, "SAMPLES", 5);
+  arguments.refuse_beyond(2);
+  std::vector<Wheel> wheels{{"S1002", standard_profile("S1002")}, {"LMA", standard_profile("LMA")}};
+  print_wavelengths(wheels.front(), samples);
+  std::vector<std::string> files;
+  if (arguments.count() > 1) {
+    const std::string folder = arguments.text(1) + '/';
+    for (const char* name : {"Car7216_0001r", "left-wheel-v1-pre-dry"})
+      wheels.push_back(
+          {name,
+           read_profile(folder + name + ".txt", options_with(0.0, WheelOrigin::by_file)).profile});
+    for (const char* name :
+         {"Car7216_0001r", "Car7358_0001r", "left-wheel-v1-pre-dry", "worn_high_mileage",
+          "S1002-Manchester", "whl_left_iter288", "avg_wheel"})
+      files.push_back(folder + name + ".txt");
+  }
+  print_coverage(wheels, samples);
+  print_changes(files);
+  return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const int samples = argc > 1 ? std::atoi(argv[1]) : 5;
-    std::vector<Wheel> wheels{{"S1002", standard_profile("S1002")},
-                              {"LMA", standard_profile("LMA")}};
-    print_wavelengths(wheels.front(), samples);
-    std::vector<std::string> files;
-    if (argc > 2) {
-      const std::string folder = std::string(argv[2]) + '/';
-      for (const char* name : {"Car7216_0001r", "left-wheel-v1-pre-dry"})
-        wheels.push_back(
-            {name, read_profile(folder + name + ".txt", options_with(0.0, WheelOrigin::by_file))
-                       .profile});
-      for (const char* name :
-           {"Car7216_0001r", "Car7358_0001r", "left-wheel-v1-pre-dry", "worn_high_mileage",
-            "S1002-Manchester", "whl_left_iter288", "avg_wheel"})
-        files.push_back(folder + name + ".txt");
-    }
-    print_coverage(wheels, samples);
-    print_changes(files);
-    return 0;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "measure_noise: %s\n", error.what());
-    return 1;
-  }
+  return evidence::run(argc, argv, usage, measure);
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
+#include "arguments.hpp"
 #include "base/stopwatch.hpp"
 #include "damage/subsurface_stress.hpp"
 #include "mechanics/normal_solver.hpp"
@@ -56,10 +56,13 @@ struct Contact {
   }
 };
 
-} // namespace
+constexpr const char* usage =
+    "measure_stress [REPEATS]     default 101\n\n"
+    "Measures costs of stresses below the surface in normal solutions of the same grid.\n";
 
-int main(int argc, char** argv) {
-  const int repeats = argc > 1 ? std::atoi(argv[1]) : 101;
+int measure(const evidence::Arguments& arguments) {
+  const int repeats = arguments.whole(0, "REPEATS", 101);
+  arguments.refuse_beyond(1);
   std::printf("fill  tractions  normal ms  section of 100 x 60  greatest von Mises\n");
   for (const double fill : {0.95, 0.6}) {
     Contact contact(fill);
@@ -93,4 +96,10 @@ int main(int argc, char** argv) {
     }
   }
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return evidence::run(argc, argv, usage, measure);
 }

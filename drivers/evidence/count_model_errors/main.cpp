@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -28,6 +27,7 @@
 #include <string_view>
 #include <vector>
 
+#include "arguments.hpp"
 #include "support/random_scenes.hpp"
 #include "support/scene.hpp"
 #include "support/statistics.hpp"
@@ -161,10 +161,13 @@ void note_worst(const Way& way, const std::vector<Wheel>& wheels, std::string& t
   }
 }
 
-} // namespace
+constexpr const char* usage =
+    "count_model_errors [SCENES]     default 6000\n\n"
+    "Counts on how many random wheels planes and curves are as accurate as requested.\n";
 
-int main(int argc, char** argv) {
-  constexpr std::size_t usual = 6000;
+int count(const wrc::evidence::Arguments& arguments) {
+  const auto scenes = static_cast<std::size_t>(arguments.whole(0, "SCENES", 6000));
+  arguments.refuse_beyond(1);
   constexpr double usual_yaw = 0.01; // rad: as in curves of the track
   struct Place {
     const char* name;
@@ -173,7 +176,6 @@ int main(int argc, char** argv) {
   constexpr std::array places{Place{"tread", 0.0, 0.15}, Place{"gauge corner", 0.15, 0.8},
                               Place{"flange", 0.8, 1.6}};
   std::string worst;
-  const std::size_t scenes = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : usual;
   std::puts(
       "| curved | accuracy of | accuracy | place | wheels | planes | model | median | 95 % | 99 % "
       "| worst | beyond, warned | edge, turn, interaction, rest |\n"
@@ -202,4 +204,10 @@ int main(int argc, char** argv) {
   }
   std::printf("\n%s", worst.c_str());
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return wrc::evidence::run(argc, argv, usage, count);
 }

@@ -18,9 +18,11 @@
 #include <ctime>
 #include <functional>
 #include <span>
-#include <string_view>
+#include <sstream>
+#include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "multigrid/methods.hpp"
 #include "multigrid/multi_summation.hpp"
 
@@ -227,56 +229,57 @@ void compare_products(std::size_t side, const Options& options) {
   }
 }
 
-/// False: the arguments make no sense.
-bool read(int argc, char** argv, Options& options) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view name = argv[i];
+std::vector<std::size_t> sides_of(const std::string& list) {
+  std::vector<std::size_t> sides;
+  std::istringstream words(list + ',');
+  for (std::string word; std::getline(words, word, ',');) {
+    sides.push_back(static_cast<std::size_t>(wrc::evidence::whole_number_of(word, "--sides", 8)));
+  }
+  return sides;
+}
+
+SummationAccuracy summation_of(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    throw wrc::evidence::WrongArgument("--summation = \"" + text + "\": allowed is ORDER,REACH");
+  }
+  return {wrc::evidence::number_of<int>(
+              text.substr(0, comma), "--summation, order",
+              [](int order) { return order >= 2 && order % 2 == 0; }, "an even number from 2 on"),
+          wrc::evidence::whole_number_of(text.substr(comma + 1), "--summation, reach")};
+}
+
+Options options_of(const wrc::evidence::Arguments& arguments) {
+  Options options;
+  for (std::size_t i = 0; i < arguments.count(); ++i) {
+    const std::string name = arguments.text(i);
     if (name == "--check") {
       options.check = true;
       continue;
     }
-    char* rest = i + 1 < argc ? argv[++i] : nullptr;
-    if (rest == nullptr) {
-      return false;
+    const bool known =
+        name == "--sides" || name == "--repeats" || name == "--tolerance" || name == "--summation";
+    if (!known || i + 1 == arguments.count()) {
+      throw wrc::evidence::WrongArgument(known ? name + " needs a value"
+                                               : '"' + name + "\" is no option");
     }
+    const std::string value = arguments.text(++i);
     if (name == "--sides") {
-      options.sides.clear();
-      for (; *rest != '\0'; rest += *rest == ',' ? 1 : 0) {
-        char* const before = rest;
-        options.sides.push_back(std::strtoul(rest, &rest, 10));
-        if (rest == before || options.sides.back() < 8) {
-          return false;
-        }
-      }
+      options.sides = sides_of(value);
     } else if (name == "--repeats") {
-      options.repeats = std::max(1, std::atoi(rest));
+      options.repeats = wrc::evidence::whole_number_of(value, name);
     } else if (name == "--tolerance") {
-      options.tolerance = std::strtod(rest, nullptr);
-    } else if (name == "--summation") {
-      options.fixed_summation = true;
-      if (std::sscanf(rest, "%d,%d", &summation.order, &summation.reach) != 2 ||
-          summation.order < 2 || summation.order % 2 != 0 || summation.reach < 1) {
-        return false;
-      }
+      options.tolerance = wrc::evidence::positive_number_of(value, name);
     } else {
-      return false;
+      options.fixed_summation = true;
+      summation = summation_of(value);
     }
   }
-  return options.tolerance > 0.0;
+  return options;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  Options options;
-  if (argc == 2 && std::string_view(argv[1]) == "--help") {
-    std::fputs(usage, stdout);
-    return 0;
-  }
-  if (!read(argc, argv, options)) {
-    std::fputs(usage, stderr);
-    return 2;
-  }
+int compare(const wrc::evidence::Arguments& arguments) {
+  const Options options = options_of(arguments);
   bool met = true;
   std::printf("Tolerance %g\n\n", options.tolerance);
   std::puts(
@@ -304,4 +307,10 @@ int main(int argc, char** argv) {
     return 1;
   }
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return wrc::evidence::run(argc, argv, usage, compare);
 }

@@ -111,6 +111,26 @@ TEST(Resolution, ErrorsFollowTheFewerElements) {
   EXPECT_NEAR(estimate_error(solution, {}).elements, law(columns_along / 0.64), rounding);
 }
 
+/// A patch about to lift has few rows left; the largest pressure may still be its own.
+TEST(Resolution, ErrorsOfForcesCountByTheShareOfTheLoad) {
+  GridSolution solution = block_contact();
+  solution.patches[0].normal_force = 999.0;
+  Patch& dying = solution.patches.emplace_back(solution.patches[0]);
+  dying.normal_force = 1.0;
+  dying.grid.lateral_step *= 10.0; // a tenth of the rows over the same width
+  dying.pressure.assign(800, 0.0);
+  for (std::size_t row = 10; row < 12; ++row) {
+    std::fill_n(dying.pressure.begin() + static_cast<std::ptrdiff_t>(20 * row + 5), 10, 1000.0);
+  }
+  const double few = estimate_error(solution, {}).elements; // the greatest
+  EXPECT_GT(few, 100.0 * law(rows_across));
+  EXPECT_NEAR(estimate_error(solution, {.forces_only = true}).elements,
+              0.999 * law(rows_across) + 0.001 * few, rounding);
+  solution.patches.pop_back();
+  EXPECT_EQ(estimate_error(solution, {.forces_only = true}).elements,
+            estimate_error(solution, {}).elements);
+}
+
 /// In proportion to the angle and the width of a row, over the overlap of 0.05 mm.
 TEST(Resolution, AKinkAddsAFirstOrderErrorToForces) {
   GridSolution solution = block_contact();

@@ -1,4 +1,5 @@
 /// Where sheets begin and end, and their smoothing length.
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -6,6 +7,7 @@
 
 #include "geometry/sliced_sheets.hpp"
 #include "geometry/varying_shapes.hpp"
+#include "geometry/varying_wheel.hpp"
 #include "profile/read_options.hpp"
 #include "support/errors.hpp"
 
@@ -90,6 +92,26 @@ TEST(SlicedSheets, SmoothingLengthIsThatGivenOrTheLists) {
   profile.is_smoothed = true;
   EXPECT_EQ(smoothing_length_of(profile, {}), 40.0);
   EXPECT_EQ(smoothing_length_of(profile, 0.0), 0.0);
+}
+
+/// The unit is that of the caller's length: a wheel's key is in mm, its slices are in rad.
+TEST(SlicedSheets, ASmoothingLengthTooLongForTheSlicesIsRefusedInItsOwnUnit) {
+  const SlicedProfile rail = profile_with({{}, {}, {}, {}});
+  EXPECT_NO_THROW((void)sheets_of(rail, 10000.0, 0.0));
+  test::expect_error(
+      ErrorCode::invalid_argument, [&] { (void)sheets_of(rail, 12000.0, 0.0); },
+      "= 12000 mm: at most 10000 mm, 1000 times the smallest distance between two slices, 10 mm");
+  const Curve curve = curve_of([](double y) { return crown_at(y); });
+  SlicedProfile wheel = profile_of({0.0, 0.01, 0.5, 3.0}, [&](double) { return curve; });
+  wheel.kind = ProfileKind::wheel;
+  EXPECT_NO_THROW(VaryingWheel(wheel, 460.0, {}, 4500.0));
+  test::expect_error(
+      ErrorCode::invalid_argument, [&] { VaryingWheel(wheel, 460.0, {}, 5000.0); },
+      "= 5000 mm: at most 4600 mm, 1000 times the smallest distance between two slices, 4.6 mm");
+  const double revolution = 2.0 * std::numbers::pi;
+  test::expect_error(
+      ErrorCode::invalid_argument, [&] { (void)sheets_of(wheel, 11.0, revolution, {"rad"}); },
+      "= 11 rad: at most 10 rad, 1000 times the smallest distance between two slices, 0.01 rad");
 }
 
 } // namespace

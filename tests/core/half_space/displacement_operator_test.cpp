@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "half_space/influence_coefficients.hpp"
+#include "support/errors.hpp"
 
 namespace wrc::test::displacement_operator_test {
 namespace {
@@ -194,6 +195,20 @@ TEST(DisplacementOperatorAlongACurve, OfRowsWithOneAngleIsThatOfAPlaneBitForBit)
               displaced(grid, {}, pressure))
         << angle;
   }
+}
+
+TEST(DisplacementOperatorAlongACurve, RefusesAnglesOfOtherRowsAndThoseThatAreNotFinite) {
+  const Grid grid{3, 2, 0.1, 0.2, 0.0, 0.0};
+  const auto refuses = [&grid](const std::vector<double>& angles, const char* part) {
+    expect_error(
+        ErrorCode::invalid_argument,
+        [&] { DisplacementOperator(grid, modulus, Elements::smooth, angles); }, part);
+    expect_error(
+        ErrorCode::invalid_argument, [&] { check_angles(angles, grid); }, part);
+  };
+  refuses({0.1, 0.2}, "angles.size = 2: must be the grid's 3 rows");
+  refuses({0.1, 0.2, std::nan("")}, "angles[2] = nan: must be finite");
+  EXPECT_NO_THROW(check_angles({}, grid));
 }
 
 /// Also where cosines and sines have zeros and change sign: rows that face each other.

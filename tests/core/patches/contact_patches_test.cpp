@@ -20,7 +20,7 @@ namespace {
 
 /// Of two lobes or patches: signed separation and the difference of their angles.
 double coupling_weight_of(double separation, double angle_difference) {
-  return patch_finding::smoothstep(patch_finding::affinity(separation, angle_difference));
+  return smoothstep(patch_finding::affinity(separation, angle_difference));
 }
 
 constexpr double wheel_radius = 460.0;

@@ -34,6 +34,20 @@ TEST_F(SurfaceRays, MeetTheCylinderOfTheWheel) {
   }
 }
 
+/// On a circle the angle to the track plane is that of the radius to the upright.
+TEST_F(SurfaceRays, TheRailsInclinationIsToTheRowsOfTheFrame) {
+  for (const double angle : {0.0, 0.1, -0.05}) {
+    const ContactFrame frame = tangent_frame({0.0, axis, 0.0}, angle);
+    RailRay ray(rail, frame);
+    for (const double lateral : {-20.0, 0.0, 5.0}) {
+      ASSERT_TRUE(ray.solve(0.0, lateral));
+      const double of_circle =
+          std::atan2(ray.point().tangent_height, ray.point().tangent_lateral) - frame.angle();
+      EXPECT_NEAR(ray.inclination(lateral), std::tan(of_circle), ray_tolerance) << angle;
+    }
+  }
+}
+
 TEST_F(SurfaceRays, MissBesideTheSurface) {
   const ContactFrame frame = tangent_frame({0.0, axis, 0.0}, 0.0);
   RailRay rail_ray(rail, frame);

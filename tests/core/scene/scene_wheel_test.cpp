@@ -38,6 +38,18 @@ TEST(SceneWheel, DerivativesAreComputedOnce) {
   EXPECT_EQ((*wheel.jacobian())[2][1], stiffness);
 }
 
+TEST(SceneWheel, LobesOfAPatchAreFoundOnce) {
+  SceneWheel wheel = solved_wheel();
+  const std::vector<PressureLobe> found = pressure_lobes(wheel.patches.front(), wheel.details);
+  ASSERT_FALSE(found.empty());
+  const std::vector<PressureLobe>& lobes = wheel.lobes(0, {});
+  ASSERT_EQ(lobes.size(), found.size());
+  EXPECT_EQ(lobes.front().centroid.y, found.front().centroid.y);
+  wheel.patches.front().pressure.clear();
+  EXPECT_EQ(&wheel.lobes(0, {}), &lobes);
+  EXPECT_EQ(lobes.size(), found.size());
+}
+
 TEST(SceneWheel, ComputesAgainForANewResult) {
   SceneWheel wheel = solved_wheel();
   ASSERT_NE(wheel.sensitivities(), nullptr);

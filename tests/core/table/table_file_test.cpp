@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/errors.hpp"
 #include "table/small_table.hpp"
 
 namespace wrc::test {
@@ -45,6 +46,19 @@ TEST(TableFile, BringsBackTheSameBits) {
   const TableState state = random_state(small_table(), 3, 4);
   EXPECT_EQ(contact_in_table(read, state, true).rates,
             contact_in_table(small_table(), state, true).rates);
+}
+
+TEST(TableFile, SaysThatAFileIsOfAnotherVersion) {
+  std::string text = text_of_table(small_table());
+  text.resize(text.size() - sizeof(std::uint64_t));
+  expect_error(
+      ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(text + "more")); },
+      "its checksum is right, so it may be of another version of the library");
+  const std::size_t number = text.find("format 1") + 7;
+  text[number] = '9';
+  expect_error(
+      ErrorCode::file_malformed, [&] { (void)table_from_text(with_checksum(text)); },
+      "its format is 9", "this one reads format 1: make the table again");
 }
 
 TEST(TableFile, RefusesWhatWasCutOrChanged) {
