@@ -13,6 +13,7 @@
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
+#include "remesh/met_distance.hpp"
 
 namespace wrc {
 namespace {
@@ -156,6 +157,9 @@ ByMotion<double> least_gap_rates(const PosedPair& pair, const Patch& patch) {
     }
     const std::size_t before = least - stride;
     const std::size_t after = least + stride;
+    if (!is_met(distance[before]) || !is_met(distance[after])) {
+      return;
+    }
     const double curvature = distance[before] - 2.0 * distance[least] + distance[after];
     if (curvature > 0.0) {
       wanted[before] = wanted[after] = 1.0;
