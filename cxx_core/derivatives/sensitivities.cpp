@@ -253,7 +253,7 @@ public:
         elements_[k][motion].along = patches[k].along_rates[motion];
       }
       displacements_.push_back(displacements_of(k));
-      follows_ = follows_ && !patches[k].undeformed_distance.empty() && !patches[k].grid_motion;
+      follows_ = follows_ && !patches[k].undeformed_distance.empty();
       if (patches[k].grid_motion) {
         elements_[k] = *patches[k].grid_motion;
       }
@@ -262,8 +262,14 @@ public:
 
   void solve(WheelSensitivity& result) {
     solve_once(result);
-    if (follows_) {
+    const auto moves_otherwise = [](const LoadedPatch& patch) {
+      return patch.grid_motion.has_value();
+    };
+    if (follows_ && !std::ranges::all_of(patches_, moves_otherwise)) {
       for (std::size_t k = 0; k < patches_.size(); ++k) {
+        if (moves_otherwise(patches_[k])) {
+          continue;
+        }
         for (std::size_t motion = 0; motion < motion_count; ++motion) {
           elements_[k][motion] =
               following(patches_[k], pressures_[k][motion], elements_[k][motion]);
