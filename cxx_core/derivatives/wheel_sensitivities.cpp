@@ -248,6 +248,15 @@ WheelRates compute_rates(const WheelResult& side) {
   ContactStiffness stiffness(cache);
   const PosedPair pair = details.pair();
   WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  if (details.varies()) { // not known from planes: the reference goes with the elements
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const ContactFrame& plane = loaded[k].frame;
+      references[k] = by_motion([&](std::size_t motion) {
+        const ElementMotion& elements = found.patches[k].elements[motion];
+        return elements.along * plane.longitudinal + elements.across * plane.lateral;
+      });
+    }
+  }
   const RollingFrame frame(details.mirror);
   WheelRates result;
   result.by_pressures = frame.mirrored(found.force_rates);
