@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/reductions.hpp"
+#include "remesh/met_distance.hpp"
 
 namespace wrc {
 
@@ -17,7 +18,7 @@ double Patch::overlap() const {
   double deepest = least;
   const auto deepen = [&](double before, double after) {
     const double curvature = before - 2.0 * least + after;
-    if (curvature > 0.0) {
+    if (curvature > 0.0 && is_met(before) && is_met(after)) { // not beside the end of a body
       deepest -= (after - before) * (after - before) / (8.0 * curvature);
     }
   };

@@ -8,6 +8,7 @@
 
 #include "derivatives/gap_rates.hpp"
 #include "remesh/constants.hpp"
+#include "remesh/met_distance.hpp"
 #include "remesh/rail_normals.hpp"
 #include "remesh/row_scales.hpp"
 
@@ -30,11 +31,13 @@ template <class Visit> void for_each_loaded(const LoadedPatch& patch, Visit visi
   }
 }
 
-/// Change of a field from element to element, per mm.
+/// Change of a field from element to element, per mm; across those at which it is `known`.
+template <class Known>
 double slope_at(std::span<const double> field, std::size_t element, std::size_t place,
-                std::size_t count, std::size_t stride, double step) {
-  const std::size_t behind = place > 0 ? element - stride : element;
-  const std::size_t ahead = place + 1 < count ? element + stride : element;
+                std::size_t count, std::size_t stride, double step, const Known& known) {
+  const std::size_t behind = place > 0 && known(element - stride) ? element - stride : element;
+  const std::size_t ahead =
+      place + 1 < count && known(element + stride) ? element + stride : element;
   const std::size_t steps = (ahead - behind) / stride;
   return steps > 0 ? (field[ahead] - field[behind]) / (step * static_cast<double>(steps)) : 0.0;
 }
@@ -45,16 +48,18 @@ void add_motion_of_elements(const LoadedPatch& patch, const ByMotion<ElementMoti
                             const ContactStiffness::Displacements& displacements,
                             Fields& gap_rates) {
   const Grid& grid = patch.grid;
-  for (std::size_t element = 0; element < patch.undeformed_distance.size(); ++element) {
+  const std::span<const double> distance = patch.undeformed_distance;
+  const auto known = [distance](std::size_t element) { return is_met(distance[element]); };
+  for (std::size_t element = 0; element < distance.size(); ++element) {
     if (!(patch.pressure[element] > 0.0)) {
       continue;
     }
     const std::size_t column = element % grid.longitudinal_count;
     const std::size_t row = element / grid.longitudinal_count;
-    const double along = slope_at(patch.undeformed_distance, element, column,
-                                  grid.longitudinal_count, 1, grid.longitudinal_step);
-    const double across = slope_at(patch.undeformed_distance, element, row, grid.lateral_count,
-                                   grid.longitudinal_count, grid.lateral_step);
+    const double along = slope_at(distance, element, column, grid.longitudinal_count, 1,
+                                  grid.longitudinal_step, known);
+    const double across = slope_at(distance, element, row, grid.lateral_count,
+                                   grid.longitudinal_count, grid.lateral_step, known);
     for (std::size_t motion = 0; motion < motion_count; ++motion) {
       const ElementMotion& of = motions[motion];
       gap_rates[motion][element] +=
@@ -84,8 +89,9 @@ void add_turning_plane(const LoadedPatch& patch, const RailNormals& rail, Fields
     if (squares.empty()) {
       return;
     }
-    const double slope = slope_at(squares, element, row, grid.lateral_count,
-                                  grid.longitudinal_count, grid.lateral_step);
+    const double slope = slope_at(
+        squares, element, row, grid.lateral_count, grid.longitudinal_count, grid.lateral_step,
+        [&](std::size_t i) { return is_met(patch.undeformed_distance[i]); });
     for (std::size_t motion = 0; motion < motion_count; ++motion) {
       gap_rates[motion][element] -= patch.angle_rates[motion] * slope;
     }
@@ -184,7 +190,8 @@ public:
     }
     const std::size_t rows = patch.row_scales.size();
     for (std::size_t row = 0; row < rows; ++row) {
-      by_place_.push_back(slope_at(patch.row_scales, row, row, rows, 1, patch.grid.lateral_step));
+      by_place_.push_back(slope_at(patch.row_scales, row, row, rows, 1, patch.grid.lateral_step,
+                                   [](std::size_t) { return true; }));
       by_turn_.push_back(scale_by_inclination * patch.row_scales[row] * rail.inclination(row));
     }
   }
@@ -246,7 +253,7 @@ public:
         elements_[k][motion].along = patches[k].along_rates[motion];
       }
       displacements_.push_back(displacements_of(k));
-      follows_ = follows_ && !patches[k].undeformed_distance.empty() && !patches[k].grid_motion;
+      follows_ = follows_ && !patches[k].undeformed_distance.empty();
       if (patches[k].grid_motion) {
         elements_[k] = *patches[k].grid_motion;
       }
@@ -255,8 +262,14 @@ public:
 
   void solve(WheelSensitivity& result) {
     solve_once(result);
-    if (follows_) {
+    const auto moves_otherwise = [](const LoadedPatch& patch) {
+      return patch.grid_motion.has_value();
+    };
+    if (follows_ && !std::ranges::all_of(patches_, moves_otherwise)) {
       for (std::size_t k = 0; k < patches_.size(); ++k) {
+        if (moves_otherwise(patches_[k])) {
+          continue;
+        }
         for (std::size_t motion = 0; motion < motion_count; ++motion) {
           elements_[k][motion] =
               following(patches_[k], pressures_[k][motion], elements_[k][motion]);

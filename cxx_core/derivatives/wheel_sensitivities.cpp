@@ -13,6 +13,7 @@
 #include "geometry/contact_search.hpp"
 #include "mechanics/coupled_influence.hpp"
 #include "patches/constants.hpp"
+#include "remesh/met_distance.hpp"
 
 namespace wrc {
 namespace {
@@ -124,11 +125,29 @@ ElementMotion motion_of_grid(const PatchResult& patch, const ContactPatch& penet
   return result;
 }
 
-/// Known where the grid has the contact for itself.
+/// Whether a body ends within the contact: an element under pressure is beside one without it.
+bool is_cut(const PatchResult& patch) {
+  const std::size_t columns = patch.grid.longitudinal_count;
+  const auto ends_at = [&patch](std::size_t i) { return !is_met(patch.undeformed_distance[i]); };
+  for (std::size_t i = 0; i < patch.undeformed_distance.size(); ++i) {
+    if (patch.pressure[i] > 0.0 &&
+        ((i % columns > 0 && ends_at(i - 1)) || (i % columns + 1 < columns && ends_at(i + 1)) ||
+         (i >= columns && ends_at(i - columns)) ||
+         (i + columns < patch.pressure.size() && ends_at(i + columns)))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Known where the grid has the contact for itself, and where elements stay since a part of a rail
+/// that varies ends in the contact: its end stays as well.
 std::optional<ByMotion<ElementMotion>>
 motion_of_grid(const PatchResult& patch, const MovingPatches& moving, const WheelDetails& details) {
-  if (details.varies() || moving.found.patches.size() > 1 ||
-      details.gap != GapConvention::tangent) {
+  if (details.varies()) {
+    return is_cut(patch) ? std::optional(ByMotion<ElementMotion>{}) : std::nullopt;
+  }
+  if (moving.found.patches.size() > 1 || details.gap != GapConvention::tangent) {
     return std::nullopt;
   }
   return by_motion([&](std::size_t motion) {
@@ -156,6 +175,9 @@ ByMotion<double> least_gap_rates(const PosedPair& pair, const Patch& patch) {
     }
     const std::size_t before = least - stride;
     const std::size_t after = least + stride;
+    if (!is_met(distance[before]) || !is_met(distance[after])) {
+      return;
+    }
     const double curvature = distance[before] - 2.0 * distance[least] + distance[after];
     if (curvature > 0.0) {
       wanted[before] = wanted[after] = 1.0;
@@ -226,6 +248,15 @@ WheelRates compute_rates(const WheelResult& side) {
   ContactStiffness stiffness(cache);
   const PosedPair pair = details.pair();
   WheelSensitivity found = compute_sensitivities(pair, loaded, request, stiffness);
+  if (details.varies()) { // not known from planes: the reference goes with the elements
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      const ContactFrame& plane = loaded[k].frame;
+      references[k] = by_motion([&](std::size_t motion) {
+        const ElementMotion& elements = found.patches[k].elements[motion];
+        return elements.along * plane.longitudinal + elements.across * plane.lateral;
+      });
+    }
+  }
   const RollingFrame frame(details.mirror);
   WheelRates result;
   result.by_pressures = frame.mirrored(found.force_rates);

@@ -1,6 +1,11 @@
 #include "accuracy/grid_solution.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 #include <gtest/gtest.h>
+
+#include "remesh/met_distance.hpp"
 
 namespace wrc::test::grid_solution_test {
 namespace {
@@ -26,6 +31,15 @@ TEST(GridSolution, TheOverlapIsThatOfTheVertexBetweenElements) {
 /// Without a neighbour on one side there is no parabola that way.
 TEST(GridSolution, AtAnEdgeTheOverlapIsThatOfTheElement) {
   EXPECT_NEAR(paraboloid(-0.3, 4.4).overlap(), 0.02 - 0.09e-3, 1e-16);
+}
+
+/// A body that ends within the contact: distances beyond are no part of a parabola.
+TEST(GridSolution, BesideTheEndOfABodyTheOverlapIsThatOfTheElement) {
+  Patch patch = paraboloid(3.2, 4.4);
+  const std::size_t first_beyond = 4 * patch.grid.longitudinal_count;
+  std::fill(patch.undeformed_distance.begin() + static_cast<std::ptrdiff_t>(first_beyond),
+            patch.undeformed_distance.end(), no_material_distance);
+  EXPECT_NEAR(patch.overlap(), 0.02 - 0.04e-3, 1e-16);
 }
 
 Patch patch_with(double force, bool shares_plane) {

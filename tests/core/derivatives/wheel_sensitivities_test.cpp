@@ -8,12 +8,16 @@
 #include "derivatives/wheel_sensitivities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <ostream>
 
 #include <gtest/gtest.h>
 
 #include "scene/solve_scene.hpp"
+#include "support/simple_profiles.hpp"
+#include "support/varying_contact.hpp"
 
 namespace wrc::test::wheel_sensitivities_test {
 namespace {
@@ -132,6 +136,70 @@ INSTANTIATE_TEST_SUITE_P(
       std::replace(name.begin(), name.end(), ' ', '_');
       return name;
     });
+
+/// A crown that ends at a lateral coordinate, without a side.
+Profile crown_until(double end) {
+  constexpr double begin = -35.0;
+  const auto height = [](double y) { return std::sqrt(crown * crown - y * y) - crown; };
+  const std::array<Segment, 1> segments{Segment{
+      "crown", ArcSegment{{{0.0, -crown}}, crown, {{begin, height(begin)}}, {{end, height(end)}}}}};
+  return {"crown", ProfileKind::rail, "", "", "", curve_of(segments)};
+}
+
+/// Where a rail ends within the contact, there is no distance beyond the end.
+TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfTheWholeScene) {
+  constexpr double tolerance = 0.03; // of the rate
+  for (const double end : {2.0, 0.0, -1.0}) {
+    const LeftBodies bodies(WheelSurface(cylindrical_wheel(), wheelset),
+                            RailSurface(crown_until(end), level_track));
+    WheelRequest request = under_load(80000.0, AccuracyOf::forces);
+    const WheelResult under = solve_left(bodies, request);
+    EXPECT_NEAR(under.patches.front().approach, under.depth, 0.05 * under.depth) << end;
+    request.vertical_load.reset();
+    const double height = under.vertical - under.depth;
+    const auto solved_at = [&](double by) {
+      request.vertical = height + by;
+      return solve_left(bodies, request);
+    };
+    const std::optional<WheelRates> rates = sensitivities_of(solved_at(0.0));
+    ASSERT_TRUE(rates) << end;
+    const double difference =
+        (solved_at(longest_step).force.z - solved_at(-longest_step).force.z) / (2.0 * longest_step);
+    EXPECT_NEAR(rates->force.vertical.force.z, difference, tolerance * std::abs(difference)) << end;
+  }
+}
+
+/// Rows of elements pass the end of a part as the contact moves, and forces jump by the pressures
+/// there. What counts is the slope of a straight line through many jumps, so elements do not follow
+/// the contact but stay where the end is.
+TEST(SideSensitivitiesAtTheEndOfARail, AreThoseOfElementsThatStayWhereItVaries) {
+  constexpr double tolerance = 0.05; // of it
+  constexpr int steps = 20;          // to each side
+  for (const double end : {2.0, 0.0, -1.0}) {
+    const Curve section = crown_until(end).curve;
+    const LeftBodies bodies(
+        WheelSurface(cylindrical_wheel(), wheelset),
+        rail_of(profile_of(places_every(-100.0, 100.0, 50.0), [&](double) { return section; })));
+    WheelRequest request = under_load(80000.0, AccuracyOf::forces);
+    const WheelResult under = solve_left(bodies, request);
+    request.vertical_load.reset();
+    const auto solved_at = [&](double by) {
+      request.vertical = under.vertical - under.depth + by;
+      return solve_left(bodies, request);
+    };
+    const std::optional<WheelRates> rates = sensitivities_of(solved_at(0.0));
+    ASSERT_TRUE(rates) << end;
+    double products = 0.0;
+    double squares = 0.0;
+    for (int i = -steps; i <= steps; ++i) {
+      const double by = 0.1 * under.depth * i / steps;
+      products += by * solved_at(by).force.z;
+      squares += by * by;
+    }
+    const double slope = products / squares;
+    EXPECT_NEAR(rates->force.vertical.force.z, slope, tolerance * std::abs(slope)) << end;
+  }
+}
 
 TEST(SideSensitivitiesByName, AreComputedOnRequest) {
   Scene scene;
