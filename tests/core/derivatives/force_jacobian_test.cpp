@@ -199,6 +199,30 @@ TEST(JacobiansOfLobes, StretchNoElements) {
             3e-2);
 }
 
+/// A contact that varies moves with yaw, and its creepages are those of where it is: held in place
+/// the column is off by 0.34.
+TEST(JacobiansOfAWheelThatVaries, ByYawFollowTheContact) {
+  Scene scene;
+  scene.left.wheel.harmonics = scene.right.wheel.harmonics = {{20, 0.05, 0.0}};
+  scene.side = SideChoice::left;
+  scene.lateral = 5.8;
+  scene.yaw = 0.004;
+  scene.pitch = 0.05;
+  scene.roll = 0.0;
+  scene.accuracy = 1e-3;
+  scene.accuracy_of = AccuracyOf::forces;
+  const SceneResult under_load = solve_scene(scene);
+  scene.vertical = under_load.left->vertical - under_load.left->depth;
+  scene.motion = Motion{.speed = 2e4, .pitch = 2e4 / 460.0, .lateral = 20.0};
+  scene.derivatives = true;
+  SceneResult here = solve_scene(scene);
+  scene.derivatives = false;
+  constexpr std::size_t yaw = 3;
+  EXPECT_LE(
+      column_error(*here.left->jacobian(), yaw, difference_by(scene, yaw, &SceneResult::left)),
+      1e-2);
+}
+
 TEST(JacobiansOfMirrorImages, MirrorToTheLastBit) {
   Scene scene = scene_of({"", 2.0, 0.003});
   scene.derivatives = true;
