@@ -177,7 +177,7 @@ WRC_API const char* wrc_scene_warning(const wrc_scene* scene, int64_t index);
  * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z". Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
  * returns the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
- * Since 0.1.
+ * WRC_INVALID_ARGUMENT for a capacity below 0. Since 0.1.
  */
 WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
                                    int64_t capacity, int64_t* count);
@@ -226,15 +226,17 @@ WRC_API wrc_status wrc_solve_batch(wrc_scene* const* scenes, int64_t count, int3
 #define WRC_ON_CHAMFER 4      /**< a patch beyond the tread, on the field side */
 #define WRC_BEYOND_YIELD 8    /**< largest pressure above material.yield_pressure */
 #define WRC_SOLVED_EXACTLY 16 /**< a table asked the exact solution */
+#define WRC_AT_PART_END 32    /**< contact where a part of a rail that varies ends, at a gap */
 
 /**
  * Computes the forces on both wheels of a wheelset from its position and velocity. It sets the keys
- * pose.lateral, .vertical, .roll, .yaw and motion.speed, .lateral, .vertical, .roll, .pitch, .yaw
- * (and solve.derivatives) and calls wrc_solver_solve. All other keys of the scene keep their
+ * pose.lateral, .vertical, .roll, .yaw (also .longitudinal and .pitch where a rail varies along the
+ * track or a wheel around its circumference) and motion.speed, .lateral, .vertical, .roll, .pitch,
+ * .yaw (and solve.derivatives) and calls wrc_solver_solve. All other keys of the scene keep their
  * values, and all its results can be read. Numbers are in the scene's convention.
  *
  * position:    x, y, z, roll, pitch angle, yaw of the wheelset's centre, z above the rail tops;
- *              nothing depends on x and the pitch angle.
+ *              x and the pitch angle count only where a rail or a wheel varies.
  * velocity:    their rates; that of the pitch angle is positive when the axle rolls forward.
  * rails:       irregularities: lateral and vertical displacement and roll of the left rail, then
  *              of the right one (track.left.displacement); they stay in force for later steps.
@@ -513,8 +515,13 @@ WRC_API wrc_status wrc_table_build(wrc_table* table, wrc_scene* scene,
  * they are read. WRC_NO_RESULT, WRC_FILE_UNREADABLE, WRC_FILE_MALFORMED. Since 0.3. */
 WRC_API wrc_status wrc_table_save(wrc_table* table, const char* path);
 WRC_API wrc_status wrc_table_load(wrc_table* table, const char* path);
-/** Lets another handle use the same table, in the same memory. WRC_NO_RESULT. Since 0.3. */
+/** Lets another handle use the same table, in the same memory; does nothing if `other` is `table`.
+ * WRC_NO_RESULT. Since 0.3. */
 WRC_API wrc_status wrc_table_share(wrc_table* table, wrc_table* other);
+/** What a table is of, one line each: profiles, dimensions, materials and friction as keys of a
+ * scene, the units and axes of steps without a scene, and how far it reaches; NULL past the end.
+ * Since 0.3. */
+WRC_API const char* wrc_table_line(const wrc_table* table, int64_t index);
 /** WRC_NO_RESULT, WRC_INVALID_ARGUMENT. Since 0.3. */
 WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts);
 
@@ -525,15 +532,15 @@ WRC_API wrc_status wrc_table_get_facts(wrc_table* table, wrc_table_facts* facts)
  *
  * solver, scene: those of wrc_solver_step_with, or both NULL. The scene has the profiles,
  *              dimensions and materials of the table; all numbers are in its units and axes. A step
- *              is solved exactly outside the table, and where its error exceeds its tolerance; both
- *              begin with a continuous slope, the first over the last twentieth of each range. The
- *              scene keeps its keys and results. Without them numbers are in the units and axes of
- *              the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and
- *              the text says which wheel is where.
- * error:       2 numbers, or NULL: how far the force of each wheel may be off, over its vertical
- *              force, or over half of the table's largest load if that is more. It is that of
- *              random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction
- *              it is larger in proportion.
+ *              is solved exactly outside the table and where the table's error exceeds its
+ *              tolerance. Forces blend into the exact ones with a continuous slope: near the border
+ *              over the last twentieth of each range, elsewhere over one cell of the map of errors.
+ *              The scene keeps its keys and results. Without them numbers are in the units and axes
+ * of the scene that the table was made of, a step outside is WRC_INVALID_ARGUMENT, and the text
+ * says which wheel is where. error:       2 numbers, or NULL: how far the force of each wheel may
+ * be off, over its vertical force, or over half of the table's largest load if that is more. It is
+ * that of random states with friction of 0.1 to 0.6, at 20 m/s forwards; with more friction it is
+ * larger in proportion.
  *
  * WRC_NOT_CONVERGED, with all results: the exact solution. On other failures the arrays keep their
  * values; the table holds the error text. Since 0.3.
