@@ -82,3 +82,8 @@ def test_stored_results_belong_to_the_meshes_and_materials_of_the_program(result
         assert f"--case {name} --mesh {mesh} --material {material}" in run["command"]
     _, blocks = blocks_of("corner", 1, "elastic")
     assert len(blocks.model.nodes) == results["corner elastic 1"]["nodes"]
+def test_three_meshes_are_stored_of_each_elastic_contact(results):
+    for name in CASES:
+        assert len(compare_contacts.stored(results, name, "elastic")) >= 3
+
+

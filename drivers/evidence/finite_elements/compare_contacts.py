@@ -116,7 +116,7 @@ def plastic_table(found: dict[str, Any], library: Library, material: str) -> Non
     """Against the library's elastic solution at the same force; the area under nodes against elastic elements of the same mesh, at the full load."""
     print("| contact | load, kN | pmax, wrcontact | change of pmax, mesh " + " | mesh ".join(map(str, MESHES[:-1]))
           + " | of the area | plastic strain of the rail, mesh " + " | mesh ".join(map(str, MESHES[:-1]))
-          + " | yielded to, mm | change of Fy | of the depth, um |\n" + "|---" * (7 + 2 * len(MESHES[:-1])) + "|")
+          + " | change of Fy | of the depth, um |\n" + "|---" * (6 + 2 * len(MESHES[:-1])) + "|")
     for name, case in CASES.items():
         runs, elastic = stored(found, name, material), stored(found, name, "elastic")
         for k, share in enumerate(SHARES):
@@ -126,12 +126,12 @@ def plastic_table(found: dict[str, Any], library: Library, material: str) -> Non
             by = {mesh: library.of(name, step) for mesh, step in steps.items()}
             finest = max(steps)
             step, solved = steps[finest], by[finest]
-            pmax = [f"{100 * (steps[m]['pmax'] / by[m]['pmax'] - 1):+.1f} %" if m in steps else "-" for m in MESHES[:-1]]
+            pmax = [f"{100 * (steps[m]['greatest node'] / by[m]['pmax'] - 1):+.1f} %" if m in steps else "-" for m in MESHES[:-1]]
             strain = [f"{100 * steps[m]['plastic strain of rail']:.2f} %" if m in steps else "-" for m in MESHES[:-1]]
             areas = [f"{100 * (step[key] / elastic[finest][-1][key] - 1):+.0f} %" for key in ("nodes under pressure", "nodes under pressure of corner")
                      if key in step and finest in elastic and k == len(SHARES) - 1]
             print(f"| {case.title if k == 0 else ''} | {80 * share:.0f} | {solved['pmax']:.0f} | {' | '.join(pmax)} | {', corner '.join(areas)} | "
-                  f"{' | '.join(strain)} | {step['depth of yield']:.1f} | {100 * (step['Fy'] / solved['Fy'] - 1):+.1f} % | "
+                  f"{' | '.join(strain)} | {100 * (step['Fy'] / solved['Fy'] - 1):+.1f} % | "
                   f"{1e3 * (solved['depth of the finite elements'] - solved['depth']):+.1f} |")
 
 
@@ -142,32 +142,52 @@ def cost_table(found: dict[str, Any]) -> None:
         print(f"| {key} | {run['nodes']} | {run['elements']} | {run['iterations']} | {run['seconds']:.0f} | {min(run['worst corner']):.2f} |")
 
 
+def draw_yielding(axis: Any, found: dict[str, Any], library: Library) -> None:
+    """pmax with yielding steel against the elastic one."""
+    for marker, (name, case) in zip("osd", CASES.items()):
+        runs = stored(found, name, "plastic")
+        if runs:
+            steps = runs[max(runs)]
+            axis.plot([library.of(name, step)["pmax"] for step in steps], [step["greatest node"] for step in steps], marker + "-", label=case.title)
+    axis.plot([0, 2400], [0, 2400], color="0.6", linewidth=0.8, label="elastic")
+    axis.set_title("pmax, 20 to 80 kN")
+    axis.set_xlabel("elastic (wrcontact), MPa")
+    axis.set_ylabel("finite elements, yielding, MPa")
+    axis.set_xlim(left=0)
+    axis.legend(fontsize=9)
+
+
 def draw(found: dict[str, Any], library: Library, path: str) -> None:
+    """Pressures of the rows in x = 0, and what yielding leaves of the greatest."""
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.0))
+    yielding = any(stored(found, name, "plastic") for name in CASES)
+    figure, panels = plt.subplots(2, 2, figsize=(11, 7.6)) if yielding else plt.subplots(1, 3, figsize=(12.5, 4))
+    axes = list(panels.ravel())
     for axis, (name, case) in zip(axes, CASES.items()):
-        meshes = [mesh for mesh in MESHES if f"{name} elastic {mesh}" in found]
-        step = found[f"{name} elastic {meshes[-1]}"]["steps"][-1]
+        elastic, plastic = stored(found, name, "elastic"), stored(found, name, "plastic")
+        step = elastic[max(elastic)][-1]
         rows = library.of(name, step)["rows"]
-        under = np.array(rows["crest"]) > 0
-        axis.plot(np.array(rows["y"])[under], np.array(rows["crest"])[under], color="C0", label="wrcontact")
-        axis.plot(step["rows"]["y"], step["rows"]["crest"], "o", markersize=3.5, color="C1", label="finite elements, elastic")
-        plastic = [mesh for mesh in MESHES if f"{name} plastic {mesh}" in found]
+        # Rows of several patches are drawn one after the other, with a gap where there is no pressure.
+        axis.plot(rows["y"], np.where(np.array(rows["crest"]) > 0, rows["crest"], np.nan), color="C0", label="wrcontact")
+        axis.plot(step["rows"]["y"], step["rows"]["crest"], "o", markersize=4, color="C1", label="finite elements, elastic")
         if plastic:
-            step = found[f"{name} plastic {plastic[-1]}"]["steps"][-1]
-            axis.plot(step["rows"]["y"], step["rows"]["crest"], "s-", markersize=3, linewidth=0.8, color="C3", label="finite elements, yielding")
+            step = plastic[max(plastic)][-1]
+            axis.plot(step["rows"]["y"], step["rows"]["middle"], "s-", markersize=3, linewidth=0.8, color="C3", label="finite elements, yielding")
         axis.set_title(case.title)
-        axis.set_xlabel("y, mm (field side to the right)")
+        axis.set_xlabel("y, mm (gauge side to the left)")
+        axis.set_ylabel("pressure at x = 0, MPa")
+    axes[1].legend(fontsize=9)
+    if yielding:
+        draw_yielding(axes[3], found, library)
+    for axis in axes:
         axis.grid(alpha=0.3)
         axis.set_ylim(bottom=0)
-    axes[0].set_ylabel("pressure at x = 0, MPa")
-    axes[1].legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    figure.savefig(path, dpi=80)
 
 
 def main() -> None:
@@ -194,6 +214,8 @@ def main() -> None:
     found, library = json.loads(options.read.read_text(encoding="utf-8")), Library()
     elastic_table(found, library)
     for material in ("plastic", "soft"):
+        if not any(stored(found, name, material) for name in CASES):
+            continue
         print(f"\n{material}: yield stress and hardening modulus, MPa: {MATERIALS[material]}")
         plastic_table(found, library, material)
     print()

@@ -32,13 +32,14 @@ class Case:
     reach: float  # mm along the normal, of the control points of the lines inwards in the rail
     depth: float  # mm, of the fine zone
     corner: float  # mm: y below which elements count for the gauge corner
+    wider: float = 1.7  # mm: how much farther across the core reaches if steel yields
 
 
 CASES = {
     "tread": Case("tread, y = 0", 0.0, ((740.0, 0.35), (744.0, 0.35), (747.0, 0.9), (756.0, 0.9), (759.0, 0.6)),
                   Sizes(0.45, 0.5, 1.35, 14.0), 16.0, 5.0, -np.inf),
-    "lobes": Case("two lobes, y = 5 mm", 5.0, ((728.5, 0.2), (731.0, 0.7), (741.0, 0.55)), Sizes(0.5, 0.35, 1.35, 14.0), 9.0, 3.5, 731.0),
-    "corner": Case("gauge corner, y = 6.2 mm", 6.2, ((0.0, 0.35),), Sizes(0.6, 0.35, 1.35, 14.0), 9.0, 4.0, np.inf),
+    "lobes": Case("two lobes, y = 5 mm", 5.0, ((728.5, 0.2), (731.0, 0.7), (741.0, 0.55)), Sizes(0.5, 0.35, 1.35, 14.0), 9.0, 3.5, 731.0, 0.0),
+    "corner": Case("gauge corner, y = 6.2 mm", 6.2, ((0.0, 0.35),), Sizes(0.6, 0.35, 1.35, 14.0), 9.0, 4.0, np.inf, 0.0),
 }
 # Yield stress and linear hardening, MPa.
 MATERIALS = {"elastic": None, "plastic": (500.0, 210e3 * 21e3 / (210e3 - 21e3)), "soft": (500.0, 5e3)}
@@ -88,17 +89,17 @@ class Blocks:
 
 
 def build(case: Case, scene: Scene, mesh: float, *, overlap: float, plastic: dict[str, str], increments: tuple[float, ...],
-          wider: float = 0.0, **options: Any) -> Blocks:
+          wider: tuple[float, float] = (0.0, 0.0), **options: Any) -> Blocks:
     """`mesh`: factor of the sizes; `overlap`: how far the wheel is below its first touch at the beginning, mm; `wider`: how much farther
-    the core reaches, mm."""
+    the core reaches across and along, mm."""
     s = case.sizes
     sizes = Sizes(s.along * mesh, s.depth * mesh, s.growth**mesh**0.7, s.largest)
-    zone = np.linspace(scene.zone[0] - MARGIN - wider, scene.zone[1] + MARGIN + wider, 2001)
+    zone = np.linspace(scene.zone[0] - MARGIN - wider[0], scene.zone[1] + MARGIN + wider[0], 2001)
     wanted = mesh * np.interp(scene.section.at(zone)[:, 0], *np.array(case.across).T)
     done = np.append(0.0, np.cumsum(np.diff(zone) / (0.5 * (wanted[1:] + wanted[:-1]))))
     count = RATIO * int(np.ceil(done[-1] / RATIO - 0.2))
     arcs = np.interp(np.linspace(0.0, done[-1], count + 1), done, zone)
-    along = zone_and_outside((0.0, scene.half_length + 1.5 + 1.6 * wider), sizes.along, sizes, (0.0, LENGTH))
+    along = zone_and_outside((0.0, scene.half_length + 1.5 + wider[1]), sizes.along, sizes, (0.0, LENGTH))
     lines = [zone_and_outside((0.0, case.depth), sizes.depth, sizes, (0.0, end)) for end in (50.0, 60.0)]
     keys = scene.keys
     wheel = placed_wheel(keys, scene.left.vertical - overlap)
@@ -124,7 +125,7 @@ def model_of(lower: Body, upper: Body, load: float, plastic: dict[str, str], inc
     return calculix.Model(
         nodes=np.concatenate([lower.points, upper.points]), elements=np.concatenate([lower.elements, upper.elements + shift]),
         lower_elements=first, clamped=used(numbers[0][:, :, -1]), moved=used(numbers[1][:, :, -1]),
-        no_x=np.array([n for n in no_x if n not in fixed]), no_y=np.zeros(0, int), slave=np.array(slave),
+        no_x=np.array([n for n in no_x if n not in fixed]), slave=np.array(slave),
         master=np.array([first + e for e in upper.surface.values()]), hanging=hanging, load=load, plastic=plastic,
         increments=increments, **options)
 
@@ -139,4 +140,4 @@ def blocks_of(name: str, mesh: int, material: str) -> tuple[Scene, Blocks]:
         return scene, build(case, scene, COARSER[mesh], overlap=scene.left.depth, plastic={}, increments=(1.0,))
     card = f"*PLASTIC, HARDENING=KINEMATIC\n{law[0]:.8g},0.\n{law[0] + 0.1 * law[1]:.8g},0.1"
     return scene, build(case, scene, COARSER[mesh], overlap=0.4 * scene.left.depth, plastic={"LOWER": card, "UPPER": card},
-                        increments=SHARES, wider=1.7, kind="C3D8")
+                        increments=SHARES, wider=(case.wider, 2.72), kind="C3D8")
