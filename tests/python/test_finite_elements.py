@@ -37,7 +37,8 @@ def test_crossed_cylinders_have_the_pressures_of_hertz(tmp_path):
     for found in (coarse, fine):
         assert found["approach 10 mm deep"] == pytest.approx(truth["approach 10 mm deep"], rel=FINITE_BLOCKS)
         assert found["Fz"] == pytest.approx(hertz.LOAD, rel=1e-6)
-        assert found["contact force"] == pytest.approx(hertz.LOAD, rel=0.01)
+    # On the coarse mesh contact reaches the edge of the core, whose nodes count for half an element.
+    assert fine["contact force"] == pytest.approx(hertz.LOAD, rel=1e-3)
 
 
 def test_the_closed_form_is_that_of_a_sphere_if_radii_are_equal(monkeypatch):

@@ -7,7 +7,7 @@
 The first command prints the tables of docs/evidence/finite-elements.md: it solves the scenes by the library and compares them with the
 stored results of the finite elements (results.json beside this file). The second one computes one of these with CalculiX (ccx,
 Debian package calculix-ccx) and replaces it in the file: cases tread, lobes, corner; meshes 0 to 3 (coarse to fine); --material
-elastic, plastic or soft. Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.
+elastic or plastic. Needs numpy and scipy, the picture matplotlib. Methods: scenes.py, contact_mesh.py, figures.py.
 """
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def plastic_table(found: dict[str, Any], library: Library, material: str) -> Non
     """Against the library's elastic solution at the same force; the area under nodes against elastic elements of the same mesh, at the full load."""
     print("| contact | load, kN | pmax, wrcontact | change of pmax, mesh " + " | mesh ".join(map(str, MESHES[:-1]))
           + " | of the area | plastic strain of the rail, mesh " + " | mesh ".join(map(str, MESHES[:-1]))
-          + " | change of Fy | of the depth, um |\n" + "|---" * (6 + 2 * len(MESHES[:-1])) + "|")
+          + " | change of Fy |\n" + "|---" * (5 + 2 * len(MESHES[:-1])) + "|")
     for name, case in CASES.items():
         runs, elastic = stored(found, name, material), stored(found, name, "elastic")
         for k, share in enumerate(SHARES):
@@ -126,13 +126,12 @@ def plastic_table(found: dict[str, Any], library: Library, material: str) -> Non
             by = {mesh: library.of(name, step) for mesh, step in steps.items()}
             finest = max(steps)
             step, solved = steps[finest], by[finest]
-            pmax = [f"{100 * (steps[m]['greatest node'] / by[m]['pmax'] - 1):+.1f} %" if m in steps else "-" for m in MESHES[:-1]]
+            pmax = [f"{100 * (steps[m]['pmax'] / by[m]['pmax'] - 1):+.1f} %" if m in steps else "-" for m in MESHES[:-1]]
             strain = [f"{100 * steps[m]['plastic strain of rail']:.2f} %" if m in steps else "-" for m in MESHES[:-1]]
             areas = [f"{100 * (step[key] / elastic[finest][-1][key] - 1):+.0f} %" for key in ("nodes under pressure", "nodes under pressure of corner")
                      if key in step and finest in elastic and k == len(SHARES) - 1]
             print(f"| {case.title if k == 0 else ''} | {80 * share:.0f} | {solved['pmax']:.0f} | {' | '.join(pmax)} | {', corner '.join(areas)} | "
-                  f"{' | '.join(strain)} | {100 * (step['Fy'] / solved['Fy'] - 1):+.1f} % | "
-                  f"{1e3 * (solved['depth of the finite elements'] - solved['depth']):+.1f} |")
+                  f"{' | '.join(strain)} | {100 * (step['Fy'] / solved['Fy'] - 1):+.1f} % |")
 
 
 def cost_table(found: dict[str, Any]) -> None:
@@ -148,7 +147,7 @@ def draw_yielding(axis: Any, found: dict[str, Any], library: Library) -> None:
         runs = stored(found, name, "plastic")
         if runs:
             steps = runs[max(runs)]
-            axis.plot([library.of(name, step)["pmax"] for step in steps], [step["greatest node"] for step in steps], marker + "-", label=case.title)
+            axis.plot([library.of(name, step)["pmax"] for step in steps], [step["pmax"] for step in steps], marker + "-", label=case.title)
     axis.plot([0, 2400], [0, 2400], color="0.6", linewidth=0.8, label="elastic")
     axis.set_title("pmax, 20 to 80 kN")
     axis.set_xlabel("elastic (wrcontact), MPa")
@@ -213,11 +212,8 @@ def main() -> None:
         return
     found, library = json.loads(options.read.read_text(encoding="utf-8")), Library()
     elastic_table(found, library)
-    for material in ("plastic", "soft"):
-        if not any(stored(found, name, material) for name in CASES):
-            continue
-        print(f"\n{material}: yield stress and hardening modulus, MPa: {MATERIALS[material]}")
-        plastic_table(found, library, material)
+    print(f"\nYield stress and hardening modulus, MPa: {MATERIALS['plastic']}")
+    plastic_table(found, library, "plastic")
     print()
     cost_table(found)
     if options.picture:
