@@ -13,6 +13,7 @@ check_packages=(
   git clang libclang-rt-dev clang-format clang-tidy binutils qemu-user abigail-tools
   shellcheck codespell doxygen python3 mypy
   octave octave-dev fonts-freefont-otf flang-19
+  calculix-ccx
 )
 windows_packages=(g++-mingw-w64-x86-64-posix gfortran-mingw-w64-x86-64-posix)
 packaging_packages=(
