@@ -53,14 +53,14 @@ COARSER = {0: 2.8284, 1: 2.0, 2: 1.4142, 3: 1.0}
 class Scene:
     keys: dict[str, Any]
     left: Any
-    rail: Rail
+    rail: Rail | None  # none: no rail of the library
     section: Section
     zone: tuple[float, float]  # arc of the rail
     half_length: float
 
 
 def scene_of(lateral: float, **changes: Any) -> Scene:
-    keys = {"wheel": "S1002", "rail": "60E1", "back_to_back": 1360.0, "cant": "1:40", "lateral": lateral,
+    keys: dict[str, Any] = {"wheel": "S1002", "rail": "60E1", "back_to_back": 1360.0, "cant": "1:40", "lateral": lateral,
             "load_vertical": LOAD, "yaw": 0.0, **changes}
     result, left = library_figures(keys, "pressures", 1e-3)
     keys["roll"] = float(result["roll"])

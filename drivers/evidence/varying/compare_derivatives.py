@@ -134,7 +134,7 @@ def draw_place(draw: random.Random, lists: dict[pathlib.Path, tuple[float, float
     scene["solve.accuracy_of"] = "forces"
     scene["solve.accuracy"] = accuracy
     speed = draw.uniform(5e3, 6e4)
-    pitch_rate = speed / scene["wheelset.radius"] * (1.0 + draw.uniform(-3e-3, 3e-3))
+    pitch_rate = speed / float(scene["wheelset.radius"]) * (1.0 + draw.uniform(-3e-3, 3e-3))
     velocity = np.array([speed, speed * draw.uniform(-3e-3, 3e-3), speed * draw.uniform(-1e-3, 1e-3),
                          draw.uniform(-0.05, 0.05), pitch_rate, draw.uniform(-0.05, 0.05)])
     result = solver.solve(scene)
@@ -208,7 +208,7 @@ class Found:
         size = self.size(name)
         scales = {"column": size, "no slip": max(size, float(np.max(np.abs(self.no_slip[name]))))}
         if name in ("along", "pitch"):
-            arm = self.place.scene["wheelset.radius"] if name == "pitch" else 1.0
+            arm = float(self.place.scene["wheelset.radius"]) if name == "pitch" else 1.0
             scales["1 mrad"] = max(size, ORDINARY_SLOPE * arm * self.size("vertical"))
         return scales
 
@@ -229,6 +229,7 @@ def compare(number: int, place: Place, reference: float, solver: wrcontact.Solve
 
     def columns() -> dict[str, Array]:
         rates = solver.step(scene, place.position, place.velocity, derivatives=True).by_position
+        assert rates is not None  # since they were requested
         return {name: over_arm(rates[place.wheel][which]) for name, which in COLUMNS.items()}
 
     found = Found(number, place, columns(), {}, {}, {})
@@ -236,7 +237,7 @@ def compare(number: int, place: Place, reference: float, solver: wrcontact.Solve
     scene["solve.creep"] = "linear"
     found.no_slip = columns()
     scene["solve.creep"] = "auto"
-    accuracy = scene["solve.accuracy"]
+    accuracy = float(scene["solve.accuracy"])
     scene["solve.accuracy"] = min(accuracy, reference)
     for name in found.names():
         step = longer_step(place, COLUMNS[name])
