@@ -26,6 +26,17 @@ void check_finite(const std::string& argument, double value) {
   }
 }
 
+void check_angles(const RollingProblem& problem) {
+  if (!problem.angles.empty() && problem.angles.size() != problem.grid.lateral_count) {
+    throw_invalid_argument("angles.size", static_cast<double>(problem.angles.size()),
+                           "must be the grid's " + std::to_string(problem.grid.lateral_count) +
+                               " rows, or 0");
+  }
+  if (!std::ranges::all_of(problem.angles, [](double angle) { return std::isfinite(angle); })) {
+    throw_invalid_argument("angles", "not a number", "must be finite");
+  }
+}
+
 } // namespace
 
 void check_problem(const RollingProblem& problem) {
@@ -51,14 +62,7 @@ void check_problem(const RollingProblem& problem) {
     throw_invalid_argument("covered[" + std::to_string(no_share - problem.covered.begin()) + "]",
                            *no_share, "must be from 0 to 1");
   }
-  if (!problem.angles.empty() && problem.angles.size() != problem.grid.lateral_count) {
-    throw_invalid_argument("angles.size", static_cast<double>(problem.angles.size()),
-                           "must be the grid's " + std::to_string(problem.grid.lateral_count) +
-                               " rows, or 0");
-  }
-  if (!std::ranges::all_of(problem.angles, [](double angle) { return std::isfinite(angle); })) {
-    throw_invalid_argument("angles", "not a number", "must be finite");
-  }
+  check_angles(problem);
   if (!(problem.friction >= 0.0) || !std::isfinite(problem.friction)) {
     throw_invalid_argument("friction", problem.friction, "must be finite and not negative");
   }

@@ -143,15 +143,12 @@ TEST(ContactPatches, ParabolasInClosedForm) {
 }
 
 TEST(ContactPatches, WeightIsTheSquareOfThePenetration) {
-  // Parabola on a rail whose slope grows linearly: the mean is that of the deepest place; with the
-  // bowl tilted by a slope of the distance itself it moves with the deepest place.
+  // Parabola on a rail whose slope grows linearly: the mean is that of the deepest place.
   const auto slope = [](double y) { return 0.01 * (y - 20.0); };
   const ContactPatches found = find_contact_patches(bowls({{20.0, 0.0}}, slope), 0.08);
   EXPECT_NEAR(found.patches[0].mean_y, 20.0, 1e-6);
   EXPECT_NEAR(found.patches[0].angle, 0.0, 1e-6);
-  // The parabola's half width is sqrt(2 R d), the deviation of (1 - t^2)^2.5 1/sqrt(8) of it.
-  const double half_width = 0.5 * (found.patches[0].y_last - found.patches[0].y_first);
-  EXPECT_NEAR(found.patches[0].deviation, 0.01 * half_width / std::sqrt(8.0), 1e-5);
+  EXPECT_NEAR(found.patches[0].deviation, 0.01 * 4.0 / std::sqrt(8.0), 1e-5); // half width 4 mm
   // A wedge, penetration d (1 - t) over 0 < t < 1: int t (1 - t)^2.5 / int (1 - t)^2.5 = 1 / 4.5.
   const ContactScan wedge =
       made_up([](double y) { return y < 10.0 ? 10.0 - y : 0.01 * (y - 10.0); }, flat, 0.1);
