@@ -122,7 +122,7 @@ void take_derivatives(const RollingSolution& solution, CreepDerivatives& derivat
     derivatives.by_slip = solution.by_rate[next];
     derivatives.by_normal_velocity = solution.by_rate[next + 1];
   }
-  if (!solution.displacement_x.empty()) {
+  if (solution.by_rate.size() > next + 2) {
     derivatives.by_rolling_share = solution.by_rate.back();
   }
 }
@@ -152,8 +152,8 @@ void take_in_slip(const PatchTask& task, const std::vector<SlipRow>& rows, const
 }
 
 /// The rates that derivatives need: by positions where they are known and bodies are alike, by the
-/// slip beyond creepages and by a velocity along the normal, in a step of time by the share of
-/// rolling.
+/// slip beyond creepages and by a velocity along the normal, in a step of time and along a curve by
+/// the share of rolling.
 std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
                                    const RollingProblem& problem, LinePlans& plans) {
   std::vector<ProblemRate> rates;
@@ -164,8 +164,11 @@ std::vector<ProblemRate> all_rates(const PatchTask& task, const Grid& grid,
     rates.push_back(rate_by(problem, problem.slip_x, problem.slip_y));
     rates.push_back(rate_by(problem, problem.weight_x, problem.weight_y));
   }
-  if (problem.step_length > 0.0) {
-    rates.push_back(rate_by(problem, {}, {}));
+  if (problem.step_length > 0.0 || !problem.angles.empty()) {
+    RollingProblem all = problem;
+    all.rolling_share = 1.0;
+    const SlipAlongCurve along_curve = slip_along_curve(all, plans);
+    rates.push_back(rate_by(problem, along_curve.x, along_curve.y));
     rates.back().rolling_share = 1.0;
   }
   return rates;

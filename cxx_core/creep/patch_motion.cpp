@@ -80,9 +80,7 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
       motion.twist = slip.twist;
     }
     motion.step_length = request.time_step * slip.slip_speed;
-    if (motion.step_length > 0.0) {
-      motion.rolling_share = std::abs(slip.reference_speed) / slip.slip_speed;
-    }
+    motion.rolling_share = std::abs(slip.reference_speed) / slip.slip_speed;
   } else {
     const Vector3 apart = patch.frame.origin - whole.frame.origin;
     const RollingFrame frame(mirror);
@@ -95,7 +93,6 @@ PatchMotion motion_of(const PatchResult& patch, const PatchResult& whole, const 
       motion.slip_speed * std::hypot(motion.creepages.longitudinal, motion.creepages.lateral));
   if (motion.friction < least_friction) { // no tractions, so no displacements to keep
     motion.step_length = 0.0;
-    motion.rolling_share = 1.0;
   }
   return motion;
 }

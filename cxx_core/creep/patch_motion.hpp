@@ -28,8 +28,8 @@ struct PatchMotion {
   double friction = 0.0;   ///< coefficient
   /// If slip varies within the patch as the wheelset moves.
   std::optional<Twist> twist{};
-  double step_length = 0.0; ///< of a step of time (rolling_problem.hpp); 0: steady rolling
-  double rolling_share = 1.0;
+  double step_length = 0.0;   ///< of a step of time (rolling_problem.hpp); 0: steady rolling
+  double rolling_share = 1.0; ///< |V_ref| over `slip_speed`: below 1 near standstill
 };
 
 /// Creepages at a point of a patch's plane from those at its reference.

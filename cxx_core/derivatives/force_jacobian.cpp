@@ -58,7 +58,7 @@ struct CreepState {
   std::array<RatedByState, 3> creepages;
   RatedByState friction;
   RatedByState normal_velocity; ///< over that of slip
-  RatedByState rolling_share;   ///< of a step of time
+  RatedByState rolling_share;   ///< of a step of time and along a curve
 };
 
 /// The geometry of slip with its derivatives by positions; of planar slip that of the reference.
@@ -89,14 +89,15 @@ CreepState creep_state_of(const CreepResult& creep, const WheelDetails& details,
   RatedByState rolling_share;
   if (details.motion) {
     RatedSlip slip = rated_slip(*details.motion, frame);
-    if (creep.derivatives->by_rolling_share) { // there the speed is only a unit of slip: hold it
+    if (!creep.displacement_x.empty()) { // a step, where the speed is only a unit of slip: hold it
       const double unit = slip.slip_speed.value;
       for (RatedByState& velocity : slip.twist) {
         velocity = velocity * slip.slip_speed / unit;
       }
-      rolling_share = slip.reference_speed * (slip.reference_speed.value < 0.0 ? -1.0 : 1.0) / unit;
       slip.slip_speed = unit;
     }
+    rolling_share =
+        slip.reference_speed * (slip.reference_speed.value < 0.0 ? -1.0 : 1.0) / slip.slip_speed;
     slip_speed = slip.slip_speed;
     normal_velocity = slip.twist[2];
     for (std::size_t creepage = 0; creepage < creepages.size(); ++creepage) {

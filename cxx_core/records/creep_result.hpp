@@ -39,8 +39,8 @@ struct CreepDerivatives {
   /// velocities are left out: they act through the creepages, and a thousand times less through
   /// this.
   std::array<double, 4> by_normal_velocity{};
-  /// By the share of rolling (rolling_problem.hpp), in a step of time only. All of these are then
-  /// at fixed velocities of slip instead of fixed creepages.
+  /// By the share of rolling (rolling_problem.hpp), in a step of time and along a curve only. In a
+  /// step all of these are at fixed velocities of slip instead of fixed creepages.
   std::optional<std::array<double, 4>> by_rolling_share;
   /// Derivatives of that force along the normal, left-hand frame.
   std::array<double, 3> normal_by_creepage{};

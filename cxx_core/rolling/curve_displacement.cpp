@@ -75,10 +75,10 @@ SlipAlongCurve slip_along_curve(const RollingProblem& problem, LinePlans& plans)
   steady.step_length = 0.0;
   CurveSums sums(problem, difference_of(steady).weights, plans);
   SlipAlongCurve slip{sums.along(problem.pressure), sums.across(problem.pressure)};
-  const double rolling = problem.step_length > 0.0 ? problem.rolling_share : 1.0;
+  const double unit = problem.rolling_share / problem.shear_modulus;
   for (std::size_t at = 0; at < slip.x.size(); ++at) {
-    slip.x[at] *= rolling / problem.shear_modulus;
-    slip.y[at] *= rolling / problem.shear_modulus;
+    slip.x[at] *= unit;
+    slip.y[at] *= unit;
   }
   return slip;
 }

@@ -22,7 +22,7 @@ struct SlipAlongCurve {
   std::vector<double> y;
 };
 
-/// In a step of time the part of rolling. None in a plane and without rolling.
+/// The part of rolling, so that none is left at standstill. None in a plane.
 SlipAlongCurve slip_along_curve(const RollingProblem& problem, LinePlans& plans);
 
 } // namespace wrc

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "creep/creep_on_patch.hpp"
 #include "creep/kinematics.hpp"
 #include "creep/patch_motion.hpp"
 #include "creep/rigid_slip.hpp"
@@ -116,6 +117,56 @@ TEST(CurvedSlip, ForceTimesMotionIsTheDissipation) {
       work -= creep.traction_x[i] * creep.slip_x[i] + creep.traction_y[i] * creep.slip_y[i];
     }
     EXPECT_NEAR(creep.grid.element_area() * work, power, 0.05 * power);
+  }
+}
+
+/// Pressures slide over each other in proportion to the speed of rolling, so that nothing is left
+/// of creep forces at standstill, nor jumps where the wheel starts to roll backwards.
+TEST(CurvedSlip, VanishesAtStandstill) {
+  const auto force = [](double speed) {
+    Scene scene = rolling(CurvedChoice::yes);
+    scene.yaw = 0.0;
+    scene.motion = Motion{.speed = speed};
+    const PatchResult patch = solve_scene(scene).left->patches.at(0);
+    return norm(patch.total_force - patch.force) / (patch.creep->friction * patch.normal_force);
+  };
+  EXPECT_EQ(force(0.0), 0.0);
+  const double slow = force(1e-4);
+  EXPECT_GT(slow, 0.0);
+  EXPECT_LT(slow, 1e-3);
+  EXPECT_NEAR(force(-1e-4), slow, 1e-3 * slow);
+}
+
+/// At small creepages, where what pressures add shows; in steady rolling and in a step of time.
+TEST(CurvedSlip, ForcesChangeWithTheShareOfRolling) {
+  const SceneResult result = solve_scene(rolling(CurvedChoice::yes));
+  const WheelResult& wheel = *result.left;
+  CreepRequest request;
+  request.model = CreepModel::full;
+  request.derivatives = true;
+  request.material.modulus = 82000.0;
+  request.material.poisson = 0.28;
+  RollingSolver solver;
+  for (const double step_length : {0.0, 3.0}) {
+    const auto at = [&](double share, CreepResult& creep) {
+      PatchMotion motion;
+      motion.creepages = {1e-4, -5e-5, 1e-6};
+      motion.friction = 0.3;
+      motion.step_length = step_length;
+      motion.rolling_share = share;
+      return forces_on_patch({wheel, wheel.patches.at(0), motion, request, nullptr}, solver, creep);
+    };
+    constexpr double step = 0.01;
+    CreepResult creep;
+    CreepResult unused;
+    const CreepForces ahead = at(0.5 + step, unused);
+    const CreepForces behind = at(0.5 - step, unused);
+    const CreepForces here = at(0.5, creep);
+    const double by_share = (ahead.longitudinal - behind.longitudinal) / (2.0 * step);
+    ASSERT_TRUE(creep.derivatives->by_rolling_share);
+    EXPECT_GT(std::abs(by_share), 0.05 * std::abs(here.longitudinal));
+    EXPECT_NEAR((*creep.derivatives->by_rolling_share)[0], by_share, 0.02 * std::abs(by_share))
+        << step_length;
   }
 }
 

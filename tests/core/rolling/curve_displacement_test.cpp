@@ -191,18 +191,19 @@ TEST(CurveDisplacement, OfAPlaneIsNone) {
   EXPECT_TRUE(slip_along_curve(problem.rolling, plans).y.empty());
 }
 
-TEST(CurveDisplacement, AStepOfTimeHasThePartOfRolling) {
+TEST(CurveDisplacement, HasThePartOfRolling) {
   Problem problem;
   LinePlans plans;
   const SlipAlongCurve steady = slip_along_curve(problem.rolling, plans);
-  problem.rolling.step_length = 0.3;
   problem.rolling.rolling_share = 0.25;
-  const SlipAlongCurve step = slip_along_curve(problem.rolling, plans);
-  for (std::size_t at = 0; at < steady.y.size(); ++at) {
-    EXPECT_NEAR(step.x[at], 0.25 * steady.x[at], 1e-18);
-    EXPECT_NEAR(step.y[at], 0.25 * steady.y[at], 1e-18);
+  for (const double step_length : {0.3, 0.0}) { // the latter: near standstill
+    problem.rolling.step_length = step_length;
+    const SlipAlongCurve step = slip_along_curve(problem.rolling, plans);
+    for (std::size_t at = 0; at < steady.y.size(); ++at) {
+      EXPECT_NEAR(step.x[at], 0.25 * steady.x[at], 1e-18);
+      EXPECT_NEAR(step.y[at], 0.25 * steady.y[at], 1e-18);
+    }
   }
-  problem.rolling.step_length = 0.0;
   problem.rolling.motion = TangentialMotion::shift;
   EXPECT_TRUE(slip_along_curve(problem.rolling, plans).y.empty());
 }
