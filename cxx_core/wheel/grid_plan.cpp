@@ -135,6 +135,9 @@ std::vector<double> curve_shares(const GridSolution& solution, const WheelReques
 /// The plane of patches that share one, from the mean of their origins, as that of one patch that
 /// they join to: a part of the curve's heights depends on where heights count from.
 ContactFrame common_frame(std::span<const Patch> patches, const RailSurface& rail) {
+  if (patches.size() == 1) {
+    return patches.front().frame;
+  }
   double weights = 0.0;
   double x = 0.0;
   double y = 0.0;
@@ -142,9 +145,6 @@ ContactFrame common_frame(std::span<const Patch> patches, const RailSurface& rai
     weights += patch.penetration.weight;
     x += patch.penetration.weight * patch.penetration.mean_x;
     y += patch.penetration.weight * patch.penetration.mean_y;
-  }
-  if (patches.size() == 1) {
-    return patches.front().frame;
   }
   return patches.front().frame.seen_from(
       {x / weights, y / weights, height_near(rail, x / weights, y / weights)});
