@@ -77,7 +77,7 @@ TEST(PatchFields, OfLobesAreInTheCallersConvention) {
   Scene scene;
   scene.accuracy = 1e-2;
   scene.lateral = 5.0;
-  const SceneResult result = solve_scene(scene);
+  SceneResult result = solve_scene(scene);
   Convention turned;
   turned.units = Units::si;
   turned.frame = TrackFrame::right_down;
