@@ -89,18 +89,11 @@ void require_list(const void* pointer, const char* name, std::int64_t count) {
   }
 }
 
-void require_capacity(std::int64_t capacity) {
-  if (capacity < 0) {
-    throw_invalid_argument("capacity", static_cast<double>(capacity), "allowed is 0 or more");
-  }
-}
-
 wrc_status copy_values(const double* from, std::size_t length, double* values,
                        std::int64_t capacity, std::int64_t* count, std::string& error) {
   require_pointer(count, "count");
-  require_capacity(capacity);
   *count = static_cast<std::int64_t>(length);
-  if (capacity == 0) {
+  if (capacity <= 0) {
     return WRC_OK;
   }
   require_pointer(values, "values");

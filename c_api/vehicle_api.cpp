@@ -383,7 +383,9 @@ wrc_status wrc_scene_patches(wrc_scene* scene, wrc_patch* patches, int64_t struc
       wrc::throw_invalid_argument("struct_size", static_cast<double>(struct_size),
                                   "sizeof(wrc_patch)");
     }
-    wrc::require_capacity(capacity);
+    if (capacity < 0) {
+      wrc::throw_invalid_argument("capacity", static_cast<double>(capacity), "0 or more");
+    }
     const auto found = wrc::patch_summaries(*object.result, object.scene.convention);
     *count = static_cast<int64_t>(found.size());
     if (capacity == 0) {

@@ -177,7 +177,7 @@ WRC_API const char* wrc_scene_warning(const wrc_scene* scene, int64_t index);
  * "left.rail_y", ".rail_z", ".wheel_y", ".wheel_z". Copies at most `capacity`
  * values into `values` and sets *count to the length; with capacity 0 (values may be NULL) it only
  * returns the length. WRC_TOO_SMALL if the length exceeds a capacity > 0; nothing is copied then.
- * WRC_INVALID_ARGUMENT for a capacity below 0. Since 0.1.
+ * Since 0.1.
  */
 WRC_API wrc_status wrc_scene_field(wrc_scene* scene, const char* name, double* values,
                                    int64_t capacity, int64_t* count);

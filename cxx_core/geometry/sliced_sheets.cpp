@@ -1,6 +1,7 @@
 #include "geometry/sliced_sheets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/error.hpp"
@@ -50,7 +51,9 @@ void check_smoothing_length(const std::string& name, const std::vector<SheetSect
   const double most = AlongSpline::longest_smoothing * closest;
   if (closest > 0.0 && smoothing_length > most) {
     const auto text = [&unit](double length) {
-      return short_text_of(unit.of_place * length) + ' ' + std::string(unit.name);
+      const double value = unit.of_place * length;
+      return (value < 1000.0 ? short_text_of(value) : text_of(std::round(value))) + ' ' +
+             std::string(unit.name);
     };
     throw_invalid_argument("smoothing length along profile " + name, text(smoothing_length),
                            "at most " + text(most) + ", " +

@@ -159,34 +159,6 @@ TEST(Results, AnArrayThatIsTooSmallIsNotWrittenAndTheLengthReturned) {
   EXPECT_NE(values, std::vector<double>(values.size(), -1.0));
 }
 
-TEST(Results, ANegativeCapacityIsRefusedByAllThatCopy) {
-  const ScenePointer scene = make_small_scene();
-  solve(scene.get());
-  std::int64_t count = 7;
-  const auto refused = [&count](wrc_status status, const char* error) {
-    EXPECT_EQ(status, WRC_INVALID_ARGUMENT);
-    EXPECT_STREQ(error, "capacity = -5: allowed is 0 or more");
-    EXPECT_EQ(count, 7);
-  };
-  wrc_scene* s = scene.get();
-  refused(wrc_scene_field(s, "left.pressure", nullptr, -5, &count), wrc_scene_error(s));
-  refused(wrc_scene_get_numbers(s, "solve.grid", nullptr, -5, &count), wrc_scene_error(s));
-  refused(wrc_scene_patches(s, nullptr, sizeof(wrc_patch), -5, &count), wrc_scene_error(s));
-  const NormalPointer normal = make_normal();
-  const std::vector<double> distance{0.0, 0.01, 0.01, 0.02};
-  ASSERT_EQ(wrc_normal_set_grid(normal.get(), 2, 2, 1.0, 1.0), WRC_OK);
-  ASSERT_EQ(wrc_normal_set_distance(normal.get(), distance.data(), 4), WRC_OK);
-  ASSERT_EQ(wrc_normal_set_number(normal.get(), "load", 1000.0), WRC_OK);
-  ASSERT_EQ(wrc_normal_solve(normal.get()), WRC_OK) << wrc_normal_error(normal.get());
-  refused(wrc_normal_field(normal.get(), "displacement", nullptr, -5, &count),
-          wrc_normal_error(normal.get()));
-  const ProfilePointer profile = make_profile();
-  ASSERT_EQ(wrc_profile_load_standard(profile.get(), "60E1"), WRC_OK);
-  refused(wrc_profile_nodes(profile.get(), nullptr, -5, &count), wrc_profile_error(profile.get()));
-  refused(wrc_profile_points(profile.get(), WRC_POINTS_READ, nullptr, nullptr, -5, &count),
-          wrc_profile_error(profile.get()));
-}
-
 /// A failure to solve must leave the results of the last success.
 void expect_failure_keeps_results(wrc_scene* scene, wrc_status expected) {
   const double before = number_of(scene, "left.pmax");
