@@ -21,14 +21,18 @@ struct PatchFields {
 };
 
 /// Mean pressures of elements, scaled to this force together, and the fractions of them that
-/// contact covers.
+/// contact covers. `misplaced`, if any: by how much of this force they missed it before.
 std::vector<double> pressures_on(const Grid& grid, const SmoothPressure& pressure,
-                                 double normal_force, std::vector<double>& covered) {
+                                 double normal_force, std::vector<double>& covered,
+                                 double* misplaced = nullptr) {
   std::vector<double> result;
   pressure.fill_means(grid, result, covered);
   const double force = std::accumulate(result.begin(), result.end(), 0.0) * grid.element_area();
   for (double& p : result) {
     p *= force > 0.0 ? normal_force / force : 0.0;
+  }
+  if (misplaced != nullptr) {
+    *misplaced = normal_force > 0.0 ? std::abs(force / normal_force - 1.0) : 0.0;
   }
   return result;
 }
@@ -184,7 +188,9 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
   grid_ = creep.grid = chosen.grid;
   creep.elements_wanted = chosen.wanted;
   PatchFields now{grid_, {}};
-  now.fields.pressure = pressures_on(grid_, pressure, patch.normal_force, now.fields.covered);
+  double misplaced = 0.0;
+  now.fields.pressure =
+      pressures_on(grid_, pressure, patch.normal_force, now.fields.covered, &misplaced);
   if (motion.twist) {
     rows_ = rows_on(wheel, patch, grid_, request.slip);
     now.fields.slip = slip_ = slip_beyond(*patch.slip, rows_, grid_, *motion.twist);
@@ -219,6 +225,7 @@ CreepProblem::CreepProblem(const PatchTask& task, LinePlans& plans, CreepResult&
       (motion.step_length > 0.0 ? step_iteration_share : creep_iteration_share) *
       (chosen.limited ? std::max(request.accuracy, std::min(error_of_elements_, coarsest_accuracy))
                       : request.accuracy);
+  error_of_elements_ = std::max(error_of_elements_, misplaced);
   problem_.derivatives = request.derivatives;
 }
 

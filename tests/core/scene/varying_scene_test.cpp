@@ -1,4 +1,6 @@
 /// Scenes with lists of slices: equal slices, sides, threads, what was solved before, and places.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -212,6 +214,34 @@ TEST_F(VaryingScene, EachRevolutionIsTheSame) {
   EXPECT_LT(norm(one.left->total->force - other.left->total->force), 1e-6 * scene.left.load);
   scene.pitch = 1.0; // off the flat
   EXPECT_GT(std::abs(solve_scene(scene).vertical - one.vertical), 0.05);
+}
+
+/// p^2 bends within an element of the edge there, by which the elements' number alone does not go.
+TEST_F(VaryingScene, CreepForcesAtTheEndsOfAFlatStateTheirError) {
+  Scene scene =
+      scene_on("60E1", list("chord.slcw", "S1002", places_every(-0.1, 0.1, 0.004),
+                            [](double theta) { return -chord_depth(theta, 460.0, 57.0); }));
+  scene.side = SideChoice::left;
+  SceneSolver solver;
+  const auto forces_at = [&](double accuracy) {
+    scene.accuracy = accuracy;
+    SceneResult result = solver.solve(scene);
+    const auto value = [&](const char* name) { return *number_value(result, name); };
+    return std::array{value("left.patches.0.creep_force.longitudinal"),
+                      value("left.patches.0.creep_force.lateral"),
+                      value("left.patches.0.normal_force"),
+                      value("left.patches.0.creep_error_estimate")};
+  };
+  double worst = 0.0;
+  for (const double pitch : {0.01, 0.02, 0.03, 0.04}) {
+    scene.pitch = pitch;
+    const auto truth = forces_at(5e-4);
+    const auto found = forces_at(1e-2);
+    const double error = std::hypot(found[0] - truth[0], found[1] - truth[1]) / (0.3 * truth[2]);
+    EXPECT_LE(error, found[3]) << pitch;
+    worst = std::max(worst, error);
+  }
+  EXPECT_GT(worst, 1e-2); // so the scenes are among those that need it
 }
 
 TEST_F(VaryingScene, RefusesPlacesWithoutARail) {
