@@ -35,7 +35,9 @@ c     Those that are added up, and those of each wheel.
       call wrcopn(solver, 'solver', kind(0), 1.0d0, ierr)
       if (ierr .ne. 0) stop 1
       call wrcset(scene, 'solve.accuracy', 1.0d-2, ierr)
+      if (ierr .ne. 0) stop 1
       call wrcstx(scene, 'solve.creep', 'none', ierr)
+      if (ierr .ne. 0) stop 1
       do 10 i = 1, 12
         call wrckid(scene, innam(i), inids(i), ierr)
         if (ierr .ne. 0) stop 1
@@ -90,7 +92,9 @@ c Median time of setting the inputs and reading the results, in ns.
         call system_clock(start, rate)
         do 10 j = 1, 100
           call wrcstb(scene, inids, in, 12, ierr)
+          if (ierr .ne. 0) stop 1
           call wrcrdb(scene, outids, out, 60, ierr)
+          if (ierr .ne. 0) stop 1
    10   continue
         call system_clock(now)
         time = 1.0d7*dble(now - start)/dble(rate)

@@ -205,7 +205,7 @@ def table_of(scenes: list[dict[str, Any]]) -> str:
             lines.append(f"| {kind} | {name} | {len(some)} | {share:.1f} % | {ratio:.1f} | {np.median(true):.1e} | "
                          f"{np.quantile(true, 0.95):.1e} | {true.max():.1e} | {most} |")
     lines += ["", "| error of | forces at the accuracy, median | 95 % | worst | planes alone, median | 95 % | "
-              "worst | coarser grid here, median | 95 % |", "|---|---|---|---|---|---|---|---|---|"]
+              "worst | coarser grid, median | 95 % |", "|---|---|---|---|---|---|---|---|---|"]
     for quantity in QUANTITIES:
         cells = []
         for kind in ("forces", "planes"):
@@ -215,7 +215,7 @@ def table_of(scenes: list[dict[str, Any]]) -> str:
         cells += [np.median(values), np.quantile(values, 0.95)]
         lines.append(f"| {quantity} | " + " | ".join(f"{cell:.1e}" for cell in cells) + " |")
     lines += ["", "| not covered | scene | place | patches, lobes | turn | error | of | stated: discretisation, "
-              "planes | grid here |", "|---|---|---|---|---|---|---|---|---|"]
+              "planes | grid |", "|---|---|---|---|---|---|---|---|---|"]
     for kind in ("forces", "pressures"):
         for scene in (s for s in solved if not is_within(s, kind)):
             error, name = largest(scene, kind)
