@@ -109,7 +109,8 @@ inline constexpr double strip_length_share = 2.0 / std::numbers::e;
 /// origin: derived: Taylor.
 inline constexpr double mean_over_element = 1.0 / 24.0;
 
-/// Error of a crest, in second differences of the strips at its top.
+/// Error of a crest, in second differences at its top: of the strips across, and of the columns
+/// along as far as they exceed a semi-ellipse's.
 /// origin: measured (wrc_tradeoff --practical 1500): together with the law of resolution.hpp it is
 /// exceeded by 2 of 3000 errors of pmax at 1e-2, and each miss has a warning; with 0.06 and 0.08
 /// (of 6000) by 17 and 14, and two misses have none. From 0.06 to 0.1 second grids take 1.3 % more

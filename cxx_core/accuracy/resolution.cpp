@@ -48,6 +48,31 @@ double error_at_ridge(const Patch& patch) {
              : 0.0;
 }
 
+/// Error of the largest pressure by a crest along the rail, MPa: as far as its second difference in
+/// the row exceeds that of a semi-ellipse as long as the row's pressures.
+double error_along(const Patch& patch) {
+  const std::size_t columns = patch.grid.longitudinal_count;
+  const auto top = static_cast<std::size_t>(
+      std::max_element(patch.pressure.begin(), patch.pressure.end()) - patch.pressure.begin());
+  const std::size_t column = top % columns;
+  const double* row = &patch.pressure[top - column];
+  double force = 0.0;
+  double moment = 0.0;
+  double second_moment = 0.0;
+  for (std::size_t j = 0; j < columns; ++j) {
+    const auto place = static_cast<double>(j) - static_cast<double>(column);
+    force += row[j];
+    moment += row[j] * place;
+    second_moment += row[j] * place * place;
+  }
+  const double variance = second_moment / force - moment * moment / (force * force);
+  const double before = column > 0 ? row[column - 1] : 0.0;
+  const double after = column + 1 < columns ? row[column + 1] : 0.0;
+  const double difference = 2.0 * row[column] - before - after;
+  const double of_ellipse = row[column] / (5.0 * variance);
+  return variance > 0.0 ? error_by_second_difference * std::max(difference - of_ellipse, 0.0) : 0.0;
+}
+
 } // namespace
 
 double AccuracyGoal::of_contact() const {
@@ -99,6 +124,9 @@ ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& g
       forces += patch.normal_force;
       error.ridge =
           std::max({error.ridge, error_at_ridge(patch), patch.growth / solution.peak_pressure()});
+      if (!goal.forces_only) {
+        error.along = std::max(error.along, error_along(patch) / solution.peak_pressure());
+      }
     }
     bound = std::max(bound, patch.contact.peak_pressure + patch.peak_error);
   }
@@ -128,10 +156,16 @@ std::vector<PatchElements> finer_elements(const GridSolution& solution, const Er
     // Errors of crests fall more slowly than rows grow: one step more.
     const double times = stepped_up(std::max(wanted * grid.lateral_step / scale.across,
                                              std::numbers::sqrt2 * error.crest / for_crest));
+    const double times_along =
+        stepped_up(std::max(wanted * columns_by_rows * grid.longitudinal_step / scale.along,
+                            error.along / goal.accuracy));
+    const auto at_most = [](double factor, double count) {
+      return std::min(factor, std::max(max_crest_rows / count, 1.0));
+    };
     elements.push_back({patch.penetration.mean_x, patch.penetration.mean_y,
-                        grid.lateral_step / std::min(times, std::max(max_crest_rows / rows, 1.0)),
-                        grid.longitudinal_step / stepped_up(wanted * columns_by_rows *
-                                                            grid.longitudinal_step / scale.along),
+                        grid.lateral_step / at_most(times, rows),
+                        grid.longitudinal_step /
+                            at_most(times_along, static_cast<double>(grid.longitudinal_count)),
                         (middle + 0.5) / rows});
   }
   return elements;

@@ -10,16 +10,18 @@
 /// begins and ends between elements, where an edge leaves the smallest error. Element sizes vary
 /// continuously with the scene, and the grid is anchored at the centre of the forces, so that
 /// elements at the edges move least. The largest pressure, taken from a finer section
-/// (peak_section.hpp), has the same error and that of its crest besides. If a profile has a kink
-/// under the pressures, forces also have an error of first order in the rows. The area of contact
-/// is not counted: it is right to 11 to 22 accuracies. A patch that has just formed or is about to
-/// lift is on fewer rows: its error counts for forces as far as it carries the load. Creep forces
-/// need more elements than normal ones, by a law of their own: they follow from the shape of the
-/// contact, whose errors average out in normal forces, and a long contact needs more elements along
-/// it. Units mm. Thread rule: pure functions. Not known here: errors of planes (model_error.hpp)
-/// and of the half-space, and crests that the penetration does not show.
+/// (peak_section.hpp), has the same error and that of its crest besides; where the wheel has a flat
+/// it may also have a crest along the rail, which its second difference there shows. If a profile
+/// has a kink under the pressures, forces also have an error of first order in the rows. The area
+/// of contact is not counted: it is right to 11 to 22 accuracies. A patch that has just formed or
+/// is about to lift is on fewer rows: its error counts for forces as far as it carries the load.
+/// Creep forces need more elements than normal ones, by a law of their own: they follow from the
+/// shape of the contact, whose errors average out in normal forces, and a long contact needs more
+/// elements along it. Units mm. Thread rule: pure functions. Not known here: errors of planes
+/// (model_error.hpp) and of the half-space, and crests that the penetration does not show.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -69,11 +71,17 @@ struct ErrorEstimate {
   double elements = 0.0;  ///< by the law; of forces, each patch by its share of the load
   double iteration = 0.0; ///< remaining error of the iteration
   double crest = 0.0;     ///< what a section has not resolved
+  double along = 0.0;     ///< of the largest pressure: what columns leave of a crest along the rail
   double ridge = 0.0;     ///< error due to a kink of a profile, on any number of rows
   /// What the iteration has left is independent of the rest.
-  [[nodiscard]] double total() const { return std::hypot(elements + crest + ridge, iteration); }
+  [[nodiscard]] double total() const {
+    return std::hypot(columns_too() + crest + ridge, iteration);
+  }
   /// What more elements lessen.
-  [[nodiscard]] double reducible() const { return std::hypot(elements + crest, iteration); }
+  [[nodiscard]] double reducible() const { return std::hypot(columns_too() + crest, iteration); }
+
+private:
+  [[nodiscard]] double columns_too() const { return std::max(elements, along); }
 };
 ErrorEstimate estimate_error(const GridSolution& solution, const AccuracyGoal& goal);
 

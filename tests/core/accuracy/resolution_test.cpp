@@ -164,7 +164,31 @@ TEST(Resolution, ACrestCountsByItsPossibleExcessOverTheLargestPressure) {
   solution.patches[1].peak_error = 150.0;
   const ErrorEstimate error = estimate_error(solution, {});
   EXPECT_NEAR(error.crest, 0.05, rounding);
-  EXPECT_NEAR(error.total(), std::hypot(error.elements + 0.05, 2e-4), rounding);
+  EXPECT_NEAR(error.total(), std::hypot(error.along + 0.05, 2e-4), rounding);
+}
+
+/// A row of a semi-ellipse, with one element raised by a tenth: its second difference is larger by
+/// a fifth.
+TEST(Resolution, ACrestAlongTheRailCountsByItsSecondDifference) {
+  GridSolution solution = block_contact();
+  Patch& patch = solution.patches.front();
+  patch.pressure.assign(800, 0.0);
+  const double half = 7.0; // columns
+  for (std::size_t j = 3; j < 17; ++j) {
+    const double x = (static_cast<double>(j) - 9.5) / half;
+    patch.pressure[20 * 20 + j] = 1000.0 * std::sqrt(1.0 - x * x);
+  }
+  EXPECT_LT(estimate_error(solution, {}).along, 1e-3);
+  patch.pressure[20 * 20 + 9] *= 1.1;
+  EXPECT_NEAR(estimate_error(solution, {}).along, error_by_second_difference * 0.2, 1e-3);
+  EXPECT_EQ(estimate_error(solution, {.forces_only = true}).along, 0.0);
+  const auto columns = [&](double along) {
+    return 0.5 /
+           finer_elements(solution, {.along = along}, {.accuracy = 1e-2}).front().longitudinal_step;
+  };
+  EXPECT_EQ(columns(9e-3), columns(0.0));
+  EXPECT_NEAR(columns(2e-2), 2.0, rounding);
+  EXPECT_NEAR(columns(1.0), 8.0, rounding); // 160 at most
 }
 
 /// By powers of the root of 2, one more than 1/n asks for. Elements and iteration leave a crest
