@@ -121,7 +121,7 @@ def _draw_outlines(axes: Any, result: Result, side: str, units: list[str]) -> No
     axes.plot(wheel.rail_y, wheel.rail_z, color=_RAIL, label="rail")
     axes.plot(wheel.wheel_y, wheel.wheel_z, color=_WHEEL, label="wheel")
     for index, patch in enumerate(_patches(result, side)):
-        along = _HALF_PLANE * mm * np.array([np.cos(patch.angle), np.sin(patch.angle)])
+        along = _HALF_PLANE * mm * np.array([np.cos(patch.plane_angle), np.sin(patch.plane_angle)])
         y, z = patch.y + along[0] * np.array([-1, 1]), patch.z + along[1] * np.array([-1, 1])
         label = f"patch {index}: {1e3 * patch.angle:.1f} mrad"
         if f"{patch._prefix}normal_force" in result._names:
@@ -150,7 +150,7 @@ def _developed(patches: list[Group]) -> dict[str, float]:
 
 def _in_plane(patch: Group, y: Array, z: Array) -> Array:
     """Along the plane of a patch, from its reference."""
-    along: Array = (y - patch.y) * np.cos(patch.angle) + (z - patch.z) * np.sin(patch.angle)
+    along: Array = (y - patch.y) * np.cos(patch.plane_angle) + (z - patch.z) * np.sin(patch.plane_angle)
     return along
 
 
