@@ -210,10 +210,10 @@ void write_axes(std::ostream& out, const DrawnSide& side, const PatchAxes& axes)
   if (side.gaps.empty()) {
     return;
   }
-  constexpr double most_ticks = 8.0;
+  constexpr double most_ticks = 10.0;
   const double step = tick_distance(axes.width() / most_ticks);
   const double half_break = 0.012 * axes.width();
-  std::string ticks;
+  std::string ticks; // + 0.0: no -0
   double begin = right;
   for (std::size_t i = 0; i <= side.gaps.size(); ++i) {
     const bool last = i == side.gaps.size();
@@ -224,7 +224,7 @@ void write_axes(std::ostream& out, const DrawnSide& side, const PatchAxes& axes)
     if (patch != side.patches.end()) {
       const double shift = patch->developed - patch->across;
       for (double tick = std::ceil((begin + shift) / step); tick * step <= end + shift; ++tick) {
-        ticks += (ticks.empty() ? "'" : ",'") + general(tick * step) + "' " +
+        ticks += (ticks.empty() ? "'" : ",'") + general(tick * step + 0.0) + "' " +
                  general(tick * step - shift, 9);
       }
     }

@@ -254,7 +254,8 @@ int main(int argc, char** argv) {
   app.add_option("--wheels", options.changes.wheels,
                  "wheels to study, built-in names and files, instead of those of the study")
       ->type_name("NAME|FILE");
-  app.add_option("--rails", options.changes.rails, "rails to study, likewise")
+  app.add_option("--rails", options.changes.rails,
+                 "rails to study, built-in names and files, instead of those of the study")
       ->type_name("NAME|FILE");
   app.add_option("--set", options.changes.assignments,
                  "set one or more keys, overriding the study file; lists and ranges as in the file")
