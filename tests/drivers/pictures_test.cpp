@@ -54,7 +54,7 @@ TEST_F(CasePictures, ThePatchesOnWingAndNoseAreInTheFrame) {
                                 "/crossing/crossing.slcs pose.longitudinal=180");
   expect_parts(svg, {"patch 0: ", "patch 1: "});
   for (const char* tick : {"820", "800", "740", "720"}) {
-    EXPECT_EQ(ticks_of(svg, tick), 1U) << tick;
+    EXPECT_GE(ticks_of(svg, tick), 1U) << tick;
   }
   // Their pressures beside each other: of the 73 mm between them most are left out.
   EXPECT_NE(svg.find(" mm left out"), std::string::npos);
