@@ -198,7 +198,7 @@ double tick_distance(double least) {
 }
 
 /// The lateral axis of a side. Where gaps are shortened, its ticks are those of the patches beside
-/// them, and two lines with what is left out stand in the gap.
+/// them; two lines and the length left out mark the gap.
 void write_axes(std::ostream& out, const DrawnSide& side, const PatchAxes& axes) {
   const double right = side.across.middle() - 0.5 * axes.width();
   const double left = side.across.middle() + 0.5 * axes.width();

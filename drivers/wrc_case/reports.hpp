@@ -26,6 +26,8 @@ std::vector<PatchName> all_patches(const Scene& scene);
 
 /// A table for people.
 void print_table(const Scene& scene, std::ostream& out);
+/// The part of it on places that nearly touch at first touch.
+void print_near_contacts(const Scene& scene, std::ostream& out);
 /// All results as one object.
 json json_of(const Scene& scene);
 /// One line of column names, one line per side.

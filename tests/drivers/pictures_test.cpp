@@ -70,7 +70,7 @@ TEST_F(CasePictures, AWheelWithoutTractionsHasNoPanelForThem) {
   EXPECT_EQ(svg.find("no tractions"), std::string::npos);
 }
 
-TEST_F(CasePictures, ANearContactUnderLoadIsSaidToBeClosed) {
+TEST_F(CasePictures, ANearContactUnderLoadIsReportedAsClosed) {
   const std::string place = "mm apart at first touch at s_wheel -17.73 mm";
   const Outcome loaded = run("--set pose.lateral=5 solve.accuracy=1e-2 solve.side=left");
   EXPECT_NE(loaded.out.find("Closed by the load, left: 0.0017 " + place), std::string::npos)
@@ -109,7 +109,7 @@ TEST_F(StudyPictures, NumbersOfPatchesHaveWholeTicks) {
   EXPECT_EQ(ticks_of(svg, "1.5"), 0U);
 }
 
-TEST_F(StudyPictures, PointsAreNotJoinedIfAsked) {
+TEST_F(StudyPictures, PointsAreNotJoinedOnRequest) {
   NEEDS_GNUPLOT();
   const std::string joined = drawn("");
   const std::string apart = drawn("style = \"points\"\n");
